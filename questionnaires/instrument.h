@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "questionnaires/localized_text.h"
+#include "questionnaires/problem.h"
+
+namespace questionnaires {
+
+/// How an item is answered.
+enum class ItemType {
+  Likert,                ///< agreement with a statement, on a scale of points
+  SemanticDifferential,  ///< between two opposite words, on a scale of points
+  Slider,                ///< anywhere between two ends; shows no handle until it is touched
+  SingleChoice,          ///< one of several options
+  MultipleChoice,        ///< any number of several options, none included
+  Number,
+  ShortText,             ///< one line
+  LongText,              ///< several lines
+  PairwiseChoice,        ///< one of two
+};
+
+/// Points to choose from, from `lowest` up, one apart.
+struct Scale {
+  int lowest = 1;
+  int points = 5;
+  LocalizedText lowLabel;                 ///< what the lowest point means
+  LocalizedText highLabel;                ///< what the highest point means
+  std::vector<LocalizedText> pointLabels;  ///< one for each point, or none
+
+  int highest() const noexcept { return lowest + points - 1; }
+};
+
+/// One of the things that may be chosen.
+struct Option {
+  std::string id;
+  LocalizedText text;
+};
+
+/// Where an item's options come from.
+enum class OptionSource {
+  Listed,        ///< from the instrument
+  Alternatives,  ///< they are the alternatives that the participant has felt in a block
+};
+
+/// What a statement compares with.
+enum class Reference {
+  None,
+  Previous,  ///< with what was felt just before ("than the previous cut")
+};
+
+/// One question.
+struct Item {
+  std::string id;
+  ItemType type = ItemType::Likert;
+  LocalizedText text;
+  std::string set;  ///< of the items that are asked together where a step asks for a set only
+  int key = 1;      ///< +1: a high answer is good; -1: a low one is
+  bool isRequired = true;
+  bool isIdentifying = false;  ///< names a person: kept in identity.db, never exported
+  Reference reference = Reference::None;
+
+  Scale scale;                    ///< Likert, SemanticDifferential
+  LocalizedText leftText;         ///< SemanticDifferential, Slider: the low end
+  LocalizedText rightText;        ///< SemanticDifferential, Slider: the high end
+  double least = 0.0;             ///< Slider, Number
+  double most = 100.0;            ///< Slider, Number
+  double step = 1.0;              ///< Slider, Number; 0 for any value
+  std::string unit;               ///< Number
+  OptionSource optionSource = OptionSource::Listed;
+  std::vector<Option> options;    ///< SingleChoice, MultipleChoice, PairwiseChoice
+  std::string consentOption;      ///< SingleChoice: the option that gives consent, if this asks for it
+  std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]
+};
+
+/// How items become one number. An unanswered item is missing: never the midpoint, never zero.
+struct Score {
+  enum class Aggregate { Mean, Sum };
+
+  std::string id;
+  LocalizedText title;
+  std::vector<std::string> items;
+  Aggregate aggregate = Aggregate::Mean;
+  bool reverseByKey = true;        ///< an answer x to an item with key -1 counts as low + high - x
+  std::size_t leastAnswered = 0;   ///< fewer answers give no score; 0: all are needed
+  double offset = 0.0;             ///< added to the aggregate …
+  double factor = 1.0;             ///< … and then multiplied
+};
+
+/// Where an instrument comes from, and what may be done with it.
+struct Source {
+  std::string citation;
+  std::string doi;
+  std::string licence;
+};
+
+/// A questionnaire as its author published it: items, scales, keys, scoring, in several languages.
+struct Instrument {
+  std::string id;
+  std::string version;
+  LocalizedText title;         ///< participants may see it
+  LocalizedText introduction;  ///< shown above the items; the text of an information or consent form
+  Source source;
+  std::vector<std::string> languages;
+  std::vector<Item> items;
+  std::vector<Score> scores;
+
+  const Item* item(std::string_view id) const noexcept;
+  /// The items of @p set in order; all of them where @p set is empty.
+  std::vector<Item> itemsOf(std::string_view set) const;
+};
+
+/// Everything that is wrong with @p instrument as a whole: ids used twice, scores of items that do
+/// not exist, texts that lack a language. Structure and types are the reader's business.
+Problems problemsOf(const Instrument& instrument);
+
+}  // namespace questionnaires

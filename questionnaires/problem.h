@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace questionnaires {
+
+/// Whether a problem stops a file from being used.
+enum class Severity {
+  Error,    ///< the file cannot be used
+  Warning,  ///< it can, and its author should know
+};
+
+/// Something about a researcher's file, told so that it can be mended.
+struct Problem {
+  Severity severity = Severity::Error;
+  std::string path;  ///< where, as a JSON path from the root: "$.phases[3].order"
+  std::string what;  ///< what is wrong there
+  std::string fix;   ///< what to do about it; may be empty
+};
+
+/// All that was found in a file: a person who edits between two participants learns it at once.
+class Problems {
+ public:
+  void add(std::string path, std::string what, std::string fix = {}) {
+    list_.push_back({Severity::Error, std::move(path), std::move(what), std::move(fix)});
+  }
+  void warn(std::string path, std::string what, std::string fix = {}) {
+    list_.push_back({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
+  }
+
+  const std::vector<Problem>& all() const noexcept { return list_; }
+  bool hasErrors() const noexcept {
+    return std::any_of(list_.begin(), list_.end(), [](const Problem& problem) {
+      return problem.severity == Severity::Error;
+    });
+  }
+
+ private:
+  std::vector<Problem> list_;
+};
+
+/// One line a problem, as a person at a terminal reads it.
+std::string inWords(const std::vector<Problem>& problems);
+
+/// A researcher's file that cannot be used; what() lists every problem.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace questionnaires

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+
+namespace tests {
+
+/// Counts what operator new hands out on this thread while it lives. A program that uses it links
+/// tests/support/allocation_counter.cpp, which replaces operator new.
+class AllocationCounter {
+ public:
+  AllocationCounter() noexcept;
+  std::size_t count() const noexcept;
+
+ private:
+  std::size_t before_;
+};
+
+}  // namespace tests
