@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace haptics::devices {
+
+/// Which instrument a device is.
+enum class DeviceKind {
+  Punch,   ///< arthroscopic punch, one degree of freedom; travel in travel units, 0 open, 10 closed
+  Reamer,  ///< acetabular reamer, moved along one axis; travel in metres
+};
+
+/// What a device can do, in its own units.
+struct Capabilities {
+  DeviceKind kind = DeviceKind::Punch;
+  std::string name;        ///< for people: "simulated punch"
+  std::string travelUnit;  ///< "travel_unit" or "m"
+  double leastTravel = 0.0;
+  double mostTravel = 10.0;
+  double maxForce = 10.0;  ///< [N]
+  double damping = 0.0;    ///< of the mechanism itself [N·s / travel unit]
+  double rate = 1000.0;    ///< [Hz]
+  bool isSimulated = true;
+};
+
+enum class DeviceStatus : std::uint8_t {
+  Ok,
+  Stale,    ///< answers, but this sample is not new
+  Faulted,  ///< says that something is wrong with it
+  Gone,     ///< does not answer
+};
+
+/// What a device says about itself. Only a sample that is Ok is a measurement: an invalid one is
+/// never a plausible zero.
+struct DeviceSample {
+  DeviceStatus status = DeviceStatus::Gone;
+  double travel = 0.0;    ///< [travel unit]
+  double velocity = 0.0;  ///< [travel unit / s]
+};
+
+/// An instrument in somebody's hand. read() and command() are called in turn from one thread, the
+/// engine's; they neither allocate, wait nor throw.
+class Device {
+ public:
+  virtual ~Device() = default;
+  Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  virtual const Capabilities& capabilities() const noexcept = 0;
+
+  /// Where the tool is now, @p dt [s] after the last time it was asked.
+  virtual DeviceSample read(double dt) noexcept = 0;
+
+  /// Pushes back with @p force [N] until the next command; against closing or advancing is
+  /// positive.
+  virtual void command(double force) noexcept = 0;
+};
+
+}  // namespace haptics::devices

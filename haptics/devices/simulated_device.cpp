@@ -1,0 +1,85 @@
+#include "haptics/devices/simulated_device.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace haptics::devices {
+
+SimulatedDevice::SimulatedDevice(Capabilities capabilities, const Mechanism& mechanism, Hand& hand)
+    : capabilities_(std::move(capabilities)), mechanism_(mechanism), hand_(hand) {
+  const bool isSound = mechanism.mass > 0.0 && mechanism.damping >= 0.0 &&
+                       mechanism.stopStiffness > 0.0 && mechanism.stopDamping >= 0.0 &&
+                       mechanism.resolution >= 0.0 &&
+                       capabilities_.mostTravel > capabilities_.leastTravel;
+  if (!isSound) throw std::invalid_argument("a simulated mechanism needs a mass and a range");
+  travel_ = capabilities_.leastTravel;
+}
+
+double SimulatedDevice::stopForce() const noexcept {
+  const double beyond = travel_ > capabilities_.mostTravel    ? travel_ - capabilities_.mostTravel
+                        : travel_ < capabilities_.leastTravel ? travel_ - capabilities_.leastTravel
+                                                              : 0.0;
+  if (beyond == 0.0) return 0.0;
+  const double force = mechanism_.stopStiffness * beyond + mechanism_.stopDamping * velocity_;
+  return force * beyond > 0.0 ? force : 0.0;  // a stop pushes, it does not hold
+}
+
+DeviceSample SimulatedDevice::read(double dt) noexcept {
+  const double push = hand_.push(travel_, velocity_, dt);
+  const double net = push - force_ - mechanism_.damping * velocity_ - stopForce();
+  velocity_ += dt * net / mechanism_.mass;
+  travel_ += dt * velocity_;
+  if (!std::isfinite(travel_) || !std::isfinite(velocity_)) {
+    travel_ = capabilities_.leastTravel;
+    velocity_ = 0.0;
+    return {.status = DeviceStatus::Faulted};
+  }
+  if (isGone_.load(std::memory_order_relaxed)) return {.status = DeviceStatus::Gone};
+
+  const double grain = mechanism_.resolution;
+  const double seen = grain > 0.0 ? grain * std::round(travel_ / grain) : travel_;
+  return {.status = DeviceStatus::Ok, .travel = seen, .velocity = velocity_};
+}
+
+Capabilities simulatedPunch() {
+  return {
+      .kind = DeviceKind::Punch,
+      .name = "simulated punch",
+      .travelUnit = "travel_unit",
+      .leastTravel = 0.0,
+      .mostTravel = 11.0,
+      .maxForce = 8.0,
+      .damping = punchMechanism().damping};
+}
+
+SimulatedDevice::Mechanism punchMechanism() {
+  return {
+      .mass = 0.004,
+      .damping = 0.05,
+      .stopStiffness = 80.0,
+      .stopDamping = 0.3,
+      .resolution = 0.0439};
+}
+
+Capabilities simulatedReamer() {
+  return {
+      .kind = DeviceKind::Reamer,
+      .name = "simulated reamer",
+      .travelUnit = "m",
+      .leastTravel = 0.0,
+      .mostTravel = 0.02,
+      .maxForce = 140.0,
+      .damping = reamerMechanism().damping};
+}
+
+SimulatedDevice::Mechanism reamerMechanism() {
+  return {
+      .mass = 4.0,
+      .damping = 60.0,
+      .stopStiffness = 40'000.0,
+      .stopDamping = 300.0,
+      .resolution = 0.0};
+}
+
+}  // namespace haptics::devices

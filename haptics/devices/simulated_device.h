@@ -1,0 +1,62 @@
+#pragma once
+
+#include <atomic>
+
+#include "haptics/devices/device.h"
+#include "haptics/devices/hand.h"
+
+namespace haptics::devices {
+
+/// A stand-in for an instrument: a mass on one axis between the hand that pushes it and the force
+/// that the engine commands, with the friction of the mechanism and a spring at either end of
+/// travel,
+///
+///     m ẍ = F_hand − F − b ẋ − F_stop.
+///
+/// It moves when it is read: dt is its only clock. The hand outlives it.
+class SimulatedDevice final : public Device {
+ public:
+  struct Mechanism {
+    double mass = 0.004;          ///< m [N·s² / travel unit], > 0
+    double damping = 0.05;        ///< b [N·s / travel unit], >= 0
+    double stopStiffness = 80.0;  ///< [N / travel unit], > 0
+    double stopDamping = 0.3;     ///< [N·s / travel unit], >= 0
+    double resolution = 0.0;      ///< of the encoder [travel unit]; 0: none
+  };
+
+  /// @throws std::invalid_argument  if the mechanism makes no sense.
+  SimulatedDevice(Capabilities capabilities, const Mechanism& mechanism, Hand& hand);
+
+  const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  DeviceSample read(double dt) noexcept override;
+  void command(double force) noexcept override { force_ = force; }
+
+  /// Any thread: pulls the plug; the device answers no more. plugIn() puts it back.
+  void unplug() noexcept { isGone_.store(true, std::memory_order_relaxed); }
+  void plugIn() noexcept { isGone_.store(false, std::memory_order_relaxed); }
+
+  /// What it pushes back with at present [N].
+  double commandedForce() const noexcept { return force_; }
+
+ private:
+  double stopForce() const noexcept;
+
+  Capabilities capabilities_;
+  Mechanism mechanism_;
+  Hand& hand_;
+  std::atomic<bool> isGone_{false};
+  double travel_ = 0.0;
+  double velocity_ = 0.0;
+  double force_ = 0.0;
+};
+
+/// The punch of the paper, simulated: an encoder of 0.0439° as 0.0439 travel units, 8 N at the
+/// handle.
+Capabilities simulatedPunch();
+SimulatedDevice::Mechanism punchMechanism();
+
+/// A reamer on an arm that gives 140 N (KUKA LBR iiwa 14), moved along its axis, simulated.
+Capabilities simulatedReamer();
+SimulatedDevice::Mechanism reamerMechanism();
+
+}  // namespace haptics::devices

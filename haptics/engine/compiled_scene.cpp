@@ -1,0 +1,108 @@
+#include "haptics/engine/compiled_scene.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "haptics/engine/material_model.h"
+#include "haptics/engine/punch_models.h"
+
+namespace haptics::engine {
+namespace {
+
+constexpr const char* kInterpolation = "interpolation of the recorded cut";
+constexpr const char* kFiniteElements = "finite elements: force";
+constexpr const char* kMesh = "finite elements: mesh";
+constexpr const char* kFilter = "Kalman filter";
+constexpr const char* kMaterial = "bone material";
+
+/// What each model needs: built here, and nowhere else.
+struct Builder {
+  std::unique_ptr<ForceModel> model;
+  std::vector<Pass> passes;
+
+  void in(const char* name, std::string why, std::size_t bytes) {
+    passes.push_back({name, true, std::move(why), bytes});
+  }
+  void out(const char* name, std::string why) {
+    passes.push_back({name, false, std::move(why), 0});
+  }
+
+  static std::size_t bytesOf(const InterpolationSpec& spec) {
+    return sizeof(InterpolationModel) + spec.curve.size() * sizeof(spec.curve[0]);
+  }
+
+  void operator()(const InterpolationSpec& spec) {
+    model = std::make_unique<InterpolationModel>(spec);
+    in(kInterpolation, "this is the force", bytesOf(spec));
+    out(kFiniteElements, "the force comes from the recording alone");
+    out(kFilter, "there is one force, so nothing to fuse");
+    out(kMaterial, "no bone is reamed");
+  }
+
+  void operator()(const FiniteElementsSpec& spec) {
+    model = std::make_unique<FiniteElementModel>(spec);
+    out(kInterpolation, "the force comes from the finite elements alone");
+    in(kFiniteElements, "this is the force", sizeof(FiniteElementModel));
+    out(kFilter, "there is one force, so nothing to fuse");
+    out(kMaterial, "no bone is reamed");
+  }
+
+  void operator()(const KalmanSpec& spec) {
+    model = std::make_unique<KalmanModel>(spec);
+    in(kInterpolation, "the filter corrects with it", bytesOf(spec.interpolation));
+    in(kFiniteElements, "the filter corrects with it", sizeof(FiniteElementModel));
+    in(kFilter, "this is the force", sizeof(models::KalmanFilter<double>));
+    out(kMaterial, "no bone is reamed");
+  }
+
+  void operator()(const MaterialSpec& spec) {
+    auto material = std::make_unique<MaterialModel>(spec);
+    const std::size_t bytes = material->nodes().size() * sizeof(material->nodes()[0]);
+    model = std::move(material);
+    out(kInterpolation, "no cut is replayed");
+    out(kFiniteElements, "no meniscus is pressed");
+    out(kFilter, "there is one force, so nothing to fuse");
+    in(kMaterial, "this is the force; both measured curves were blended beforehand", bytes);
+  }
+};
+
+/// The tissue that is drawn while a punch is felt, whatever renders its force.
+models::FiniteElements<double>::Parameters shownTissue(const SceneSpec& spec) {
+  if (const auto* elements = std::get_if<FiniteElementsSpec>(&spec.model))
+    return elements->parameters;
+  if (const auto* kalman = std::get_if<KalmanSpec>(&spec.model)) {
+    return kalman->finiteElements.parameters;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<MeshView::Point> MeshView::under(double force) const {
+  std::vector<Point> points{{elements_.position(0), 0.0}};
+  for (int node = 1; node <= elements_.elements(); ++node) {
+    points.push_back({elements_.position(node), elements_.displacement(node, force)});
+  }
+  points.push_back({elements_.position(elements_.elements() + 1), 0.0});
+  return points;
+}
+
+CompiledScene::CompiledScene(const SceneSpec& spec) {
+  std::string wrong;
+  for (const auto& problem : problemsOf(spec)) wrong += (wrong.empty() ? "" : "; ") + problem;
+  if (!wrong.empty()) throw std::invalid_argument(wrong);
+
+  Builder builder;
+  std::visit(builder, spec.model);
+  const bool isPunch = spec.device == devices::DeviceKind::Punch;
+  if (spec.isVisualised && isPunch) {
+    mesh_.emplace(models::FiniteElements<double>(shownTissue(spec)));
+    builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
+  } else {
+    builder.out(kMesh, isPunch ? "nothing is shown" : "no meniscus is shown");
+  }
+  model_ = std::move(builder.model);
+  passes_ = std::move(builder.passes);
+}
+
+}  // namespace haptics::engine

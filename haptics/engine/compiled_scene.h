@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/engine/force_model.h"
+#include "haptics/engine/scene_spec.h"
+
+namespace haptics::engine {
+
+/// The tissue as it is seen: how the finite-element mesh gives way under the tool. Solved when
+/// somebody looks, at the display's rate, never in the tick.
+class MeshView {
+ public:
+  explicit MeshView(const models::FiniteElements<double>& elements) : elements_(elements) {}
+
+  struct Point {
+    double position = 0.0;      ///< along the tissue [string units]
+    double displacement = 0.0;  ///< [travel units]
+  };
+
+  /// The ends and all midpoints, under @p force at the tool [N].
+  std::vector<Point> under(double force) const;
+
+ private:
+  models::FiniteElements<double> elements_;
+};
+
+/// A part of a scene, built or left out.
+struct Pass {
+  std::string name;
+  bool isIn = false;
+  std::string why;
+  std::size_t bytes = 0;  ///< of memory that the tick touches
+};
+
+/// A condition made ready to be felt: holds just what this condition needs.
+///
+/// Built before the hand is on the tool; respond() then computes and returns.
+class CompiledScene {
+ public:
+  /// @throws std::invalid_argument  naming everything that problemsOf(spec) finds.
+  explicit CompiledScene(const SceneSpec& spec);
+
+  models::Response<double> respond(const ToolState& tool) noexcept { return model_->respond(tool); }
+  void reset() noexcept { model_->reset(); }
+  double largestStiffness() const noexcept { return model_->largestStiffness(); }
+
+  /// Nothing, where the condition is felt without being seen.
+  const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }
+
+  /// What is in, what was left out, and why.
+  const std::vector<Pass>& passes() const noexcept { return passes_; }
+
+ private:
+  std::unique_ptr<ForceModel> model_;
+  std::optional<MeshView> mesh_;
+  std::vector<Pass> passes_;
+};
+
+}  // namespace haptics::engine

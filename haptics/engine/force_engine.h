@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "haptics/devices/device.h"
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/force_limiter.h"
+#include "haptics/engine/tick_sample.h"
+#include "haptics/models/cut_detector.h"
+
+namespace haptics::engine {
+
+using CutDetector = models::CutDetector<double>;
+
+/// What counts as a cut on a punch, and as a stroke on a reamer.
+CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept;
+
+/// Feels for a hand: reads the tool, asks a scene for a force, limits it, commands it, counts cuts.
+///
+/// The engine owns neither thread nor clock. Whoever calls tick() decides what a millisecond is:
+/// the real-time loop on a study day, a for-loop for a simulated cohort and in a test. One engine
+/// serves one device; two devices have two clocks, hence two engines.
+class ForceEngine {
+ public:
+  /// The device outlives the engine. @throws std::invalid_argument  as ForceLimiter does.
+  ForceEngine(devices::Device& device, const ForceLimiter::Limits& limits);
+
+  /// Lets the hand feel @p scene from the next tick on; nullptr for nothing. Any thread may call
+  /// it. The scene outlives its last tick: take it away and wait for a tick, or stop the loop
+  /// first.
+  void setScene(CompiledScene* scene) noexcept;
+
+  /// Any thread: no force at once, and none until arm(). A device that is gone or faulty stops the
+  /// engine by itself, and it stays stopped when the device comes back.
+  void stop() noexcept { isStopped_.store(true, std::memory_order_release); }
+  void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
+  bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }
+
+  /// One step of @p dt [s]. Never allocates, waits or throws.
+  ///
+  /// Read device → check sample → scene → saturate → slew → check for finiteness → command. A
+  /// sample that is no measurement, a stop, or a scene without an answer lets go of the hand.
+  TickSample tick(double dt) noexcept;
+
+  /// The cut that was completed last. Only from the thread that ticks, or when none does.
+  const CutDetector::Cut& lastCut() const noexcept { return cuts_.lastCut(); }
+
+ private:
+  double desiredForce(CompiledScene& scene, TickSample& sample) noexcept;
+  void followCuts(TickSample& sample) noexcept;
+
+  devices::Device& device_;
+  ForceLimiter limiter_;
+  CutDetector cuts_;
+  std::atomic<CompiledScene*> scene_{nullptr};
+  CompiledScene* felt_ = nullptr;  ///< by the last tick
+  std::atomic<bool> isStopped_{false};
+  std::uint64_t ticks_ = 0;
+  ToolState tool_;
+};
+
+}  // namespace haptics::engine

@@ -1,0 +1,85 @@
+#include "haptics/engine/material_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haptics::engine {
+namespace {
+
+/// The three-point slope at an end, limited so that it neither turns nor overshoots.
+double endSlope(double h0, double h1, double rise0, double rise1) {
+  const double slope = ((2.0 * h0 + h1) * rise0 - h0 * rise1) / (h0 + h1);
+  if (slope * rise0 <= 0.0) return 0.0;
+  if (rise0 * rise1 <= 0.0 && std::abs(slope) > 3.0 * std::abs(rise0)) return 3.0 * rise0;
+  return slope;
+}
+
+std::vector<models::HermiteNode<double>> blend(const MaterialSpec& spec) {
+  std::vector<double> depths;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const auto& node : spec.nodes) {
+    depths.push_back(node.depth);
+    lower.push_back(node.lower);
+    upper.push_back(node.upper);
+  }
+  const auto lowerSlopes = monotoneSlopes(depths, lower);
+  const auto upperSlopes = monotoneSlopes(depths, upper);
+  const double h = spec.hardness;
+  std::vector<models::HermiteNode<double>> nodes;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    nodes.push_back(
+        {depths[i],
+         spec.forceScale * ((1.0 - h) * lower[i] + h * upper[i]),
+         spec.forceScale * ((1.0 - h) * lowerSlopes[i] + h * upperSlopes[i])});
+  }
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<double> monotoneSlopes(
+    const std::vector<double>& positions, const std::vector<double>& values) {
+  const std::size_t n = positions.size();
+  std::vector<double> h(n - 1);
+  std::vector<double> rise(n - 1);
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    h[i] = positions[i + 1] - positions[i];
+    rise[i] = (values[i + 1] - values[i]) / h[i];
+  }
+  if (n == 2) return {rise[0], rise[0]};
+
+  std::vector<double> slopes(n, 0.0);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    if (rise[i - 1] * rise[i] <= 0.0) continue;
+    const double w1 = 2.0 * h[i] + h[i - 1];
+    const double w2 = h[i] + 2.0 * h[i - 1];
+    slopes[i] = (w1 + w2) / (w1 / rise[i - 1] + w2 / rise[i]);
+  }
+  slopes[0] = endSlope(h[0], h[1], rise[0], rise[1]);
+  slopes[n - 1] = endSlope(h[n - 2], h[n - 3], rise[n - 2], rise[n - 3]);
+  return slopes;
+}
+
+MaterialModel::MaterialModel(const MaterialSpec& spec)
+    : nodes_(blend(spec)), curve_(nodes_.data(), nodes_.size()) {}
+
+double MaterialModel::largestStiffness() const noexcept {
+  // The slope of a cubic is a parabola: largest at an end of its interval or at its apex.
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+    const auto& a = nodes_[i];
+    const auto& b = nodes_[i + 1];
+    const double rise = (b.force - a.force) / (b.position - a.position);
+    const double r = a.slope + b.slope - 2.0 * rise;
+    const double q = rise - a.slope - r;
+    largest = std::max({largest, std::abs(a.slope), std::abs(b.slope)});
+    const double apex = r != 0.0 ? -q / (3.0 * r) : -1.0;
+    if (apex > 0.0 && apex < 1.0) {
+      largest = std::max(largest, std::abs(a.slope + apex * (2.0 * q + 3.0 * apex * r)));
+    }
+  }
+  return largest;
+}
+
+}  // namespace haptics::engine

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "haptics/engine/force_model.h"
+#include "haptics/engine/scene_spec.h"
+
+namespace haptics::engine {
+
+/// The recorded cut, replayed over travel.
+class InterpolationModel final : public ForceModel {
+ public:
+  /// @param spec  sound.
+  explicit InterpolationModel(InterpolationSpec spec);
+
+  models::Response<double> respond(const ToolState& tool) noexcept override;
+  void reset() noexcept override { hint_ = 0; }
+  double largestStiffness() const noexcept override;
+
+ private:
+  InterpolationSpec spec_;
+  models::Interpolation<double> curve_;
+  std::size_t hint_ = 0;
+};
+
+/// The elastic, ideally plastic reference.
+class FiniteElementModel final : public ForceModel {
+ public:
+  explicit FiniteElementModel(const FiniteElementsSpec& spec) : elements_(spec.parameters) {}
+
+  models::Response<double> respond(const ToolState& tool) noexcept override {
+    return elements_.at(tool.travel);
+  }
+  void reset() noexcept override {}
+  double largestStiffness() const noexcept override { return elements_.stiffness(); }
+
+ private:
+  models::FiniteElements<double> elements_;
+};
+
+/// Both, fused.
+class KalmanModel final : public ForceModel {
+ public:
+  explicit KalmanModel(const KalmanSpec& spec);
+
+  models::Response<double> respond(const ToolState& tool) noexcept override;
+  void reset() noexcept override;
+  double largestStiffness() const noexcept override;
+
+ private:
+  InterpolationModel interpolation_;
+  FiniteElementModel finiteElements_;
+  models::KalmanFilter<double> filter_;
+  bool hasTravel_ = false;
+  double lastTravel_ = 0.0;
+};
+
+}  // namespace haptics::engine

@@ -1,0 +1,74 @@
+#include "haptics/engine/scene_spec.h"
+
+#include <cmath>
+
+namespace haptics::engine {
+namespace {
+
+using Words = std::vector<std::string>;
+
+void check(const InterpolationSpec& spec, Words& problems) {
+  if (!models::Interpolation<double>::isSound(spec.curve.data(), spec.curve.size(), spec.options)) {
+    problems.push_back(
+        "the force curve needs two or more points with strictly increasing travel and finite "
+        "forces, "
+        "and a ramp longer than 0");
+  }
+}
+
+void check(const FiniteElementsSpec& spec, Words& problems) {
+  if (!models::FiniteElements<double>::isSound(spec.parameters)) {
+    problems.push_back(
+        "the finite elements need start < tool position < end, one or more elements, a stiffness "
+        "above "
+        "0 and a yield force that is not negative");
+  }
+}
+
+void check(const KalmanSpec& spec, Words& problems) {
+  check(spec.interpolation, problems);
+  check(spec.finiteElements, problems);
+  if (!models::KalmanFilter<double>::isSound(spec.noise)) {
+    problems.push_back(
+        "the Kalman filter's variances must not be negative, its process noise must be positive "
+        "semi-definite (force · stiffness ≥ covariance²), and not everything may be 0");
+  }
+}
+
+void check(const MaterialSpec& spec, Words& problems) {
+  if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
+    problems.push_back("the hardness must lie between 0 and 1");
+  }
+  if (!(spec.forceScale > 0.0 && spec.forceScale <= 1.0)) {
+    problems.push_back("the force scale must lie above 0 and not above 1");
+  }
+  if (spec.nodes.size() < 2) problems.push_back("the material needs two or more nodes");
+  for (std::size_t i = 0; i < spec.nodes.size(); ++i) {
+    const auto& node = spec.nodes[i];
+    const std::string name = "material node " + std::to_string(i + 1);
+    if (!std::isfinite(node.depth + node.lower + node.upper)) {
+      problems.push_back(name + " is not a finite number");
+    } else if (!(node.lower >= 0.0 && node.lower <= node.upper)) {
+      problems.push_back(name + ": 0 ≤ lower ≤ upper must hold");
+    }
+    if (i > 0 && !(node.depth > spec.nodes[i - 1].depth)) {
+      problems.push_back(name + " does not lie deeper than the one before it");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> problemsOf(const SceneSpec& spec) {
+  Words problems;
+  std::visit([&](const auto& model) { check(model, problems); }, spec.model);
+  const bool isMaterial = std::holds_alternative<MaterialSpec>(spec.model);
+  if (isMaterial != (spec.device == devices::DeviceKind::Reamer)) {
+    problems.push_back(
+        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
+                   : "this model is felt on a punch, not on a reamer");
+  }
+  return problems;
+}
+
+}  // namespace haptics::engine

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "haptics/devices/device.h"
+#include "haptics/models/finite_elements.h"
+#include "haptics/models/interpolation.h"
+#include "haptics/models/kalman_filter.h"
+
+namespace haptics::engine {
+
+/// Force by interpolation of a recorded cut: eq. (2) of the punch paper.
+struct InterpolationSpec {
+  std::vector<models::CurveNode<double>> curve;
+  models::Interpolation<double>::Options options;
+};
+
+/// Force by one-dimensional finite elements: eq. (3)–(11).
+struct FiniteElementsSpec {
+  models::FiniteElements<double>::Parameters parameters;
+};
+
+/// Both fused by a Kalman filter: eq. (12)–(24).
+struct KalmanSpec {
+  InterpolationSpec interpolation;
+  FiniteElementsSpec finiteElements;
+  models::KalmanFilter<double>::Noise noise;
+};
+
+/// A node of a reaming material: the softest and the hardest bone that was measured there.
+struct MaterialNode {
+  double depth = 0.0;  ///< [m]
+  double lower = 0.0;  ///< [N]
+  double upper = 0.0;  ///< [N]
+};
+
+/// Force over displacement of an acetabulum, between a lower and an upper measured curve:
+/// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes.
+struct MaterialSpec {
+  std::vector<MaterialNode> nodes;
+  double hardness = 0.5;  ///< h, from 0 (lower curve) to 1 (upper curve)
+  double forceScale =
+      1.0;  ///< bone asks for more than an arm gives: everything times this, in (0, 1]
+};
+
+/// All that a condition says about what is to be felt and seen.
+struct SceneSpec {
+  devices::DeviceKind device = devices::DeviceKind::Punch;
+  std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec> model;
+  bool isVisualised = false;
+};
+
+/// Everything that is wrong with @p spec, in words; empty where it can be compiled.
+std::vector<std::string> problemsOf(const SceneSpec& spec);
+
+}  // namespace haptics::engine

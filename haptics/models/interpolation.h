@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+
+#include "haptics/models/response.h"
+
+namespace haptics::models {
+
+/// A point of a force curve.
+template <typename Scalar>
+struct CurveNode {
+  Scalar travel{};  ///< [travel units]
+  Scalar force{};   ///< [N]
+};
+
+/// What is felt beyond either end of a recorded curve, where the punch paper's eq. (2) is silent.
+enum class BeyondCurve {
+  RampOut,  ///< the force at the end fades to nothing over a length: "reduced to zero"
+  Hold,     ///< the force at the end stays
+  Zero,     ///< nothing, at once
+};
+
+/// The force of a recorded cut, by straight lines between its points: eq. (2) of the punch paper,
+///
+///     f(θ) = f*ₖ + (f*ₖ₊₁ − f*ₖ) (θ − θ*ₖ) / (θ*ₖ₊₁ − θ*ₖ)   for θ*ₖ ≤ θ ≤ θ*ₖ₊₁.
+///
+/// The interval k is looked up by position, not by time as the paper's index suggests. A hint that
+/// the caller keeps makes the look-up O(1) for a hand that moves on, and O(log n) for one that
+/// jumps.
+template <typename Scalar>
+class Interpolation {
+ public:
+  struct Options {
+    BeyondCurve beyond = BeyondCurve::RampOut;
+    Scalar rampLength{1.5};  ///< RampOut: over which the force fades [travel units], > 0
+  };
+
+  /// @param nodes  travel strictly increasing, all finite, at least two: isSound() has been asked.
+  ///               They outlive this object.
+  constexpr Interpolation(
+      const CurveNode<Scalar>* nodes, std::size_t count, const Options& options) noexcept
+      : nodes_(nodes), count_(count), options_(options) {}
+
+  static constexpr bool isSound(
+      const CurveNode<Scalar>* nodes, std::size_t count, const Options& options) noexcept {
+    if (count < 2 || !isFinite(nodes[0]) || !(options.rampLength > Scalar{0})) return false;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (!isFinite(nodes[i]) || !(nodes[i].travel > nodes[i - 1].travel)) return false;
+    }
+    return true;
+  }
+
+  /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is no
+  /// number.
+  /// @param hint  of the interval; start with 0 and hand back what came out.
+  constexpr Response<Scalar> at(Scalar travel, std::size_t& hint) const noexcept {
+    const auto& first = nodes_[0];
+    const auto& last = nodes_[count_ - 1];
+    if (!(travel >= first.travel)) return beyond(first.force, first.travel - travel, Scalar{-1});
+    if (travel > last.travel) return beyond(last.force, travel - last.travel, Scalar{1});
+
+    const std::size_t k = interval(travel, hint);
+    hint = k;
+    const auto& a = nodes_[k];
+    const auto& b = nodes_[k + 1];
+    const Scalar slope = (b.force - a.force) / (b.travel - a.travel);
+    return {a.force + slope * (travel - a.travel), slope, true};
+  }
+
+ private:
+  static constexpr bool isFinite(const CurveNode<Scalar>& node) noexcept {
+    return node.travel - node.travel == Scalar{0} && node.force - node.force == Scalar{0};
+  }
+
+  constexpr Response<Scalar> beyond(
+      Scalar force, Scalar distance, Scalar direction) const noexcept {
+    if (!(distance > Scalar{0})) return {};  // no number
+    if (options_.beyond == BeyondCurve::Hold) return {force, Scalar{0}, true};
+    if (options_.beyond == BeyondCurve::Zero || distance >= options_.rampLength) {
+      return {Scalar{0}, Scalar{0}, true};
+    }
+    const Scalar slope = -direction * force / options_.rampLength;
+    return {force + slope * direction * distance, slope, true};
+  }
+
+  constexpr std::size_t interval(Scalar travel, std::size_t hint) const noexcept {
+    if (hint + 1 < count_) {
+      if (holds(hint, travel)) return hint;
+      if (hint + 2 < count_ && holds(hint + 1, travel)) return hint + 1;
+      if (hint > 0 && holds(hint - 1, travel)) return hint - 1;
+    }
+    std::size_t low = 0;
+    std::size_t high = count_ - 1;
+    while (high - low > 1) {
+      const std::size_t middle = low + (high - low) / 2;
+      (nodes_[middle].travel <= travel ? low : high) = middle;
+    }
+    return low;
+  }
+
+  constexpr bool holds(std::size_t k, Scalar travel) const noexcept {
+    return nodes_[k].travel <= travel && travel <= nodes_[k + 1].travel;
+  }
+
+  const CurveNode<Scalar>* nodes_;
+  std::size_t count_;
+  Options options_;
+};
+
+}  // namespace haptics::models

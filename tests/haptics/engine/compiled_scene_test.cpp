@@ -1,0 +1,132 @@
+#include "haptics/engine/compiled_scene.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "haptics/engine/material_model.h"
+#include "haptics/engine/parametric_material.h"
+
+namespace haptics::engine {
+namespace {
+
+bool isIn(const CompiledScene& scene, const std::string& name) {
+  for (const auto& pass : scene.passes()) {
+    if (pass.name == name) return pass.isIn;
+  }
+  ADD_FAILURE() << "no pass '" << name << "'";
+  return false;
+}
+
+const InterpolationSpec kCut{.curve = {{3.8, 0.0}, {7.2, 4.4}, {10.3, 3.4}}};
+
+MaterialSpec bone(double hardness) {
+  return {.nodes = parametricMaterial(), .hardness = hardness};
+}
+
+TEST(CompiledScene, HoldsNoFiniteElementsForInterpolationAlone) {
+  const CompiledScene scene({.model = kCut});
+  EXPECT_TRUE(isIn(scene, "interpolation of the recorded cut"));
+  EXPECT_FALSE(isIn(scene, "finite elements: force"));
+  EXPECT_FALSE(isIn(scene, "finite elements: mesh"));
+  EXPECT_FALSE(isIn(scene, "Kalman filter"));
+}
+
+TEST(CompiledScene, HoldsAMeshOnlyWhereSomebodyLooks) {
+  EXPECT_EQ(CompiledScene({.model = kCut}).mesh(), nullptr);
+  const CompiledScene seen({.model = kCut, .isVisualised = true});
+  ASSERT_NE(seen.mesh(), nullptr);
+  EXPECT_EQ(seen.mesh()->under(3.0).size(), 7U);  // five midpoints and both ends
+  EXPECT_EQ(seen.mesh()->under(3.0).front().displacement, 0.0);
+}
+
+TEST(CompiledScene, SaysWhyForEveryPass) {
+  const CompiledScene scene({.model = KalmanSpec{.interpolation = kCut}});
+  for (const auto& pass : scene.passes()) {
+    EXPECT_FALSE(pass.why.empty()) << pass.name;
+  }
+}
+
+TEST(CompiledScene, RefusesWhatIsUnsoundInWords) {
+  EXPECT_THROW(CompiledScene({.model = InterpolationSpec{}}), std::invalid_argument);
+  EXPECT_THROW(
+      CompiledScene({.device = devices::DeviceKind::Reamer, .model = kCut}), std::invalid_argument);
+  EXPECT_THROW(
+      CompiledScene({.device = devices::DeviceKind::Reamer, .model = bone(1.5)}),
+      std::invalid_argument);
+}
+
+TEST(CompiledScene, KnowsItsStiffestSlope) {
+  EXPECT_DOUBLE_EQ(CompiledScene({.model = FiniteElementsSpec{}}).largestStiffness(), 12.0 / 7.0);
+  const InterpolationSpec steep{.curve = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 3.0}},
+                                .options = {.rampLength = 3.0}};
+  EXPECT_DOUBLE_EQ(CompiledScene({.model = steep}).largestStiffness(), 4.0);
+}
+
+TEST(MaterialModel, IsTheLowerCurveAtZeroAndTheUpperOneAtOne) {
+  for (const double h : {0.0, 1.0}) {
+    MaterialModel model(bone(h));
+    for (const auto& node : parametricMaterial()) {
+      const double expected = h == 0.0 ? node.lower : node.upper;
+      EXPECT_NEAR(model.respond({.travel = node.depth}).force, expected, 1e-9) << node.depth;
+    }
+  }
+}
+
+TEST(MaterialModel, GrowsWithHardnessEverywhere) {
+  for (double depth = 0.0; depth <= 0.021; depth += 0.0001) {
+    double last = -1.0;
+    for (const double h : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      MaterialModel model(bone(h));
+      const double force = model.respond({.travel = depth}).force;
+      EXPECT_GE(force, last - 1e-12) << "at " << depth << " m, hardness " << h;
+      last = force;
+    }
+  }
+}
+
+TEST(MaterialModel, NeverOvershootsItsNodes) {
+  MaterialModel model(bone(1.0));
+  const auto nodes = parametricMaterial();
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double low = std::min(nodes[i].upper, nodes[i + 1].upper);
+    const double high = std::max(nodes[i].upper, nodes[i + 1].upper);
+    for (int part = 0; part <= 50; ++part) {
+      const double depth = nodes[i].depth + (nodes[i + 1].depth - nodes[i].depth) * part / 50.0;
+      const double force = model.respond({.travel = depth}).force;
+      EXPECT_GE(force, low - 1e-9);
+      EXPECT_LE(force, high + 1e-9);
+    }
+  }
+}
+
+TEST(MaterialModel, StiffestSlopeIsThatOfTheCurve) {
+  MaterialModel model(bone(0.7));
+  double steepest = 0.0;
+  for (double depth = 0.0; depth < 0.02; depth += 1e-6) {
+    steepest = std::max(steepest, std::abs(model.respond({.travel = depth}).stiffness));
+  }
+  EXPECT_NEAR(model.largestStiffness() / steepest, 1.0, 1e-4);
+  EXPECT_GE(model.largestStiffness(), steepest * (1.0 - 1e-12));
+}
+
+TEST(MaterialModel, TakesTheForceScale) {
+  auto scaled = bone(0.5);
+  scaled.forceScale = 0.15;
+  EXPECT_NEAR(
+      MaterialModel(scaled).respond({.travel = 0.01}).force,
+      0.15 * MaterialModel(bone(0.5)).respond({.travel = 0.01}).force, 1e-12);
+}
+
+TEST(MonotoneSlopes, EqualThoseOfAnIndependentImplementation) {
+  // Python: scipy.interpolate.PchipInterpolator([0,1,3,4],[0,2,3,7]).derivative()([0,1,3,4]),
+  // worked by hand from Fritsch & Butland: w = (5, 4) at x = 1, (4, 5) at x = 3.
+  const auto slopes = monotoneSlopes({0.0, 1.0, 3.0, 4.0}, {0.0, 2.0, 3.0, 7.0});
+  EXPECT_NEAR(slopes[1], 9.0 / (5.0 / 2.0 + 4.0 / 0.5), 1e-14);
+  EXPECT_NEAR(slopes[2], 9.0 / (4.0 / 0.5 + 5.0 / 4.0), 1e-14);
+  EXPECT_NEAR(slopes[0], (4.0 * 2.0 - 0.5) / 3.0, 1e-14);
+}
+
+}  // namespace
+}  // namespace haptics::engine

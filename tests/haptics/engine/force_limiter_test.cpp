@@ -1,0 +1,57 @@
+#include "haptics/engine/force_limiter.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace haptics::engine {
+namespace {
+
+constexpr double kDt = 0.001;
+
+TEST(ForceLimiter, LetsAHarmlessForcePass) {
+  ForceLimiter limiter({.maxForce = 5.0, .maxRate = 1000.0});
+  EXPECT_EQ(limiter.limit(0.5, kDt).force, 0.5);
+  EXPECT_EQ(limiter.limit(0.5, kDt).interventions, ForceLimiter::None);
+}
+
+TEST(ForceLimiter, NeverExceedsTheMaximumForce) {
+  ForceLimiter limiter({.maxForce = 5.0, .maxRate = 1e9});
+  for (const double wild : {1e308, -1e308, 6.0, -7.0, 5.0001}) {
+    const auto limited = limiter.limit(wild, kDt);
+    EXPECT_LE(std::abs(limited.force), 5.0);
+    EXPECT_TRUE((limited.interventions & ForceLimiter::Saturated) != 0);
+  }
+}
+
+TEST(ForceLimiter, NeverChangesFasterThanAllowed) {
+  ForceLimiter limiter({.maxForce = 5.0, .maxRate = 100.0});
+  double last = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const double force = limiter.limit(i % 2 == 0 ? 5.0 : -5.0, kDt).force;
+    EXPECT_LE(std::abs(force - last), 100.0 * kDt * (1.0 + 1e-12));
+    last = force;
+  }
+}
+
+TEST(ForceLimiter, LetsGoOfWhatIsNoNumber) {
+  ForceLimiter limiter({.maxForce = 5.0, .maxRate = 1e6});
+  limiter.limit(4.0, kDt);
+  for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {
+    const auto limited = limiter.limit(bad, kDt);
+    EXPECT_EQ(limited.force, 0.0);
+    EXPECT_EQ(limited.interventions, ForceLimiter::NotFinite);
+  }
+}
+
+TEST(ForceLimiter, RefusesLimitsThatAreNone) {
+  EXPECT_THROW(ForceLimiter({.maxForce = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter({.maxForce = -1.0}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter({.maxForce = INFINITY}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter({.maxRate = std::nan("")}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace haptics::engine
