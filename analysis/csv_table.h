@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace analysis {
+
+/// One row of a table, and the line of the file that it begins on: the header is line 1.
+struct CsvRow {
+  std::size_t line = 0;
+  std::vector<std::string> cells;
+};
+
+/// A table as text: every row has as many cells as there are columns.
+struct CsvTable {
+  char separator = ',';
+  std::vector<std::string> columns;
+  std::vector<CsvRow> rows;
+
+  /// Where a column is.
+  /// @throws Error  if it is not there, naming those that are and the nearest; or if it is there
+  ///     twice.
+  std::size_t columnIndex(std::string_view name) const;
+};
+
+/// Reads comma-separated values (RFC 4180) as spreadsheets and people write them: with quotation
+/// marks, any line ends, a byte order mark; rows without any text are skipped, and so are spaces
+/// around a cell that has no quotation marks.
+///
+/// The separator is the one that the header has most of: comma, semicolon or tab.
+///
+/// @throws Error  for a file without a header, in UTF-16, with a quotation mark that is never
+///     closed or closed too early, or with rows of too few or too many cells: all of these at once.
+CsvTable readCsv(std::string_view text);
+
+}  // namespace analysis

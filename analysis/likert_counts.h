@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace analysis {
+
+/// Answers on a scale of whole numbers, kept as how often each point was chosen.
+///
+/// With S the sum of the answers and Q that of their squares, both whole numbers,
+///
+///     m = S / n,   s² = (n Q − S²) / (n (n − 1)),
+///
+/// so that both are exactly rounded, in whatever order the answers came.
+class LikertCounts {
+ public:
+  static constexpr int kMostPoints = 1024;
+  static constexpr std::uint64_t kMostAnswers = std::uint64_t{1} << 40;
+
+  /// No answers yet on the scale @p lowest … @p highest, both in −10⁶ … 10⁶.
+  /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints.
+  LikertCounts(int lowest, int highest);
+
+  /// counts[i] people chose lowest + i.
+  /// @throws std::invalid_argument  as above, and beyond kMostAnswers.
+  LikertCounts(int lowest, std::span<const std::uint64_t> counts);
+
+  /// @throws std::invalid_argument  for a point that is not on the scale, or beyond kMostAnswers.
+  void add(int point, std::uint64_t times = 1);
+
+  /// The answers of another group on the same scale, pooled into this one.
+  /// @throws std::invalid_argument  if the scales differ, or beyond kMostAnswers.
+  void merge(const LikertCounts& other);
+
+  /// Every answer x as lowest + highest − x: what a negatively worded statement means.
+  LikertCounts reversed() const;
+
+  int lowest() const noexcept { return lowest_; }
+  int highest() const noexcept { return lowest_ + static_cast<int>(counts_.size()) - 1; }
+  /// From the lowest point to the highest.
+  std::span<const std::uint64_t> counts() const noexcept { return counts_; }
+  std::uint64_t total() const noexcept { return total_; }
+
+  /// Nothing without answers.
+  std::optional<double> mean() const;
+
+  /// With n − 1; nothing for fewer than two answers.
+  std::optional<double> variance() const;
+
+  bool operator==(const LikertCounts&) const = default;
+
+ private:
+  int lowest_;
+  std::vector<std::uint64_t> counts_;
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace analysis

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "analysis/csv_table.h"
+#include "analysis/grouped_values.h"
+
+namespace tests {
+
+/// A file of shared/data/stats.
+nlohmann::json statsJson(std::string_view relative);
+analysis::CsvTable statsTable(std::string_view relative);
+
+/// One of the data sets two/….csv: groups a and b of column g, values in column x.
+analysis::GroupedValues statsGroups(const std::string& dataSet);
+
+}  // namespace tests

@@ -1,0 +1,117 @@
+// NIST's certified values, and the golden p values and votes of shared/data/stats.
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/adjustment.h"
+#include "analysis/decimal_number.h"
+#include "analysis/equal_shares.h"
+#include "analysis/summary.h"
+#include "tests/analysis/digits.h"
+#include "tests/analysis/golden_file.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+std::vector<double> nistValues(const std::string& dataSet) {
+  const auto table = tests::statsTable("nist/univariate/" + dataSet + ".csv");
+  const auto column = table.columnIndex("y");
+  std::vector<double> values;
+  for (const auto& row : table.rows) {
+    values.push_back(analysis::decimalNumber(row.cells[column]).value());
+  }
+  return values;
+}
+
+TEST(NistUnivariate, ReachesWhatDoublesCanAttain) {
+  SKIP_WITHOUT_SHARED_DATA("stats/nist/nist.json");
+  constexpr double kMostAsked = 15.0;
+  constexpr double kSlack = 0.2;
+  tests::WorstDigits worst("NIST");
+
+  int visited = 0;
+  const auto all = tests::statsJson("nist/nist.json")["univariate"];
+  for (const auto& entry : all.items()) {
+    const std::string& dataSet = entry.key();
+    const auto& certified = entry.value();
+    SCOPED_TRACE(dataSet);
+    const auto summary = analysis::summarise(nistValues(dataSet));
+    const auto& attainable = certified["attainable_digits"];
+    const auto check = [&](const std::string& quantity, double number) {
+      const double digits = std::min(
+          kMostAsked, tests::correctDigits(number, certified[quantity].get<std::string>()));
+      worst.add(quantity, dataSet, digits);
+      EXPECT_GE(digits, attainable[quantity].get<double>() - kSlack) << quantity;
+    };
+
+    EXPECT_EQ(summary.n, certified["n"].get<std::uint64_t>());
+    check("mean", summary.mean.value());
+    check("sd", summary.standardDeviation.value());
+    ++visited;
+  }
+  EXPECT_EQ(visited, 5);
+}
+
+std::vector<std::optional<double>> pValues(const std::string& dataSet) {
+  const auto table = tests::statsTable("padj/" + dataSet + ".csv");
+  std::vector<std::optional<double>> values;
+  for (const auto& row : table.rows) values.push_back(analysis::decimalNumber(row.cells.front()));
+  return values;
+}
+
+TEST(GoldenAdjustments, OfBonferroniAreReached) {
+  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
+  tests::WorstDigits worst("adjusted p values");
+
+  int visited = 0;
+  const auto all = tests::statsJson("golden.json")["padj"];
+  for (const auto& [dataSet, golden] : all.items()) {
+    SCOPED_TRACE(dataSet);
+    const auto& truth = golden["bonferroni"];
+    const auto adjusted = analysis::adjust(pValues(dataSet));
+
+    ASSERT_EQ(adjusted.size(), truth.size());
+    for (std::size_t i = 0; i < adjusted.size(); ++i) {
+      ASSERT_EQ(adjusted[i].has_value(), !truth[i].is_null());
+      if (!adjusted[i]) continue;
+      const double digits = tests::correctDigits(*adjusted[i], truth[i].get<std::string>());
+      worst.add("bonferroni", dataSet, digits);
+      EXPECT_GE(digits, 14.0);
+    }
+    ++visited;
+  }
+  EXPECT_EQ(visited, 5);
+  EXPECT_EQ(worst.count(), 3 + 5 + 1 + 3 + 15);
+}
+
+TEST(GoldenVotes, GiveTheExactMultinomialP) {
+  SKIP_WITHOUT_SHARED_DATA("stats/counts.json");
+  const auto golden = tests::statsJson("golden.json")["counts"];
+  tests::WorstDigits worst("votes");
+
+  int visited = 0;
+  const auto all = tests::statsJson("counts.json");
+  for (const auto& entry : all.items()) {
+    const std::string& dataSet = entry.key();
+    analysis::VoteCounts votes({"I", "F", "K"});
+    for (const auto& [option, count] : entry.value().items())
+      votes.add(option, count.get<unsigned>());
+    const auto& truth = golden[dataSet];
+    const auto check = [&](const std::string& quantity, double number) {
+      const double digits = tests::correctDigits(number, truth[quantity].get<std::string>());
+      worst.add(quantity, dataSet, digits);
+      EXPECT_GE(digits, 14.0) << dataSet << " " << quantity;
+    };
+
+    check("p_multinomial_exact", analysis::equalSharesP(votes).value());
+    for (const auto& share : votes.shares()) check(share.option + "_share", share.share.value());
+    ++visited;
+  }
+  EXPECT_EQ(visited, 4);
+}
+
+}  // namespace

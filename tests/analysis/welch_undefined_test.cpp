@@ -1,0 +1,105 @@
+// Welch's test where something is missing: too few, one voice, beyond a double.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "analysis/welch.h"
+
+namespace {
+
+using analysis::confidenceInterval;
+using analysis::welchTTest;
+using Values = std::vector<double>;
+
+// R: sleep (Cushny & Peebles 1905)
+const Values kSleep1{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
+const Values kSleep2{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
+
+Values stretched(Values values, double by) {
+  for (double& value : values) value *= by;
+  return values;
+}
+
+TEST(WelchTest, IsUndefinedForFewerThanTwo) {
+  const auto none = welchTTest(Values{}, kSleep2);
+  const auto one = welchTTest(kSleep1, Values{4.0});
+
+  EXPECT_EQ(none.reason, "group 1 has no values, and the test needs two in each group");
+  EXPECT_FALSE(none.difference.has_value());
+  EXPECT_EQ(one.reason, "group 2 has one value only, and the test needs two in each group");
+  EXPECT_EQ(one.mean2, 4.0);
+  EXPECT_DOUBLE_EQ(one.difference.value(), -3.25);
+  EXPECT_FALSE(one.variance2.has_value());
+  EXPECT_FALSE(one.t.has_value());
+  EXPECT_FALSE(one.p.has_value());
+}
+
+TEST(WelchTest, IsUndefinedForOneVoice) {
+  const auto result = welchTTest(Values{6.0, 6.0, 6.0}, Values{6.0, 6.0});
+
+  EXPECT_EQ(
+      result.reason,
+      "both groups are constant and equal: there is no spread to hold a difference against");
+  EXPECT_EQ(result.difference, 0.0);
+  EXPECT_EQ(result.standardError, 0.0);
+  EXPECT_FALSE(result.t.has_value());
+  EXPECT_FALSE(result.degreesOfFreedom.has_value());
+  EXPECT_FALSE(result.p.has_value());
+}
+
+TEST(WelchTest, HasAnInfiniteTForTwoVoices) {
+  const auto result = welchTTest(Values{1.0, 1.0}, Values{5.0, 5.0, 5.0});
+
+  EXPECT_EQ(
+      result.reason, "both groups are constant and differ: t is infinite, and p is not defined");
+  EXPECT_EQ(result.t, -INFINITY);
+  EXPECT_FALSE(result.p.has_value());
+  EXPECT_FALSE(result.log10P.has_value());
+  EXPECT_FALSE(confidenceInterval(result, 0.95).has_value());
+}
+
+TEST(WelchTest, IsAnOrdinaryTestIfOnlyOneGroupIsConstant) {
+  const auto result = welchTTest(Values{5.0, 5.0, 5.0}, Values{1.0, 3.0, 2.0});
+  EXPECT_EQ(result.degreesOfFreedom, 2.0);
+  EXPECT_DOUBLE_EQ(result.t.value(), 3.0 * std::sqrt(3.0));
+  EXPECT_EQ(result.reason, "");
+}
+
+TEST(WelchTest, IsDefinedWhereTheVarianceIsBeyondADouble) {
+  const char* const why =
+      "a variance is beyond what a double can hold; t, degrees of freedom and p hold all the same";
+  for (const double unit : {1e-200, 1e200}) {
+    const auto result = welchTTest(stretched(kSleep1, unit), stretched(kSleep2, unit));
+    EXPECT_FALSE(result.variance1.has_value());
+    EXPECT_NEAR(result.p.value(), 0.07939414018735818, 1e-14);
+    EXPECT_TRUE(confidenceInterval(result, 0.95).has_value());
+    EXPECT_EQ(result.reason, why);
+  }
+}
+
+TEST(WelchTest, IsDefinedWhereTheDifferenceIsBeyondADouble) {
+  const double unit = 1.7e308;
+  const auto result =
+      welchTTest(Values{unit, 0.9 * unit, unit}, Values{-unit, -0.9 * unit, -0.8 * unit});
+  EXPECT_FALSE(result.difference.has_value());
+  EXPECT_FALSE(confidenceInterval(result, 0.95).has_value());
+  // R: t.test(c(1, .9, 1), c(-1, -.9, -.8))
+  EXPECT_NEAR(result.t.value(), 28.0, 1e-12);
+  EXPECT_FALSE(result.reason.empty());
+}
+
+TEST(WelchTest, SaysSoWhereTIsBeyondADouble) {
+  const auto result = welchTTest(Values{1e200, 1e200}, Values{1e-200, 2e-200});
+  EXPECT_EQ(result.t, INFINITY);
+  EXPECT_FALSE(result.p.has_value());
+  EXPECT_EQ(result.reason, "t is too large for a double, and p too small");
+}
+
+TEST(WelchTest, KeepsItsDigitsWhereAConstantGroupIsFarAway) {
+  // df = 2: P(|T| ≥ t) = 2 / (√(2 + t²) (√(2 + t²) + t)) → 1/t² for t → ∞
+  const auto result = welchTTest(Values{1e120, 1e120, 1e120}, Values{1.0, 2.0, 3.5});
+  EXPECT_EQ(result.degreesOfFreedom, 2.0);
+  EXPECT_NEAR(result.p.value() * result.t.value() * result.t.value(), 1.0, 1e-12);
+}
+
+}  // namespace
