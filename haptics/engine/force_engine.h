@@ -43,9 +43,6 @@ class ForceEngine {
   /// sample that is no measurement, a stop, or a scene without an answer lets go of the hand.
   TickSample tick(double dt) noexcept;
 
-  /// The cut that was completed last. Only from the thread that ticks, or when none does.
-  const CutDetector::Cut& lastCut() const noexcept { return cuts_.lastCut(); }
-
  private:
   double desiredForce(CompiledScene& scene, TickSample& sample) noexcept;
   void followCuts(TickSample& sample) noexcept;

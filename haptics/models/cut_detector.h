@@ -21,16 +21,18 @@ namespace haptics::models {
 /// little later than the point that it announces; the point itself is the sample where it was.
 ///
 /// - The interception is the sample from which the force rises by `contactForce`, faster than
-///   `creep` per unit of travel: of all samples since the hand last opened, the last one with the
+///   `creep` per unit of travel: of all samples since the hand last opened the one with the
 ///   smallest f − creep · x. Friction in the hinge rises more slowly and is passed over. A touch
-///   that is let go before anything yields is forgotten, and the search begins again.
+///   that is let go is forgotten, unless no larger one follows before the hand opens.
 /// - The yield is the largest force since then, once the force has fallen below it by the larger
 ///   of `yieldDrop` and `yieldDropRatio` times the load, while the handle closed on by `advance`:
 ///   a hand that merely lets go cuts nothing. A larger force before the bottom-out takes a yield
 ///   back (the surface had not been cut after all), and Event::Yield may come again: the last
 ///   one counts.
-/// - The bottom-out is the smallest force after the yield at travels from `bottomAbove` on, once
-///   the force has risen from it by `bottomRise`.
+/// - The bottom-out is the smallest force after the yield at the end of the travel – beyond
+///   `bottomAbove`, not farther than `advance` from the furthest travel – once the force has
+///   risen from it by `bottomRise`. Until half of what the yield lost has come back, a smaller
+///   force further on quietly takes its place.
 /// - The opening is the largest force since the bottom-out, once the handle has gone back by
 ///   `retreat`. Where the surface never yielded it is the largest since the interception; where
 ///   it yielded and no bottom-out followed there is none.
@@ -51,16 +53,16 @@ class CutDetector {
 
   /// The defaults are those of the punch recordings: travel units from 0 (open) to 10 (closed).
   struct Parameters {
-    Scalar closedAbove{7};         ///< closed as soon as the travel is above this [travel units]
-    Scalar openBelow{4};           ///< open again as soon as it is below this [travel units]
-    Scalar contactForce{0.2};      ///< the rise that is a contact [N]
-    Scalar creep{0.5};             ///< what rises no faster than this is friction [N/travel unit]
-    Scalar yieldDrop{0.25};        ///< the fall that is a yield, at least [N]
-    Scalar yieldDropRatio{0.08};   ///< … and at least this much of the load since the interception
-    Scalar advance{0.3};           ///< closing on by this is a movement [travel units]
-    Scalar bottomAbove{9};         ///< where the end of the travel can be [travel units]
-    Scalar bottomRise{0.3};        ///< the rise that is a bottom-out [N]
-    Scalar retreat{1};             ///< going back by this is an opening hand [travel units]
+    Scalar closedAbove = Scalar(7);  ///< closed as soon as the travel is above this [travel units]
+    Scalar openBelow = Scalar(4);    ///< open again as soon as it is below this [travel units]
+    Scalar contactForce = Scalar(0.2);  ///< the rise that is a contact [N]
+    Scalar creep = Scalar(0.5);  ///< what rises no faster than this is friction [N/travel unit]
+    Scalar yieldDrop = Scalar(0.25);       ///< the fall that is a yield, at least [N]
+    Scalar yieldDropRatio = Scalar(0.08);  ///< … and this much of the load since the interception
+    Scalar advance = Scalar(0.3);          ///< closing on by this is a movement [travel units]
+    Scalar bottomAbove = Scalar(9);        ///< where the end of the travel can be [travel units]
+    Scalar bottomRise = Scalar(0.3);       ///< the rise that is a bottom-out [N]
+    Scalar retreat = Scalar(1);            ///< going back by this is an opening hand [travel units]
   };
 
   /// A point of a cut, where it was found.
@@ -129,9 +131,7 @@ class CutDetector {
  private:
   enum class Phase : std::uint8_t { Searching, Loading, Falling, Bottomed, Opened };
 
-  static bool isBad(Scalar value) noexcept {
-    return !std::isfinite(value) || value < Scalar{0};
-  }
+  static bool isBad(Scalar value) noexcept { return !std::isfinite(value) || value < Scalar{0}; }
   static bool isPositive(Scalar value) noexcept { return !isBad(value) && value > Scalar{0}; }
 
   void follow(const Landmark& sample) noexcept {
@@ -148,6 +148,8 @@ class CutDetector {
       return Event::Nothing;
     }
     if (sample.force - start_.force < parameters_.contactForce) return Event::Nothing;
+    const bool isLess = cut_.interception.found && sample.force <= highest_.force;
+    if (isLess) return Event::Nothing;  // than a touch that was let go in the same closure
     cut_.interception = start_;
     highest_ = sample;
     phase_ = Phase::Loading;
@@ -155,7 +157,7 @@ class CutDetector {
   }
 
   Event load(const Landmark& sample) noexcept {
-    if (sample.force > highest_.force) {
+    if (sample.force >= highest_.force) {
       highest_ = sample;
       return Event::Nothing;
     }
@@ -166,8 +168,7 @@ class CutDetector {
       phase_ = Phase::Falling;
       return Event::Yield;
     }
-    const Scalar load = sample.force - cut_.interception.force;
-    if (load < parameters_.contactForce / Scalar{2}) letGo(sample);
+    if (isLost(sample)) letGo(sample);
     return Event::Nothing;
   }
 
@@ -175,7 +176,7 @@ class CutDetector {
     const bool isAtTheEnd = sample.travel >= parameters_.bottomAbove &&
                             sample.travel > cut_.largestTravel - parameters_.advance;
     if (isAtTheEnd && (!lowest_.found || sample.force < lowest_.force)) lowest_ = sample;
-    if (lowest_.found && sample.force - lowest_.force >= parameters_.bottomRise) {
+    if (isAtTheEnd && sample.force - lowest_.force >= parameters_.bottomRise) {
       cut_.bottomOut = lowest_;
       highest_ = sample;
       phase_ = Phase::Bottomed;
@@ -186,12 +187,15 @@ class CutDetector {
       highest_ = sample;
       phase_ = Phase::Loading;
     }
+    if (!isClosed_ && isLost(sample)) letGo(sample);
     return Event::Nothing;
   }
 
   Event press(const Landmark& sample) noexcept {
+    const Scalar lost = cut_.yield.force - cut_.bottomOut.force;
+    const Scalar cameBack = highest_.force - cut_.bottomOut.force;
     const bool reachesFurther = sample.travel >= cut_.largestTravel;
-    if (reachesFurther && sample.force < cut_.bottomOut.force) {
+    if (reachesFurther && cameBack < lost / Scalar{2} && sample.force < cut_.bottomOut.force) {
       cut_.bottomOut = sample;
       highest_ = sample;
     }
@@ -242,6 +246,12 @@ class CutDetector {
     cut_.opening = Landmark{};
     phase_ = cut_.bottomOut.found ? Phase::Bottomed
                                   : (cut_.yield.found ? Phase::Falling : Phase::Loading);
+  }
+
+  /// The contact is lost.
+  bool isLost(const Landmark& sample) const noexcept {
+    const Scalar load = sample.force - cut_.interception.force;
+    return load < parameters_.contactForce / Scalar{2};
   }
 
   Scalar aboveCreep(const Landmark& sample) const noexcept {

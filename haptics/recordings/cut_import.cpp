@@ -1,0 +1,154 @@
+#include "haptics/recordings/cut_import.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "haptics/recordings/cut_choice.h"
+#include "haptics/recordings/decimal.h"
+#include "haptics/recordings/error.h"
+#include "haptics/recordings/mean_curve.h"
+#include "haptics/recordings/slope_limit.h"
+
+namespace haptics::recordings {
+namespace {
+
+std::string inWords(std::span<const RowRange> ranges) {
+  std::string words;
+  for (const RowRange& rows : ranges) {
+    if (!words.empty()) words += ", ";
+    words += std::to_string(rows.first) + "-" + std::to_string(rows.last);
+  }
+  return "rows " + words;
+}
+
+/// The chosen rows as one curve; what was merged goes into the report.
+ForceCurve drawn(const Trace& trace, ImportReport& report) {
+  std::vector<ForceCurve> curves;
+  std::size_t samples = 0;
+  for (const RowRange& rows : report.rows) {
+    MonotoneCurve drawn = curveOf(trace, rows);
+    samples += drawn.samples;
+    report.mergedSamples += drawn.merged;
+    curves.push_back(std::move(drawn.curve));
+  }
+  if (report.mergedSamples > 0) {
+    report.changes.push_back(
+        std::to_string(report.mergedSamples) + " of " + std::to_string(samples) +
+        " samples merged into their neighbours' mean, so that the travel rises strictly");
+  }
+  if (curves.size() == 1) return curves.front();
+
+  std::optional<MeanCurve> mean = meanCurve(curves);
+  if (!mean) throw Error("The chosen closures share no travel: choose others, or only one.");
+  report.deviation = std::move(mean->deviation);
+  report.changes.push_back(
+      "mean of " + std::to_string(curves.size()) + " closures at " +
+      std::to_string(MeanCurve::kNodes) + " travels that all of them share, from " +
+      decimal(mean->curve.start(), 3) + " to " + decimal(mean->curve.end(), 3));
+  return mean->curve;
+}
+
+ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& report) {
+  report.slopeBefore = curve.largestSlope();
+  SlopeLimited gentle = limitSlope(curve, maxSlope);
+  report.largestChange = gentle.largestChange;
+  report.largestChangeAt = gentle.largestChangeAt;
+  if (gentle.largestChange > 0.0) {
+    report.changes.push_back(
+        "slope limited from " + decimal(report.slopeBefore, 2) + " to " + decimal(maxSlope, 2) +
+        " N per travel unit, which moves the force by up to " + decimal(gentle.largestChange, 3) +
+        " N, most at travel " + decimal(gentle.largestChangeAt, 3));
+  }
+  return std::move(gentle.curve);
+}
+
+/// What the sensor did not really see in the chosen rows.
+void warnOfTheSensor(const Recording& recording, ImportReport& report) {
+  std::size_t saturated = 0;
+  std::size_t uncalibrated = 0;
+  for (const RowRange& rows : report.rows) {
+    for (std::size_t i = rows.first - 1; i < rows.last; ++i) {
+      const double reading = recording.rows[i].reading;
+      saturated += reading >= kSaturatedReading ? 1 : 0;
+      uncalibrated += reading >= kUncalibratedReading ? 1 : 0;
+    }
+  }
+  if (uncalibrated > 0) {
+    report.changes.push_back(
+        std::to_string(uncalibrated) + " rows read 870 or more, beyond the sensor's calibration");
+  }
+  if (saturated > 0) {
+    report.changes.push_back(
+        std::to_string(saturated) + " rows were saturated: their force is a lower bound");
+  }
+}
+
+CutLandmarks landmarksOf(const ImportReport& report, const Trace& trace, const ForceCurve& curve) {
+  if (report.closures.size() == 1) {
+    return report.survey.closures[report.closures.front() - 1].landmarks;
+  }
+  if (report.closures.empty()) {
+    const RowRange& rows = report.rows.front();
+    const std::size_t count = rows.last - rows.first + 1;
+    return landmarksAlong(
+        std::span(trace.travel).subspan(rows.first - 1, count),
+        std::span(trace.force).subspan(rows.first - 1, count));
+  }
+  std::vector<double> travel;
+  std::vector<double> force;
+  for (const CurvePoint& node : curve.nodes()) {
+    travel.push_back(node.travel);
+    force.push_back(node.force);
+  }
+  return landmarksAlong(travel, force);
+}
+
+Provenance provenanceOf(
+    const Recording& recording, const ImportOptions& options, const ImportReport& report) {
+  return {
+      .statement = inWords(report.rows) + " of the recording '" + recording.source + "' (" +
+                   report.reason + ")",
+      .sourceFile = recording.source,
+      .rows = report.rows,
+      .closures = report.closures,
+      .calibration = std::string(nameOf(options.calibration)),
+      .filter = std::string(nameOf(options.filter)),
+      .filterParameters = parametersOf(options.filter),
+      .slopeLimit = options.maxSlope,
+      .changes = report.changes};
+}
+
+void requireSlope(double maxSlope) {
+  if (std::isfinite(maxSlope) && maxSlope > 0.0) return;
+  throw std::invalid_argument("a slope limit is positive and finite");
+}
+
+}  // namespace
+
+ImportedCut importCut(const Recording& recording, const ImportOptions& options) {
+  requireSlope(options.maxSlope);
+  const Trace trace = traceOf(recording, options.calibration, options.filter);
+  ImportReport report{.survey = surveyOf(recording, trace)};
+  CutChoice choice = chooseCut(trace, report.survey.closures, options, recording.source);
+  report.closures = std::move(choice.closures);
+  report.rows = std::move(choice.rows);
+  report.reason = std::move(choice.reason);
+
+  const ForceCurve recorded = drawn(trace, report);
+  ForceCurve curve = limited(recorded, options.maxSlope, report);
+  warnOfTheSensor(recording, report);
+  Cut cut{
+      .name = options.name,
+      .title = options.title,
+      .curve = std::move(curve),
+      .landmarks = landmarksOf(report, trace, recorded),
+      .provenance = provenanceOf(recording, options, report)};
+  if (cut.name.empty()) cut.name = recording.source.substr(0, recording.source.rfind('.'));
+  if (cut.title.empty()) cut.title = recording.source + ", " + inWords(report.rows);
+  return {std::move(cut), std::move(report)};
+}
+
+}  // namespace haptics::recordings

@@ -1,0 +1,366 @@
+#include "haptics/models/cut_detector.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace haptics::models {
+namespace {
+
+using Detector = CutDetector<double>;
+using Event = Detector::Event;
+
+struct Sample {
+  double travel;
+  double force;
+};
+
+/// Straight from corner to corner, in steps of about 0.05 travel units or newtons.
+std::vector<Sample> path(const std::vector<Sample>& corners) {
+  std::vector<Sample> samples{corners.front()};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Sample& from = corners[i - 1];
+    const Sample& to = corners[i];
+    const double reach =
+        std::max(std::abs(to.travel - from.travel), std::abs(to.force - from.force));
+    const int steps = std::max(1, static_cast<int>(std::lround(reach / 0.05)));
+    for (int k = 1; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      samples.push_back(
+          {from.travel + (to.travel - from.travel) * share,
+           from.force + (to.force - from.force) * share});
+    }
+  }
+  return samples;
+}
+
+/// What a detector says of a path, without the silence.
+std::vector<Event> eventsOf(Detector& detector, const std::vector<Sample>& samples) {
+  std::vector<Event> events;
+  for (const Sample& sample : samples) {
+    const Event event = detector.feed(sample.travel, sample.force);
+    if (event != Event::Nothing) events.push_back(event);
+  }
+  return events;
+}
+
+Detector::Cut cutAlong(const std::vector<Sample>& corners) {
+  Detector detector;
+  eventsOf(detector, path(corners));
+  EXPECT_EQ(detector.completedCuts(), 1U);
+  return detector.lastCut();
+}
+
+void expectAt(const Detector::Landmark& landmark, double travel, double force) {
+  EXPECT_TRUE(landmark.found);
+  EXPECT_NEAR(landmark.travel, travel, 0.06);
+  EXPECT_NEAR(landmark.force, force, 0.06);
+}
+
+/// Touches at 4, yields at 7, bottoms out at 10.3, presses home and opens.
+const std::vector<Sample> kCut{
+    {0.0, 0.0},
+    {4.0, 0.0},
+    {7.0, 4.4},
+    {10.3, 3.4},
+    {10.8, 5.8},
+    {10.0, 5.0},
+    {9.8, 0.0},
+    {0.0, 0.0}};
+
+TEST(CutDetector, FindsTheFourPointsOfACut) {
+  const Detector::Cut cut = cutAlong(kCut);
+
+  expectAt(cut.interception, 4.0, 0.0);
+  expectAt(cut.yield, 7.0, 4.4);
+  expectAt(cut.bottomOut, 10.3, 3.4);
+  expectAt(cut.opening, 10.8, 5.8);
+  EXPECT_DOUBLE_EQ(cut.peakForce, 5.8);
+  EXPECT_DOUBLE_EQ(cut.largestTravel, 10.8);
+}
+
+TEST(CutDetector, FindsThePointsOfThePrintedReferenceCut) {
+  // Ten of the 76 pairs of the authors' control sketch; then the hand opens.
+  const std::vector<Sample> printed{
+      {2.079, 0.0},
+      {3.813, 0.0},
+      {3.961, 0.084},
+      {4.283, 0.823},
+      {5.171, 3.313},
+      {6.335, 4.344},
+      {7.183, 4.369},
+      {9.429, 3.966},
+      {10.349, 3.679},
+      {10.820, 4.344},
+      {9.0, 0.0},
+      {2.0, 0.0}};
+  Detector detector;
+  for (const Sample& sample : printed) detector.feed(sample.travel, sample.force);
+
+  const Detector::Cut& cut = detector.lastCut();
+  EXPECT_EQ(cut.interception.travel, 3.813);
+  EXPECT_EQ(cut.yield.travel, 7.183);
+  EXPECT_EQ(cut.bottomOut.travel, 10.349);
+  EXPECT_EQ(cut.opening.travel, 10.820);
+}
+
+TEST(CutDetector, SaysEachPointOnceAndInOrder) {
+  Detector detector;
+  const std::vector<Event> expected{
+      Event::Interception, Event::Yield, Event::BottomOut, Event::Opening, Event::CutCompleted};
+  EXPECT_EQ(eventsOf(detector, path(kCut)), expected);
+  EXPECT_EQ(eventsOf(detector, path(kCut)), expected);
+  EXPECT_EQ(detector.completedCuts(), 2U);
+}
+
+TEST(CutDetector, KnowsWhatHasHappenedSoFar) {
+  Detector detector;
+  eventsOf(detector, path({{0.0, 0.0}, {4.0, 0.0}, {7.0, 4.4}, {9.0, 3.4}}));
+
+  EXPECT_TRUE(detector.cut().interception.found);
+  EXPECT_TRUE(detector.cut().yield.found);
+  EXPECT_FALSE(detector.cut().bottomOut.found);
+  EXPECT_EQ(detector.completedCuts(), 0U);
+}
+
+TEST(CutDetector, CountsAHandThatTremblesAtAThresholdOnce) {
+  Detector detector;
+  std::vector<Sample> corners{{0.0, 0.0}};
+  for (int i = 0; i < 20; ++i) {
+    corners.push_back({6.8, 1.0});
+    corners.push_back({7.2, 1.1});
+  }
+  corners.push_back({0.0, 0.0});
+  eventsOf(detector, path(corners));
+  EXPECT_EQ(detector.completedCuts(), 1U);
+}
+
+TEST(CutDetector, CountsNoCutThatWasNotClosed) {
+  Detector detector;
+  eventsOf(
+      detector, path({{0.0, 0.0}, {4.0, 0.0}, {6.5, 3.0}, {0.0, 0.0}, {6.9, 3.0}, {0.0, 0.0}}));
+  EXPECT_EQ(detector.completedCuts(), 0U);
+  EXPECT_FALSE(detector.cut().interception.found);
+}
+
+TEST(CutDetector, FindsNoPointsWhereNothingWasCut) {
+  const Detector::Cut cut = cutAlong({{0.0, 0.0}, {10.5, 0.0}, {0.0, 0.0}});
+
+  EXPECT_FALSE(cut.interception.found);
+  EXPECT_FALSE(cut.yield.found);
+  EXPECT_FALSE(cut.bottomOut.found);
+  EXPECT_FALSE(cut.opening.found);
+  EXPECT_EQ(cut.peakForce, 0.0);
+}
+
+TEST(CutDetector, TakesAHandThatLetsGoForNoYield) {
+  const Detector::Cut cut =
+      cutAlong({{0.0, 0.0}, {4.0, 0.0}, {10.5, 6.0}, {10.5, 1.0}, {9.0, 0.0}, {0.0, 0.0}});
+
+  EXPECT_TRUE(cut.interception.found);
+  EXPECT_FALSE(cut.yield.found);
+  EXPECT_FALSE(cut.bottomOut.found);
+  expectAt(cut.opening, 10.5, 6.0);
+}
+
+TEST(CutDetector, HasNoOpeningWhereTheForceNeverRoseAgain) {
+  const Detector::Cut cut =
+      cutAlong({{0.0, 0.0}, {4.0, 0.0}, {6.0, 4.0}, {10.5, 2.0}, {9.0, 0.0}, {0.0, 0.0}});
+
+  expectAt(cut.yield, 6.0, 4.0);
+  EXPECT_FALSE(cut.bottomOut.found);
+  EXPECT_FALSE(cut.opening.found);
+}
+
+TEST(CutDetector, PassesOverFrictionInTheHinge) {
+  // 0.4 N per travel unit, less than the creep of 0.5.
+  const Detector::Cut cut = cutAlong(
+      {{0.0, 0.0}, {6.0, 2.4}, {8.0, 6.0}, {10.0, 5.0}, {10.5, 7.0}, {9.0, 0.0}, {0.0, 0.0}});
+  expectAt(cut.interception, 6.0, 2.4);
+}
+
+TEST(CutDetector, StartsFromWhateverBiasTheSensorHas) {
+  std::vector<Sample> biased = kCut;
+  for (Sample& corner : biased) corner.force += 2.66;  // N: the worst of PART_I
+  const Detector::Cut cut = cutAlong(biased);
+
+  expectAt(cut.interception, 4.0, 2.66);
+  expectAt(cut.yield, 7.0, 7.06);
+  expectAt(cut.bottomOut, 10.3, 6.06);
+}
+
+TEST(CutDetector, ForgetsATouchThatWasLetGo) {
+  const Detector::Cut cut = cutAlong(
+      {{0.0, 0.0},
+       {1.0, 0.0},
+       {1.3, 1.4},
+       {1.8, 0.0},
+       {5.0, 0.0},
+       {7.5, 4.0},
+       {10.3, 3.0},
+       {10.5, 5.0},
+       {9.0, 0.0},
+       {0.0, 0.0}});
+  expectAt(cut.interception, 5.0, 0.0);
+  expectAt(cut.yield, 7.5, 4.0);
+}
+
+TEST(CutDetector, KeepsTheLargerOfTwoTouchesInOneClosure) {
+  const Detector::Cut cut = cutAlong(
+      {{0.0, 0.0}, {9.5, 0.0}, {10.0, 3.0}, {10.0, 0.0}, {10.1, 0.0}, {10.2, 1.0}, {0.0, 0.0}});
+  expectAt(cut.interception, 9.5, 0.0);
+  expectAt(cut.opening, 10.0, 3.0);
+}
+
+TEST(CutDetector, TakesAYieldBackWhereTheForceClimbsFurther) {
+  Detector detector;
+  const std::vector<Event> events = eventsOf(
+      detector,
+      path(
+          {{0.0, 0.0},
+           {4.0, 0.0},
+           {5.5, 3.0},
+           {6.3, 2.5},
+           {8.0, 5.0},
+           {10.2, 3.5},
+           {10.5, 5.5},
+           {9.0, 0.0},
+           {0.0, 0.0}}));
+
+  const std::vector<Event> expected{
+      Event::Interception,
+      Event::Yield,
+      Event::Yield,
+      Event::BottomOut,
+      Event::Opening,
+      Event::CutCompleted};
+  EXPECT_EQ(events, expected);
+  expectAt(detector.lastCut().yield, 8.0, 5.0);
+}
+
+TEST(CutDetector, MovesTheBottomOutToADeeperOneFurtherOn) {
+  const Detector::Cut cut = cutAlong(
+      {{0.0, 0.0},
+       {4.0, 0.0},
+       {7.0, 5.0},
+       {9.8, 3.6},
+       {10.2, 4.0},
+       {10.8, 3.0},
+       {11.0, 6.0},
+       {0.0, 0.0}});
+  expectAt(cut.bottomOut, 10.8, 3.0);
+  expectAt(cut.opening, 11.0, 6.0);
+}
+
+TEST(CutDetector, FollowsAHandThatEasesAndClosesFurther) {
+  const Detector::Cut cut = cutAlong(
+      {{0.0, 0.0},
+       {4.0, 0.0},
+       {8.0, 4.0},
+       {6.8, 3.0},
+       {8.5, 4.5},
+       {10.2, 3.2},
+       {10.6, 5.5},
+       {9.0, 0.0},
+       {0.0, 0.0}});
+  expectAt(cut.interception, 4.0, 0.0);
+  expectAt(cut.yield, 8.5, 4.5);
+  expectAt(cut.opening, 10.6, 5.5);
+}
+
+TEST(CutDetector, IsNotMovedByWhatIsNoNumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Detector detector;
+  Detector spared;
+  for (const Sample& sample : path(kCut)) {
+    EXPECT_EQ(detector.feed(kNan, sample.force), Event::Nothing);
+    EXPECT_EQ(detector.feed(sample.travel, kNan), Event::Nothing);
+    EXPECT_EQ(detector.feed(kInfinity, -kInfinity), Event::Nothing);
+    EXPECT_EQ(detector.feed(sample.travel, sample.force), spared.feed(sample.travel, sample.force));
+  }
+  EXPECT_EQ(detector.completedCuts(), 1U);
+  EXPECT_EQ(detector.lastCut().yield.travel, spared.lastCut().yield.travel);
+}
+
+TEST(CutDetector, FindsTheSamePointsInSinglePrecision) {
+  CutDetector<float> detector;
+  for (const Sample& sample : path(kCut)) {
+    detector.feed(static_cast<float>(sample.travel), static_cast<float>(sample.force));
+  }
+  const Detector::Cut cut = cutAlong(kCut);
+  EXPECT_FLOAT_EQ(detector.lastCut().yield.travel, static_cast<float>(cut.yield.travel));
+  EXPECT_FLOAT_EQ(detector.lastCut().bottomOut.travel, static_cast<float>(cut.bottomOut.travel));
+}
+
+TEST(CutDetector, FindsTheStrokesOfAnotherToolByItsOwnMeasures) {
+  // A reamer that goes 20 mm deep: metres, and hundreds of newtons.
+  Detector reamer({
+      .closedAbove = 0.010,
+      .openBelow = 0.002,
+      .contactForce = 10.0,
+      .creep = 0.0,
+      .yieldDrop = 20.0,
+      .yieldDropRatio = 0.1,
+      .advance = 0.0005,
+      .bottomAbove = 0.015,
+      .bottomRise = 20.0,
+      .retreat = 0.002,
+  });
+  std::vector<Sample> stroke =
+      path({{0.0, 0.0}, {4.0, 0.0}, {12.0, 8.0}, {16.0, 6.0}, {20.0, 8.0}, {0.0, 0.0}});
+  for (const Sample& sample : stroke) reamer.feed(sample.travel * 1e-3, sample.force * 100.0);
+
+  EXPECT_EQ(reamer.completedCuts(), 1U);
+  EXPECT_NEAR(reamer.lastCut().yield.travel, 0.012, 1e-4);
+  EXPECT_NEAR(reamer.lastCut().bottomOut.travel, 0.016, 1e-4);
+}
+
+TEST(CutDetector, ForgetsEverythingButItsParameters) {
+  Detector detector({.closedAbove = 3.0, .openBelow = 1.0});
+  eventsOf(detector, path(kCut));
+  detector.reset();
+  EXPECT_EQ(detector.completedCuts(), 0U);
+  EXPECT_FALSE(detector.lastCut().yield.found);
+
+  eventsOf(detector, path({{0.0, 0.0}, {3.5, 0.0}, {0.0, 0.0}}));
+  EXPECT_EQ(detector.completedCuts(), 1U);
+}
+
+TEST(CutDetector, KnowsUnsoundParameters) {
+  EXPECT_TRUE(Detector::isSound({}));
+  EXPECT_FALSE(Detector::isSound({.closedAbove = 4.0, .openBelow = 4.0}));
+  EXPECT_FALSE(Detector::isSound({.contactForce = 0.0}));
+  EXPECT_FALSE(Detector::isSound({.creep = -0.1}));
+  EXPECT_FALSE(Detector::isSound({.bottomAbove = std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(Detector::isSound({.retreat = std::numeric_limits<double>::quiet_NaN()}));
+}
+
+TEST(CutDetector, StaysFiniteWhateverItIsFed) {
+  std::mt19937 random(76);
+  std::uniform_real_distribution<double> travel(-1e3, 1e3);
+  std::uniform_real_distribution<double> force(-1e300, 1e300);
+  std::uniform_int_distribution<int> kind(0, 9);
+  Detector detector;
+  for (int i = 0; i < 100'000; ++i) {
+    const bool isWild = kind(random) == 0;
+    detector.feed(isWild ? force(random) : travel(random) / 50.0, isWild ? 1e308 : force(random));
+    for (const auto& cut : {detector.cut(), detector.lastCut()}) {
+      for (const auto& point : {cut.interception, cut.yield, cut.bottomOut, cut.opening}) {
+        ASSERT_TRUE(std::isfinite(point.travel) && std::isfinite(point.force));
+      }
+    }
+  }
+}
+
+// It may live in a sample ring, in a tick and on a microcontroller.
+static_assert(std::is_trivially_copyable_v<Detector>);
+static_assert(noexcept(std::declval<Detector&>().feed(0.0, 0.0)));
+static_assert(sizeof(CutDetector<float>) <= 256);
+
+}  // namespace
+}  // namespace haptics::models

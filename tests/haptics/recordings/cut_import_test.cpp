@@ -1,0 +1,200 @@
+#include "haptics/recordings/cut_import.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "haptics/recordings/error.h"
+#include "haptics/recordings/mean_curve.h"
+#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/recording_text.h"
+#include "tests/haptics/recordings/made_recording.h"
+
+namespace haptics::recordings {
+namespace {
+
+Recording made(const tests::MadeRecording& recording = {}) {
+  return readRecording(tests::textOf(recording), "made.txt");
+}
+
+std::string complaintAbout(const Recording& recording, const ImportOptions& options = {}) {
+  try {
+    importCut(recording, options);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+void expectMentions(const std::string& text, const std::string& words) {
+  EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
+}
+
+/// The filter rounds the turn at the end of the travel off a little [N].
+constexpr double kRounding = 0.06;
+
+/// The largest difference from what the hand felt, scaled [N].
+double distance(const ForceCurve& curve, double scale) {
+  const ForceCurve felt = parametricCut().curve;
+  double largest = 0.0;
+  for (const CurvePoint& node : curve.nodes()) {
+    largest = std::max(largest, std::abs(node.force - scale * felt.forceAt(node.travel)));
+  }
+  return largest;
+}
+
+TEST(CutImport, TakesTheMostTypicalClosure) {
+  const ImportedCut imported = importCut(made({.scales = {0.7, 1.0, 1.3}}));
+
+  EXPECT_EQ(imported.report.closures, std::vector<std::size_t>{2});
+  expectMentions(imported.report.reason, "mean of the 3 complete closures");
+  EXPECT_LT(distance(imported.cut.curve, 1.0), kRounding);
+  EXPECT_NEAR(imported.cut.landmarks.yield->force, 4.4, 0.01);
+  EXPECT_FALSE(imported.cut.isSynthetic);
+}
+
+TEST(CutImport, TakesAClosureByItsNumber) {
+  const ImportedCut imported = importCut(made(), {.closures = {1}});
+  EXPECT_LT(distance(imported.cut.curve, 0.8), kRounding);
+  EXPECT_EQ(imported.report.rows.at(0), imported.report.survey.closures.at(0).closing);
+}
+
+TEST(CutImport, TakesTheMeanOfSeveralClosures) {
+  const ImportedCut imported = importCut(made(), {.closures = {1, 3}});
+
+  EXPECT_LT(distance(imported.cut.curve, 1.05), kRounding);  // of 0.8 and 1.3
+  EXPECT_EQ(imported.report.deviation.size(), MeanCurve::kNodes);
+  EXPECT_EQ(imported.cut.provenance.rows.size(), 2U);
+  EXPECT_NEAR(imported.cut.landmarks.yield->force, 1.05 * 4.4, 0.02);
+  EXPECT_FALSE(imported.cut.landmarks.opening);  // a mean does not open
+}
+
+TEST(CutImport, TakesRowsAsTheyAre) {
+  const Recording recording = made({.scales = {1.0}});
+  const ImportedCut imported =
+      importCut(recording, {.rows = RowRange{150, 250}, .filter = TravelFilter::None});
+
+  EXPECT_EQ(imported.cut.curve.nodes().size(), 101U);
+  EXPECT_EQ(imported.cut.curve.start(), recording.rows[149].travel);
+  EXPECT_EQ(imported.cut.curve.end(), recording.rows[249].travel);
+  EXPECT_TRUE(imported.report.closures.empty());
+  EXPECT_TRUE(imported.cut.landmarks.interception);
+  EXPECT_EQ(imported.cut.title, "made.txt, rows 150-250");
+}
+
+TEST(CutImport, LimitsTheSlopeAndSaysWhere) {
+  const ImportedCut imported = importCut(made(), {.closures = {2}, .maxSlope = 1.0});
+
+  EXPECT_LE(imported.cut.curve.largestSlope(), 1.0 + 1e-9);
+  EXPECT_GT(imported.report.slopeBefore, 3.0);
+  const double at = imported.report.largestChangeAt;
+  const ForceCurve steep = importCut(made(), {.closures = {2}, .maxSlope = 1e6}).cut.curve;
+  const double change = std::abs(steep.forceAt(at) - imported.cut.curve.forceAt(at));
+  EXPECT_DOUBLE_EQ(change, imported.report.largestChange);
+  expectMentions(imported.report.changes.back(), "to 1.00 N per travel unit");
+}
+
+TEST(CutImport, KeepsWhereItCameFrom) {
+  const ImportedCut imported = importCut(made(), {.name = "mine", .title = "My cut"});
+  const Provenance& provenance = imported.cut.provenance;
+
+  EXPECT_EQ(imported.cut.name, "mine");
+  EXPECT_EQ(imported.cut.title, "My cut");
+  EXPECT_EQ(imported.cut.unit, "travel_unit");
+  EXPECT_EQ(provenance.sourceFile, "made.txt");
+  EXPECT_EQ(provenance.calibration, "paper-eq1");
+  EXPECT_EQ(provenance.filter, "authors-fir");
+  expectMentions(provenance.filterParameters, "49-tap");
+  EXPECT_EQ(provenance.slopeLimit, 4.39);
+  EXPECT_EQ(provenance.changes, imported.report.changes);
+  expectMentions(provenance.statement, "of the recording 'made.txt'");
+}
+
+TEST(CutImport, IsNamedAfterItsFileUnlessToldOtherwise) {
+  EXPECT_EQ(importCut(made()).cut.name, "made");
+}
+
+TEST(CutImport, ReadsLessByTheRecordersOwnCubic) {
+  const double paper = importCut(made()).report.survey.maxForce;
+  const double recorder =
+      importCut(made(), {.calibration = ForceCalibration::Recorder2021}).report.survey.maxForce;
+  EXPECT_LT(recorder, 0.9 * paper);
+}
+
+TEST(CutImport, WarnsOfAClippedPeak) {
+  const ImportedCut imported = importCut(made({.scales = {1.0, 2.5}}), {.closures = {2}});
+  expectMentions(imported.report.changes.back(), "saturated: their force is a lower bound");
+  expectMentions(imported.report.changes.at(imported.report.changes.size() - 2), "870 or more");
+}
+
+TEST(CutImport, PassesOverClippedAndIncompleteClosuresUnasked) {
+  const ImportedCut imported = importCut(made({.scales = {2.5, 1.0}, .beginsClosed = true}));
+  EXPECT_EQ(imported.report.survey.closures.size(), 3U);  // the first begins with the recording
+  EXPECT_EQ(imported.report.closures, std::vector<std::size_t>{3});
+  EXPECT_EQ(imported.report.reason, "the only complete closure without a saturated row");
+}
+
+TEST(CutImport, TellsOfARecordingWithoutAClosure) {
+  EXPECT_EQ(
+      complaintAbout(made({.scales = {}})),
+      "There is no closure in 'made.txt': its travel never rises above 7. Check that the recorder "
+      "was told both end positions, or choose rows.");
+}
+
+TEST(CutImport, TellsOfClosuresThatAreAllClipped) {
+  EXPECT_EQ(
+      complaintAbout(made({.scales = {2.5, 3.0}})),
+      "Each of the 2 complete closures of 'made.txt' has rows where the force sensor was "
+      "saturated, so that its peak is cut off. Take another recording, or choose a closure by its "
+      "number, or rows, if that will do.");
+}
+
+TEST(CutImport, TellsOfClosuresThatAreAllIncomplete) {
+  EXPECT_EQ(
+      complaintAbout(made({.scales = {}, .beginsClosed = true})),
+      "None of the 1 closures of 'made.txt' is complete (it lies within the recording and lasts at "
+      "most 4 s): choose one by its number, or rows.");
+}
+
+TEST(CutImport, TellsOfAClosureThatIsNotThere) {
+  EXPECT_EQ(
+      complaintAbout(made(), {.closures = {4}}),
+      "There is no closure 4 in 'made.txt': it has 3, numbered from 1.");
+  expectMentions(complaintAbout(made(), {.closures = {0}}), "There is no closure 0");
+}
+
+TEST(CutImport, TellsOfRowsThatAreNotThere) {
+  EXPECT_EQ(
+      complaintAbout(made({.scales = {1.0}}), {.rows = RowRange{600, 603}}),
+      "Rows 600 to 603 are no part of 'made.txt': it has rows 1 to 602, and the first must come "
+      "before the last.");
+  expectMentions(complaintAbout(made(), {.rows = RowRange{0, 5}}), "no part of");
+  expectMentions(complaintAbout(made(), {.rows = RowRange{9, 9}}), "no part of");
+  expectMentions(complaintAbout(made(), {.rows = RowRange{9, 5}}), "no part of");
+}
+
+TEST(CutImport, TellsOfRowsThatDoNotClose) {
+  EXPECT_EQ(
+      complaintAbout(made(), {.rows = RowRange{320, 480}}),
+      "Rows 320 to 480 are no closing hand (their travel does not rise): choose other rows.");
+}
+
+TEST(CutImport, RefusesContradictoryWishes) {
+  const Recording recording = made();
+  EXPECT_THROW(
+      importCut(recording, {.closures = {1}, .rows = RowRange{1, 9}}), std::invalid_argument);
+  EXPECT_THROW(importCut(recording, {.closures = {1, 2, 1}}), std::invalid_argument);
+  EXPECT_THROW(importCut(recording, {.maxSlope = 0.0}), std::invalid_argument);
+  EXPECT_THROW(importCut(recording, {.maxSlope = std::nan("")}), std::invalid_argument);
+}
+
+TEST(CutImport, IsTheSameEveryTime) {
+  const Recording recording = made();
+  EXPECT_EQ(importCut(recording).cut.curve, importCut(recording).cut.curve);
+}
+
+}  // namespace
+}  // namespace haptics::recordings
