@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -98,13 +99,16 @@ class Node {
   bool flag(std::string_view key, bool fallback) const;
 
   /// The object or list behind a key. Nothing where the key is missing; a problem where it is
-  /// something else.
+  /// something else, or where the list has more than @p most entries (and these are left out).
   std::optional<Node> object(std::string_view key) const;
-  std::vector<Node> list(std::string_view key) const;
+  std::vector<Node> list(std::string_view key, std::size_t most = kMostElements) const;
 
   /// The same, and a problem where the key is missing (or the list is empty).
   std::optional<Node> requiredObject(std::string_view key) const;
   std::vector<Node> requiredList(std::string_view key) const;
+
+  /// Whatever stands behind a key; nothing where the key is missing.
+  std::optional<Node> member(std::string_view key) const;
 
   /// The keys of this object with their nodes, in the order of the file.
   std::vector<std::pair<std::string, Node>> members() const;
@@ -115,16 +119,18 @@ class Node {
   std::vector<std::string> ids(std::string_view key) const;
 
   /// One of several names; required.
-  template <typename Enum>
-  Enum choice(std::string_view key, std::span<const Choice<Enum>> choices) const {
+  template <typename Enum, std::size_t kCount>
+  Enum choice(std::string_view key, const std::array<Choice<Enum>, kCount>& choices) const {
     std::vector<std::string_view> names;
+    names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.name);
     return choices[chosen(key, names)].value;
   }
 
   /// One of several names, or @p fallback where the key is missing.
-  template <typename Enum>
-  Enum choice(std::string_view key, std::span<const Choice<Enum>> choices, Enum fallback) const {
+  template <typename Enum, std::size_t kCount>
+  Enum choice(
+      std::string_view key, const std::array<Choice<Enum>, kCount>& choices, Enum fallback) const {
     return has(key) ? choice(key, choices) : fallback;
   }
 
@@ -145,6 +151,19 @@ class Node {
 
 /// Whether @p id is a name for people, files and columns (see Node::id()).
 bool isSoundId(std::string_view id) noexcept;
+
+/// What an id has to look like, as a mend for one that does not.
+inline constexpr std::string_view kIdRule =
+    "use a letter or digit, then letters, digits, '.', '_' or '-', at most 64 in all";
+
+/// What kind of value this is: "a number", "a list".
+std::string kindOf(const Value& value);
+
+/// @p number as a message may show it, without needless digits: 0.5, 1000000000.
+std::string inWords(double number);
+
+/// @p text as a message may show it: a line without control characters, cut where it is long.
+std::string shown(std::string_view text);
 
 /// The one of @p known that somebody who wrote @p word probably meant.
 std::optional<std::string_view> nearest(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,21 +20,35 @@ enum class ItemType {
   SingleChoice,          ///< one of several options
   MultipleChoice,        ///< any number of several options, none included
   Number,
-  ShortText,             ///< one line
-  LongText,              ///< several lines
-  PairwiseChoice,        ///< one of two
+  ShortText,       ///< one line
+  LongText,        ///< several lines
+  PairwiseChoice,  ///< one of two
 };
 
 /// Points to choose from, from `lowest` up, one apart.
 struct Scale {
   int lowest = 1;
   int points = 5;
-  LocalizedText lowLabel;                 ///< what the lowest point means
-  LocalizedText highLabel;                ///< what the highest point means
+  LocalizedText lowLabel;                  ///< what the lowest point means
+  LocalizedText highLabel;                 ///< what the highest point means
   std::vector<LocalizedText> pointLabels;  ///< one for each point, or none
 
   int highest() const noexcept { return lowest + points - 1; }
+  bool operator==(const Scale& other) const = default;
 };
+
+/// How few and how many points a scale may have.
+inline constexpr int kFewestPoints = 2;
+inline constexpr int kMostPoints = 101;
+
+/// How much a file may ask.
+inline constexpr std::size_t kMostItems = 1000;
+inline constexpr std::size_t kMostScores = 1000;
+inline constexpr std::size_t kMostOptions = 1000;
+
+/// How long an answer in words may be where its item does not say so [characters].
+inline constexpr std::int64_t kLongestShortText = 500;
+inline constexpr std::int64_t kLongestLongText = 100'000;
 
 /// One of the things that may be chosen.
 struct Option {
@@ -57,24 +72,24 @@ enum class Reference {
 struct Item {
   std::string id;
   ItemType type = ItemType::Likert;
-  LocalizedText text;
-  std::string set;  ///< of the items that are asked together where a step asks for a set only
-  int key = 1;      ///< +1: a high answer is good; -1: a low one is
+  LocalizedText text;  ///< empty where two opposite words say it all
+  std::string set;     ///< of the items that are asked together where a step asks for a set only
+  int key = 1;         ///< +1: a high answer is good; -1: a low one is
   bool isRequired = true;
   bool isIdentifying = false;  ///< names a person: kept in identity.db, never exported
   Reference reference = Reference::None;
 
-  Scale scale;                    ///< Likert, SemanticDifferential
-  LocalizedText leftText;         ///< SemanticDifferential, Slider: the low end
-  LocalizedText rightText;        ///< SemanticDifferential, Slider: the high end
-  double least = 0.0;             ///< Slider, Number
-  double most = 100.0;            ///< Slider, Number
-  double step = 1.0;              ///< Slider, Number; 0 for any value
-  std::string unit;               ///< Number
+  Scale scale;              ///< Likert, SemanticDifferential
+  LocalizedText leftText;   ///< SemanticDifferential, Slider: the low end
+  LocalizedText rightText;  ///< SemanticDifferential, Slider: the high end
+  double least = 0.0;       ///< Slider, Number
+  double most = 100.0;      ///< Slider, Number
+  double step = 1.0;        ///< Slider, Number; 0 for any value
+  std::string unit;         ///< Number: a symbol that is the same in every language
   OptionSource optionSource = OptionSource::Listed;
-  std::vector<Option> options;    ///< SingleChoice, MultipleChoice, PairwiseChoice
-  std::string consentOption;      ///< SingleChoice: the option that gives consent, if this asks for it
-  std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]
+  std::vector<Option> options;  ///< SingleChoice, MultipleChoice, PairwiseChoice
+  std::string consentOption;  ///< SingleChoice: the option that gives consent, if this asks for it
+  std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]; 0: what is usual
 };
 
 /// How items become one number. An unanswered item is missing: never the midpoint, never zero.
@@ -85,10 +100,10 @@ struct Score {
   LocalizedText title;
   std::vector<std::string> items;
   Aggregate aggregate = Aggregate::Mean;
-  bool reverseByKey = true;        ///< an answer x to an item with key -1 counts as low + high - x
-  std::size_t leastAnswered = 0;   ///< fewer answers give no score; 0: all are needed
-  double offset = 0.0;             ///< added to the aggregate …
-  double factor = 1.0;             ///< … and then multiplied
+  bool reverseByKey = true;       ///< an answer x to an item with key -1 counts as low + high - x
+  std::size_t leastAnswered = 0;  ///< a mean of fewer is no score; 0: all are needed, as for a sum
+  double offset = 0.0;            ///< added to the aggregate …
+  double factor = 1.0;            ///< … and then multiplied
 };
 
 /// Where an instrument comes from, and what may be done with it.
@@ -96,16 +111,20 @@ struct Source {
   std::string citation;
   std::string doi;
   std::string licence;
+  std::string note;  ///< what else a researcher should know: whose the wording is, what was changed
 };
 
 /// A questionnaire as its author published it: items, scales, keys, scoring, in several languages.
+/// One without items is information: a text to be read.
 struct Instrument {
   std::string id;
   std::string version;
-  LocalizedText title;         ///< participants may see it
-  LocalizedText introduction;  ///< shown above the items; the text of an information or consent form
+  LocalizedText title;  ///< participants may see it
+  LocalizedText
+      introduction;  ///< shown above the items; the text of an information or consent form
   Source source;
   std::vector<std::string> languages;
+  std::optional<Scale> scale;  ///< of the items that brought none of their own
   std::vector<Item> items;
   std::vector<Score> scores;
 
@@ -115,7 +134,9 @@ struct Instrument {
 };
 
 /// Everything that is wrong with @p instrument as a whole: ids used twice, scores of items that do
-/// not exist, texts that lack a language. Structure and types are the reader's business.
+/// not exist, texts that lack a language. Warnings are for what its author should know: statements
+/// that compare with the previous, placeholders "[[…]]" still to be filled in. Types and the
+/// spelling of keys are the reader's business.
 Problems problemsOf(const Instrument& instrument);
 
 }  // namespace questionnaires

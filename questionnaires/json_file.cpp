@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <unordered_set>
 
 #include <nlohmann/json.hpp>
 
@@ -33,8 +34,9 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     return put({value});
   }
   bool string(string_t& value) override {
-    checkText(value);
-    return put({std::move(value)});
+    const Value* text = put({std::move(value)});
+    if (text != nullptr) checkText(std::get<std::string>(text->data));
+    return text != nullptr;
   }
   bool binary(binary_t& /*value*/) override { return false; }
 
@@ -43,15 +45,12 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool start_array(std::size_t /*size*/) override { return open(Value{Value::Array{}}); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
+    std::get<Value::Object>(open_.back().value->data).push_back({value, {}});
     checkText(value);
-    auto& object = std::get<Value::Object>(open_.back().value->data);
-    const bool seen = std::any_of(
-        object.begin(), object.end(), [&](const auto& member) { return member.key == value; });
-    if (seen) {
+    if (!open_.back().keys.insert(value).second) {
       problems_.add(
-          path(), "the key '" + value + "' stands here twice", "keep one of the two");
+          path(), "the key '" + shown(value) + "' stands here twice", "keep one of the two");
     }
-    object.push_back({std::move(value), {}});
     return true;
   }
 
@@ -59,21 +58,18 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       std::size_t position,
       const std::string& lastToken,
       const nlohmann::detail::exception& error) override {
-    position = std::min(position, text_.size());
-    const auto before = text_.substr(0, position);
-    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-    const auto lineStart = before.rfind('\n');
-    const auto column = position - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
-    const std::string where =
-        "line " + std::to_string(line) + ", column " + std::to_string(column);
+    const std::string where = lineAndColumn(text_.substr(0, position));
     if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr) {
       problems_.add(
-          path(), where + ": the number " + lastToken + " is too large", "write a finite number");
+          path(),
+          where + ": the number " + shown(lastToken) + " is too large",
+          "write a finite number");
       return false;
     }
+    const std::string near = lastToken.empty() ? "" : ", near '" + ending(lastToken) + "'";
     problems_.add(
         path(),
-        where + ": this is not JSON" + (lastToken.empty() ? "" : ", near '" + shortened(lastToken) + "'"),
+        where + ": this is not JSON" + near,
         "look for a missing comma, quote or bracket just before it; JSON has no comments, no NaN "
         "and no text after its last bracket");
     return false;
@@ -83,22 +79,30 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   struct Level {
     Value* value;
     std::size_t elements = 0;
+    std::unordered_set<std::string> keys{};
   };
 
-  static std::string shortened(const std::string& token) {
+  static std::string lineAndColumn(std::string_view before) {
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const auto lineStart = before.rfind('\n');
+    const auto column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+  }
+
+  /// The token may hold anything, so only what is plainly printable is repeated.
+  static std::string ending(const std::string& token) {
     constexpr std::size_t kShown = 40;
-    std::string shown;
-    for (const char c : token.substr(token.size() > kShown ? token.size() - kShown : 0)) {
-      shown += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e ? '?' : c;
-    }
-    return shown;
+    std::string end = token.substr(token.size() > kShown ? token.size() - kShown : 0);
+    std::replace_if(
+        end.begin(), end.end(), [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+    return end;
   }
 
   std::string path() const {
     std::string result = "$";
     for (const auto& level : open_) {
       if (const auto* object = std::get_if<Value::Object>(&level.value->data)) {
-        if (!object->empty()) result += "." + object->back().key;
+        if (!object->empty()) result += "." + shown(object->back().key);
       } else {
         result += "[" + std::to_string(level.elements == 0 ? 0 : level.elements - 1) + "]";
       }
@@ -124,7 +128,10 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       return &root_;
     }
     if (++open_.back().elements > kMostElements) {
-      problems_.add(path(), "more than " + std::to_string(kMostElements) + " elements", "");
+      problems_.add(
+          path(),
+          "more than " + std::to_string(kMostElements) + " elements",
+          "no researcher's file needs that; is it the right file?");
       return nullptr;
     }
     if (auto* object = std::get_if<Value::Object>(&open_.back().value->data)) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace questionnaires {
 
@@ -17,6 +18,7 @@ class LocalizedText {
   const std::string& in(std::string_view language) const;
 
   bool has(std::string_view language) const { return byLanguage_.count(std::string(language)) > 0; }
+  bool operator==(const LocalizedText& other) const = default;
   bool isEmpty() const noexcept { return byLanguage_.empty(); }
   const std::map<std::string, std::string>& all() const noexcept { return byLanguage_; }
 

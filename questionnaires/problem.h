@@ -1,6 +1,6 @@
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,25 +22,31 @@ struct Problem {
   std::string fix;   ///< what to do about it; may be empty
 };
 
+/// How many problems are told; whoever wrote the file has enough to do with them.
+inline constexpr std::size_t kMostProblems = 1000;
+
 /// All that was found in a file: a person who edits between two participants learns it at once.
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
-    list_.push_back({Severity::Error, std::move(path), std::move(what), std::move(fix)});
+    put({Severity::Error, std::move(path), std::move(what), std::move(fix)});
   }
   void warn(std::string path, std::string what, std::string fix = {}) {
-    list_.push_back({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
+    put({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
+  }
+  void append(const Problems& others) {
+    for (const auto& problem : others.list_) put(problem);
   }
 
-  const std::vector<Problem>& all() const noexcept { return list_; }
-  bool hasErrors() const noexcept {
-    return std::any_of(list_.begin(), list_.end(), [](const Problem& problem) {
-      return problem.severity == Severity::Error;
-    });
-  }
+  const std::vector<Problem>& all() const& noexcept { return list_; }
+  std::vector<Problem> all() && noexcept { return std::move(list_); }  // outlives problemsOf(x)
+  bool hasErrors() const noexcept { return hasErrors_; }
 
  private:
+  void put(Problem problem);
+
   std::vector<Problem> list_;
+  bool hasErrors_ = false;
 };
 
 /// One line a problem, as a person at a terminal reads it.

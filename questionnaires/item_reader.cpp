@@ -1,0 +1,230 @@
+#include "questionnaires/item_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "questionnaires/scale_reader.h"
+
+namespace questionnaires {
+namespace {
+
+constexpr std::array kTypes{
+    Choice<ItemType>{"likert", ItemType::Likert},
+    Choice<ItemType>{"semantic_differential", ItemType::SemanticDifferential},
+    Choice<ItemType>{"slider", ItemType::Slider},
+    Choice<ItemType>{"single_choice", ItemType::SingleChoice},
+    Choice<ItemType>{"multiple_choice", ItemType::MultipleChoice},
+    Choice<ItemType>{"number", ItemType::Number},
+    Choice<ItemType>{"short_text", ItemType::ShortText},
+    Choice<ItemType>{"long_text", ItemType::LongText},
+    Choice<ItemType>{"pairwise_choice", ItemType::PairwiseChoice},
+};
+constexpr std::array kReferences{Choice<Reference>{"previous", Reference::Previous}};
+constexpr std::array kSources{Choice<OptionSource>{"alternatives", OptionSource::Alternatives}};
+
+/// The keys that items of a type have beside those of every item.
+std::vector<std::string_view> keysOf(ItemType type) {
+  switch (type) {
+    case ItemType::Likert:
+      return {"key", "relative_to", "scale"};
+    case ItemType::SemanticDifferential:
+      return {"key", "relative_to", "scale", "left_label", "right_label"};
+    case ItemType::Slider:
+      return {"key", "relative_to", "left_label", "right_label", "least", "most", "step"};
+    case ItemType::SingleChoice:
+      return {"relative_to", "options", "options_from", "consent_option"};
+    case ItemType::MultipleChoice:
+      return {"options", "options_from"};
+    case ItemType::Number:
+      return {"least", "most", "step", "unit"};
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return {"longest_answer"};
+    case ItemType::PairwiseChoice:
+      return {"relative_to", "options", "options_from"};
+  }
+  return {};
+}
+
+bool has(const std::vector<std::string_view>& keys, std::string_view key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
+  const auto own = keysOf(type.value);
+  for (const auto& member : node.members()) {
+    const std::string& key = member.first;
+    const bool isOfAType = std::any_of(
+        kTypes.begin(), kTypes.end(), [&](const auto& t) { return has(keysOf(t.value), key); });
+    if (!isOfAType || has(own, key)) continue;
+    node.problem(
+        key,
+        "'" + key + "' means nothing to an item of type '" + std::string(type.name) + "'",
+        "remove it, or choose another type");
+  }
+}
+
+/// The type that @p node names; where it names none, that is a problem.
+std::optional<Choice<ItemType>> typeOf(const Node& node) {
+  const auto name = node.member("type");
+  if (name && name->isText()) {
+    const std::string word = name->asText();
+    const auto type =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.name == word; });
+    if (type != kTypes.end()) return *type;
+  }
+  node.choice<ItemType>("type", kTypes);
+  return std::nullopt;
+}
+
+bool knowsItsKeys(const Node& node) {
+  return node.isObjectWith(
+      {"id",
+       "type",
+       "text",
+       "set",
+       "required",
+       "identifying",
+       "key",
+       "relative_to",
+       "scale",
+       "left_label",
+       "right_label",
+       "least",
+       "most",
+       "step",
+       "unit",
+       "options",
+       "options_from",
+       "consent_option",
+       "longest_answer"});
+}
+
+constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargestBound = 1e9;
+
+double bound(const Node& node, std::string_view key, std::optional<double> usual) {
+  if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnread);
+  if (!usual) node.problem("", "'" + std::string(key) + "' is missing", "add it");
+  return usual.value_or(kUnread);
+}
+
+void readRange(const Node& node, Item& item) {
+  const bool isSlider = item.type == ItemType::Slider;
+  item.least = bound(node, "least", isSlider ? std::optional(0.0) : std::nullopt);
+  item.most = bound(node, "most", isSlider ? std::optional(100.0) : std::nullopt);
+  item.step = node.has("step") ? node.number("step", 0.0, kLargestBound, kUnread) : 1.0;
+  if (std::isnan(item.least + item.most + item.step)) {
+    item.least = 0.0;
+    item.most = 1.0;
+    item.step = 0.0;
+  }
+  if (node.has("unit")) item.unit = node.text("unit");
+}
+
+void readLength(const Node& node, Item& item) {
+  const auto usual = item.type == ItemType::ShortText ? kLongestShortText : kLongestLongText;
+  item.longestAnswer = node.wholeNumber("longest_answer", 1, kLongestLongText, usual);
+}
+
+}  // namespace
+
+Item ItemReader::read(const Node& node, std::size_t index) const {
+  Item item;
+  item.id = "unread." + std::to_string(index);
+  item.text = texts_.standIn();
+  item.scale = standInScale(texts_);
+  if (!knowsItsKeys(node)) return item;
+
+  item.id = idOrStandIn(node, "id", index);
+  const auto type = typeOf(node);
+  if (type) {
+    item.type = type->value;
+    refuseKeysOfOtherTypes(node, *type);
+  }
+  readHead(node, item);
+  if (type) readKind(node, item);
+  return item;
+}
+
+void ItemReader::readHead(const Node& node, Item& item) const {
+  const bool mayBeWordless = item.type == ItemType::SemanticDifferential;
+  item.text = mayBeWordless ? texts_.optional(node, "text") : texts_.required(node, "text");
+  if (node.has("set")) item.set = node.id("set");
+  item.key = static_cast<int>(node.wholeNumber("key", -1, 1, 1));
+  item.isRequired = node.flag("required", true);
+  item.isIdentifying = node.flag("identifying", false);
+  item.reference = node.choice<Reference>("relative_to", kReferences, Reference::None);
+}
+
+void ItemReader::readKind(const Node& node, Item& item) const {
+  switch (item.type) {
+    case ItemType::Likert:
+      return readScaleOf(node, item);
+    case ItemType::SemanticDifferential:
+      readScaleOf(node, item);
+      return readEnds(node, item);
+    case ItemType::Slider:
+      readEnds(node, item);
+      return readRange(node, item);
+    case ItemType::Number:
+      return readRange(node, item);
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return readLength(node, item);
+    case ItemType::SingleChoice:
+    case ItemType::MultipleChoice:
+    case ItemType::PairwiseChoice:
+      return readOptions(node, item);
+  }
+}
+
+void ItemReader::readScaleOf(const Node& node, Item& item) const {
+  if (const auto own = node.member("scale")) {
+    item.scale = readScale(*own, texts_);
+  } else if (scale_) {
+    item.scale = *scale_;
+  } else {
+    node.problem(
+        "", "'scale' is missing, here and at the top of the file", "add it at one of the two");
+  }
+}
+
+void ItemReader::readEnds(const Node& node, Item& item) const {
+  item.leftText = texts_.required(node, "left_label");
+  item.rightText = texts_.required(node, "right_label");
+}
+
+void ItemReader::readOptions(const Node& node, Item& item) const {
+  if (!node.has("options") && !node.has("options_from")) {
+    node.problem(
+        "options",
+        "there is nothing to choose from",
+        "list options, or write \"options_from\": \"alternatives\"");
+  }
+  if (node.has("options") && node.has("options_from")) {
+    node.problem("options", "options beside options_from", "keep one of the two");
+  }
+  item.optionSource = node.choice<OptionSource>("options_from", kSources, OptionSource::Listed);
+  for (const auto& option : node.list("options", kMostOptions)) {
+    item.options.push_back(readOption(option, item.options.size()));
+  }
+  if (node.has("consent_option")) item.consentOption = node.id("consent_option");
+}
+
+Option ItemReader::readOption(const Node& node, std::size_t index) const {
+  if (!node.isObjectWith({"id", "text"})) {
+    return {.id = "unread." + std::to_string(index), .text = texts_.standIn()};
+  }
+  return {.id = idOrStandIn(node, "id", index), .text = texts_.required(node, "text")};
+}
+
+std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index) {
+  std::string id = node.id(key);
+  return id.empty() ? "unread." + std::to_string(index) : id;
+}
+
+}  // namespace questionnaires

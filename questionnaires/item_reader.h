@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "questionnaires/document.h"
+#include "questionnaires/instrument.h"
+#include "questionnaires/text_reader.h"
+
+namespace questionnaires {
+
+/// Reads the items of an instrument.
+///
+/// Every type of item has keys of its own; a key of another type is refused and named as such. What
+/// cannot be read is stood in for by something that problemsOf() has nothing to say about.
+class ItemReader {
+ public:
+  /// @param scale  of the items that bring none of their own
+  ItemReader(TextReader texts, std::optional<Scale> scale)
+      : texts_(std::move(texts)), scale_(std::move(scale)) {}
+
+  /// The item that @p node describes, the one with number @p index.
+  Item read(const Node& node, std::size_t index) const;
+
+ private:
+  void readHead(const Node& node, Item& item) const;
+  void readKind(const Node& node, Item& item) const;
+  void readScaleOf(const Node& node, Item& item) const;
+  void readEnds(const Node& node, Item& item) const;
+  void readOptions(const Node& node, Item& item) const;
+  Option readOption(const Node& node, std::size_t index) const;
+
+  TextReader texts_;
+  std::optional<Scale> scale_;
+};
+
+/// The id behind @p key, or, where there is none, one that nobody else has.
+std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index);
+
+}  // namespace questionnaires

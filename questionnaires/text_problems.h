@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "questionnaires/localized_text.h"
+#include "questionnaires/problem.h"
+
+namespace questionnaires {
+
+/// Looks over the texts of an instrument, language by language.
+class TextProblems {
+ public:
+  /// Both outlive this.
+  TextProblems(const std::vector<std::string>& languages, Problems& problems)
+      : languages_(languages), problems_(problems) {}
+
+  /// A text that participants see: there in English and in every language of the instrument.
+  void inspect(const std::string& path, const LocalizedText& text) const;
+
+  /// A text that only researchers see: there in English.
+  void inspectForResearchers(const std::string& path, const LocalizedText& text) const;
+
+ private:
+  void demand(
+      const std::string& path, const LocalizedText& text, const std::string& language) const;
+  void inspectWhatIsThere(const std::string& path, const LocalizedText& text) const;
+
+  const std::vector<std::string>& languages_;
+  Problems& problems_;
+};
+
+}  // namespace questionnaires

@@ -1,0 +1,104 @@
+// docs/questionnaire-format.md promises that its examples can be used.
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "questionnaires/document.h"
+#include "questionnaires/instrument_file.h"
+#include "tests/support/scratch_folder.h"
+
+namespace questionnaires {
+namespace {
+
+const std::string kPage =
+    tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/docs/questionnaire-format.md");
+
+/// What stands between "```json" and "```".
+std::vector<std::string> examples() {
+  const std::string opening = "```json\n";
+  std::vector<std::string> blocks;
+  std::size_t start = kPage.find(opening);
+  while (start != std::string::npos) {
+    start += opening.size();
+    const std::size_t end = kPage.find("```", start);
+    blocks.push_back(kPage.substr(start, end - start));
+    start = kPage.find(opening, end);
+  }
+  return blocks;
+}
+
+/// An example is a whole instrument, or one item of an instrument that has a scale.
+std::string wholeInstrument(const std::string& example) {
+  if (example.find("\"$schema\"") != std::string::npos) return example;
+  return R"({"$schema": "instrument-1.schema.json", "id": "example", "version": "1",
+             "title": "Example", "source": {"citation": "c", "licence": "l"}, "languages": ["en"],
+             "scale": {"points": 5, "low_label": "no", "high_label": "yes"}, "items": [)" +
+         example + "]}";
+}
+
+/// Every key that objects have anywhere in the schema's "properties".
+void collectKeys(const Node& node, std::set<std::string>& keys) {
+  for (const auto& [key, value] : node.members()) {
+    if (key == "properties") {
+      for (const auto& member : value.members()) keys.insert(member.first);
+    }
+    collectKeys(value, keys);
+  }
+}
+
+TEST(QuestionnaireFormatPage, HasExamplesThatCanBeUsed) {
+  const auto blocks = examples();
+  EXPECT_GE(blocks.size(), 10U);
+  for (const auto& block : blocks) {
+    Problems problems;
+    EXPECT_TRUE(readInstrument(wholeInstrument(block), problems).has_value())
+        << block << inWords(problems.all());
+  }
+}
+
+TEST(QuestionnaireFormatPage, ExplainsEveryKey) {
+  Problems problems;
+  const std::string file =
+      std::string(PALPATE_SOURCE_DIR) + "/questionnaires/library/instrument-1.schema.json";
+  const auto schema = parseJson(readTextFile(file), problems);
+  ASSERT_TRUE(schema.has_value());
+  std::set<std::string> keys;
+  collectKeys(Node(*schema, "$", problems), keys);
+  EXPECT_GE(keys.size(), 35U);
+  for (const auto& key : keys) {
+    EXPECT_NE(kPage.find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
+TEST(QuestionnaireFormatPage, ShowsEveryTypeOfItem) {
+  for (const auto* type :
+       {"likert",
+        "semantic_differential",
+        "slider",
+        "single_choice",
+        "multiple_choice",
+        "number",
+        "short_text",
+        "long_text",
+        "pairwise_choice"}) {
+    const auto blocks = examples();
+    EXPECT_TRUE(std::any_of(blocks.begin(), blocks.end(), [&](const std::string& block) {
+      return block.find("\"type\": \"" + std::string(type) + "\"") != std::string::npos;
+    })) << type;
+  }
+}
+
+TEST(QuestionnaireFormatPage, ListsTheWholeLibrary) {
+  const std::filesystem::path folder =
+      std::filesystem::path(PALPATE_SOURCE_DIR) / "questionnaires/library";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().stem().string();
+    EXPECT_NE(kPage.find("`" + name), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace questionnaires
