@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace protocols {
+
+/// A file of protocols/library, as it was when the program was built.
+struct LibraryFile {
+  std::string_view name;  ///< "punch-face-validity.json"
+  std::string_view content;
+};
+
+std::span<const LibraryFile> libraryFiles();
+
+}  // namespace protocols

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocols/protocol.h"
+#include "questionnaires/instrument.h"
+#include "questionnaires/problem.h"
+
+namespace protocols {
+
+/// A file that a protocol consists of, as it was read: what a study keeps.
+struct SourceFile {
+  std::string name;  ///< as the protocol calls it
+  std::string text;
+};
+
+/// A protocol with everything that it refers to, ready to be run.
+struct LoadedProtocol {
+  Protocol protocol;
+  std::vector<questionnaires::Instrument> instruments;  ///< those it uses
+  std::string text;                                     ///< the protocol's own file
+  std::vector<SourceFile>
+      files;  ///< its instruments and cuts, but for what is built into the program
+
+  const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
+};
+
+/// Finds the text of a file that a protocol names; nothing where there is none.
+using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// Reads a protocol and everything it refers to, and checks that it all fits together. Nothing
+/// where there are errors; warnings leave it usable.
+std::optional<LoadedProtocol> loadProtocol(
+    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
+
+/// The same from a file, or from the library by name ("punch-face-validity"). What it refers to is
+/// looked for beside the file.
+/// @throws questionnaires::Error  if the file cannot be read at all.
+std::optional<LoadedProtocol> loadProtocolFile(
+    const std::string& path, questionnaires::Problems& problems);
+
+}  // namespace protocols

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "protocols/protocol.h"
+#include "questionnaires/problem.h"
+
+namespace protocols {
+
+/// A protocol as JSON says it (docs/protocol-format.md), and everything that is wrong with the way
+/// it is written; nothing where there are errors. What it refers to is not looked at: see
+/// loadProtocol().
+std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems);
+
+}  // namespace protocols

@@ -1,0 +1,144 @@
+#include "protocols/scene_file.h"
+
+#include <array>
+
+#include "haptics/engine/parametric_material.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Choice;
+using questionnaires::Node;
+namespace engine = haptics::engine;
+namespace models = haptics::models;
+
+enum class Model { Interpolation, FiniteElements, Kalman, Material };
+
+constexpr std::array kModels{
+    Choice<Model>{"interpolation", Model::Interpolation},
+    Choice<Model>{"finite-elements", Model::FiniteElements},
+    Choice<Model>{"kalman", Model::Kalman},
+    Choice<Model>{"material", Model::Material},
+};
+
+constexpr std::array kBeyond{
+    Choice<models::BeyondCurve>{"ramp-out", models::BeyondCurve::RampOut},
+    Choice<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
+    Choice<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
+};
+
+enum class KalmanVariant { AuthorsFirmware };
+constexpr std::array kVariants{
+    Choice<KalmanVariant>{"authors-firmware", KalmanVariant::AuthorsFirmware},
+};
+
+engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
+  engine::InterpolationSpec spec;
+  if (!node.isObjectWith({"cut", "beyond", "ramp_length"})) return spec;
+  condition.cut = CutReference{node.text("cut", "parametric"), node.pathOf("cut")};
+  spec.options.beyond = node.choice("beyond", kBeyond, spec.options.beyond);
+  spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
+  return spec;
+}
+
+engine::FiniteElementsSpec readFiniteElements(const Node& node) {
+  engine::FiniteElementsSpec spec;
+  auto& p = spec.parameters;
+  if (!node.isObjectWith(
+          {"elements",
+           "start",
+           "end",
+           "tool_position",
+           "element_stiffness",
+           "contact_travel",
+           "yield_force_n"})) {
+    return spec;
+  }
+  p.elements = static_cast<int>(node.wholeNumber("elements", 1, 100'000, p.elements));
+  p.start = node.number("start", -1e6, 1e6, p.start);
+  p.end = node.number("end", -1e6, 1e6, p.end);
+  p.toolPosition = node.number("tool_position", -1e6, 1e6, p.toolPosition);
+  p.elementStiffness = node.number("element_stiffness", 1e-6, 1e6, p.elementStiffness);
+  p.contact = node.number("contact_travel", -1000.0, 1000.0, p.contact);
+  p.yieldForce = node.number("yield_force_n", 0.0, 1000.0, p.yieldForce);
+  return spec;
+}
+
+models::KalmanFilter<double>::Noise readNoise(const Node& node) {
+  models::KalmanFilter<double>::Noise noise;
+  if (!node.isObjectWith(
+          {"process_force",
+           "process_covariance",
+           "process_stiffness",
+           "finite_elements",
+           "interpolation"})) {
+    return noise;
+  }
+  constexpr double kMost = 1e9;
+  noise.processForce = node.number("process_force", 0.0, kMost, noise.processForce);
+  noise.processCovariance =
+      node.number("process_covariance", -kMost, kMost, noise.processCovariance);
+  noise.processStiffness = node.number("process_stiffness", 0.0, kMost, noise.processStiffness);
+  noise.finiteElements = node.number("finite_elements", 0.0, kMost, noise.finiteElements);
+  noise.interpolation = node.number("interpolation", 0.0, kMost, noise.interpolation);
+  return noise;
+}
+
+engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
+  engine::KalmanSpec spec;
+  if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise"})) return spec;
+  node.choice("variant", kVariants, KalmanVariant::AuthorsFirmware);
+  condition.cut = CutReference{"parametric", node.pathOf("interpolation.cut")};
+  if (const auto part = node.object("interpolation")) {
+    spec.interpolation = readInterpolation(*part, condition);
+  }
+  if (const auto part = node.object("finite_elements")) {
+    spec.finiteElements = readFiniteElements(*part);
+  }
+  if (const auto part = node.object("noise")) spec.noise = readNoise(*part);
+  return spec;
+}
+
+engine::MaterialSpec readMaterial(const Node& node) {
+  engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
+  if (!node.isObjectWith({"hardness", "force_scale", "nodes"})) return spec;
+  spec.hardness = node.number("hardness", 0.0, 1.0);
+  spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
+  if (!node.has("nodes")) return spec;
+  spec.nodes.clear();
+  for (const auto& entry : node.requiredList("nodes")) {
+    if (!entry.isObjectWith({"depth_m", "lower_n", "upper_n"})) continue;
+    spec.nodes.push_back(
+        {entry.number("depth_m", 0.0, 1.0),
+         entry.number("lower_n", 0.0, 1e5),
+         entry.number("upper_n", 0.0, 1e5)});
+  }
+  return spec;
+}
+
+}  // namespace
+
+void readScene(const Node& scene, Condition& condition) {
+  if (!scene.isObjectWith({"device", "model", "parameters", "visualisation"})) return;
+  condition.device = scene.id("device");
+  condition.scene.isVisualised = scene.flag("visualisation", false);
+  const Model model = scene.choice("model", kModels);
+  const auto parameters = scene.requiredObject("parameters");
+  if (!parameters) return;
+  switch (model) {
+    case Model::Interpolation:
+      condition.scene.model = readInterpolation(*parameters, condition);
+      break;
+    case Model::FiniteElements:
+      condition.scene.model = readFiniteElements(*parameters);
+      break;
+    case Model::Kalman:
+      condition.scene.model = readKalman(*parameters, condition);
+      break;
+    case Model::Material:
+      condition.scene.model = readMaterial(*parameters);
+      break;
+  }
+}
+
+}  // namespace protocols
