@@ -1,0 +1,115 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "haptics/recordings/recording_file.h"
+#include "protocols/library.h"
+#include "protocols/loaded_protocol.h"
+#include "study/app/commands.h"
+#include "study/app/import_recording.h"
+#include "study/app/write_report.h"
+#include "study/export.h"
+#include "study/new_file.h"
+#include "study/simulated_participant.h"
+#include "study/verification.h"
+
+namespace study::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string out = "palpate-demo";
+  std::uint64_t seed = 20221212;
+  std::string recording;
+};
+
+std::string libraryProtocol(const std::string& name) {
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == name + ".json") return std::string(file.content);
+  }
+  throw std::logic_error("no protocol " + name);
+}
+
+/// The punch study of the paper; with the cut of a real recording in it, if there is one.
+std::string punchProtocol(const Options& options, const fs::path& folder) {
+  const std::string path = (folder / "punch-face-validity.json").string();
+  std::string text = libraryProtocol("punch-face-validity");
+  if (!options.recording.empty()) {
+    const auto recording = haptics::recordings::readRecordingFile(options.recording);
+    const auto imported = importRecording(recording, {});
+    writeNewFile(
+        (folder / "recorded-cut.json").string(), cutAsJsonFrom(options.recording, imported.cut));
+    fmt::print("Cut from {}: {}\n", recording.source, imported.report.reason);
+    const std::string shipped = "\"cut\": \"parametric\"";
+    for (auto at = text.find(shipped); at != std::string::npos; at = text.find(shipped)) {
+      text.replace(at, shipped.size(), "\"cut\": \"recorded-cut.json\"");
+    }
+  }
+  writeNewFile(path, text);
+  return path;
+}
+
+report::ReportSection runStudy(
+    const std::string& protocolFile,
+    const fs::path& folder,
+    const std::string& name,
+    std::uint64_t seed) {
+  questionnaires::Problems problems;
+  const auto protocol = protocols::loadProtocolFile(protocolFile, problems);
+  if (!protocol) throw questionnaires::Error(questionnaires::inWords(problems.all()));
+  SimulatedClock clock;
+  auto study = Study::create(folder / name, *protocol, clock, seed);
+  const int participants = plannedParticipants(protocol->protocol);
+  fmt::print("{}: {} simulated participants …\n", protocol->protocol.study.title, participants);
+  simulateCohorts(study, clock, participants, seed, [](const std::string&) {});
+  if (!verify(study).isSound()) throw std::logic_error("the demo's own study does not verify");
+  exportStudy(
+      study,
+      (folder / ("export-" + name)).string(),
+      {.format = ExportFormat::Csv, .runMode = RunMode::Simulated});
+  return report::gather(study, RunMode::Simulated);
+}
+
+int demo(const Options& options) {
+  const fs::path folder(options.out);
+  std::error_code error;
+  if (fs::exists(folder, error) || !fs::create_directories(folder, error)) {
+    throw storage::StorageError(
+        options.out + (fs::exists(folder) ? " is there already. Choose another folder with --out."
+                                          : " cannot be made. Choose another folder with --out."));
+  }
+  std::vector<report::ReportSection> sections;
+  sections.push_back(runStudy(punchProtocol(options, folder), folder, "punch-study", options.seed));
+  const std::string reaming = (folder / "reaming-hardness.json").string();
+  writeNewFile(reaming, libraryProtocol("reaming-hardness"));
+  sections.push_back(runStudy(reaming, folder, "reaming-study", options.seed));
+  writeReport(sections, (folder / "report.html").string());
+  const std::string place = fs::absolute(folder).lexically_normal().string();
+  fmt::print(
+      "\nReport:   {0}/report.html\nExports:  {0}/export-punch-study, {0}/export-reaming-study\n"
+      "Studies:  {0}/punch-study, {0}/reaming-study\n"
+      "Windows:  palpate-studio {0}/punch-study\n",
+      place);
+  return 0;
+}
+
+}  // namespace
+
+void addDemoCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<Options>();
+  auto* command = program.add_subcommand(
+      "demo",
+      "See all of it: both published studies with simulated participants, report and export");
+  command->add_option("--out", options->out, "Folder to make")->capture_default_str();
+  command->add_option("--seed", options->seed, "The same seed gives the same bytes")
+      ->capture_default_str();
+  command->add_option(
+      "--recording", options->recording, "A real recording of a punch, instead of the shipped cut");
+  command->callback([&action, options] { action = [options] { return app::demo(*options); }; });
+}
+
+}  // namespace study::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "haptics/recordings/cut_import.h"
+
+namespace study::app {
+
+/// Takes a cut, under a name that a protocol can use.
+haptics::recordings::ImportedCut importRecording(
+    const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options);
+
+/// The cut file, with the SHA-256 of the recording it was taken from.
+std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut);
+
+}  // namespace study::app

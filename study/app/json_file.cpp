@@ -1,0 +1,254 @@
+#include "study/app/json_file.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "study/storage/records.h"
+
+namespace study::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// JSON has no infinity: a t beyond every number is null, and the reason says so.
+Json finiteOrNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+std::string printed(const Json& json) {
+  return json.dump(2) + "\n";
+}
+
+Json asJson(const analysis::WelchResult& r, const std::optional<analysis::Interval>& interval) {
+  Json json;
+  json["n1"] = r.n1;
+  json["n2"] = r.n2;
+  json["mean1"] = orNull(r.mean1);
+  json["mean2"] = orNull(r.mean2);
+  json["variance1"] = orNull(r.variance1);
+  json["variance2"] = orNull(r.variance2);
+  json["difference"] = orNull(r.difference);
+  json["se"] = orNull(r.standardError);
+  json["t"] = finiteOrNull(r.t);
+  json["df"] = orNull(r.degreesOfFreedom);
+  json["p"] = orNull(r.p);
+  json["log10_p"] = orNull(r.log10P);
+  json["conf_low"] = interval ? Json(interval->low) : Json(nullptr);
+  json["conf_high"] = interval ? Json(interval->high) : Json(nullptr);
+  json["reason"] = r.reason.empty() ? Json(nullptr) : Json(r.reason);
+  return json;
+}
+
+Json asJson(const analysis::PairwiseComparison& row) {
+  Json json{{"group1", row.group1}, {"group2", row.group2}};
+  json.update(asJson(row.welch, row.interval));
+  json["p_adj"] = orNull(row.adjustedP);
+  json["conf_low_adj"] = row.adjustedInterval ? Json(row.adjustedInterval->low) : Json(nullptr);
+  json["conf_high_adj"] = row.adjustedInterval ? Json(row.adjustedInterval->high) : Json(nullptr);
+  json["significant"] = orNull(row.isSignificant);
+  return json;
+}
+
+Json asJson(const FamilyResult& family) {
+  Json json{
+      {"family_id", family.family.id},
+      {"title", family.family.title},
+      {"instrument", family.family.instrument},
+      {"alpha", family.family.alpha},
+      {"cohorts", Json::array()}};
+  for (const auto& cohort : family.cohorts) {
+    Json part{{"cohort", cohort.cohort}, {"m", cohort.comparisons.tests}};
+    part["alpha_per_test"] = orNull(cohort.comparisons.alphaPerTest);
+    for (const auto& condition : cohort.conditions) {
+      const auto counts = condition.counts.counts();
+      part["conditions"].push_back(
+          {{"condition", condition.name},
+           {"n", condition.counts.total()},
+           {"mean", orNull(condition.counts.mean())},
+           {"variance", orNull(condition.counts.variance())},
+           {"counts", std::vector<std::uint64_t>(counts.begin(), counts.end())}});
+    }
+    for (const auto& row : cohort.comparisons.rows) part["comparisons"].push_back(asJson(row));
+    json["cohorts"].push_back(std::move(part));
+  }
+  return json;
+}
+
+using haptics::recordings::CurvePoint;
+
+Json asJson(const std::optional<CurvePoint>& point) {
+  if (!point) return nullptr;
+  return {{"travel", point->travel}, {"force_n", point->force}};
+}
+
+Json asJson(const haptics::recordings::Closure& closure) {
+  return {
+      {"first_row", closure.rows.first},
+      {"last_row", closure.rows.last},
+      {"start_s", closure.start},
+      {"duration_s", closure.duration},
+      {"complete", closure.isComplete},
+      {"saturated_rows", closure.saturatedRows},
+      {"peak_force_n", closure.peakForce},
+      {"interception", asJson(closure.landmarks.interception)},
+      {"yield", asJson(closure.landmarks.yield)},
+      {"bottom_out", asJson(closure.landmarks.bottomOut)},
+      {"opening", asJson(closure.landmarks.opening)}};
+}
+
+}  // namespace
+
+std::string problemsAsJson(
+    const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems) {
+  Json json{{"file", file}, {"sound", isSound}, {"problems", Json::array()}};
+  for (const auto& problem : problems) {
+    const bool isError = problem.severity == questionnaires::Severity::Error;
+    json["problems"].push_back(
+        {{"severity", isError ? "error" : "warning"},
+         {"path", problem.path},
+         {"what", problem.what},
+         {"fix", problem.fix}});
+  }
+  return printed(json);
+}
+
+std::string welchAsJson(
+    const analysis::GroupedValues& groups, const analysis::WelchResult& result, double level) {
+  Json json{
+      {"test", "welch"},
+      {"group1", groups.group1.name},
+      {"group2", groups.group2.name},
+      {"missing", groups.missing},
+      {"conf_level", level}};
+  json.update(asJson(result, analysis::confidenceInterval(result, level)));
+  return printed(json);
+}
+
+std::string resultsAsJson(Study& study, const Results& results) {
+  Json json{
+      {"study_id", study.protocol().protocol.study.id},
+      {"protocol_hash", study.protocols().current().sha256},
+      {"app_version", appVersion()},
+      {"profile", "as-published"},
+      {"run_mode", nameOf(results.runMode)},
+      {"flow", Json::array()},
+      {"families", Json::array()},
+      {"votes", Json::array()}};
+  for (const auto& flow : results.flow) {
+    json["flow"].push_back(
+        {{"cohort", flow.cohort},
+         {"enrolled", flow.enrolled},
+         {"completed", flow.completed},
+         {"in_progress", flow.inProgress},
+         {"declined", flow.declined},
+         {"withdrawn", flow.withdrawn},
+         {"rejected", flow.rejected},
+         {"aborted_hardware", flow.abortedHardware}});
+  }
+  for (const auto& family : results.families) json["families"].push_back(asJson(family));
+  for (const auto& vote : results.votes) {
+    Json row{{"cohort", vote.cohort}, {"phase", vote.phase}, {"block", vote.block}};
+    for (const auto& share : vote.votes.shares()) row["votes"][share.option] = share.votes;
+    row["total"] = vote.votes.total();
+    json["votes"].push_back(std::move(row));
+  }
+  return printed(json);
+}
+
+std::string statusAsJson(Study& study) {
+  const auto current = study.protocols().current();
+  Json json{
+      {"study_id", study.protocol().protocol.study.id},
+      {"title", study.protocol().protocol.study.title},
+      {"uuid", study.uuid()},
+      {"seed", study.seed()},
+      {"created_utc", study.createdUtc()},
+      {"protocol_hash", current.sha256},
+      {"protocol_frozen_utc", orNull(current.frozenUtc)},
+      {"sessions", Json::array()}};
+  for (const auto& s : storage::Records(study.database()).sessions()) {
+    json["sessions"].push_back(
+        {{"id", static_cast<std::int64_t>(s.id)},
+         {"participant_id", s.participant},
+         {"session_num", s.number},
+         {"cohort", s.cohort},
+         {"run_mode", s.runMode},
+         {"status", s.status},
+         {"place", s.slot + 1},
+         {"started_utc", s.startedUtc},
+         {"ended_utc", orNull(s.endedUtc)}});
+  }
+  return printed(json);
+}
+
+std::string verificationAsJson(const Verification& verification) {
+  Json json{{"sound", verification.isSound()}, {"checks", Json::array()}};
+  for (const auto& check : verification.checks) {
+    json["checks"].push_back(
+        {{"what", check.what}, {"sound", check.problems.empty()}, {"problems", check.problems}});
+  }
+  return printed(json);
+}
+
+std::string importAsJson(
+    const haptics::recordings::Recording& recording,
+    const haptics::recordings::ImportedCut& imported) {
+  const auto& survey = imported.report.survey;
+  Json json{
+      {"file", recording.source},
+      {"rows", survey.rows},
+      {"rows_are_numbered_from", 1},
+      {"refused_lines", Json::array()},
+      {"refused_line_count", survey.refusedLines},
+      {"sample_rate_hz", survey.sampling.rate},
+      {"step_min_s", survey.sampling.stepMin},
+      {"step_max_s", survey.sampling.stepMax},
+      {"saturated_rows", survey.saturatedRows},
+      {"uncalibrated_rows", survey.uncalibratedRows},
+      {"min_force_n", survey.minForce},
+      {"max_force_n", survey.maxForce},
+      {"distinct_travels", survey.distinctTravels},
+      {"cuts", Json::array()}};
+  for (const auto& line : recording.refusedLines) {
+    json["refused_lines"].push_back({{"line", line.number}, {"reason", line.reason}});
+  }
+  for (const auto& closure : survey.closures) json["cuts"].push_back(asJson(closure));
+  Json chosen{{"name", imported.cut.name}, {"reason", imported.report.reason}};
+  chosen["cuts"] = imported.report.closures;
+  chosen["rows"] = Json::array();
+  for (const auto& rows : imported.report.rows) chosen["rows"].push_back({rows.first, rows.last});
+  chosen["calibration"] = imported.cut.provenance.calibration;
+  chosen["filter"] = imported.cut.provenance.filter;
+  chosen["largest_slope_before"] = imported.report.slopeBefore;
+  chosen["largest_slope"] = imported.cut.curve.largestSlope();
+  chosen["largest_change_n"] = imported.report.largestChange;
+  chosen["changes"] = imported.report.changes;
+  chosen["curve"] = Json::array();
+  for (const auto& point : imported.cut.curve.nodes()) {
+    chosen["curve"].push_back({{"travel", point.travel}, {"force_n", point.force}});
+  }
+  json["chosen"] = std::move(chosen);
+  return printed(json);
+}
+
+std::string passesAsJson(
+    const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds) {
+  Json json{
+      {"condition", condition},
+      {"largest_stiffness", scene.largestStiffness()},
+      {"tick_median_ns", nanoseconds},
+      {"passes", Json::array()}};
+  for (const auto& pass : scene.passes()) {
+    json["passes"].push_back(
+        {{"name", pass.name}, {"in", pass.isIn}, {"why", pass.why}, {"bytes", pass.bytes}});
+  }
+  return printed(json);
+}
+
+}  // namespace study::app

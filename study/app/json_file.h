@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/grouped_values.h"
+#include "analysis/welch.h"
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/recordings/cut_import.h"
+#include "questionnaires/problem.h"
+#include "study/results.h"
+#include "study/verification.h"
+
+// What --json prints: one JSON document, numbers so that they read back exactly, null with a reason
+// where something is undefined.
+namespace study::app {
+
+std::string problemsAsJson(
+    const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems);
+
+std::string welchAsJson(
+    const analysis::GroupedValues& groups, const analysis::WelchResult& result, double level);
+
+std::string resultsAsJson(Study& study, const Results& results);
+
+std::string statusAsJson(Study& study);
+
+std::string verificationAsJson(const Verification& verification);
+
+/// `rows`, `sample_rate_hz`, `saturated_rows`, `max_force_n`, `cuts` …; rows are numbered from 1.
+std::string importAsJson(
+    const haptics::recordings::Recording& recording,
+    const haptics::recordings::ImportedCut& imported);
+
+std::string passesAsJson(
+    const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds);
+
+}  // namespace study::app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "study/report/report_section.h"
+
+namespace study::app {
+
+/// Paints the figures of all sections; nothing in a program that was built without Qt.
+void paintFigures(std::vector<report::ReportSection>& sections);
+
+}  // namespace study::app

@@ -1,0 +1,161 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "protocols/loaded_protocol.h"
+#include "protocols/schedule.h"
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+
+namespace study::app {
+namespace {
+
+struct CheckOptions {
+  std::string file;
+  bool json = false;
+};
+
+int check(const CheckOptions& options) {
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(options.file, problems);
+  if (options.json) {
+    std::fputs(problemsAsJson(options.file, loaded.has_value(), problems.all()).c_str(), stdout);
+    return loaded ? 0 : 1;
+  }
+  std::fputs(questionnaires::inWords(problems.all()).c_str(), stdout);
+  if (!loaded) {
+    fmt::print("{} cannot be used yet.\n", options.file);
+    return 1;
+  }
+  const auto& protocol = loaded->protocol;
+  fmt::print(
+      "{} is sound: \"{}\", {} conditions, {} phases, {} cohorts.\n",
+      options.file,
+      protocol.study.title,
+      protocol.conditions.size(),
+      protocol.phases.size(),
+      protocol.cohorts.size());
+  return 0;
+}
+
+struct OrdersOptions {
+  std::string file;
+  std::size_t participants = 0;
+  std::uint64_t seed = 0;
+  bool hasSeed = false;
+  bool csv = false;
+};
+
+void printOrders(
+    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
+  const char* format =
+      options.csv ? "{},{},{},{},{},{}\n" : "{:<18} {:>11}  {:<16} {:>8}  {:>11}  {}\n";
+  fmt::print(
+      fmt::runtime(format),
+      "cohort",
+      "participant",
+      "block",
+      "position",
+      "alternative",
+      "condition");
+  for (const auto& cohort : protocol.cohorts) {
+    for (std::size_t slot = 0; slot < options.participants; ++slot) {
+      for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
+        for (const auto& trial : block.trials) {
+          fmt::print(
+              fmt::runtime(format),
+              cohort.id,
+              slot + 1,
+              block.phase,
+              trial.position,
+              trial.label,
+              trial.condition);
+        }
+      }
+    }
+  }
+}
+
+void printBalance(
+    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != protocols::PhaseType::Block) continue;
+    const auto balance = protocols::balanceOf(
+        protocol, phase, seed, protocol.cohorts.front().id, options.participants);
+    fmt::print("\n{}: ", phase.id);
+    if (balance.multipleOf == 1) {
+      fmt::print("the same order for everybody, balanced for no number of participants.\n");
+    } else if (balance.multipleOf == 0) {
+      fmt::print("drawn for everybody; no number of participants balances it exactly.\n");
+    } else {
+      fmt::print(
+          "{} participants a cohort {} it; suitable for a multiple of {}.\n",
+          options.participants,
+          balance.isBalanced ? "balance" : "do NOT balance",
+          balance.multipleOf);
+    }
+    for (std::size_t i = 0; i < balance.conditions.size(); ++i) {
+      fmt::print("  {:<20} at position:", balance.conditions[i]);
+      for (const int count : balance.atPosition[i]) fmt::print(" {:>3}", count);
+      fmt::print("   right after:");
+      for (std::size_t j = 0; j < balance.conditions.size(); ++j) {
+        if (j != i) fmt::print(" {} {}", balance.conditions[j], balance.after[i][j]);
+      }
+      fmt::print("\n");
+    }
+  }
+}
+
+int orders(const OrdersOptions& options) {
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(options.file, problems);
+  if (!loaded) {
+    std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+    return 1;
+  }
+  const auto& protocol = loaded->protocol;
+  const std::uint64_t seed = options.hasSeed ? options.seed : protocol.seed.value_or(1);
+  if (!options.csv && !options.hasSeed && !protocol.seed) {
+    fmt::print(
+        "The protocol has no seed; every study draws its own. These are the orders of seed 1.\n\n");
+  }
+  printOrders(protocol, options, seed);
+  if (!options.csv) printBalance(protocol, options, seed);
+  return 0;
+}
+
+}  // namespace
+
+void addProtocolCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("protocol", "Check a protocol; see everybody's order");
+  noun->require_subcommand(1);
+
+  auto checking = std::make_shared<CheckOptions>();
+  auto* check = noun->add_subcommand(
+      "check", "All problems of a protocol at once, each with its place and how to mend it");
+  check->add_option("FILE", checking->file, "A protocol file, or one of the library by name")
+      ->required();
+  check->add_flag("--json", checking->json, "For programs");
+  check->callback([&action, checking] { action = [checking] { return app::check(*checking); }; });
+
+  auto ordering = std::make_shared<OrdersOptions>();
+  auto* orders = noun->add_subcommand(
+      "orders", "Everybody's order before anybody comes, and how balanced it is");
+  orders->add_option("FILE", ordering->file, "A protocol file, or one of the library by name")
+      ->required();
+  orders->add_option("--participants", ordering->participants, "How many of every cohort")
+      ->required()
+      ->check(CLI::Range(1, 100'000));
+  auto* seed =
+      orders->add_option("--seed", ordering->seed, "Of the study (see 'palpate study status')");
+  orders->add_flag("--csv", ordering->csv, "As a table for programs, without the balance");
+  orders->callback([&action, ordering, seed] {
+    ordering->hasSeed = seed->count() > 0;
+    action = [ordering] { return app::orders(*ordering); };
+  });
+}
+
+}  // namespace study::app

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording_file.h"
+#include "protocols/cut_file.h"
+#include "study/app/commands.h"
+#include "study/app/import_recording.h"
+#include "study/app/json_file.h"
+#include "study/new_file.h"
+#include "study/session.h"
+
+namespace study::app {
+namespace {
+
+namespace recordings = haptics::recordings;
+
+struct ImportCommand {
+  std::string file;
+  std::string out;
+  std::string rows;
+  std::string calibration = "paper-eq1";
+  std::string filter = "authors-fir";
+  recordings::ImportOptions options;
+  bool json = false;
+};
+
+/// "5900:5975", numbered from 1, both ends included.
+recordings::RowRange rowRange(const std::string& text) {
+  recordings::RowRange range;
+  char colon = '\0';
+  char more = '\0';
+  const int read =
+      std::sscanf(text.c_str(), "%zu%c%zu%c", &range.first, &colon, &range.last, &more);
+  if (read != 3 || colon != ':' || range.first == 0 || range.last < range.first) {
+    throw NotNow(
+        "'" + text + "' is no range of rows. Write FIRST:LAST, numbered from 1, e.g. 5900:5975.");
+  }
+  return range;
+}
+
+std::string landmark(const char* name, const std::optional<recordings::CurvePoint>& point) {
+  return point ? fmt::format("{} {:.2f} → {:.2f} N", name, point->travel, point->force)
+               : fmt::format("{} –", name);
+}
+
+void printSurvey(const recordings::Recording& recording, const recordings::ImportReport& report) {
+  const auto& survey = report.survey;
+  fmt::print(
+      "{}\n  {} rows at {:.1f} Hz (steps of {:.0f} to {:.0f} ms), {} lines could not be read\n",
+      recording.source,
+      survey.rows,
+      survey.sampling.rate,
+      1000.0 * survey.sampling.stepMin,
+      1000.0 * survey.sampling.stepMax,
+      survey.refusedLines);
+  for (const auto& line : recording.refusedLines) {
+    fmt::print("  line {}: {}\n", line.number, line.reason);
+  }
+  fmt::print(
+      "  force {:.2f} to {:.2f} N by eq. (1); {} rows saturated, {} beyond the calibration; {} "
+      "distinct travels\n\n",
+      survey.minForce,
+      survey.maxForce,
+      survey.saturatedRows,
+      survey.uncalibratedRows,
+      survey.distinctTravels);
+  fmt::print("  cut        rows          seconds  peak [N]\n");
+  for (std::size_t i = 0; i < survey.closures.size(); ++i) {
+    const auto& c = survey.closures[i];
+    fmt::print(
+        "  {:>3} {:>7}–{:<7} {:>9.2f} {:>9.2f}  {}, {}, {}, {}{}\n",
+        i + 1,
+        c.rows.first,
+        c.rows.last,
+        c.duration,
+        c.peakForce,
+        landmark("interception", c.landmarks.interception),
+        landmark("yield", c.landmarks.yield),
+        landmark("bottom-out", c.landmarks.bottomOut),
+        landmark("opening", c.landmarks.opening),
+        c.isComplete ? "" : "  (incomplete)");
+  }
+}
+
+int import(ImportCommand& command) {
+  command.options.calibration = *recordings::forceCalibrationNamed(command.calibration);
+  command.options.filter = *recordings::travelFilterNamed(command.filter);
+  if (!command.rows.empty()) command.options.rows = rowRange(command.rows);
+  const auto recording = recordings::readRecordingFile(command.file);
+  const auto imported = importRecording(recording, command.options);
+  if (!command.out.empty()) writeNewFile(command.out, cutAsJsonFrom(command.file, imported.cut));
+  if (command.json) {
+    std::fputs(importAsJson(recording, imported).c_str(), stdout);
+    return 0;
+  }
+  printSurvey(recording, imported.report);
+  fmt::print("\n  {}\n", imported.report.reason);
+  for (const auto& change : imported.report.changes) fmt::print("  {}\n", change);
+  if (command.out.empty()) {
+    fmt::print("\nNothing was written. Add --out CUT.json to keep this cut.\n");
+  } else {
+    fmt::print(
+        "\n{} holds the cut. Put it beside a protocol and name it there: \"cut\": \"{}\".\n",
+        command.out,
+        command.out);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addRecordingCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("recording", "Measured cuts to something that can be felt");
+  noun->require_subcommand(1);
+
+  auto command = std::make_shared<ImportCommand>();
+  auto* import = noun->add_subcommand(
+      "import", "Read a recording of a real punch, find its cuts, write one as a cut file");
+  import->add_option("FILE", command->file, "A recording as text, five columns")->required();
+  import->add_option("--out", command->out, "The cut file to write; nothing is overwritten");
+  auto* cuts = import->add_option(
+      "--cut",
+      command->options.closures,
+      "Which cut, numbered from 1; several become their mean (default: the most typical one)");
+  import->add_option("--rows", command->rows, "Rows FIRST:LAST instead, numbered from 1")
+      ->excludes(cuts);
+  import->add_option("--calibration", command->calibration, "Raw readings to newtons")
+      ->check(CLI::IsMember({"paper-eq1", "recorder-2021"}))
+      ->capture_default_str();
+  import->add_option("--filter", command->filter, "Low-pass of the travel")
+      ->check(CLI::IsMember({"authors-fir", "none"}))
+      ->capture_default_str();
+  import
+      ->add_option(
+          "--max-slope",
+          command->options.maxSlope,
+          "The curve is made gentler where it is steeper [N per travel unit]")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  import->add_option("--name", command->options.name, "Of the cut (default: the file's name)");
+  import->add_flag("--json", command->json, "For programs, full precision");
+  import->callback([&action, command] { action = [command] { return app::import(*command);
+};
+}  // namespace study::app
+);
+}
+
+}  // namespace study::app

@@ -1,0 +1,30 @@
+#include "study/app/run_mode_option.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+#include "study/session.h"
+
+namespace study::app {
+
+void addRunModeOption(CLI::App& command, std::string& name) {
+  command.add_option("--run-mode", name, "Which sessions count (default: live)")
+      ->check(CLI::IsMember({"live", "pilot", "simulated"}));
+}
+
+RunMode chosenRunMode(Study& study, const std::string& name) {
+  const RunMode mode = runModeNamed(name).value_or(RunMode::Live);
+  std::map<RunMode, int> counts;
+  for (const auto& row : study.sessions().all()) ++counts[row.runMode];
+  if (counts[mode] > 0 || !name.empty()) return mode;
+  std::string others;
+  for (const auto other : {RunMode::Pilot, RunMode::Simulated}) {
+    if (counts[other] == 0) continue;
+    others += " " + std::to_string(counts[other]) + " " + std::string(nameOf(other)) +
+              " sessions are there: add --run-mode " + std::string(nameOf(other)) + ".";
+  }
+  throw NotNow("No participant has taken part in " + study.folder().string() + " yet." + others);
+}
+
+}  // namespace study::app

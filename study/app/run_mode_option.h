@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "study/run_mode.h"
+#include "study/study.h"
+
+namespace CLI {
+class App;
+}
+
+namespace study::app {
+
+/// Adds --run-mode to @p command.
+void addRunModeOption(CLI::App& command, std::string& name);
+
+/// The run mode that @p name says, or live where it says nothing.
+/// @throws NotNow  in words, where that leaves no session: which ones there are.
+RunMode chosenRunMode(Study& study, const std::string& name);
+
+}  // namespace study::app

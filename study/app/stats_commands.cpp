@@ -1,0 +1,123 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "analysis/grouped_values.h"
+#include "analysis/welch.h"
+#include "questionnaires/document.h"
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+#include "study/app/run_mode_option.h"
+#include "study/results_text.h"
+
+namespace study::app {
+namespace {
+
+struct TestOptions {
+  std::string file;
+  std::string group;
+  std::string value;
+  double level = 0.95;
+  bool json = false;
+};
+
+std::string orMissing(const std::optional<double>& value) {
+  return value ? fmt::format("{:.10g}", *value) : "–";
+}
+
+int welch(const TestOptions& options) {
+  const auto groups = analysis::readGroupedValues(
+      questionnaires::readTextFile(options.file), options.group, options.value);
+  const auto result = analysis::welchTTest(groups.group1.values, groups.group2.values);
+  if (options.json) {
+    std::fputs(welchAsJson(groups, result, options.level).c_str(), stdout);
+    return 0;
+  }
+  const auto interval = analysis::confidenceInterval(result, options.level);
+  fmt::print("Welch's t-test, {} − {}\n\n", groups.group1.name, groups.group2.name);
+  fmt::print("{:<12} {:>8} {:>16} {:>16}\n", "group", "n", "mean", "variance");
+  fmt::print(
+      "{:<12} {:>8} {:>16} {:>16}\n",
+      groups.group1.name,
+      result.n1,
+      orMissing(result.mean1),
+      orMissing(result.variance1));
+  fmt::print(
+      "{:<12} {:>8} {:>16} {:>16}\n\n",
+      groups.group2.name,
+      result.n2,
+      orMissing(result.mean2),
+      orMissing(result.variance2));
+  if (groups.missing > 0)
+    fmt::print("{} rows without a group or a value were left out.\n", groups.missing);
+  fmt::print(
+      "difference {}, t = {}, df = {}, p = {}\n",
+      orMissing(result.difference),
+      orMissing(result.t),
+      orMissing(result.degreesOfFreedom),
+      orMissing(result.p));
+  if (interval) {
+    fmt::print(
+        "{:g} % confidence interval of the difference: {:.10g} to {:.10g}\n",
+        100.0 * options.level,
+        interval->low,
+        interval->high);
+  }
+  if (!result.reason.empty()) fmt::print("{}\n", result.reason);
+  return 0;
+}
+
+struct RunOptions {
+  std::string folder;
+  std::string profile = "as-published";
+  std::string runMode;
+  bool json = false;
+};
+
+int run(const RunOptions& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  const auto results = computeResults(study, chosenRunMode(study, options.runMode));
+  std::fputs(
+      (options.json ? resultsAsJson(study, results) : resultsAsText(study, results)).c_str(),
+      stdout);
+  return 0;
+}
+
+}  // namespace
+
+void addStatsCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("stats", "Tables of a study; tests of any table");
+  noun->require_subcommand(1);
+
+  auto running = std::make_shared<RunOptions>();
+  auto* run = noun->add_subcommand(
+      "run", "The tables of a study: means and variances, declared comparisons, preferences");
+  run->add_option("DIR", running->folder, "The study's folder")->required();
+  run->add_option("--profile", running->profile, "How to compute: as the punch paper did")
+      ->check(CLI::IsMember({"as-published"}))
+      ->capture_default_str();
+  addRunModeOption(*run, running->runMode);
+  run->add_flag("--json", running->json, "For programs, full precision");
+  run->callback([&action, running] { action = [running] { return app::run(*running); }; });
+
+  auto testing = std::make_shared<TestOptions>();
+  auto* test = noun->add_subcommand("test", "A test of any table of your own");
+  test->require_subcommand(1);
+  auto* welch = test->add_subcommand("welch", "Do two groups differ in their mean? Welch's t-test");
+  welch->add_option("FILE", testing->file, "A CSV file with a header line")->required();
+  welch->add_option("--group", testing->group, "Column that names the group; two groups")
+      ->required();
+  welch->add_option("--value", testing->value, "Column of numbers")->required();
+  welch->add_option("--level", testing->level, "Of the confidence interval")
+      ->check(CLI::Range(1e-9, 1.0 - 1e-9))
+      ->capture_default_str();
+  welch->add_flag("--json", testing->json, "For programs, full precision");
+  welch->callback([&action, testing] { action = [testing] { return app::welch(*testing); }; });
+}
+
+}  // namespace study::app

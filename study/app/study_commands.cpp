@@ -1,0 +1,248 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+#include "study/app/terminal_session.h"
+#include "study/simulated_participant.h"
+#include "study/storage/records.h"
+#include "study/verification.h"
+
+namespace study::app {
+namespace {
+
+using Access = storage::Database::Access;
+
+struct Options {
+  std::string folder;
+  std::string protocol;
+  std::string reason;
+  std::string cohort;
+  std::string participant;
+  std::string language = "en";
+  int participants = 0;
+  std::uint64_t seed = 0;
+  bool hasSeed = false;
+  bool pilot = false;
+  bool verbose = false;
+  bool json = false;
+};
+
+protocols::LoadedProtocol loadOrExplain(const std::string& file) {
+  questionnaires::Problems problems;
+  auto loaded = protocols::loadProtocolFile(file, problems);
+  if (!loaded) {
+    throw NotNow(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+  }
+  return std::move(*loaded);
+}
+
+std::optional<std::uint64_t> seedOf(const Options& options) {
+  return options.hasSeed ? std::optional(options.seed) : std::nullopt;
+}
+
+int create(const Options& options) {
+  SystemClock clock;
+  const auto protocol = loadOrExplain(options.protocol);
+  auto study = Study::create(options.folder, protocol, clock, seedOf(options));
+  fmt::print(
+      "{} is ready: \"{}\", seed {}.\nNext: palpate-studio {}, or try it first: palpate study "
+      "simulate "
+      "{} --participants {}\n",
+      options.folder,
+      protocol.protocol.study.title,
+      study.seed(),
+      options.folder,
+      options.folder,
+      plannedParticipants(protocol.protocol));
+  return 0;
+}
+
+int amend(const Options& options) {
+  SystemClock clock;
+  const auto protocol = loadOrExplain(options.protocol);
+  auto study = Study::open(options.folder, clock);
+  study.amend(protocol, options.reason);
+  fmt::print("New sessions use {} from now on.\n", options.protocol);
+  return 0;
+}
+
+int simulate(const Options& options) {
+  SimulatedClock clock;
+  auto study = Study::open(options.folder, clock);
+  const int participants = options.participants > 0
+                               ? options.participants
+                               : plannedParticipants(study.protocol().protocol);
+  const auto acknowledge = [&](const std::string& what) {
+    if (!options.verbose) return;
+    fmt::print("saved {}\n", what);
+    std::fflush(stdout);
+  };
+  simulateCohorts(study, clock, participants, seedOf(options).value_or(study.seed()), acknowledge);
+  fmt::print(
+      "{} simulated participants have finished. Nobody took part: these answers say nothing about "
+      "any "
+      "method.\n",
+      participants);
+  return 0;
+}
+
+int run(const Options& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock);
+  return runInTerminal(
+      study,
+      {.cohort = options.cohort,
+       .runMode = options.pilot ? RunMode::Pilot : RunMode::Live,
+       .language = options.language,
+       .code = options.participant});
+}
+
+int status(const Options& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, Access::ReadOnly);
+  if (options.json) {
+    std::fputs(statusAsJson(study).c_str(), stdout);
+    return 0;
+  }
+  const auto current = study.protocols().current();
+  const auto& metadata = study.protocol().protocol.study;
+  fmt::print(
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nseed {}, made {}\n\n",
+      metadata.title,
+      metadata.id,
+      metadata.version,
+      current.sha256.substr(0, 12),
+      current.frozenUtc ? "frozen " + *current.frozenUtc : "not frozen yet: nobody has begun",
+      study.seed(),
+      study.createdUtc());
+  fmt::print(
+      "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
+      "id",
+      "participant",
+      "cohort",
+      "run mode",
+      "place",
+      "status",
+      "began");
+  for (const auto& s : storage::Records(study.database()).sessions()) {
+    fmt::print(
+        "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
+        static_cast<std::int64_t>(s.id),
+        s.participant,
+        s.cohort,
+        s.runMode,
+        s.slot + 1,
+        s.status,
+        s.startedUtc);
+  }
+  return 0;
+}
+
+int verify(const Options& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, Access::ReadOnly);
+  const auto verification = study::verify(study);
+  if (options.json) {
+    std::fputs(verificationAsJson(verification).c_str(), stdout);
+  } else {
+    for (const auto& check : verification.checks) {
+      fmt::print("{}  {}\n", check.problems.empty() ? "ok  " : "FAIL", check.what);
+      for (const auto& problem : check.problems) fmt::print("      {}\n", problem);
+    }
+  }
+  return verification.isSound() ? 0 : 1;
+}
+
+/// One verb: what it says of itself, what it does.
+CLI::App* addVerb(
+    CLI::App& noun,
+    const char* name,
+    const char* help,
+    const std::shared_ptr<Options>& options,
+    Action& action,
+    int (*perform)(const Options&)) {
+  auto* verb = noun.add_subcommand(name, help);
+  verb->add_option("DIR", options->folder, "The study's folder")->required();
+  verb->callback(
+      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  return verb;
+}
+
+void addSeed(CLI::App& verb, const std::shared_ptr<Options>& options, const char* help) {
+  verb.add_option_function<std::uint64_t>(
+      "--seed",
+      [options](const std::uint64_t& seed) {
+        options->seed = seed;
+        options->hasSeed = true;
+      },
+      help);
+}
+
+}  // namespace
+
+void addStudyCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("study", "A study on disk: make it, run it, look after it");
+  noun->require_subcommand(1);
+  auto options = std::make_shared<Options>();
+
+  auto* create =
+      addVerb(*noun, "create", "Make a study from a protocol", options, action, app::create);
+  create
+      ->add_option(
+          "--protocol", options->protocol, "A protocol file, or one of the library by name")
+      ->required();
+  addSeed(*create, options, "Of everything drawn (default: the protocol's, or drawn now)");
+
+  auto* run = addVerb(
+      *noun,
+      "run",
+      "Run a session here in the terminal, or go on with one that was interrupted",
+      options,
+      action,
+      app::run);
+  run->add_option("--cohort", options->cohort, "Of a new participant (default: the first)");
+  run->add_option("--participant", options->participant, "Their code (default: the next free one)");
+  run->add_option("--language", options->language, "Of the texts")->capture_default_str();
+  run->add_flag("--pilot", options->pilot, "For trying out: takes no place from a participant");
+
+  auto* simulate = addVerb(
+      *noun,
+      "simulate",
+      "Let people who do not exist take part, through the very same steps",
+      options,
+      action,
+      app::simulate);
+  simulate
+      ->add_option(
+          "--participants",
+          options->participants,
+          "Until so many have finished (default: as planned in the protocol)")
+      ->check(CLI::Range(1, 100'000));
+  addSeed(*simulate, options, "Of hands and answers (default: the study's)");
+  simulate->add_flag("--verbose", options->verbose, "Say what has been saved, as soon as it has");
+
+  auto* amend =
+      addVerb(*noun, "amend", "Use a changed protocol from now on", options, action, app::amend);
+  amend->add_option("--protocol", options->protocol, "The changed protocol")->required();
+  amend->add_option("--reason", options->reason, "Needed once a participant has begun");
+
+  auto* status = addVerb(
+      *noun, "status", "Who has taken part, and how it stands", options, action, app::status);
+  status->add_flag("--json", options->json, "For programs");
+
+  auto* verify = addVerb(
+      *noun,
+      "verify",
+      "Check that everything that was written is still what was written",
+      options,
+      action,
+      app::verify);
+  verify->add_flag("--json", options->json, "For programs");
+}
+
+}  // namespace study::app

@@ -1,0 +1,249 @@
+#include "study/app/terminal_session.h"
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "study/live_trial.h"
+#include "study/rig.h"
+#include "study/trial_setup.h"
+
+namespace study::app {
+namespace {
+
+using questionnaires::Item;
+using questionnaires::ItemType;
+using questionnaires::Response;
+
+/// The input ended.
+struct NoMoreInput {};
+
+std::string readLine() {
+  std::fflush(stdout);
+  std::string line;
+  if (!std::getline(std::cin, line)) throw NoMoreInput();
+  return line;
+}
+
+template <typename Number>
+std::optional<Number> numberIn(const std::string& text) {
+  Number number{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool isAll = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  return isAll ? std::optional(number) : std::nullopt;
+}
+
+/// One session at a terminal.
+class TerminalSession {
+ public:
+  TerminalSession(Study& study, Session& session)
+      : study_(study), session_(session), rig_([this](const protocols::DeviceNeed& need) {
+          return simulatedHandFor(
+              need, study_.seed(), session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
+        }) {}
+
+  void run() {
+    fmt::print(
+        "{} ({}, {}). Empty line: leave a question out, where that is allowed. Ctrl-D: stop; the "
+        "session "
+        "can be continued later.\n",
+        session_.participant(),
+        session_.cohort(),
+        nameOf(session_.runMode()));
+    while (!session_.isOver()) step();
+    fmt::print("\nThis session is over: {}.\n", statusOf(session_.state()));
+  }
+
+ private:
+  const std::string& language() const { return session_.language(); }
+
+  void step() {
+    if (session_.state() == SessionState::Interrupted) {
+      fmt::print("\nThe last trial broke off. It begins again.\n");
+      session_.repeatStep("continued in the terminal");
+    }
+    if (session_.state() == SessionState::Paused) session_.resumeAfterPause();
+    if (session_.step().kind == StepKind::Trial) {
+      feel();
+      return;
+    }
+    if (const auto* instrument = session_.instrument()) {
+      fmt::print("\n== {} ==\n", instrument->title.in(language()));
+      const auto& words = instrument->introduction.in(language());
+      if (!words.empty()) fmt::print("{}\n", words);
+    }
+    const auto* phase = session_.protocol().protocol.phase(session_.step().phase);
+    if (!phase->text.isEmpty()) fmt::print("\n{}\n", phase->text.in(language()));
+    if (session_.step().kind == StepKind::Benchmark) countCuts();
+    askAll();
+    session_.finishStep();
+  }
+
+  void countCuts() {
+    const int needed = session_.step().minimumCuts;
+    while (session_.benchmarkCuts() < needed) {
+      fmt::print("How many cuts were made (at least {})? ", needed);
+      if (const auto cuts = numberIn<int>(readLine())) session_.recordBenchmarkCuts(*cuts);
+    }
+  }
+
+  void askAll() {
+    const auto items = session_.items();
+    const auto begin = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      while (!ask(items[i], static_cast<int>(i) + 1, begin)) {
+      }
+    }
+    if (items.empty()) {
+      fmt::print("[Enter] ");
+      readLine();
+    }
+  }
+
+  /// True when there is nothing more to do about @p item.
+  bool ask(const Item& item, int order, std::chrono::steady_clock::time_point begin) {
+    print(item);
+    const std::string line = readLine();
+    if (line.empty() && !item.isRequired) return true;
+    const auto response = parse(item, line);
+    if (!response) {
+      fmt::print("That is no answer to this question.\n");
+      return false;
+    }
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    try {
+      session_.record(
+          {.item = item.id,
+           .response = *response,
+           .itemOrder = order,
+           .firstTouch = seconds,
+           .responseTime = seconds,
+           .language = language()});
+    } catch (const NotNow& objection) {
+      fmt::print("{}\n", objection.what());
+      return false;
+    }
+    return true;
+  }
+
+  void print(const Item& item) const {
+    fmt::print("\n{}{}\n", item.text.in(language()), item.isRequired ? "" : " (optional)");
+    if (!item.leftText.isEmpty()) {
+      fmt::print("  {} … {}\n", item.leftText.in(language()), item.rightText.in(language()));
+    }
+    if (item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential) {
+      fmt::print(
+          "  {} {} … {} {}\n",
+          item.scale.lowest,
+          item.scale.lowLabel.in(language()),
+          item.scale.highest(),
+          item.scale.highLabel.in(language()));
+    }
+    if (item.type == ItemType::Slider || item.type == ItemType::Number) {
+      fmt::print("  a number from {} to {} {}\n", item.least, item.most, item.unit);
+    }
+    for (const auto& option : optionsOf(item))
+      fmt::print("  {}  {}\n", option.first, option.second);
+    fmt::print("> ");
+  }
+
+  std::vector<std::pair<std::string, std::string>> optionsOf(const Item& item) const {
+    std::vector<std::pair<std::string, std::string>> options;
+    if (item.optionSource == questionnaires::OptionSource::Alternatives) {
+      const auto& prefix = session_.protocol().protocol.labels.prefix.in(language());
+      for (const auto& label : session_.step().alternatives) {
+        options.emplace_back(label, prefix + " " + label);
+      }
+      return options;
+    }
+    for (const auto& option : item.options)
+      options.emplace_back(option.id, option.text.in(language()));
+    return options;
+  }
+
+  static std::optional<Response> parse(const Item& item, const std::string& line) {
+    switch (item.type) {
+      case ItemType::Likert:
+      case ItemType::SemanticDifferential:
+        if (const auto point = numberIn<std::int64_t>(line)) return *point;
+        return std::nullopt;
+      case ItemType::Slider:
+      case ItemType::Number:
+        if (const auto number = numberIn<double>(line)) return *number;
+        return std::nullopt;
+      case ItemType::MultipleChoice: {
+        std::vector<std::string> ids;
+        std::istringstream words(line);
+        for (std::string id; words >> id;) ids.push_back(id);
+        return ids;
+      }
+      default:
+        return line;
+    }
+  }
+
+  void feel() {
+    const Step step = session_.step();
+    fmt::print(
+        "\n== {} {} == [Enter: the simulated hand makes {} cuts] ",
+        session_.protocol().protocol.labels.prefix.in(language()),
+        step.label,
+        step.minimumCuts);
+    readLine();
+    auto traces = study_.openTraces();
+    const VisitKey visit = session_.visit();
+    Trial trial(
+        rig_.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
+          traces.add(visit, number, samples);
+        }));
+    session_.beginTrial();
+    LiveTrial live(trial);
+    while (live.status().cuts < step.minimumCuts && !live.status().isDeviceGone &&
+           !live.status().isTraceLost) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    const auto record = live.finish(TrialEnding::Finished);
+    fmt::print("{} cuts in {:.1f} s.\n", record.cuts.size(), record.duration);
+    if (record.ending == TrialEnding::Finished) {
+      session_.finishTrial(record);
+    } else {
+      session_.breakOffTrial(record);
+    }
+  }
+
+  Study& study_;
+  Session& session_;
+  SimulatedRig rig_;
+};
+
+std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
+  for (const auto& row : study.sessions().all()) {
+    const bool isMeant = enrolment.code.empty() || row.participant == enrolment.code;
+    if (isMeant && row.runMode == enrolment.runMode && !isOver(row.state)) return row.id;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int runInTerminal(Study& study, Enrolment enrolment) {
+  if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
+  const auto open = unfinished(study, enrolment);
+  auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
+  try {
+    TerminalSession(study, session).run();
+    return 0;
+  } catch (const NoMoreInput&) {
+    fmt::print("\nStopped. 'palpate study run' goes on from here.\n");
+    return 1;
+  }
+}
+
+}  // namespace study::app

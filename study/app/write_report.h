@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/report/report_section.h"
+
+namespace study::app {
+
+/// Paints the figures, where this program was built with Qt, and writes the page.
+/// @throws storage::StorageError  if it is there already or cannot be written.
+void writeReport(std::vector<report::ReportSection>& sections, const std::string& path);
+
+}  // namespace study::app

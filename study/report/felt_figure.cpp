@@ -1,0 +1,166 @@
+#include "study/report/felt_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainterPath>
+
+#include "study/report/palette.h"
+#include "study/report/svg_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kWidth = 820.0;
+constexpr double kHeight = 420.0;
+constexpr QRectF kPlot{64.0, 14.0, 540.0, 350.0};
+
+/// About @p wanted steps of 1, 2 or 5 times a power of ten.
+double niceStep(double range, int wanted) {
+  const double rough = range / wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+    if (factor * power >= rough) return factor * power;
+  }
+  return rough;
+}
+
+/// Paints the curves of one device.
+class FeltPainter {
+ public:
+  FeltPainter(QPainter& painter, const ReportSection& section, const std::string& device)
+      : painter_(painter), section_(section) {
+    for (std::size_t i = 0; i < section.curves.size(); ++i) {
+      const auto& curve = section.curves[i];
+      if (curve.device != device || curve.points.empty()) continue;
+      curves_.push_back(&curve);
+      for (const auto& point : curve.points) {
+        mostTravel_ = std::max(mostTravel_, point.travel);
+        mostForce_ = std::max(mostForce_, point.high);
+      }
+    }
+    if (!curves_.empty() && curves_.front()->travelUnit == "m") scale_ = 1000.0;
+  }
+
+  void paint() {
+    axes();
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      band(*curves_[i], categoryColour(static_cast<int>(i)));
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      line(*curves_[i], categoryColour(static_cast<int>(i)));
+    legend();
+  }
+
+ private:
+  QPointF at(double travel, double force) const {
+    return {
+        kPlot.left() + kPlot.width() * travel / std::max(mostTravel_ * 1.02, 1e-12),
+        kPlot.bottom() - kPlot.height() * force / std::max(mostForce_ * 1.08, 1e-12)};
+  }
+
+  void axes() {
+    const double shown = mostTravel_ * scale_;
+    const double dx = niceStep(std::max(shown, 1e-9), 8);
+    const double dy = niceStep(std::max(mostForce_, 1e-9), 6);
+    for (double x = 0.0; x <= shown * 1.02; x += dx) {
+      const auto p = at(x / scale_, 0.0);
+      grid(p, {p.x(), kPlot.top()});
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {p.x() - 30, kPlot.bottom() + 4, 60, 18},
+          Qt::AlignCenter,
+          QString::number(x),
+          12);
+    }
+    for (double y = 0.0; y <= mostForce_ * 1.08; y += dy) {
+      const auto p = at(0.0, y);
+      grid(p, {kPlot.right(), p.y()});
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {4, p.y() - 9, kPlot.left() - 12, 18},
+          Qt::AlignRight | Qt::AlignVCenter,
+          QString::number(y),
+          12);
+    }
+    drawText(
+        painter_,
+        {kPlot.left(), kPlot.bottom() + 26, kPlot.width(), 20},
+        Qt::AlignCenter,
+        scale_ > 1.0 ? QStringLiteral("depth [mm]") : QStringLiteral("travel [travel units]"),
+        13);
+    painter_.save();
+    painter_.translate(14, kPlot.center().y());
+    painter_.rotate(-90);
+    drawText(painter_, {-100, -10, 200, 20}, Qt::AlignCenter, QStringLiteral("force [N]"), 13);
+    painter_.restore();
+  }
+
+  void grid(const QPointF& from, const QPointF& to) {
+    painter_.setPen(QPen(QColor(225, 225, 225), 1));
+    painter_.drawLine(from, to);
+  }
+
+  void band(const FeltCurve& curve, QColor colour) {
+    QPainterPath path(at(curve.points.front().travel, curve.points.front().low));
+    for (const auto& point : curve.points) path.lineTo(at(point.travel, point.low));
+    for (auto point = curve.points.rbegin(); point != curve.points.rend(); ++point) {
+      path.lineTo(at(point->travel, point->high));
+    }
+    colour.setAlphaF(0.16F);
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(colour);
+    painter_.drawPath(path);
+  }
+
+  void line(const FeltCurve& curve, const QColor& colour) {
+    QPainterPath path(at(curve.points.front().travel, curve.points.front().median));
+    for (const auto& point : curve.points) path.lineTo(at(point.travel, point.median));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(colour, 2.2));
+    painter_.drawPath(path);
+  }
+
+  void legend() {
+    double y = kPlot.top() + 6;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      const double x = kPlot.right() + 18;
+      painter_.setPen(QPen(categoryColour(static_cast<int>(i)), 3));
+      painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {x + 34, y, kWidth - x - 34, 20},
+          Qt::AlignLeft | Qt::AlignVCenter,
+          QString::fromStdString(section_.conditionTitle(curves_[i]->condition)),
+          12);
+      drawText(
+          painter_,
+          {x + 34, y + 17, kWidth - x - 34, 18},
+          Qt::AlignLeft | Qt::AlignVCenter,
+          QStringLiteral("%1 trials").arg(curves_[i]->trials),
+          11);
+      y += 44;
+    }
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  std::vector<const FeltCurve*> curves_;
+  double mostTravel_ = 0.0;
+  double mostForce_ = 0.0;
+  double scale_ = 1.0;  ///< shown units in one unit of travel
+};
+
+}  // namespace
+
+QSizeF feltFigureSize() {
+  return {kWidth, kHeight};
+}
+
+void paintFeltFigure(QPainter& painter, const ReportSection& section, const std::string& device) {
+  FeltPainter(painter, section, device).paint();
+}
+
+}  // namespace study::report

@@ -1,0 +1,181 @@
+#include "study/report/likert_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/report/palette.h"
+#include "study/report/svg_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kWidth = 820.0;
+constexpr double kLabels = 210.0;  // room for the names on the left
+constexpr double kRight = 70.0;    // … and for the means on the right
+constexpr double kBar = 26.0;
+constexpr double kGap = 8.0;
+constexpr double kHeading = 26.0;
+constexpr double kLegend = 56.0;
+
+/// Shares below the middle of the scale go to the left of a line, those above to the right; the
+/// middle point, if there is one, is split.
+double leftShare(const std::vector<double>& shares) {
+  const std::size_t n = shares.size();
+  double left = 0.0;
+  for (std::size_t i = 0; i < n / 2; ++i) left += shares[i];
+  return n % 2 == 1 ? left + shares[n / 2] / 2.0 : left;
+}
+
+std::vector<double> sharesOf(const analysis::LikertCounts& counts) {
+  std::vector<double> shares;
+  for (const auto count : counts.counts()) {
+    shares.push_back(
+        counts.total() == 0 ? 0.0
+                            : static_cast<double>(count) / static_cast<double>(counts.total()));
+  }
+  return shares;
+}
+
+/// Paints one figure: a panel for each cohort, a bar for each condition.
+class LikertPainter {
+ public:
+  LikertPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
+      : painter_(painter), section_(section), family_(family) {
+    for (const auto& cohort : family.cohorts) {
+      for (const auto& condition : cohort.conditions) {
+        const auto shares = sharesOf(condition.counts);
+        mostLeft_ = std::max(mostLeft_, leftShare(shares));
+        mostRight_ = std::max(mostRight_, 1.0 - leftShare(shares));
+      }
+    }
+    unit_ = (kWidth - kLabels - kRight) / std::max(mostLeft_ + mostRight_, 0.5);
+  }
+
+  void paint() {
+    double y = 4.0;
+    for (const auto& cohort : family_.cohorts) {
+      drawText(
+          painter_,
+          {0, y, kWidth, kHeading},
+          Qt::AlignLeft | Qt::AlignVCenter,
+          QString::fromStdString(section_.cohortTitle(cohort.cohort)),
+          14,
+          true);
+      y += kHeading;
+      for (const auto& condition : cohort.conditions) {
+        bar(condition, y);
+        y += kBar + kGap;
+      }
+      y += kGap;
+    }
+    legend(y);
+  }
+
+ private:
+  double middle() const { return kLabels + mostLeft_ * unit_; }
+
+  void bar(const analysis::NamedCounts& condition, double y) {
+    drawText(
+        painter_,
+        {0, y, kLabels - 12, kBar},
+        Qt::AlignRight | Qt::AlignVCenter,
+        QString::fromStdString(section_.conditionTitle(condition.name)));
+    const auto shares = sharesOf(condition.counts);
+    double x = middle() - leftShare(shares) * unit_;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      const double wide = shares[i] * unit_;
+      segment(
+          {x, y, wide, kBar},
+          static_cast<int>(i),
+          static_cast<int>(shares.size()),
+          condition.counts.counts()[i]);
+      x += wide;
+    }
+    painter_.setPen(QPen(QColor(60, 60, 60), 1));
+    painter_.drawLine(QPointF(middle(), y - 3), QPointF(middle(), y + kBar + 3));
+    const auto mean = condition.counts.mean();
+    drawText(
+        painter_,
+        {kWidth - kRight + 10, y, kRight - 10, kBar},
+        Qt::AlignLeft | Qt::AlignVCenter,
+        mean ? QStringLiteral("μ %1").arg(QString::number(*mean, 'f', 1)) : QStringLiteral("–"));
+  }
+
+  void segment(const QRectF& where, int index, int points, std::uint64_t count) {
+    if (count == 0) return;
+    const QColor colour = divergingColour(index, points);
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(colour);
+    painter_.drawRect(where);
+    constexpr double kRoomForANumber = 18.0;
+    if (where.width() < kRoomForANumber) return;
+    painter_.setPen(colour.lightnessF() < 0.5 ? Qt::white : Qt::black);
+    drawText(painter_, where, Qt::AlignCenter, QString::number(count), 12);
+  }
+
+  void legend(double y) {
+    const auto& counts = family_.cohorts.front().conditions.front().counts;
+    const auto* instrument = instrumentOf();
+    const int points = counts.highest() - counts.lowest() + 1;
+    const double box = 34.0;
+    double x = kLabels;
+    for (int i = 0; i < points; ++i) {
+      painter_.setPen(Qt::NoPen);
+      painter_.setBrush(divergingColour(i, points));
+      painter_.drawRect(QRectF(x, y + 6, box, 14));
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {x, y + 21, box, 16},
+          Qt::AlignCenter,
+          QString::number(counts.lowest() + i),
+          11);
+      x += box;
+    }
+    if (instrument == nullptr || !instrument->scale) return;
+    painter_.setPen(Qt::black);
+    drawText(
+        painter_,
+        {0, y + 3, kLabels - 12, 20},
+        Qt::AlignRight | Qt::AlignVCenter,
+        QString::fromStdString(instrument->scale->lowLabel.in("en")),
+        12);
+    drawText(
+        painter_,
+        {x + 12, y + 3, kWidth - x - 12, 20},
+        Qt::AlignLeft | Qt::AlignVCenter,
+        QString::fromStdString(instrument->scale->highLabel.in("en")),
+        12);
+  }
+
+  const questionnaires::Instrument* instrumentOf() const {
+    for (const auto& instrument : section_.instruments) {
+      if (instrument.id == family_.family.instrument) return &instrument;
+    }
+    return nullptr;
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  const FamilyResult& family_;
+  double mostLeft_ = 0.0;
+  double mostRight_ = 0.0;
+  double unit_ = 1.0;
+};
+
+}  // namespace
+
+QSizeF likertFigureSize(const FamilyResult& family) {
+  double height = kLegend;
+  for (const auto& cohort : family.cohorts) {
+    height += kHeading + kGap + static_cast<double>(cohort.conditions.size()) * (kBar + kGap);
+  }
+  return {kWidth, height};
+}
+
+void paintLikertFigure(
+    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
+  LikertPainter(painter, section, family).paint();
+}
+
+}  // namespace study::report

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "haptics/devices/pointer_hand.h"
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "protocols/protocol.h"
+
+namespace study {
+
+/// The instruments of a session. None is opened before a step needs it.
+class Rig {
+ public:
+  virtual ~Rig() = default;
+  Rig() = default;
+  Rig(const Rig&) = delete;
+  Rig& operator=(const Rig&) = delete;
+
+  /// The device that a protocol calls @p need.id; opened now if it was not.
+  virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
+  virtual bool isOpen(const std::string& id) const = 0;
+};
+
+/// Simulated instruments, each in a hand that somebody provides.
+class SimulatedRig final : public Rig {
+ public:
+  using HandFor =
+      std::function<std::unique_ptr<haptics::devices::Hand>(const protocols::DeviceNeed&)>;
+
+  explicit SimulatedRig(HandFor handFor) : handFor_(std::move(handFor)) {}
+
+  haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
+  bool isOpen(const std::string& id) const override { return open_.count(id) > 0; }
+
+  /// For trying out what happens then.
+  void unplug(const std::string& id);
+  void plugIn(const std::string& id);
+
+ private:
+  struct Held {
+    std::unique_ptr<haptics::devices::Hand> hand;
+    std::unique_ptr<haptics::devices::SimulatedDevice> device;
+  };
+
+  HandFor handFor_;
+  std::map<std::string, Held> open_;
+};
+
+/// The hand of somebody who does not exist, drawn from the study's seed.
+std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
+    const protocols::DeviceNeed& need,
+    std::uint64_t seed,
+    const std::string& cohort,
+    std::uint64_t slot);
+
+/// The grip of a pointer on a simulated instrument, and how far it goes when it closes altogether
+/// [travel unit].
+std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
+double farthestFor(const protocols::DeviceNeed& need) noexcept;
+
+}  // namespace study

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "questionnaires/instrument.h"
+#include "study/given_answer.h"
+#include "study/session_plan.h"
+#include "study/session_state.h"
+#include "study/storage/lease.h"
+#include "study/study.h"
+#include "study/trial_record.h"
+
+namespace study {
+
+/// Who takes part.
+struct Enrolment {
+  std::string cohort;
+  RunMode runMode = RunMode::Live;
+  std::string language = "en";
+  std::string code;  ///< empty: one is made up
+};
+
+/// Something that cannot happen now, in words for whoever tried.
+class NotNow : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One sitting of one participant: what may happen next, and every step of it on the disk before
+/// anybody sees the next page. The window, the terminal and a simulated cohort go through it alike.
+///
+/// Whatever returns has been committed. What throws storage::StorageError was not, and nothing has
+/// changed: the answers are still on the screen. The study outlives its sessions.
+class Session {
+ public:
+  /// Reserves the next place of the cohort. The first live participant freezes the protocol.
+  /// @throws NotNow  if the protocol has no such cohort or language.
+  static Session enrol(Study& study, const Enrolment& enrolment);
+
+  /// Goes on with a session at the step it was in. A trial that was under way counts as broken off.
+  /// @throws storage::StorageError  (Busy) if another program is running it.
+  static Session resume(Study& study, SessionId id);
+
+  SessionId id() const noexcept { return row_.id; }
+  const std::string& participant() const noexcept { return row_.participant; }
+  RunMode runMode() const noexcept { return row_.runMode; }
+  const std::string& cohort() const noexcept { return row_.cohort; }
+  std::int64_t slot() const noexcept { return row_.slot; }
+  const std::string& language() const noexcept { return row_.language; }
+  SessionState state() const noexcept { return row_.state; }
+  const std::vector<Step>& plan() const noexcept { return plan_; }
+  const protocols::LoadedProtocol& protocol() const noexcept { return *protocol_; }
+
+  bool isOver() const noexcept { return study::isOver(row_.state); }
+  bool allows(SessionEvent event) const noexcept;
+
+  /// The step that the participant is in. Not when it is over.
+  const Step& step() const { return plan_.at(static_cast<std::size_t>(row_.step)); }
+  int stepIndex() const noexcept { return row_.step; }
+  VisitKey visit() const noexcept { return {row_.id, row_.step, row_.attempt}; }
+
+  /// What is asked in this step; nothing where nothing is.
+  const questionnaires::Instrument* instrument() const;
+  std::vector<questionnaires::Item> items() const;
+  /// What has been answered in this step so far.
+  std::vector<GivenAnswer> answers() const;
+  /// The required items that have no answer yet; answers that name a person count as given.
+  std::vector<std::string> missing() const;
+
+  /// One answer, or what it was changed to: one transaction.
+  /// @throws NotNow  if the item is not asked here, or the response cannot be an answer to it.
+  void record(const GivenAnswer& answer);
+
+  /// The physical cuts that were counted in a benchmark.
+  void recordBenchmarkCuts(int cuts);
+  int benchmarkCuts() const;
+
+  /// On to the next step; the consent step leads to consent or to its refusal by what was answered.
+  /// @throws NotNow  if something required is missing, or this is a trial.
+  void finishStep();
+
+  void beginTrial();
+  void finishTrial(const TrialRecord& record);
+  /// No force any more; the operator decides between repeatStep(), skipStep(), giveUpOnDevice().
+  void breakOffTrial(const TrialRecord& record);
+
+  /// This step (after a break-off) or the one before it again, from the start; what was answered
+  /// stays, marked as repeated.
+  void repeatStep(const std::string& reason);
+  /// Leaves this step out; of a trial also the questions about it.
+  void skipStep(const std::string& reason);
+  void pause(const std::string& reason);
+  void resumeAfterPause();
+  void withdraw(const std::string& reason);
+  void reject(const std::string& reason);
+  void giveUpOnDevice(const std::string& reason);
+  void note(const std::string& text);
+  void setLanguage(const std::string& language);
+
+ private:
+  Session(Study& study, storage::SessionRow row, std::vector<Step> plan);
+
+  void require(SessionEvent event) const;
+  void require(bool condition, const std::string& otherwise) const;
+  void transact(const std::function<void()>& action);
+  void say(storage::Actor actor, const std::string& kind, const std::string& detail = {});
+  void noticeSteppedClock(const Moment& now);
+  std::string utcNow() const;
+
+  /// The parts of a transaction.
+  void enter(SessionEvent event, storage::Actor actor, const std::string& detail = {});
+  void leaveStep(storage::VisitStatus status, const std::string& reason);
+  void moveTo(int step);
+  void end(storage::SlotState slot, const std::string& reason);
+  bool gaveConsent() const;
+  void storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer);
+
+  Study& study_;
+  storage::SessionRow row_;
+  std::vector<Step> plan_;
+  const protocols::LoadedProtocol* protocol_;
+  storage::Lease lease_;
+  std::optional<Moment> lastMoment_;
+};
+
+}  // namespace study

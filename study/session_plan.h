@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "protocols/loaded_protocol.h"
+#include "protocols/schedule.h"
+
+namespace study {
+
+enum class StepKind {
+  Reading,  ///< information, debrief
+  Consent,
+  Form,
+  Benchmark,      ///< cuts on the physical tool
+  Trial,          ///< something is felt
+  Questionnaire,  ///< about what was just felt
+  Preference,
+  Break,
+  Interview,  ///< for the operator
+};
+
+std::string_view nameOf(StepKind kind) noexcept;
+
+/// One thing that a participant does. A session is a list of them.
+struct Step {
+  StepKind kind = StepKind::Reading;
+  std::string phase;
+  std::string instrument;  ///< what is shown or asked; empty for trials, benchmarks, breaks
+  std::string itemSet;
+  int position = 0;           ///< Trial, Questionnaire: in its block, from 1
+  int label = 0;              ///< … and which alternative, from 1
+  std::string condition;      ///< … and what that is. For the engine and the analyst; nobody else
+  bool isVisualised = false;  ///< Trial
+  int minimumCuts = 0;        ///< Trial, Benchmark
+  double seconds = 0.0;       ///< Break: at least [s]
+  std::vector<std::string> alternatives;  ///< Preference: the labels to choose from
+
+  bool hasItems() const noexcept { return !instrument.empty(); }
+};
+
+/// All steps of a session, in order.
+std::vector<Step> sessionPlan(
+    const protocols::Protocol& protocol, const protocols::Schedule& schedule);
+
+}  // namespace study

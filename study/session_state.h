@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace study {
+
+/// Where a session is.
+enum class SessionState {
+  Enrolled,     ///< a place is reserved; nothing may be felt before consent
+  Consented,    ///< between trials: reading, answering, resting
+  InTrial,      ///< the hand is on the tool
+  Interrupted,  ///< a trial broke off; the operator decides
+  Paused,
+  Completed,
+  Declined,         ///< did not consent
+  Withdrawn,        ///< the participant stopped
+  Rejected,         ///< the operator stopped, with a reason
+  AbortedHardware,  ///< a device could not be brought back
+};
+
+/// What can happen to it.
+enum class SessionEvent {
+  FinishedStep,
+  GaveConsent,
+  DeclinedConsent,
+  BeganTrial,
+  FinishedTrial,
+  BrokeOffTrial,  ///< the device went, somebody pressed stop, the program was ended
+  RepeatedStep,
+  SkippedStep,
+  PausedSession,
+  ResumedSession,
+  FinishedSession,
+  Withdrew,
+  WasRejected,
+  GaveUpOnDevice,
+};
+
+struct SessionTransition {
+  SessionState from;
+  SessionEvent event;
+  SessionState to;
+};
+
+/// What may follow what. Whatever is no row of this table cannot happen.
+inline constexpr auto kSessionTransitions = std::to_array<SessionTransition>({
+    {SessionState::Enrolled, SessionEvent::FinishedStep, SessionState::Enrolled},
+    {SessionState::Enrolled, SessionEvent::GaveConsent, SessionState::Consented},
+    {SessionState::Enrolled, SessionEvent::DeclinedConsent, SessionState::Declined},
+
+    {SessionState::Consented, SessionEvent::FinishedStep, SessionState::Consented},
+    {SessionState::Consented, SessionEvent::GaveConsent, SessionState::Consented},
+    {SessionState::Consented, SessionEvent::DeclinedConsent, SessionState::Declined},
+    {SessionState::Consented, SessionEvent::SkippedStep, SessionState::Consented},
+    {SessionState::Consented, SessionEvent::RepeatedStep, SessionState::Consented},
+    {SessionState::Consented, SessionEvent::PausedSession, SessionState::Paused},
+    {SessionState::Paused, SessionEvent::ResumedSession, SessionState::Consented},
+    {SessionState::Consented, SessionEvent::FinishedSession, SessionState::Completed},
+
+    {SessionState::Consented, SessionEvent::BeganTrial, SessionState::InTrial},
+    {SessionState::InTrial, SessionEvent::FinishedTrial, SessionState::Consented},
+    {SessionState::InTrial, SessionEvent::BrokeOffTrial, SessionState::Interrupted},
+    {SessionState::Interrupted, SessionEvent::RepeatedStep, SessionState::Consented},
+    {SessionState::Interrupted, SessionEvent::SkippedStep, SessionState::Consented},
+    {SessionState::Interrupted, SessionEvent::GaveUpOnDevice, SessionState::AbortedHardware},
+
+    {SessionState::Enrolled, SessionEvent::Withdrew, SessionState::Withdrawn},
+    {SessionState::Consented, SessionEvent::Withdrew, SessionState::Withdrawn},
+    {SessionState::InTrial, SessionEvent::Withdrew, SessionState::Withdrawn},
+    {SessionState::Interrupted, SessionEvent::Withdrew, SessionState::Withdrawn},
+    {SessionState::Paused, SessionEvent::Withdrew, SessionState::Withdrawn},
+
+    {SessionState::Enrolled, SessionEvent::WasRejected, SessionState::Rejected},
+    {SessionState::Consented, SessionEvent::WasRejected, SessionState::Rejected},
+    {SessionState::Interrupted, SessionEvent::WasRejected, SessionState::Rejected},
+    {SessionState::Paused, SessionEvent::WasRejected, SessionState::Rejected},
+});
+
+/// The state that @p event leads to, or nothing where it cannot happen.
+constexpr std::optional<SessionState> next(SessionState from, SessionEvent event) {
+  const auto* row = std::find_if(
+      kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
+        return t.from == from && t.event == event;
+      });
+  return row == kSessionTransitions.end() ? std::nullopt : std::optional(row->to);
+}
+
+/// Nothing follows.
+constexpr bool isOver(SessionState state) {
+  return std::none_of(
+      kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
+        return t.from == state;
+      });
+}
+
+static_assert(!next(SessionState::Enrolled, SessionEvent::BeganTrial), "no trial without consent");
+static_assert(!next(SessionState::Enrolled, SessionEvent::SkippedStep), "consent is not skipped");
+static_assert(!next(SessionState::InTrial, SessionEvent::FinishedStep), "a trial ends as a trial");
+static_assert(isOver(SessionState::Completed) && isOver(SessionState::Declined));
+static_assert(isOver(SessionState::Withdrawn) && isOver(SessionState::Rejected));
+static_assert(isOver(SessionState::AbortedHardware));
+
+std::string_view nameOf(SessionState state) noexcept;
+std::optional<SessionState> sessionStateNamed(std::string_view name) noexcept;
+std::string_view nameOf(SessionEvent event) noexcept;
+
+/// How a session ended, or that it has not: `in_progress`, `completed`, `declined`, `withdrawn`,
+/// `rejected`, `aborted_hardware`.
+std::string_view statusOf(SessionState state) noexcept;
+
+}  // namespace study

@@ -1,0 +1,111 @@
+#include "study/storage/answer_repository.h"
+
+#include <sstream>
+
+#include "study/storage/statement.h"
+
+namespace study::storage {
+namespace {
+
+constexpr const char* kColumns =
+    "item, item_order, kind, point, number, text, first_touch_s, response_s, changes, language";
+
+GivenAnswer answerIn(const Statement& row) {
+  return {
+      .item = row.text(0),
+      .response = restored(
+          {.kind = row.text(2),
+           .point = row.optionalNumber(3),
+           .number = row.optionalReal(4),
+           .text = row.optionalText(5)}),
+      .itemOrder = static_cast<int>(row.number(1)),
+      .firstTouch = row.real(6),
+      .responseTime = row.real(7),
+      .changes = static_cast<int>(row.number(8)),
+      .language = row.text(9)};
+}
+
+void bindVisit(Statement& statement, const VisitKey& visit) {
+  statement.bind(1, static_cast<std::int64_t>(visit.session))
+      .bind(2, std::int64_t{visit.step})
+      .bind(3, std::int64_t{visit.attempt});
+}
+
+}  // namespace
+
+StoredResponse stored(const questionnaires::Response& response) {
+  if (const auto* point = std::get_if<std::int64_t>(&response)) {
+    return {.kind = "point", .point = *point};
+  }
+  if (const auto* number = std::get_if<double>(&response)) {
+    return {.kind = "number", .number = *number};
+  }
+  if (const auto* text = std::get_if<std::string>(&response))
+    return {.kind = "text", .text = *text};
+  std::string joined;
+  for (const auto& id : std::get<std::vector<std::string>>(response)) {
+    joined += (joined.empty() ? "" : " ") + id;
+  }
+  return {.kind = "choices", .text = joined};
+}
+
+questionnaires::Response restored(const StoredResponse& response) {
+  if (response.kind == "point") return response.point.value_or(0);
+  if (response.kind == "number") return response.number.value_or(0.0);
+  if (response.kind == "text") return response.text.value_or("");
+  std::vector<std::string> ids;
+  std::istringstream joined(response.text.value_or(""));
+  for (std::string id; joined >> id;) ids.push_back(id);
+  return ids;
+}
+
+void AnswerRepository::put(
+    const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
+  Statement put(
+      database_,
+      "INSERT INTO answer (session_id, step, attempt, " + std::string(kColumns) +
+          ", saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+          "ON CONFLICT (session_id, step, attempt, item) DO UPDATE SET kind = excluded.kind, "
+          "point = excluded.point, number = excluded.number, text = excluded.text, "
+          "response_s = excluded.response_s, changes = excluded.changes, "
+          "language = excluded.language, saved_utc = excluded.saved_utc");
+  bindVisit(put, visit);
+  const auto response = stored(answer.response);
+  put.bind(4, answer.item)
+      .bind(5, std::int64_t{answer.itemOrder})
+      .bind(6, response.kind)
+      .bind(7, response.point)
+      .bind(8, response.number)
+      .bind(9, response.text)
+      .bind(10, answer.firstTouch)
+      .bind(11, answer.responseTime)
+      .bind(12, std::int64_t{answer.changes})
+      .bind(13, answer.language)
+      .bind(14, utc);
+  put.run();
+}
+
+std::optional<GivenAnswer> AnswerRepository::find(
+    const VisitKey& visit, std::string_view item) const {
+  Statement find(
+      database_,
+      "SELECT " + std::string(kColumns) +
+          " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
+  bindVisit(find, visit);
+  find.bind(4, item);
+  return find.step() ? std::optional(answerIn(find)) : std::nullopt;
+}
+
+std::vector<GivenAnswer> AnswerRepository::of(const VisitKey& visit) const {
+  Statement select(
+      database_,
+      "SELECT " + std::string(kColumns) +
+          " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? "
+          "ORDER BY item_order");
+  bindVisit(select, visit);
+  std::vector<GivenAnswer> answers;
+  while (select.step()) answers.push_back(answerIn(select));
+  return answers;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/given_answer.h"
+#include "study/ids.h"
+#include "study/storage/database.h"
+
+namespace study::storage {
+
+/// The table of answers; nobody else writes SQL about them.
+class AnswerRepository {
+ public:
+  /// The database outlives it.
+  explicit AnswerRepository(Database& database) : database_(database) {}
+
+  /// Writes an answer, or what it was changed to. Inside the caller's transaction.
+  void put(const VisitKey& visit, const GivenAnswer& answer, const std::string& utc);
+
+  std::optional<GivenAnswer> find(const VisitKey& visit, std::string_view item) const;
+
+  /// All answers of one visit, in the order of the page.
+  std::vector<GivenAnswer> of(const VisitKey& visit) const;
+
+ private:
+  Database& database_;
+};
+
+/// A response as it stands in a column: points and numbers apart, an option or a text as it is,
+/// several options' ids with spaces between them.
+struct StoredResponse {
+  std::string kind;  ///< point, number, text, choices
+  std::optional<std::int64_t> point;
+  std::optional<double> number;
+  std::optional<std::string> text;
+};
+
+StoredResponse stored(const questionnaires::Response& response);
+questionnaires::Response restored(const StoredResponse& response);
+
+}  // namespace study::storage

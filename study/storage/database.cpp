@@ -1,0 +1,216 @@
+#include "study/storage/database.h"
+
+#include <sys/vfs.h>
+
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include <sqlite3.h>
+
+#include "study/storage/statement.h"
+#include "study/storage/transaction.h"
+
+namespace study::storage {
+namespace {
+
+constexpr int kBusyTimeout = 3000;  // [ms]: then somebody is told
+
+/// File systems on which SQLite's write-ahead log does not work between machines.
+bool isNetworkFileSystem(const std::string& path) {
+  constexpr long kNfs = 0x6969;
+  constexpr long kSmb = 0x517b;
+  constexpr long kSmb2 = 0xfe534d42;
+  constexpr long kCifs = 0xff534d42;
+  struct statfs info {};
+  const auto folder = std::filesystem::absolute(path).parent_path().string();
+  if (statfs(folder.c_str(), &info) != 0) return false;
+  return info.f_type == kNfs || info.f_type == kSmb || info.f_type == kSmb2 || info.f_type == kCifs;
+}
+
+std::int64_t pragmaNumber(const Database& database, const std::string& name) {
+  Statement statement(database, "PRAGMA " + name);
+  return statement.step() ? statement.number(0) : 0;
+}
+
+}  // namespace
+
+Database::Database(std::string path, int flags) : path_(std::move(path)) {
+  const int code = sqlite3_open_v2(path_.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  if (code == SQLITE_OK) {
+    sqlite3_busy_timeout(handle_, kBusyTimeout);
+    return;
+  }
+  const std::string reason = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+  sqlite3_close(handle_);
+  handle_ = nullptr;
+  throw StorageError(
+      path_ + " cannot be opened (" + reason +
+      "). Check that the folder exists and may be written.");
+}
+
+Database::~Database() {
+  sqlite3_close(handle_);
+}
+
+Database::Database(Database&& other) noexcept
+    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+Database Database::create(const std::string& path, const Schema& schema) {
+  if (std::filesystem::exists(path)) {
+    throw StorageError(
+        path + " is there already. Nothing is ever overwritten: choose another folder.");
+  }
+  if (isNetworkFileSystem(path)) {
+    throw StorageError(
+        path +
+        " would lie on a network drive, where answers can get lost. Choose a folder on a disk of "
+        "this computer.");
+  }
+  Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.configure(Access::ReadWrite);
+  database.execute("PRAGMA application_id = " + std::to_string(schema.applicationId));
+  database.bringUpToDate(schema, Access::ReadWrite);
+  return database;
+}
+
+Database Database::open(const std::string& path, const Schema& schema, Access access) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    throw StorageError("There is no file " + path + ". Is this the folder of a study?");
+  }
+  const bool isReadOnly = access == Access::ReadOnly;
+  Database database(path, isReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE);
+  database.requireKind(schema);
+  database.configure(access);
+  database.bringUpToDate(schema, access);
+  return database;
+}
+
+Database Database::inMemory(const Schema& schema) {
+  Database database(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  database.execute("PRAGMA foreign_keys = ON");
+  database.bringUpToDate(schema, Access::ReadWrite);
+  return database;
+}
+
+void Database::configure(Access access) {
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  execute("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");
+  requirePragma("foreign_keys", "ON", "1");
+  if (access == Access::ReadOnly) return;
+  requirePragma("journal_mode", "WAL", "wal");
+  requirePragma("synchronous", "FULL", "2");
+}
+
+void Database::requirePragma(
+    const std::string& name, const std::string& value, const std::string& expected) {
+  execute("PRAGMA " + name + " = " + value);
+  Statement statement(*this, "PRAGMA " + name);
+  if (!statement.step() || statement.text(0) != expected) {
+    throw StorageError(
+        path_ + " cannot be opened safely (" + name + " is not " + value +
+        "). Is the folder on a disk of this computer, and may it be written?");
+  }
+}
+
+void Database::requireKind(const Schema& schema) const {
+  std::int64_t id = 0;
+  std::int64_t version = 0;
+  try {
+    id = pragmaNumber(*this, "application_id");
+    version = pragmaNumber(*this, "user_version");
+  } catch (const StorageError& error) {
+    if (error.kind() == StorageError::Kind::Busy) throw;
+    throw StorageError(
+        path_ + " is damaged, or no database at all. Restore it from a copy; do not go on with it.",
+        StorageError::Kind::Damaged);
+  }
+  const std::string name(schema.name);
+  if (id != schema.applicationId) {
+    throw StorageError(
+        path_ + " is a database, but not " + name + ". Choose the folder of a study.",
+        StorageError::Kind::Damaged);
+  }
+  if (version > static_cast<std::int64_t>(schema.steps.size())) {
+    throw StorageError(
+        path_ + " was written by a newer version of palpate (format " + std::to_string(version) +
+            "; this one knows " + std::to_string(schema.steps.size()) +
+            "). Install the newer version; nothing has been changed.",
+        StorageError::Kind::Newer);
+  }
+}
+
+void Database::bringUpToDate(const Schema& schema, Access access) {
+  const auto newest = static_cast<std::int64_t>(schema.steps.size());
+  auto version = pragmaNumber(*this, "user_version");
+  if (version == newest) return;
+  if (access == Access::ReadOnly) {
+    throw StorageError(
+        path_ + " is of an older format. Open the study once for writing to bring it up to date.");
+  }
+  Transaction transaction(*this);
+  for (version = pragmaNumber(*this, "user_version"); version < newest; ++version) {
+    execute(std::string(schema.steps[static_cast<std::size_t>(version)]));
+  }
+  execute("PRAGMA user_version = " + std::to_string(newest));
+  transaction.commit();
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(code, "write to");
+}
+
+std::string Database::integrityProblems() {
+  std::string problems;
+  Statement integrity(*this, "PRAGMA integrity_check(20)");
+  while (integrity.step()) {
+    if (integrity.text(0) != "ok") problems += path_ + ": " + integrity.text(0) + "\n";
+  }
+  Statement keys(*this, "PRAGMA foreign_key_check");
+  while (keys.step()) {
+    problems += path_ + ": a row of '" + keys.text(0) + "' refers to nothing\n";
+  }
+  return problems;
+}
+
+std::int64_t Database::lastInsertedId() const noexcept {
+  return sqlite3_last_insert_rowid(handle_);
+}
+
+void Database::fail(int code, const std::string& action) const {
+  const std::string reason = sqlite3_errmsg(handle_);
+  const std::string could = "Could not " + action + " " + path_ + ": ";
+  switch (code & 0xff) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      throw StorageError(
+          could + "another program is using it. Close it there, or wait, and try again.",
+          StorageError::Kind::Busy);
+    case SQLITE_FULL:
+      throw StorageError(
+          could +
+              "the disk is full. Free some space and try again; what was confirmed is not lost.",
+          StorageError::Kind::DiskFull);
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+      throw StorageError(could + "it may not be written. Check who owns the folder, and the disk.");
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      throw StorageError(
+          could + "the file is damaged (" + reason +
+              "). Restore it from a copy; do not go on with it.",
+          StorageError::Kind::Damaged);
+    case SQLITE_IOERR:
+      throw StorageError(
+          could + "the disk reports an error (" + reason + "). Is it healthy and connected?");
+    case SQLITE_TOOBIG:
+      throw StorageError(could + "a value is too large.");
+    default:
+      throw StorageError(could + reason + ".");
+  }
+}
+
+}  // namespace study::storage

@@ -1,0 +1,94 @@
+#include "study/storage/protocol_repository.h"
+
+#include <algorithm>
+#include <array>
+
+#include <sodium.h>
+
+#include "study/storage/statement.h"
+
+namespace study::storage {
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, crypto_hash_sha256_BYTES> hash{};
+  crypto_hash_sha256(
+      hash.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  std::array<char, 2 * hash.size() + 1> text{};
+  sodium_bin2hex(text.data(), text.size(), hash.data(), hash.size());
+  return text.data();
+}
+
+std::string sha256(std::string_view text, const std::vector<protocols::SourceFile>& files) {
+  std::vector<std::string> lines;
+  for (const auto& file : files) lines.push_back(sha256(file.text) + " " + file.name + "\n");
+  std::sort(lines.begin(), lines.end());
+  std::string all = sha256(text) + "\n";
+  for (const auto& line : lines) all += line;
+  return files.empty() ? sha256(text) : sha256(all);
+}
+
+ProtocolId ProtocolRepository::add(
+    const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc) {
+  Statement insert(
+      database_, "INSERT INTO protocol (sha256, text, reason, added_utc) VALUES (?, ?, ?, ?)");
+  insert.bind(1, sha256(protocol.text, protocol.files))
+      .bind(2, protocol.text)
+      .bind(3, reason)
+      .bind(4, utc);
+  insert.run();
+  const ProtocolId id{database_.lastInsertedId()};
+  Statement file(
+      database_, "INSERT INTO protocol_file (protocol_id, name, sha256, text) VALUES (?, ?, ?, ?)");
+  for (const auto& source : protocol.files) {
+    file.bind(1, static_cast<std::int64_t>(id))
+        .bind(2, source.name)
+        .bind(3, sha256(source.text))
+        .bind(4, source.text);
+    file.run();
+  }
+  return id;
+}
+
+void ProtocolRepository::freeze(ProtocolId id, const std::string& utc) {
+  Statement update(
+      database_, "UPDATE protocol SET frozen_utc = ? WHERE id = ? AND frozen_utc IS NULL");
+  update.bind(1, utc).bind(2, static_cast<std::int64_t>(id));
+  update.run();
+}
+
+StoredProtocol ProtocolRepository::load(ProtocolId id) const {
+  Statement select(
+      database_, "SELECT sha256, text, reason, added_utc, frozen_utc FROM protocol WHERE id = ?");
+  select.bind(1, static_cast<std::int64_t>(id));
+  if (!select.step()) {
+    throw StorageError(
+        database_.path() + " has lost its protocol. Restore it from a copy.",
+        StorageError::Kind::Damaged);
+  }
+  StoredProtocol protocol{
+      .id = id,
+      .sha256 = select.text(0),
+      .text = select.text(1),
+      .reason = select.text(2),
+      .addedUtc = select.text(3),
+      .frozenUtc = select.optionalText(4)};
+  Statement files(
+      database_, "SELECT name, text FROM protocol_file WHERE protocol_id = ? ORDER BY name");
+  files.bind(1, static_cast<std::int64_t>(id));
+  while (files.step()) protocol.files.push_back({files.text(0), files.text(1)});
+  return protocol;
+}
+
+StoredProtocol ProtocolRepository::current() const {
+  const auto ids = all();
+  return load(ids.empty() ? ProtocolId{0} : ids.back());
+}
+
+std::vector<ProtocolId> ProtocolRepository::all() const {
+  Statement select(database_, "SELECT id FROM protocol ORDER BY id");
+  std::vector<ProtocolId> ids;
+  while (select.step()) ids.emplace_back(ProtocolId{select.number(0)});
+  return ids;
+}
+
+}  // namespace study::storage

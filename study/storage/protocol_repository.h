@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "protocols/loaded_protocol.h"
+#include "study/ids.h"
+#include "study/storage/database.h"
+
+namespace study::storage {
+
+/// A protocol as a study keeps it, whole: what ran can be read again whatever becomes of the files.
+struct StoredProtocol {
+  ProtocolId id{};
+  std::string sha256;  ///< of the text and all files, in hexadecimal
+  std::string text;
+  std::vector<protocols::SourceFile> files;
+  std::string reason;
+  std::string addedUtc;
+  std::optional<std::string> frozenUtc;
+};
+
+/// The tables of protocols.
+class ProtocolRepository {
+ public:
+  explicit ProtocolRepository(Database& database) : database_(database) {}
+
+  /// Inside the caller's transaction.
+  ProtocolId add(
+      const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc);
+  void freeze(ProtocolId id, const std::string& utc);
+
+  /// @throws StorageError  if there is none of that id.
+  StoredProtocol load(ProtocolId id) const;
+  /// The one that new sessions use: the last.
+  StoredProtocol current() const;
+  std::vector<ProtocolId> all() const;
+
+ private:
+  Database& database_;
+};
+
+/// SHA-256 in hexadecimal.
+std::string sha256(std::string_view bytes);
+
+/// Of a protocol with all its files: order does not matter, any byte does.
+std::string sha256(std::string_view text, const std::vector<protocols::SourceFile>& files);
+
+}  // namespace study::storage

@@ -1,0 +1,178 @@
+#include "study/storage/records.h"
+
+#include "study/session_state.h"
+#include "study/storage/answer_repository.h"
+#include "study/storage/statement.h"
+
+namespace study::storage {
+namespace {
+
+// Every statement that reads a visit begins with these columns.
+constexpr const char* kStepColumns =
+    "v.session_id, v.step, v.attempt, s.kind, s.phase, s.instrument, s.position, s.label, "
+    "coalesce(a.condition, ''), v.status";
+constexpr const char* kStepJoins =
+    " JOIN visit AS v ON v.session_id = x.session_id AND v.step = x.step AND v.attempt = x.attempt "
+    "JOIN step AS s ON s.session_id = x.session_id AND s.step = x.step "
+    "LEFT JOIN allocation AS a ON a.session_id = x.session_id AND a.step = x.step ";
+constexpr int kAfterStep = 10;
+
+VisitKey visitIn(const Statement& row) {
+  return {
+      SessionId{row.number(0)}, static_cast<int>(row.number(1)), static_cast<int>(row.number(2))};
+}
+
+StepRecord stepIn(const Statement& row) {
+  return {
+      .visit = visitIn(row),
+      .kind = row.text(3),
+      .phase = row.text(4),
+      .instrument = row.text(5),
+      .position = static_cast<int>(row.number(6)),
+      .label = static_cast<int>(row.number(7)),
+      .condition = row.text(8),
+      .visitStatus = row.text(9)};
+}
+
+}  // namespace
+
+std::vector<SessionRecord> Records::sessions() const {
+  Statement select(
+      database_,
+      "SELECT s.id, p.code, s.number, s.cohort, s.run_mode, s.state, coalesce(s.end_reason, ''), "
+      "s.language, s.protocol_id, r.sha256, s.slot, s.app_version, s.started_utc, s.ended_utc "
+      "FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
+      "JOIN protocol AS r ON r.id = s.protocol_id ORDER BY s.id");
+  std::vector<SessionRecord> sessions;
+  while (select.step()) {
+    const auto state = sessionStateNamed(select.text(5));
+    sessions.push_back(
+        {.id = SessionId{select.number(0)},
+         .participant = select.text(1),
+         .number = static_cast<int>(select.number(2)),
+         .cohort = select.text(3),
+         .runMode = select.text(4),
+         .status = std::string(state ? statusOf(*state) : "unknown"),
+         .endReason = select.text(6),
+         .language = select.text(7),
+         .protocol = ProtocolId{select.number(8)},
+         .protocolHash = select.text(9),
+         .slot = select.number(10),
+         .appVersion = select.text(11),
+         .startedUtc = select.text(12),
+         .endedUtc = select.optionalText(13)});
+  }
+  return sessions;
+}
+
+std::vector<AnswerRecord> Records::answers() const {
+  Statement select(
+      database_,
+      std::string("SELECT ") + kStepColumns +
+          ", x.item, x.item_order, x.kind, x.point, x.number, x.text, x.first_touch_s, "
+          "x.response_s, x.changes, x.language, x.saved_utc FROM answer AS x" +
+          kStepJoins + "ORDER BY x.session_id, x.step, x.attempt, x.item_order, x.item");
+  std::vector<AnswerRecord> answers;
+  while (select.step()) {
+    constexpr int k = kAfterStep;
+    answers.push_back(
+        {.step = stepIn(select),
+         .answer =
+             {.item = select.text(k),
+              .response = restored(
+                  {.kind = select.text(k + 2),
+                   .point = select.optionalNumber(k + 3),
+                   .number = select.optionalReal(k + 4),
+                   .text = select.optionalText(k + 5)}),
+              .itemOrder = static_cast<int>(select.number(k + 1)),
+              .firstTouch = select.real(k + 6),
+              .responseTime = select.real(k + 7),
+              .changes = static_cast<int>(select.number(k + 8)),
+              .language = select.text(k + 9)},
+         .savedUtc = select.text(k + 10)});
+  }
+  return answers;
+}
+
+std::vector<TrialRow> Records::trials() const {
+  Statement select(
+      database_,
+      std::string("SELECT ") + kStepColumns +
+          ", x.device, x.ending, x.verdict, x.verdict_reason, x.travel_unit, x.duration_s, "
+          "x.ticks, "
+          "x.nominal_rate_hz, x.achieved_rate_hz, x.lateness_p50_us, x.lateness_p99_us, "
+          "x.lateness_max_us, x.late_ticks, x.lost_samples, x.invalid_ticks, x.saturated_s, "
+          "x.slewed_s, x.undefined_s, x.contact_s, x.largest_force_n, x.cuts, x.trace_samples "
+          "FROM trial AS x" +
+          kStepJoins + "ORDER BY x.session_id, x.step, x.attempt");
+  std::vector<TrialRow> trials;
+  while (select.step()) {
+    constexpr int k = kAfterStep;
+    trials.push_back(
+        {.step = stepIn(select),
+         .device = select.text(k),
+         .ending = select.text(k + 1),
+         .verdict = select.text(k + 2),
+         .verdictReason = select.text(k + 3),
+         .travelUnit = select.text(k + 4),
+         .duration = select.real(k + 5),
+         .ticks = select.number(k + 6),
+         .nominalRate = select.real(k + 7),
+         .achievedRate = select.optionalReal(k + 8),
+         .latenessMedian = select.optionalReal(k + 9),
+         .latenessP99 = select.optionalReal(k + 10),
+         .latenessLargest = select.optionalReal(k + 11),
+         .lateTicks = select.optionalNumber(k + 12),
+         .lostSamples = select.number(k + 13),
+         .invalidTicks = select.number(k + 14),
+         .saturated = select.real(k + 15),
+         .slewed = select.real(k + 16),
+         .undefined = select.real(k + 17),
+         .contact = select.real(k + 18),
+         .largestForce = select.real(k + 19),
+         .cuts = select.number(k + 20),
+         .traceSamples = select.number(k + 21)});
+  }
+  return trials;
+}
+
+std::vector<CutRecord> Records::cuts() const {
+  Statement select(
+      database_,
+      "SELECT session_id, step, attempt, number, interception_travel, interception_n, "
+      "yield_travel, "
+      "yield_n, bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n FROM cut "
+      "ORDER BY session_id, step, attempt, number");
+  std::vector<CutRecord> cuts;
+  while (select.step()) {
+    cuts.push_back(
+        {.visit = visitIn(select),
+         .number = static_cast<int>(select.number(3)),
+         .interceptionTravel = select.optionalReal(4),
+         .interceptionForce = select.optionalReal(5),
+         .yieldTravel = select.optionalReal(6),
+         .yieldForce = select.optionalReal(7),
+         .bottomOutTravel = select.optionalReal(8),
+         .bottomOutForce = select.optionalReal(9),
+         .openingTravel = select.optionalReal(10),
+         .openingForce = select.optionalReal(11),
+         .peakForce = select.real(12)});
+  }
+  return cuts;
+}
+
+std::map<Records::Alternative, std::string> Records::allocation() const {
+  Statement select(
+      database_,
+      "SELECT s.session_id, s.phase, s.label, a.condition FROM step AS s "
+      "JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step "
+      "WHERE s.kind = 'trial'");
+  std::map<Alternative, std::string> allocation;
+  while (select.step()) {
+    allocation[{SessionId{select.number(0)}, select.text(1), static_cast<int>(select.number(2))}] =
+        select.text(3);
+  }
+  return allocation;
+}
+
+}  // namespace study::storage

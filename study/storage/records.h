@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/given_answer.h"
+#include "study/ids.h"
+#include "study/storage/database.h"
+
+namespace study::storage {
+
+/// A session with everything that an analyst asks about it.
+struct SessionRecord {
+  SessionId id{};
+  std::string participant;
+  int number = 1;
+  std::string cohort;
+  std::string runMode;
+  std::string status;  ///< in_progress, completed, declined, withdrawn, rejected, aborted_hardware
+  std::string endReason;
+  std::string language;
+  ProtocolId protocol{};
+  std::string protocolHash;
+  std::int64_t slot = 0;
+  std::string appVersion;
+  std::string startedUtc;
+  std::optional<std::string> endedUtc;
+};
+
+/// Where something was asked or felt.
+struct StepRecord {
+  VisitKey visit;
+  std::string kind;
+  std::string phase;
+  std::string instrument;
+  int position = 0;
+  int label = 0;
+  std::string condition;    ///< empty where nothing was felt
+  std::string visitStatus;  ///< open, finished, skipped, repeated, broken_off
+};
+
+struct AnswerRecord {
+  StepRecord step;
+  GivenAnswer answer;
+  std::string savedUtc;
+};
+
+struct CutRecord {
+  VisitKey visit;
+  int number = 1;
+  std::optional<double> interceptionTravel, interceptionForce;
+  std::optional<double> yieldTravel, yieldForce;
+  std::optional<double> bottomOutTravel, bottomOutForce;
+  std::optional<double> openingTravel, openingForce;
+  double peakForce = 0.0;
+};
+
+struct TrialRow {
+  StepRecord step;
+  std::string device, ending, verdict, verdictReason, travelUnit;
+  double duration = 0.0;
+  std::int64_t ticks = 0;
+  double nominalRate = 0.0;
+  std::optional<double> achievedRate, latenessMedian, latenessP99, latenessLargest;
+  std::optional<std::int64_t> lateTicks;
+  std::int64_t lostSamples = 0, invalidTicks = 0;
+  double saturated = 0.0, slewed = 0.0, undefined = 0.0, contact = 0.0, largestForce = 0.0;
+  std::int64_t cuts = 0, traceSamples = 0;
+};
+
+/// Everything that happened, as an analyst reads it: in the order in which it was done.
+class Records {
+ public:
+  explicit Records(Database& database) : database_(database) {}
+
+  std::vector<SessionRecord> sessions() const;
+  std::vector<AnswerRecord> answers() const;
+  std::vector<TrialRow> trials() const;
+  std::vector<CutRecord> cuts() const;
+
+  /// What "Alternative 2" of a block was in a session.
+  struct Alternative {
+    SessionId session{};
+    std::string block;
+    int label = 0;
+    auto operator<=>(const Alternative&) const = default;
+  };
+  std::map<Alternative, std::string> allocation() const;
+
+ private:
+  Database& database_;
+};
+
+}  // namespace study::storage

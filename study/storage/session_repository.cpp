@@ -1,0 +1,270 @@
+#include "study/storage/session_repository.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "study/storage/statement.h"
+
+namespace study::storage {
+namespace {
+
+constexpr std::array<std::string_view, 3> kSlotStates{"reserved", "consumed", "released"};
+constexpr std::array<std::string_view, 5> kVisitStatuses{
+    "open", "finished", "skipped", "repeated", "broken_off"};
+
+constexpr const char* kSelect =
+    "SELECT s.id, p.code, s.number, s.protocol_id, s.run_mode, s.cohort, s.language, s.slot, "
+    "s.slot_state, s.state, s.step, s.attempt, s.started_utc, s.ended_utc, s.end_reason "
+    "FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
+
+template <std::size_t kCount>
+std::size_t indexIn(const std::array<std::string_view, kCount>& names, const std::string& name) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (names[i] == name) return i;
+  }
+  throw StorageError(
+      "The study holds '" + name + "', which this program does not know. Is it damaged?",
+      StorageError::Kind::Damaged);
+}
+
+SessionRow sessionIn(const Statement& row) {
+  const auto mode = runModeNamed(row.text(4));
+  const auto state = sessionStateNamed(row.text(9));
+  if (!mode || !state) {
+    throw StorageError(
+        "A session's state cannot be read. Is the study damaged? 'palpate study verify' says more.",
+        StorageError::Kind::Damaged);
+  }
+  return {
+      .id = SessionId{row.number(0)},
+      .participant = row.text(1),
+      .number = static_cast<int>(row.number(2)),
+      .protocol = ProtocolId{row.number(3)},
+      .runMode = *mode,
+      .cohort = row.text(5),
+      .language = row.text(6),
+      .slot = row.number(7),
+      .slotState = static_cast<SlotState>(indexIn(kSlotStates, row.text(8))),
+      .state = *state,
+      .step = static_cast<int>(row.number(10)),
+      .attempt = static_cast<int>(row.number(11)),
+      .startedUtc = row.text(12),
+      .endedUtc = row.optionalText(13),
+      .endReason = row.optionalText(14)};
+}
+
+Statement& bindVisit(Statement& statement, int first, const VisitKey& visit) {
+  return statement.bind(first, static_cast<std::int64_t>(visit.session))
+      .bind(first + 1, std::int64_t{visit.step})
+      .bind(first + 2, std::int64_t{visit.attempt});
+}
+
+}  // namespace
+
+std::string_view nameOf(SlotState state) noexcept {
+  return kSlotStates[static_cast<std::size_t>(state)];
+}
+
+std::string_view nameOf(VisitStatus status) noexcept {
+  return kVisitStatuses[static_cast<std::size_t>(status)];
+}
+
+std::int64_t SessionRepository::freeSlot(
+    ProtocolId protocol, RunMode mode, const std::string& cohort) const {
+  Statement held(
+      database_,
+      "SELECT slot FROM session WHERE protocol_id = ? AND run_mode = ? AND cohort = ? "
+      "AND slot_state <> 'released' ORDER BY slot");
+  held.bind(1, static_cast<std::int64_t>(protocol)).bind(2, nameOf(mode)).bind(3, cohort);
+  std::int64_t free = 0;
+  while (held.step() && held.number(0) == free) ++free;
+  return free;
+}
+
+std::string SessionRepository::freeCode(RunMode mode) const {
+  const char* prefix = mode == RunMode::Live ? "P" : mode == RunMode::Pilot ? "PILOT-" : "SIM-";
+  Statement count(database_, "SELECT count(*) FROM participant WHERE run_mode = ?");
+  count.bind(1, nameOf(mode));
+  count.step();
+  for (auto number = count.number(0) + 1;; ++number) {
+    std::string code = fmt::format("{}{:03d}", prefix, number);
+    if (!hasParticipant(code)) return code;
+  }
+}
+
+bool SessionRepository::hasParticipant(const std::string& code) const {
+  Statement select(database_, "SELECT 1 FROM participant WHERE code = ?");
+  select.bind(1, code);
+  return select.step();
+}
+
+std::int64_t SessionRepository::participantId(const SessionRow& session) {
+  Statement select(database_, "SELECT id, cohort, run_mode FROM participant WHERE code = ?");
+  select.bind(1, session.participant);
+  if (select.step()) {
+    if (select.text(1) != session.cohort || select.text(2) != nameOf(session.runMode)) {
+      throw StorageError(
+          "'" + session.participant + "' is known as " + select.text(2) + " of the cohort '" +
+          select.text(1) + "'. Choose another code, or the same cohort and run mode.");
+    }
+    return select.number(0);
+  }
+  Statement insert(
+      database_, "INSERT INTO participant (code, cohort, run_mode, created_utc) VALUES (?,?,?,?)");
+  insert.bind(1, session.participant)
+      .bind(2, session.cohort)
+      .bind(3, nameOf(session.runMode))
+      .bind(4, session.startedUtc);
+  insert.run();
+  return database_.lastInsertedId();
+}
+
+void SessionRepository::add(
+    SessionRow& session, const std::vector<Step>& steps, const std::string& appVersion) {
+  const auto participant = participantId(session);
+  Statement last(
+      database_, "SELECT coalesce(max(number), 0) FROM session WHERE participant_id = ?");
+  last.bind(1, participant);
+  last.step();
+  session.number = static_cast<int>(last.number(0)) + 1;
+
+  Statement insert(
+      database_,
+      "INSERT INTO session (participant_id, number, protocol_id, run_mode, cohort, language, slot, "
+      "slot_state, state, step, attempt, app_version, started_utc) VALUES "
+      "(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  insert.bind(1, participant)
+      .bind(2, std::int64_t{session.number})
+      .bind(3, static_cast<std::int64_t>(session.protocol))
+      .bind(4, nameOf(session.runMode))
+      .bind(5, session.cohort)
+      .bind(6, session.language)
+      .bind(7, session.slot)
+      .bind(8, nameOf(session.slotState))
+      .bind(9, study::nameOf(session.state))
+      .bind(10, std::int64_t{session.step})
+      .bind(11, std::int64_t{session.attempt})
+      .bind(12, appVersion)
+      .bind(13, session.startedUtc);
+  insert.run();
+  session.id = SessionId{database_.lastInsertedId()};
+  addSteps(session.id, steps);
+}
+
+void SessionRepository::addSteps(SessionId session, const std::vector<Step>& steps) {
+  Statement insert(
+      database_,
+      "INSERT INTO step (session_id, step, kind, phase, instrument, item_set, position, label) "
+      "VALUES (?,?,?,?,?,?,?,?)");
+  Statement allocation(
+      database_, "INSERT INTO allocation (session_id, step, condition) VALUES (?,?,?)");
+  std::int64_t number = 0;
+  for (const auto& step : steps) {
+    insert.bind(1, static_cast<std::int64_t>(session))
+        .bind(2, number)
+        .bind(3, study::nameOf(step.kind))
+        .bind(4, step.phase)
+        .bind(5, step.instrument)
+        .bind(6, step.itemSet)
+        .bind(7, std::int64_t{step.position})
+        .bind(8, std::int64_t{step.label});
+    insert.run();
+    if (!step.condition.empty()) {
+      allocation.bind(1, static_cast<std::int64_t>(session))
+          .bind(2, number)
+          .bind(3, step.condition);
+      allocation.run();
+    }
+    ++number;
+  }
+}
+
+void SessionRepository::update(const SessionRow& session) {
+  Statement update(
+      database_,
+      "UPDATE session SET language = ?, slot_state = ?, state = ?, step = ?, attempt = ?, "
+      "ended_utc = ?, end_reason = ? WHERE id = ?");
+  update.bind(1, session.language)
+      .bind(2, nameOf(session.slotState))
+      .bind(3, study::nameOf(session.state))
+      .bind(4, std::int64_t{session.step})
+      .bind(5, std::int64_t{session.attempt})
+      .bind(6, session.endedUtc)
+      .bind(7, session.endReason)
+      .bind(8, static_cast<std::int64_t>(session.id));
+  update.run();
+}
+
+SessionRow SessionRepository::load(SessionId id) const {
+  Statement select(database_, std::string(kSelect) + "WHERE s.id = ?");
+  select.bind(1, static_cast<std::int64_t>(id));
+  if (!select.step()) {
+    throw StorageError(
+        "There is no session " + std::to_string(static_cast<std::int64_t>(id)) + ".");
+  }
+  return sessionIn(select);
+}
+
+std::vector<SessionRow> SessionRepository::all() const {
+  Statement select(database_, std::string(kSelect) + "ORDER BY s.id");
+  std::vector<SessionRow> sessions;
+  while (select.step()) sessions.push_back(sessionIn(select));
+  return sessions;
+}
+
+bool SessionRepository::hasLiveSession() const {
+  return Statement(database_, "SELECT 1 FROM session WHERE run_mode = 'live' LIMIT 1").step();
+}
+
+void SessionRepository::openVisit(const VisitKey& visit, const std::string& utc) {
+  Statement insert(
+      database_,
+      "INSERT INTO visit (session_id, step, attempt, status, began_utc) VALUES (?, ?, ?, 'open', "
+      "?)");
+  bindVisit(insert, 1, visit).bind(4, utc);
+  insert.run();
+}
+
+void SessionRepository::closeVisit(
+    const VisitKey& visit, VisitStatus status, const std::string& utc, const std::string& reason) {
+  Statement update(
+      database_,
+      "UPDATE visit SET status = ?, ended_utc = ?, reason = ? "
+      "WHERE session_id = ? AND step = ? AND attempt = ?");
+  update.bind(1, nameOf(status)).bind(2, utc).bind(3, reason);
+  bindVisit(update, 4, visit);
+  update.run();
+}
+
+int SessionRepository::attempts(SessionId session, int step) const {
+  Statement select(
+      database_, "SELECT coalesce(max(attempt), 0) FROM visit WHERE session_id = ? AND step = ?");
+  select.bind(1, static_cast<std::int64_t>(session)).bind(2, std::int64_t{step});
+  select.step();
+  return static_cast<int>(select.number(0));
+}
+
+void SessionRepository::markRepeated(
+    SessionId session, int step, const std::string& utc, const std::string& reason) {
+  Statement update(
+      database_,
+      "UPDATE visit SET status = 'repeated', ended_utc = coalesce(ended_utc, ?), reason = ? "
+      "WHERE session_id = ? AND step >= ? AND status IN ('open', 'finished', 'skipped')");
+  update.bind(1, utc)
+      .bind(2, reason)
+      .bind(3, static_cast<std::int64_t>(session))
+      .bind(4, std::int64_t{step});
+  update.run();
+}
+
+std::vector<std::pair<int, std::string>> SessionRepository::allocation(SessionId session) const {
+  Statement select(
+      database_, "SELECT step, condition FROM allocation WHERE session_id = ? ORDER BY step");
+  select.bind(1, static_cast<std::int64_t>(session));
+  std::vector<std::pair<int, std::string>> result;
+  while (select.step()) result.emplace_back(static_cast<int>(select.number(0)), select.text(1));
+  return result;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,109 @@
+#include "study/storage/statement.h"
+
+#include <sqlite3.h>
+
+namespace study::storage {
+
+Statement::Statement(const Database& database, const std::string& sql) : database_(database) {
+  const int code = sqlite3_prepare_v2(
+      database.handle(), sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr);
+  if (code != SQLITE_OK) database.fail(code, "read");
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(statement_);
+}
+
+Statement& Statement::bind(int index, std::int64_t value) {
+  const int code = sqlite3_bind_int64(statement_, index, value);
+  if (code != SQLITE_OK) database_.fail(code, "write to");
+  return *this;
+}
+
+Statement& Statement::bind(int index, double value) {
+  const int code = sqlite3_bind_double(statement_, index, value);
+  if (code != SQLITE_OK) database_.fail(code, "write to");
+  return *this;
+}
+
+Statement& Statement::bind(int index, std::string_view value) {
+  const int code = sqlite3_bind_text64(
+      statement_,
+      index,
+      value.data() != nullptr ? value.data() : "",
+      value.size(),
+      SQLITE_TRANSIENT,
+      SQLITE_UTF8);
+  if (code != SQLITE_OK) database_.fail(code, "write to");
+  return *this;
+}
+
+Statement& Statement::bind(int index, std::span<const std::byte> value) {
+  const int code =
+      sqlite3_bind_blob64(statement_, index, value.data(), value.size(), SQLITE_TRANSIENT);
+  if (code != SQLITE_OK) database_.fail(code, "write to");
+  return *this;
+}
+
+Statement& Statement::bindNull(int index) {
+  const int code = sqlite3_bind_null(statement_, index);
+  if (code != SQLITE_OK) database_.fail(code, "write to");
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  sqlite3_reset(statement_);
+  database_.fail(code, "use");
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  reset();
+}
+
+void Statement::reset() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+}
+
+bool Statement::isNull(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::number(int column) const noexcept {
+  return sqlite3_column_int64(statement_, column);
+}
+
+double Statement::real(int column) const noexcept {
+  return sqlite3_column_double(statement_, column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* text = sqlite3_column_text(statement_, column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+  return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text), size);
+}
+
+std::vector<std::byte> Statement::blob(int column) const {
+  const auto* data = static_cast<const std::byte*>(sqlite3_column_blob(statement_, column));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+  return data == nullptr ? std::vector<std::byte>() : std::vector<std::byte>(data, data + size);
+}
+
+std::optional<std::int64_t> Statement::optionalNumber(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(number(column));
+}
+
+std::optional<double> Statement::optionalReal(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(real(column));
+}
+
+std::optional<std::string> Statement::optionalText(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(text(column));
+}
+
+}  // namespace study::storage

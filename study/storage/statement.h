@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/storage/database.h"
+
+struct sqlite3_stmt;
+
+namespace study::storage {
+
+/// A prepared statement. Parameters count from 1, columns from 0, as SQLite counts them. The
+/// database outlives it.
+class Statement {
+ public:
+  /// @throws StorageError  as everything here.
+  Statement(const Database& database, const std::string& sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  Statement& bind(int index, std::int64_t value);
+  Statement& bind(int index, double value);
+  Statement& bind(int index, std::string_view value);
+  Statement& bind(int index, std::span<const std::byte> value);
+  Statement& bindNull(int index);
+  template <typename T>
+  Statement& bind(int index, const std::optional<T>& value) {
+    return value ? bind(index, *value) : bindNull(index);
+  }
+
+  /// True where there is a row, false at the end.
+  bool step();
+  /// For a statement without results.
+  void run();
+  void reset();
+
+  bool isNull(int column) const noexcept;
+  std::int64_t number(int column) const noexcept;
+  double real(int column) const noexcept;
+  std::string text(int column) const;
+  std::vector<std::byte> blob(int column) const;
+  std::optional<std::int64_t> optionalNumber(int column) const;
+  std::optional<double> optionalReal(int column) const;
+  std::optional<std::string> optionalText(int column) const;
+
+ private:
+  const Database& database_;
+  sqlite3_stmt* statement_ = nullptr;
+};
+
+}  // namespace study::storage

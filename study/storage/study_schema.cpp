@@ -1,0 +1,258 @@
+#include "study/storage/study_schema.h"
+
+#include <array>
+#include <string_view>
+
+namespace study::storage {
+namespace {
+
+// Step n takes a database from version n to version n + 1. Steps are added, never changed:
+// somebody's study is at each of them.
+constexpr std::array<std::string_view, 1> kStudySteps{
+    R"sql(
+      CREATE TABLE study (
+        id             INTEGER PRIMARY KEY CHECK (id = 1),
+        uuid           TEXT NOT NULL,
+        seed           TEXT NOT NULL,
+        random_version INTEGER NOT NULL,
+        app_version    TEXT NOT NULL,
+        created_utc    TEXT NOT NULL
+      ) STRICT;
+
+      CREATE TABLE protocol (
+        id         INTEGER PRIMARY KEY,
+        sha256     TEXT NOT NULL,
+        text       TEXT NOT NULL,
+        reason     TEXT NOT NULL,
+        added_utc  TEXT NOT NULL,
+        frozen_utc TEXT
+      ) STRICT;
+
+      CREATE TABLE protocol_file (
+        protocol_id INTEGER NOT NULL REFERENCES protocol (id),
+        name        TEXT NOT NULL,
+        sha256      TEXT NOT NULL,
+        text        TEXT NOT NULL,
+        PRIMARY KEY (protocol_id, name)
+      ) STRICT;
+
+      CREATE TRIGGER a_frozen_protocol_stays_as_it_is
+      BEFORE UPDATE OF sha256, text, reason, added_utc ON protocol WHEN old.frozen_utc IS NOT NULL
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TABLE participant (
+        id          INTEGER PRIMARY KEY,
+        code        TEXT NOT NULL UNIQUE CHECK (length(code) BETWEEN 1 AND 64),
+        cohort      TEXT NOT NULL,
+        run_mode    TEXT NOT NULL CHECK (run_mode IN ('live', 'pilot', 'simulated')),
+        created_utc TEXT NOT NULL
+      ) STRICT;
+
+      CREATE TABLE session (
+        id             INTEGER PRIMARY KEY,
+        participant_id INTEGER NOT NULL REFERENCES participant (id),
+        number         INTEGER NOT NULL CHECK (number >= 1),
+        protocol_id    INTEGER NOT NULL REFERENCES protocol (id),
+        run_mode       TEXT NOT NULL CHECK (run_mode IN ('live', 'pilot', 'simulated')),
+        cohort         TEXT NOT NULL,
+        language       TEXT NOT NULL,
+        slot           INTEGER NOT NULL CHECK (slot >= 0),
+        slot_state     TEXT NOT NULL CHECK (slot_state IN ('reserved', 'consumed', 'released')),
+        state          TEXT NOT NULL,
+        step           INTEGER NOT NULL CHECK (step >= 0),
+        attempt        INTEGER NOT NULL CHECK (attempt >= 1),
+        app_version    TEXT NOT NULL,
+        started_utc    TEXT NOT NULL,
+        ended_utc      TEXT,
+        end_reason     TEXT,
+        UNIQUE (participant_id, number)
+      ) STRICT;
+
+      -- A place in a design is held once; a pilot or a simulation never holds a participant's.
+      CREATE UNIQUE INDEX a_slot_is_held_once ON session (protocol_id, run_mode, cohort, slot)
+      WHERE slot_state <> 'released';
+
+      -- The order as realised.
+      CREATE TABLE step (
+        session_id INTEGER NOT NULL REFERENCES session (id),
+        step       INTEGER NOT NULL,
+        kind       TEXT NOT NULL,
+        phase      TEXT NOT NULL,
+        instrument TEXT NOT NULL,
+        item_set   TEXT NOT NULL,
+        position   INTEGER NOT NULL,
+        label      INTEGER NOT NULL,
+        PRIMARY KEY (session_id, step)
+      ) STRICT;
+
+      -- Which condition an alternative is: kept apart from everything that is exported blinded.
+      CREATE TABLE allocation (
+        session_id INTEGER NOT NULL,
+        step       INTEGER NOT NULL,
+        condition  TEXT NOT NULL,
+        PRIMARY KEY (session_id, step),
+        FOREIGN KEY (session_id, step) REFERENCES step (session_id, step)
+      ) STRICT;
+
+      CREATE TABLE visit (
+        session_id INTEGER NOT NULL,
+        step       INTEGER NOT NULL,
+        attempt    INTEGER NOT NULL CHECK (attempt >= 1),
+        status     TEXT NOT NULL
+                   CHECK (status IN ('open', 'finished', 'skipped', 'repeated', 'broken_off')),
+        began_utc  TEXT NOT NULL,
+        ended_utc  TEXT,
+        reason     TEXT,
+        PRIMARY KEY (session_id, step, attempt),
+        FOREIGN KEY (session_id, step) REFERENCES step (session_id, step)
+      ) STRICT;
+
+      CREATE TABLE answer (
+        session_id    INTEGER NOT NULL,
+        step          INTEGER NOT NULL,
+        attempt       INTEGER NOT NULL,
+        item          TEXT NOT NULL,
+        item_order    INTEGER NOT NULL,
+        kind          TEXT NOT NULL CHECK (kind IN ('point', 'number', 'text', 'choices')),
+        point         INTEGER CHECK ((point IS NOT NULL) = (kind = 'point')),
+        number        REAL CHECK ((number IS NOT NULL) = (kind = 'number')),
+        text          TEXT CHECK ((text IS NOT NULL) = (kind IN ('text', 'choices')))
+                      CHECK (text IS NULL OR length(text) <= 1000000),
+        first_touch_s REAL NOT NULL CHECK (first_touch_s >= 0),
+        response_s    REAL NOT NULL CHECK (response_s >= first_touch_s),
+        changes       INTEGER NOT NULL CHECK (changes >= 0),
+        language      TEXT NOT NULL,
+        saved_utc     TEXT NOT NULL,
+        UNIQUE (session_id, step, attempt, item),
+        FOREIGN KEY (session_id, step, attempt) REFERENCES visit (session_id, step, attempt)
+      ) STRICT;
+
+      CREATE TABLE trial (
+        session_id      INTEGER NOT NULL,
+        step            INTEGER NOT NULL,
+        attempt         INTEGER NOT NULL,
+        device          TEXT NOT NULL,
+        ending          TEXT NOT NULL,
+        verdict         TEXT NOT NULL CHECK (verdict IN ('PASS', 'WARN', 'FAIL')),
+        verdict_reason  TEXT NOT NULL,
+        force_unit      TEXT NOT NULL,
+        travel_unit     TEXT NOT NULL,
+        duration_s      REAL NOT NULL,
+        ticks           INTEGER NOT NULL,
+        nominal_rate_hz REAL NOT NULL,
+        achieved_rate_hz REAL,
+        lateness_p50_us REAL,
+        lateness_p99_us REAL,
+        lateness_max_us REAL,
+        late_ticks      INTEGER,
+        lost_samples    INTEGER NOT NULL,
+        invalid_ticks   INTEGER NOT NULL,
+        saturated_s     REAL NOT NULL,
+        slewed_s        REAL NOT NULL,
+        undefined_s     REAL NOT NULL,
+        contact_s       REAL NOT NULL,
+        largest_force_n REAL NOT NULL,
+        cuts            INTEGER NOT NULL,
+        trace_samples   INTEGER NOT NULL,
+        PRIMARY KEY (session_id, step, attempt),
+        FOREIGN KEY (session_id, step, attempt) REFERENCES visit (session_id, step, attempt)
+      ) STRICT;
+
+      CREATE TABLE cut (
+        session_id           INTEGER NOT NULL,
+        step                 INTEGER NOT NULL,
+        attempt              INTEGER NOT NULL,
+        number               INTEGER NOT NULL CHECK (number >= 1),
+        interception_travel  REAL, interception_n REAL,
+        yield_travel         REAL, yield_n        REAL,
+        bottom_out_travel    REAL, bottom_out_n   REAL,
+        opening_travel       REAL, opening_n      REAL,
+        peak_n               REAL NOT NULL,
+        PRIMARY KEY (session_id, step, attempt, number),
+        FOREIGN KEY (session_id, step, attempt) REFERENCES trial (session_id, step, attempt)
+      ) STRICT;
+
+      -- Everything that happened, chained: whoever changes a line changes all that follow.
+      CREATE TABLE event (
+        seq          INTEGER PRIMARY KEY,
+        session_id   INTEGER REFERENCES session (id),
+        step         INTEGER,
+        attempt      INTEGER,
+        utc          TEXT NOT NULL,
+        monotonic_ns INTEGER NOT NULL,
+        actor        TEXT NOT NULL CHECK (actor IN ('participant', 'operator', 'program')),
+        kind         TEXT NOT NULL,
+        detail       TEXT NOT NULL,
+        hash         BLOB NOT NULL CHECK (length(hash) = 32)
+      ) STRICT;
+      CREATE INDEX events_of_a_session ON event (session_id);
+
+      CREATE TRIGGER an_event_is_never_changed BEFORE UPDATE ON event
+      BEGIN SELECT RAISE(ABORT, 'events are never changed'); END;
+      CREATE TRIGGER an_event_is_never_removed BEFORE DELETE ON event
+      BEGIN SELECT RAISE(ABORT, 'events are never removed'); END;
+
+      -- Who is running a session just now: two operators, one study.
+      CREATE TABLE lease (
+        session_id INTEGER PRIMARY KEY REFERENCES session (id),
+        station    TEXT NOT NULL,
+        pid        INTEGER NOT NULL,
+        process    TEXT NOT NULL,
+        taken_utc  TEXT NOT NULL
+      ) STRICT;
+    )sql",
+};
+
+constexpr std::array<std::string_view, 1> kTraceSteps{
+    R"sql(
+      CREATE TABLE chunk (
+        session_id INTEGER NOT NULL,
+        step       INTEGER NOT NULL,
+        attempt    INTEGER NOT NULL,
+        number     INTEGER NOT NULL CHECK (number >= 0),
+        samples    INTEGER NOT NULL CHECK (samples > 0),
+        layout     INTEGER NOT NULL,
+        data       BLOB NOT NULL,
+        hash       BLOB NOT NULL CHECK (length(hash) = 32),
+        PRIMARY KEY (session_id, step, attempt, number)
+      ) STRICT;
+    )sql",
+};
+
+constexpr std::array<std::string_view, 1> kIdentitySteps{
+    R"sql(
+      CREATE TABLE identifying_answer (
+        participant TEXT NOT NULL,
+        session_number INTEGER NOT NULL,
+        step        INTEGER NOT NULL,
+        attempt     INTEGER NOT NULL,
+        item        TEXT NOT NULL,
+        text        TEXT NOT NULL CHECK (length(text) <= 1000000),
+        saved_utc   TEXT NOT NULL,
+        UNIQUE (participant, session_number, step, attempt, item)
+      ) STRICT;
+    )sql",
+};
+
+constexpr std::int32_t kStudyId = 0x50616c53;     // "PalS"
+constexpr std::int32_t kTraceId = 0x50616c54;     // "PalT"
+constexpr std::int32_t kIdentityId = 0x50616c49;  // "PalI"
+
+}  // namespace
+
+const Schema& studySchema() {
+  static const Schema kSchema{kStudyId, "a palpate study", kStudySteps};
+  return kSchema;
+}
+
+const Schema& traceSchema() {
+  static const Schema kSchema{kTraceId, "the traces of a palpate study", kTraceSteps};
+  return kSchema;
+}
+
+const Schema& identitySchema() {
+  static const Schema kSchema{kIdentityId, "the identities of a palpate study", kIdentitySteps};
+  return kSchema;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "study/ids.h"
+#include "study/storage/database.h"
+#include "study/trial_record.h"
+
+namespace study::storage {
+
+/// The tables of trials and their cuts.
+class TrialRepository {
+ public:
+  explicit TrialRepository(Database& database) : database_(database) {}
+
+  /// Inside the caller's transaction.
+  void add(const VisitKey& visit, const TrialRecord& record);
+
+ private:
+  void addCut(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut);
+
+  Database& database_;
+};
+
+}  // namespace study::storage

@@ -1,0 +1,68 @@
+#include "study/trial_record.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace study {
+namespace {
+
+constexpr std::array<std::string_view, 6> kEndings{
+    "finished", "stopped", "device_gone", "trace_lost", "timed_out", "program_ended"};
+constexpr std::array<std::string_view, 3> kVerdicts{"PASS", "WARN", "FAIL"};
+
+// libfranka warns below a success rate of 0.95 and calls 0.90 "not sufficient"; we ask for the
+// same.
+constexpr double kWarnRate = 0.95;
+constexpr double kFailRate = 0.90;
+constexpr double kWarnLateShare = 0.01;
+constexpr double kWarnSaturatedShare = 0.05;
+
+}  // namespace
+
+std::string_view nameOf(TrialEnding ending) noexcept {
+  return kEndings[static_cast<std::size_t>(ending)];
+}
+
+std::string_view nameOf(Verdict verdict) noexcept {
+  return kVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+TrialRecord::Judgement TrialRecord::judgement() const {
+  Judgement judgement;
+  const auto found = [&](Verdict verdict, std::string reason) {
+    if (verdict > judgement.verdict) judgement.verdict = verdict;
+    judgement.reason += (judgement.reason.empty() ? "" : "; ") + reason;
+  };
+  if (ending != TrialEnding::Finished) {
+    found(Verdict::Fail, fmt::format("the trial broke off ({})", nameOf(ending)));
+  }
+  if (traceSamples + lostSamples != ticks) {
+    found(Verdict::Fail, fmt::format("{} of {} samples were kept", traceSamples, ticks));
+  }
+  if (lostSamples > 0) found(Verdict::Fail, fmt::format("{} samples were lost", lostSamples));
+  if (invalidTicks > 0) {
+    found(Verdict::Fail, fmt::format("the device was silent for {} ticks", invalidTicks));
+  }
+  const double share = achievedRate ? *achievedRate / nominalRate : 1.0;
+  if (share < kWarnRate) {
+    found(
+        share < kFailRate ? Verdict::Fail : Verdict::Warn,
+        fmt::format("{:.0f} of {:.0f} Hz were reached", *achievedRate, nominalRate));
+  }
+  const auto all = static_cast<double>(ticks);
+  if (lateTicks && static_cast<double>(*lateTicks) > kWarnLateShare * all) {
+    found(Verdict::Warn, fmt::format("{} of {} ticks were late", *lateTicks, ticks));
+  }
+  if (contact > 0.0 && saturated > kWarnSaturatedShare * contact) {
+    found(
+        Verdict::Warn,
+        fmt::format("the force was cut off for {:.2f} s of {:.2f} s", saturated, contact));
+  }
+  if (undefined > 0.0) {
+    found(Verdict::Warn, fmt::format("the scene had no force for {:.3f} s", undefined));
+  }
+  return judgement;
+}
+
+}  // namespace study

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "haptics/models/cut_detector.h"
+
+namespace study {
+
+/// How a trial ended.
+enum class TrialEnding {
+  Finished,    ///< enough was felt
+  Stopped,     ///< somebody pressed stop
+  DeviceGone,  ///< no force; the operator decides
+  TraceLost,   ///< what was felt could not be kept
+  TimedOut,    ///< nobody cut
+  ProgramEnded,
+};
+
+std::string_view nameOf(TrialEnding ending) noexcept;
+
+enum class Verdict { Pass, Warn, Fail };
+
+std::string_view nameOf(Verdict verdict) noexcept;
+
+/// What was felt in a trial, and how well it was rendered: proof of the one, quality of the other.
+struct TrialRecord {
+  using Cut = haptics::models::CutDetector<double>::Cut;
+
+  std::string device;  ///< its name, for people
+  std::string travelUnit;
+  TrialEnding ending = TrialEnding::Finished;
+  double duration = 0.0;  ///< of the engine's own time [s]
+  std::int64_t ticks = 0;
+  double nominalRate = 1000.0;            ///< [Hz]
+  std::optional<double> achievedRate;     ///< [Hz]; nothing where no clock was running
+  std::optional<double> latenessMedian;   ///< of waking up [µs]
+  std::optional<double> latenessP99;      ///< [µs]
+  std::optional<double> latenessLargest;  ///< [µs]
+  std::optional<std::int64_t> lateTicks;  ///< by more than a period
+  std::int64_t lostSamples = 0;           ///< the recorder could not keep up
+  std::int64_t invalidTicks = 0;          ///< the device gave no measurement
+  double saturated = 0.0;                 ///< the scene asked for more than the limit [s]
+  double slewed = 0.0;                    ///< … or faster than it [s]
+  double undefined = 0.0;                 ///< the scene had no answer [s]
+  double contact = 0.0;                   ///< something was felt [s]
+  double largestForce = 0.0;              ///< commanded [N]
+  std::int64_t traceSamples = 0;          ///< kept in traces.db
+  std::vector<Cut> cuts;
+
+  /// Whether what the participant felt may be relied on, and why (not).
+  struct Judgement {
+    Verdict verdict = Verdict::Pass;
+    std::string reason;
+  };
+  Judgement judgement() const;
+};
+
+}  // namespace study

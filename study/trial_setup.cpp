@@ -1,0 +1,23 @@
+#include "study/trial_setup.h"
+
+#include <utility>
+
+namespace study {
+
+const protocols::DeviceNeed& deviceFor(const Session& session) {
+  const auto& protocol = session.protocol().protocol;
+  return *protocol.device(protocol.condition(session.step().condition)->device);
+}
+
+Trial::Setup setupFor(const Session& session, Trial::Keep keep) {
+  const auto& need = deviceFor(session);
+  auto scene = session.protocol().protocol.condition(session.step().condition)->scene;
+  scene.device = need.kind;
+  scene.isVisualised = session.step().isVisualised;
+  return {
+      .scene = std::move(scene),
+      .limits = {.maxForce = need.maxForce, .maxRate = need.maxForceRate},
+      .keep = std::move(keep)};
+}
+
+}  // namespace study

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "haptics/engine/force_engine.h"
+#include "study/trial_record.h"
+
+namespace study {
+
+/// Counts what happens in a trial while it is recorded.
+class TrialStatistics {
+ public:
+  /// @param rate  of the ticks [Hz].
+  TrialStatistics(haptics::devices::DeviceKind device, double rate);
+
+  void add(const haptics::engine::TickSample& sample);
+
+  /// Writes everything it knows into @p record; clocks and traces are others' business.
+  void fillIn(TrialRecord& record) const;
+
+ private:
+  double rate_;
+  haptics::engine::CutDetector detector_;
+  std::vector<TrialRecord::Cut> cuts_;
+  std::int64_t ticks_ = 0;
+  std::int64_t invalid_ = 0;
+  std::int64_t saturated_ = 0;
+  std::int64_t slewed_ = 0;
+  std::int64_t undefined_ = 0;
+  std::int64_t contact_ = 0;
+  double largestForce_ = 0.0;
+};
+
+}  // namespace study

@@ -1,0 +1,147 @@
+#include "study/verification.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "protocols/schedule.h"
+#include "study/audit_words.h"
+#include "study/session_plan.h"
+#include "study/storage/records.h"
+
+namespace study {
+namespace {
+
+using Problems = std::vector<std::string>;
+
+std::string nameOf(const VisitKey& visit) {
+  return "session " + std::to_string(static_cast<std::int64_t>(visit.session)) + ", step " +
+         std::to_string(visit.step + 1) + ", attempt " + std::to_string(visit.attempt);
+}
+
+Problems files(Study& study) {
+  Problems problems;
+  for (auto* database :
+       {&study.database(), &study.traces().database(), &study.identities().database()}) {
+    const auto found = database->integrityProblems();
+    if (!found.empty()) problems.push_back(found);
+  }
+  return problems;
+}
+
+Problems auditTrail(Study& study) {
+  const auto broken = study.events().firstBreak();
+  return broken ? Problems{*broken} : Problems{};
+}
+
+/// The last thing that the audit trail says about each answer must be what the table says.
+Problems answers(Study& study) {
+  std::map<std::pair<VisitKey, std::string>, std::string> said;
+  for (const auto& event : study.events().read()) {
+    if (event.kind != "answered" || !event.visit) continue;
+    const std::string item = event.detail.substr(0, event.detail.find(' '));
+    if (event.detail == item + " (kept apart)") continue;
+    said[{*event.visit, item}] = event.detail;
+  }
+  Problems problems;
+  for (const auto& record : storage::Records(study.database()).answers()) {
+    const std::pair key{record.step.visit, record.answer.item};
+    const auto found = said.find(key);
+    if (found == said.end() || found->second != auditWords(record.answer)) {
+      problems.push_back(
+          "the answer to " + record.answer.item + " (" + nameOf(record.step.visit) +
+          ") is not what the audit trail says");
+    }
+    if (found != said.end()) said.erase(found);
+  }
+  for (const auto& [key, words] : said) {
+    problems.push_back("the answer to " + key.second + " (" + nameOf(key.first) + ") is missing");
+  }
+  return problems;
+}
+
+Problems protocolHashes(Study& study) {
+  Problems problems;
+  for (const auto id : study.protocols().all()) {
+    const auto stored = study.protocols().load(id);
+    if (storage::sha256(stored.text, stored.files) == stored.sha256) continue;
+    problems.push_back(
+        "version " + std::to_string(static_cast<std::int64_t>(id)) +
+        " of the protocol is not what its hash says");
+  }
+  return problems;
+}
+
+Problems orders(Study& study) {
+  Problems problems;
+  for (const auto& row : study.sessions().all()) {
+    const auto& protocol = study.protocol(row.protocol).protocol;
+    const auto plan = sessionPlan(
+        protocol,
+        protocols::scheduleFor(
+            protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+    std::vector<std::pair<int, std::string>> drawn;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
+    }
+    if (study.sessions().allocation(row.id) != drawn) {
+      problems.push_back("the order of " + row.participant + " is not the one that was drawn");
+    }
+  }
+  return problems;
+}
+
+Problems traces(Study& study) {
+  Problems problems;
+  std::set<VisitKey> expected;
+  for (const auto& trial : storage::Records(study.database()).trials()) {
+    expected.insert(trial.step.visit);
+    try {
+      const auto samples = study.traces().read(trial.step.visit);
+      if (static_cast<std::int64_t>(samples.size()) != trial.traceSamples) {
+        problems.push_back(
+            nameOf(trial.step.visit) + ": " + std::to_string(samples.size()) + " of " +
+            std::to_string(trial.traceSamples) + " samples are there");
+      }
+    } catch (const storage::StorageError& error) {
+      problems.push_back(nameOf(trial.step.visit) + ": " + error.what());
+    }
+  }
+  for (const auto& visit : study.traces().visits()) {
+    if (expected.count(visit) > 0) continue;
+    const auto session = study.sessions().load(visit.session);
+    const bool isUnderWay = session.state == SessionState::InTrial && session.step == visit.step;
+    if (!isUnderWay) problems.push_back(nameOf(visit) + ": a trace without a trial");
+  }
+  return problems;
+}
+
+}  // namespace
+
+bool Verification::isSound() const noexcept {
+  return std::all_of(
+      checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
+}
+
+Verification verify(Study& study) {
+  Verification result;
+  const auto check = [&](const char* what, Problems (*look)(Study&)) {
+    Problems problems;
+    try {
+      problems = look(study);
+    } catch (const storage::StorageError& error) {
+      problems.push_back(error.what());
+    }
+    result.checks.push_back({what, std::move(problems)});
+  };
+  check("the database files are whole, and every row refers to something", files);
+  check("the audit trail is unbroken", auditTrail);
+  check("every answer is what the audit trail says", answers);
+  check("every protocol is what its hash says", protocolHashes);
+  check("every order is the one that was drawn", orders);
+  check("every trial has its trace, sample for sample", traces);
+  return result;
+}
+
+}  // namespace study
