@@ -52,7 +52,8 @@ void TextProblems::demand(
 
 void TextProblems::inspectWhatIsThere(const std::string& path, const LocalizedText& text) const {
   for (const auto& [language, words] : text.all()) {
-    const std::string place = path + "." + language;
+    std::string place = path;
+    place.append(".").append(language);
     if (isBlank(words)) problems_.add(place, "this text is blank", "write something");
     if (std::find(languages_.begin(), languages_.end(), language) == languages_.end()) {
       problems_.warn(
