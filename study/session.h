@@ -73,6 +73,9 @@ class Session {
   /// @throws NotNow  if the item is not asked here, or the response cannot be an answer to it.
   void record(const GivenAnswer& answer);
 
+  /// Takes an answer back: the item is missing again.
+  void retract(const std::string& item);
+
   /// The physical cuts that were counted in a benchmark.
   void recordBenchmarkCuts(int cuts);
   int benchmarkCuts() const;

@@ -70,6 +70,14 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
   transact([&] { say(Actor::Participant, "answered", item.id + " (kept apart)"); });
 }
 
+void Session::retract(const std::string& item) {
+  require(next(row_.state, SessionEvent::FinishedStep).has_value(), "Nothing can be answered now.");
+  transact([&] {
+    storage::AnswerRepository(study_.database()).remove(visit(), item);
+    say(Actor::Participant, "retracted", item);
+  });
+}
+
 void Session::recordBenchmarkCuts(int cuts) {
   require(step().kind == StepKind::Benchmark, "No physical cuts are counted in this step.");
   transact([&] {

@@ -39,6 +39,7 @@ Problems auditTrail(Study& study) {
 Problems answers(Study& study) {
   std::map<std::pair<VisitKey, std::string>, std::string> said;
   for (const auto& event : study.events().read()) {
+    if (event.kind == "retracted" && event.visit) said.erase({*event.visit, event.detail});
     if (event.kind != "answered" || !event.visit) continue;
     const std::string item = event.detail.substr(0, event.detail.find(' '));
     if (event.detail == item + " (kept apart)") continue;

@@ -85,6 +85,15 @@ void AnswerRepository::put(
   put.run();
 }
 
+void AnswerRepository::remove(const VisitKey& visit, std::string_view item) {
+  Statement remove(
+      database_,
+      "DELETE FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
+  bindVisit(remove, visit);
+  remove.bind(4, item);
+  remove.run();
+}
+
 std::optional<GivenAnswer> AnswerRepository::find(
     const VisitKey& visit, std::string_view item) const {
   Statement find(

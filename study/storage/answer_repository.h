@@ -20,6 +20,9 @@ class AnswerRepository {
   /// Writes an answer, or what it was changed to. Inside the caller's transaction.
   void put(const VisitKey& visit, const GivenAnswer& answer, const std::string& utc);
 
+  /// Inside the caller's transaction.
+  void remove(const VisitKey& visit, std::string_view item);
+
   std::optional<GivenAnswer> find(const VisitKey& visit, std::string_view item) const;
 
   /// All answers of one visit, in the order of the page.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QSlider>
+
+namespace study::gui {
+
+/// A slider without a default: it shows no handle until somebody has touched it.
+class AnswerSlider final : public QSlider {
+  Q_OBJECT
+
+ public:
+  explicit AnswerSlider(QWidget* parent = nullptr);
+
+  bool isTouched() const noexcept { return isTouched_; }
+  /// Shows @p position as answered.
+  void answerWith(int position);
+
+ signals:
+  void answered(int position);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void take(const QPointF& position);
+
+  bool isTouched_ = false;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <exception>
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QWidget>
+
+namespace study::gui {
+
+/// Runs @p action. If it fails, tells the person at the desk why and returns false.
+///
+/// Exceptions must not cross Qt's event loop, so whatever a slot does that may fail, it attempts.
+template <typename Action>
+bool attempt(QWidget* parent, Action&& action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    QMessageBox::warning(
+        parent,
+        QCoreApplication::translate("attempt", "That did not work"),
+        QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+}  // namespace study::gui

@@ -1,0 +1,103 @@
+#include "study/gui/feel_page.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "study/gui/labels.h"
+#include "study/gui/tissue_view.h"
+
+namespace study::gui {
+namespace {
+constexpr double kWholeStroke = 220.0;  // [px] of dragging close the handle altogether
+}
+
+FeelPage::FeelPage(const Content& content, QWidget* parent)
+    : QWidget(parent),
+      content_(content),
+      count_(nullptr),
+      hint_(nullptr),
+      begin_(new QPushButton(tr("Begin"), this)),
+      enough_(new QPushButton(tr("I have felt enough"), this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(20);
+  layout->addStretch(1);
+  layout->addWidget(hugeLabel(content.name, this));
+  if (content.isVisualised && !content.isReamer) {
+    tissue_ = new TissueView(this);
+    layout->addWidget(tissue_, 6);
+  }
+  count_ = titleLabel(cutsInWords(0), this);
+  count_->setAlignment(Qt::AlignCenter);
+  layout->addWidget(count_);
+  hint_ = quietLabel(tr("Press Begin when you hold the instrument."), this);
+  hint_->setAlignment(Qt::AlignCenter);
+  layout->addWidget(hint_);
+  layout->addStretch(1);
+  for (auto* button : {begin_, enough_}) {
+    button->setProperty("role", QStringLiteral("next"));
+    layout->addWidget(button, 0, Qt::AlignCenter);
+  }
+  layout->addStretch(1);
+  connect(begin_, &QPushButton::clicked, this, &FeelPage::beginRequested);
+  connect(enough_, &QPushButton::clicked, this, &FeelPage::enoughRequested);
+  setRunning(false);
+}
+
+QString FeelPage::cutsInWords(int cuts) const {
+  return content_.isReamer ? tr("Strokes: %1 of at least %2").arg(cuts).arg(content_.minimumCuts)
+                           : tr("Cuts: %1 of at least %2").arg(cuts).arg(content_.minimumCuts);
+}
+
+void FeelPage::setRunning(bool isRunning) {
+  isRunning_ = isRunning;
+  begin_->setVisible(!isRunning);
+  enough_->setVisible(isRunning);
+  enough_->setEnabled(false);
+  if (!isRunning) {
+    begin_->setFocus();
+    return;
+  }
+  hint_->setText(
+      tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open."));
+  setFocus();
+}
+
+void FeelPage::setCuts(int cuts) {
+  count_->setText(cutsInWords(cuts));
+  enough_->setEnabled(isRunning_ && cuts >= content_.minimumCuts);
+}
+
+void FeelPage::mousePressEvent(QMouseEvent* event) {
+  pressedAt_ = event->position().y();
+  if (isRunning_) setFocus();
+}
+
+void FeelPage::mouseMoveEvent(QMouseEvent* event) {
+  if (!isRunning_ || (event->buttons() & Qt::LeftButton) == 0) return;
+  emit handMoved(std::clamp((event->position().y() - pressedAt_) / kWholeStroke, 0.0, 1.0));
+}
+
+void FeelPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
+  if (isRunning_) emit handMoved(0.0);
+}
+
+void FeelPage::keyPressEvent(QKeyEvent* event) {
+  if (isRunning_ && event->key() == Qt::Key_Space) {
+    if (!event->isAutoRepeat()) emit handMoved(1.0);
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void FeelPage::keyReleaseEvent(QKeyEvent* event) {
+  if (isRunning_ && event->key() == Qt::Key_Space) {
+    if (!event->isAutoRepeat()) emit handMoved(0.0);
+    return;
+  }
+  QWidget::keyReleaseEvent(event);
+}
+
+}  // namespace study::gui

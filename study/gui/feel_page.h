@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+namespace study::gui {
+
+class TissueView;
+
+/// A calm page while something is felt: which alternative, how many cuts of how many, nothing else.
+///
+/// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on the
+/// page closes it as far as they drag.
+class FeelPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Content {
+    QString name;         ///< "Alternative 2"
+    int minimumCuts = 3;
+    bool isVisualised = false;
+    bool isReamer = false;
+  };
+
+  explicit FeelPage(const Content& content, QWidget* parent = nullptr);
+
+  /// Nothing where the trial is felt without being seen.
+  TissueView* tissue() const noexcept { return tissue_; }
+
+  /// The trial has begun, or not yet.
+  void setRunning(bool isRunning);
+  void setCuts(int cuts);
+
+ signals:
+  void beginRequested();
+  void enoughRequested();
+  /// Where the hand means to be, from 0 (open) to 1 (closed).
+  void handMoved(double share);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+
+ private:
+  QString cutsInWords(int cuts) const;
+
+  Content content_;
+  TissueView* tissue_ = nullptr;
+  QLabel* count_;
+  QLabel* hint_;
+  QPushButton* begin_;
+  QPushButton* enough_;
+  bool isRunning_ = false;
+  double pressedAt_ = 0.0;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,26 @@
+#include "study/gui/labels.h"
+
+namespace study::gui {
+namespace {
+
+QLabel* label(const QString& text, const char* role, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", QString::fromLatin1(role));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+QLabel* titleLabel(const QString& text, QWidget* parent) { return label(text, "title", parent); }
+QLabel* bodyLabel(const QString& text, QWidget* parent) { return label(text, "body", parent); }
+QLabel* quietLabel(const QString& text, QWidget* parent) { return label(text, "quiet", parent); }
+
+QLabel* hugeLabel(const QString& text, QWidget* parent) {
+  auto* huge = label(text, "huge", parent);
+  huge->setAlignment(Qt::AlignCenter);
+  return huge;
+}
+
+}  // namespace study::gui

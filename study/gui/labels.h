@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QLabel>
+#include <QString>
+#include <QWidget>
+
+namespace study::gui {
+
+/// Labels of a page, as the theme draws them.
+QLabel* titleLabel(const QString& text, QWidget* parent);
+QLabel* bodyLabel(const QString& text, QWidget* parent);
+QLabel* quietLabel(const QString& text, QWidget* parent);
+QLabel* hugeLabel(const QString& text, QWidget* parent);
+
+}  // namespace study::gui

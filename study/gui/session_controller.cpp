@@ -1,0 +1,154 @@
+#include "study/gui/session_controller.h"
+
+#include <exception>
+#include <utility>
+
+#include "study/trial_setup.h"
+
+namespace study::gui {
+namespace {
+constexpr int kLookEvery = 33;  // [ms]
+}
+
+SessionController::SessionController(Study& study, Rig& rig, Session session, QObject* parent)
+    : QObject(parent), study_(study), rig_(rig), session_(std::move(session)) {
+  watch_.setInterval(kLookEvery);
+  connect(&watch_, &QTimer::timeout, this, &SessionController::watchTrial);
+}
+
+SessionController::~SessionController() {
+  if (live_) endTrial(TrialEnding::ProgramEnded);
+}
+
+template <typename Action>
+bool SessionController::tryTo(Action&& action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+const haptics::engine::MeshView* SessionController::mesh() const {
+  return trial_ ? trial_->scene().mesh() : nullptr;
+}
+
+QString SessionController::deviceName() const {
+  if (session_.isOver() || session_.step().kind != StepKind::Trial) return {};
+  return QString::fromStdString(deviceFor(session_).id);
+}
+
+void SessionController::answer(const study::GivenAnswer& answer) {
+  tryTo([&] { session_.record(answer); });
+}
+
+void SessionController::retract(const QString& item) {
+  tryTo([&] { session_.retract(item.toStdString()); });
+}
+
+void SessionController::countBenchmarkCut() {
+  tryTo([&] { session_.recordBenchmarkCuts(session_.benchmarkCuts() + 1); });
+}
+
+void SessionController::finishStep() {
+  if (tryTo([&] { session_.finishStep(); })) emit stepChanged();
+}
+
+void SessionController::beginTrial() {
+  if (live_) return;
+  const bool isRunning = tryTo([&] {
+    traces_.emplace(study_.openTraces());
+    const VisitKey visit = session_.visit();
+    trial_ = std::make_unique<Trial>(
+        rig_.device(deviceFor(session_)),
+        setupFor(session_, [this, visit](int number, const auto& samples) {
+          traces_->add(visit, number, samples);
+        }));
+    session_.beginTrial();
+    live_ = std::make_unique<LiveTrial>(*trial_);
+  });
+  if (!isRunning) {
+    trial_.reset();
+    return;
+  }
+  watch_.start();
+  emit stepChanged();
+}
+
+void SessionController::watchTrial() {
+  if (!live_) return;
+  const auto status = live_->status();
+  if (status.isDeviceGone) {
+    endTrial(TrialEnding::DeviceGone);
+  } else if (status.isTraceLost) {
+    endTrial(TrialEnding::TraceLost);
+  } else {
+    emit trialChanged();
+  }
+}
+
+void SessionController::finishTrial() {
+  if (live_ && live_->status().cuts >= session_.step().minimumCuts) endTrial(TrialEnding::Finished);
+}
+
+void SessionController::stop() {
+  if (!live_) return;
+  live_->stop();
+  endTrial(TrialEnding::Stopped);
+}
+
+void SessionController::endTrial(TrialEnding ending) {
+  watch_.stop();
+  const TrialRecord record = live_->finish(ending);
+  live_.reset();
+  tryTo([&] {
+    if (record.ending == TrialEnding::Finished) {
+      session_.finishTrial(record);
+    } else {
+      session_.breakOffTrial(record);
+    }
+  });
+  trial_.reset();
+  emit stepChanged();
+}
+
+void SessionController::repeatStep(const QString& reason) {
+  if (tryTo([&] { session_.repeatStep(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::skipStep(const QString& reason) {
+  if (tryTo([&] { session_.skipStep(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::pause(const QString& reason) {
+  if (tryTo([&] { session_.pause(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::resume() {
+  if (tryTo([&] { session_.resumeAfterPause(); })) emit stepChanged();
+}
+
+void SessionController::withdraw(const QString& reason) {
+  if (live_) stop();
+  if (tryTo([&] { session_.withdraw(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::reject(const QString& reason) {
+  if (tryTo([&] { session_.reject(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::giveUpOnDevice(const QString& reason) {
+  if (tryTo([&] { session_.giveUpOnDevice(reason.toStdString()); })) emit stepChanged();
+}
+
+void SessionController::note(const QString& text) {
+  tryTo([&] { session_.note(text.toStdString()); });
+}
+
+void SessionController::chooseLanguage(const QString& language) {
+  if (tryTo([&] { session_.setLanguage(language.toStdString()); })) emit languageChanged();
+}
+
+}  // namespace study::gui

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "study/live_trial.h"
+#include "study/rig.h"
+#include "study/session.h"
+#include "study/trial.h"
+
+namespace study::gui {
+
+/// One session for the windows: passes what people do on to the session, runs its trials, and tells
+/// everybody what has changed. Decides nothing that the session does not allow.
+///
+/// Slots here do not throw: what failed is told by failed(), and nothing has changed then.
+class SessionController final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Study and rig outlive it.
+  SessionController(Study& study, Rig& rig, Session session, QObject* parent = nullptr);
+  ~SessionController() override;
+
+  const Session& session() const noexcept { return session_; }
+  Session& session() noexcept { return session_; }
+  bool isTrialRunning() const noexcept { return live_ != nullptr; }
+  LiveTrial::Status trialStatus() const { return live_ ? live_->status() : LiveTrial::Status{}; }
+  /// How the tissue gives way; nothing where the trial is not seen.
+  const haptics::engine::MeshView* mesh() const;
+  /// The next sample for a plot.
+  bool nextToPlot(haptics::engine::TickSample& sample) { return live_ && live_->nextToPlot(sample); }
+  /// Whether the device that the present trial needs is there.
+  QString deviceName() const;
+
+ public slots:
+  void answer(const study::GivenAnswer& answer);
+  void retract(const QString& item);
+  void countBenchmarkCut();
+  void finishStep();
+  void beginTrial();
+  /// Enough was felt.
+  void finishTrial();
+  /// No force at once.
+  void stop();
+  void repeatStep(const QString& reason);
+  void skipStep(const QString& reason);
+  void pause(const QString& reason);
+  void resume();
+  void withdraw(const QString& reason);
+  void reject(const QString& reason);
+  void giveUpOnDevice(const QString& reason);
+  void note(const QString& text);
+  void chooseLanguage(const QString& language);
+
+ signals:
+  /// Another step, or another state of this one.
+  void stepChanged();
+  /// While a trial runs: new numbers.
+  void trialChanged();
+  void languageChanged();
+  void failed(const QString& why);
+
+ private:
+  void watchTrial();
+  void endTrial(TrialEnding ending);
+  template <typename Action>
+  bool tryTo(Action&& action);
+
+  Study& study_;
+  Rig& rig_;
+  Session session_;
+  std::optional<storage::TraceStore> traces_;
+  std::unique_ptr<Trial> trial_;
+  std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
+  QTimer watch_;
+};
+
+}  // namespace study::gui
