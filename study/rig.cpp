@@ -55,6 +55,8 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     person.stiffness = random.uniform(5500.0, 7000.0);
     person.damping = random.uniform(120.0, 180.0);
   }
+  person.variation = random.uniform(0.1, 0.25);
+  person.seed = random.bits();
   return std::make_unique<SimulatedHand>(person);
 }
 

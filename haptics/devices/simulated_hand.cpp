@@ -16,31 +16,53 @@ double speed(double tau) {
 
 }  // namespace
 
-SimulatedHand::SimulatedHand(const Person& person) : person_(person) {
+SimulatedHand::SimulatedHand(const Person& person) : person_(person), state_(person.seed) {
   const bool isSound = person.closeTime > 0.0 && person.openTime > 0.0 && person.pauseTime >= 0.0 &&
                        person.holdTime >= 0.0 && person.stiffness > 0.0 && person.damping >= 0.0 &&
+                       person.variation >= 0.0 && person.variation <= 0.5 &&
                        std::isfinite(person.open) && std::isfinite(person.closed);
   if (!isSound) throw std::invalid_argument("a simulated hand needs positive times and stiffness");
+  beginCycle();
+}
+
+/// A number in [−1, 1] that looks like chance: SplitMix64, as simple as generators get.
+double SimulatedHand::chance() noexcept {
+  state_ += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state_;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-52 - 1.0;
+}
+
+void SimulatedHand::beginCycle() noexcept {
+  // The reach varies less than the time: the handle has an end.
+  constexpr double kReach = 0.3;
+  closed_ = person_.open +
+            (person_.closed - person_.open) * (1.0 + kReach * person_.variation * chance());
+  closeTime_ = person_.closeTime * (1.0 + person_.variation * chance());
 }
 
 SimulatedHand::Target SimulatedHand::target() const noexcept {
-  const double distance = person_.closed - person_.open;
+  const double distance = closed_ - person_.open;
   double t = time_ - person_.pauseTime;
   if (t < 0.0) return {person_.open, 0.0};
-  if (t < person_.closeTime) {
-    const double tau = t / person_.closeTime;
-    return {person_.open + distance * path(tau), distance * speed(tau) / person_.closeTime};
+  if (t < closeTime_) {
+    const double tau = t / closeTime_;
+    return {person_.open + distance * path(tau), distance * speed(tau) / closeTime_};
   }
-  t -= person_.closeTime + person_.holdTime;
-  if (t < 0.0) return {person_.closed, 0.0};
+  t -= closeTime_ + person_.holdTime;
+  if (t < 0.0) return {closed_, 0.0};
   const double tau = std::fmin(t / person_.openTime, 1.0);
-  return {person_.closed - distance * path(tau), -distance * speed(tau) / person_.openTime};
+  return {closed_ - distance * path(tau), -distance * speed(tau) / person_.openTime};
 }
 
 double SimulatedHand::push(double travel, double velocity, double dt) noexcept {
   time_ += dt;
-  const double cycle = person_.pauseTime + person_.closeTime + person_.holdTime + person_.openTime;
-  if (time_ >= cycle) time_ -= cycle;
+  const double cycle = person_.pauseTime + closeTime_ + person_.holdTime + person_.openTime;
+  if (time_ >= cycle) {
+    time_ -= cycle;
+    beginCycle();
+  }
   const Target wanted = target();
   return person_.stiffness * (wanted.position - travel) +
          person_.damping * (wanted.velocity - velocity);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "haptics/devices/hand.h"
 
 namespace haptics::devices {
@@ -23,6 +25,9 @@ class SimulatedHand final : public Hand {
     double openTime = 0.5;   ///< [s], > 0
     double stiffness = 3.0;  ///< k [N / travel unit], > 0
     double damping = 0.12;   ///< b [N·s / travel unit], >= 0
+    double variation =
+        0.0;  ///< how much one closing differs from the next in reach and time, [0, 0.5]
+    std::uint64_t seed = 0;  ///< of these differences
   };
 
   /// @throws std::invalid_argument  if a time or the stiffness makes no sense.
@@ -36,9 +41,14 @@ class SimulatedHand final : public Hand {
     double velocity = 0.0;
   };
   Target target() const noexcept;
+  void beginCycle() noexcept;
+  double chance() noexcept;
 
   Person person_;
   double time_ = 0.0;  ///< since the present cycle began [s]
+  std::uint64_t state_;
+  double closed_ = 0.0;     ///< in this cycle
+  double closeTime_ = 0.0;  ///< in this cycle [s]
 };
 
 }  // namespace haptics::devices

@@ -1,9 +1,10 @@
 #include "study/gui/answer_slider.h"
 
+#include <cmath>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <cmath>
 
 namespace study::gui {
 namespace {
@@ -39,7 +40,9 @@ void AnswerSlider::take(const QPointF& position) {
   update();
 }
 
-void AnswerSlider::mousePressEvent(QMouseEvent* event) { take(event->position()); }
+void AnswerSlider::mousePressEvent(QMouseEvent* event) {
+  take(event->position());
+}
 
 void AnswerSlider::mouseMoveEvent(QMouseEvent* event) {
   if ((event->buttons() & Qt::LeftButton) != 0) take(event->position());

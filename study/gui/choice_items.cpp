@@ -1,10 +1,11 @@
 #include "study/gui/choice_items.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <algorithm>
 
 namespace study::gui {
 namespace {
@@ -33,12 +34,19 @@ PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
   for (int i = 0; i < item.scale.points; ++i) {
     const auto& labels = item.scale.pointLabels;
     const QString number = QString::number(item.scale.lowest + i);
-    const QString label =
-        labels.empty() ? QString() : text(labels[static_cast<std::size_t>(i)]) + QStringLiteral(", ");
+    const QString label = labels.empty()
+                              ? QString()
+                              : text(labels[static_cast<std::size_t>(i)]) + QStringLiteral(", ");
     options.push_back(
         {isBetweenWords ? QStringLiteral("●") : number,
          tr("%1: %2%3 of %4, from %5 to %6")
-             .arg(text(item.text), label, number, QString::number(item.scale.highest()), low, high)});
+             .arg(
+                 text(item.text),
+                 label,
+                 number,
+                 QString::number(item.scale.highest()),
+                 low,
+                 high)});
   }
   buttons_ = new OptionButtons(options, Qt::Horizontal, QStringLiteral("point"), this);
   auto* row = new QHBoxLayout;

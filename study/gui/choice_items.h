@@ -1,7 +1,8 @@
 #pragma once
 
-#include <QCheckBox>
 #include <vector>
+
+#include <QCheckBox>
 
 #include "study/gui/item_widget.h"
 #include "study/gui/option_buttons.h"
@@ -27,7 +28,9 @@ class ChoiceItem final : public ItemWidget {
 
  public:
   ChoiceItem(
-      const questionnaires::Item& item, const Choices& choices, const QString& language,
+      const questionnaires::Item& item,
+      const Choices& choices,
+      const QString& language,
       QWidget* parent);
   std::optional<questionnaires::Response> response() const override;
   void show(const questionnaires::Response& response) override;

@@ -1,11 +1,12 @@
 #include "study/gui/entry_items.h"
 
+#include <cmath>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <cmath>
 
 namespace study::gui {
 namespace {
@@ -16,7 +17,9 @@ using questionnaires::Response;
 
 constexpr int kTypingRests = 600;  // [ms]
 
-QString number(double value) { return QLocale::c().toString(value, 'g', 10); }
+QString number(double value) {
+  return QLocale::c().toString(value, 'g', 10);
+}
 
 }  // namespace
 
@@ -71,8 +74,8 @@ NumberItem::NumberItem(const Item& item, const QString& language, QWidget* paren
 
 std::optional<Response> NumberItem::response() const {
   bool isNumber = false;
-  const double value =
-      QLocale::c().toDouble(line_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')), &isNumber);
+  const double value = QLocale::c().toDouble(
+      line_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')), &isNumber);
   if (!isNumber || questionnaires::objection(item(), value)) return std::nullopt;
   return value;
 }
@@ -106,7 +109,9 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
   connect(rest_, &QTimer::timeout, this, &ItemWidget::changed);
 }
 
-QString TextItem::written() const { return line_ != nullptr ? line_->text() : lines_->toPlainText(); }
+QString TextItem::written() const {
+  return line_ != nullptr ? line_->text() : lines_->toPlainText();
+}
 
 std::optional<Response> TextItem::response() const {
   if (written().isEmpty()) return std::nullopt;

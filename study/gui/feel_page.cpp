@@ -1,9 +1,10 @@
 #include "study/gui/feel_page.h"
 
+#include <algorithm>
+
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "study/gui/labels.h"
 #include "study/gui/tissue_view.h"
@@ -61,7 +62,8 @@ void FeelPage::setRunning(bool isRunning) {
     return;
   }
   hint_->setText(
-      tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open."));
+      tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
+         "to open."));
   setFocus();
 }
 

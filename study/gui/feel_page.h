@@ -11,14 +11,14 @@ class TissueView;
 
 /// A calm page while something is felt: which alternative, how many cuts of how many, nothing else.
 ///
-/// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on the
-/// page closes it as far as they drag.
+/// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on
+/// the page closes it as far as they drag.
 class FeelPage final : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
-    QString name;         ///< "Alternative 2"
+    QString name;  ///< "Alternative 2"
     int minimumCuts = 3;
     bool isVisualised = false;
     bool isReamer = false;

@@ -10,8 +10,7 @@ namespace study::gui {
 
 using questionnaires::ItemType;
 
-ItemWidget::ItemWidget(
-    const questionnaires::Item& item, const QString& language, QWidget* parent)
+ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language, QWidget* parent)
     : QWidget(parent), item_(item), language_(language) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -29,18 +28,26 @@ QString ItemWidget::text(const questionnaires::LocalizedText& text) const {
 }
 
 ItemWidget* makeItemWidget(
-    const questionnaires::Item& item, const ItemWidget::Choices& choices, const QString& language,
+    const questionnaires::Item& item,
+    const ItemWidget::Choices& choices,
+    const QString& language,
     QWidget* parent) {
   switch (item.type) {
     case ItemType::Likert:
-    case ItemType::SemanticDifferential: return new PointItem(item, language, parent);
+    case ItemType::SemanticDifferential:
+      return new PointItem(item, language, parent);
     case ItemType::SingleChoice:
-    case ItemType::PairwiseChoice: return new ChoiceItem(item, choices, language, parent);
-    case ItemType::MultipleChoice: return new MultipleChoiceItem(item, language, parent);
-    case ItemType::Slider: return new SliderItem(item, language, parent);
-    case ItemType::Number: return new NumberItem(item, language, parent);
+    case ItemType::PairwiseChoice:
+      return new ChoiceItem(item, choices, language, parent);
+    case ItemType::MultipleChoice:
+      return new MultipleChoiceItem(item, language, parent);
+    case ItemType::Slider:
+      return new SliderItem(item, language, parent);
+    case ItemType::Number:
+      return new NumberItem(item, language, parent);
     case ItemType::ShortText:
-    case ItemType::LongText: return new TextItem(item, language, parent);
+    case ItemType::LongText:
+      return new TextItem(item, language, parent);
   }
   return nullptr;
 }

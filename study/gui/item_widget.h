@@ -1,17 +1,19 @@
 #pragma once
 
-#include <QElapsedTimer>
-#include <QString>
-#include <QWidget>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <QElapsedTimer>
+#include <QString>
+#include <QWidget>
 
 #include "questionnaires/answer.h"
 
 namespace study::gui {
 
-/// One question, to be answered. Shows a value and hands over a value; nothing is chosen beforehand.
+/// One question, to be answered. Shows a value and hands over a value; nothing is chosen
+/// beforehand.
 class ItemWidget : public QWidget {
   Q_OBJECT
 
@@ -43,7 +45,9 @@ class ItemWidget : public QWidget {
 
 /// The widget for @p item.
 ItemWidget* makeItemWidget(
-    const questionnaires::Item& item, const ItemWidget::Choices& choices, const QString& language,
+    const questionnaires::Item& item,
+    const ItemWidget::Choices& choices,
+    const QString& language,
     QWidget* parent);
 
 }  // namespace study::gui

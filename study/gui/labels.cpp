@@ -13,9 +13,15 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
 
 }  // namespace
 
-QLabel* titleLabel(const QString& text, QWidget* parent) { return label(text, "title", parent); }
-QLabel* bodyLabel(const QString& text, QWidget* parent) { return label(text, "body", parent); }
-QLabel* quietLabel(const QString& text, QWidget* parent) { return label(text, "quiet", parent); }
+QLabel* titleLabel(const QString& text, QWidget* parent) {
+  return label(text, "title", parent);
+}
+QLabel* bodyLabel(const QString& text, QWidget* parent) {
+  return label(text, "body", parent);
+}
+QLabel* quietLabel(const QString& text, QWidget* parent) {
+  return label(text, "quiet", parent);
+}
 
 QLabel* hugeLabel(const QString& text, QWidget* parent) {
   auto* huge = label(text, "huge", parent);

@@ -1,14 +1,17 @@
 #include "study/gui/option_buttons.h"
 
+#include <algorithm>
+
 #include <QBoxLayout>
 #include <QKeyEvent>
 #include <QVariant>
-#include <algorithm>
 
 namespace study::gui {
 
 OptionButtons::OptionButtons(
-    const std::vector<Option>& options, Qt::Orientation orientation, const QString& role,
+    const std::vector<Option>& options,
+    Qt::Orientation orientation,
+    const QString& role,
     QWidget* parent)
     : QWidget(parent), group_(new QButtonGroup(this)) {
   auto* layout = new QBoxLayout(
@@ -39,8 +42,8 @@ bool OptionButtons::moveFocus(int from, int key) {
   const bool isForward = key == Qt::Key_Right || key == Qt::Key_Down;
   const bool isBackward = key == Qt::Key_Left || key == Qt::Key_Up;
   if (!isForward && !isBackward) return false;
-  const bool isMirrored = layoutDirection() == Qt::RightToLeft &&
-                          (key == Qt::Key_Left || key == Qt::Key_Right);
+  const bool isMirrored =
+      layoutDirection() == Qt::RightToLeft && (key == Qt::Key_Left || key == Qt::Key_Right);
   const int to = from + (isForward != isMirrored ? 1 : -1);
   button(std::clamp(to, 0, static_cast<int>(buttons_.size()) - 1))->setFocus(Qt::TabFocusReason);
   return true;
@@ -68,7 +71,8 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
   bool isNumber = false;
   const int place = digit.toInt(&isNumber);
   const bool bearsNumbers = buttons_.front()->text().at(0).isDigit();
-  if (!isNumber || bearsNumbers || place < 1 || place > static_cast<int>(buttons_.size())) return false;
+  if (!isNumber || bearsNumbers || place < 1 || place > static_cast<int>(buttons_.size()))
+    return false;
   button(place - 1)->setFocus(Qt::TabFocusReason);
   button(place - 1)->click();
   return true;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include <QButtonGroup>
 #include <QPushButton>
 #include <QString>
 #include <QWidget>
-#include <vector>
 
 namespace study::gui {
 
@@ -22,7 +23,9 @@ class OptionButtons final : public QWidget {
 
   /// @param role  of the buttons in the style sheet: "point", "option".
   OptionButtons(
-      const std::vector<Option>& options, Qt::Orientation orientation, const QString& role,
+      const std::vector<Option>& options,
+      Qt::Orientation orientation,
+      const QString& role,
       QWidget* parent = nullptr);
 
   /// −1 while nothing is chosen.

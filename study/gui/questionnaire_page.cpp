@@ -28,7 +28,8 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
     inCard->setContentsMargins(20, 16, 20, 16);
     auto* widget = makeItemWidget(content.items[i], content.choices, content.language, card);
     inCard->addWidget(widget);
-    if (!content.items[i].isRequired) inCard->addWidget(quietLabel(tr("You may leave this out."), card));
+    if (!content.items[i].isRequired)
+      inCard->addWidget(quietLabel(tr("You may leave this out."), card));
     layout->addWidget(card);
     widgets_.push_back(widget);
     told_.emplace_back();

@@ -1,16 +1,18 @@
 #pragma once
 
-#include <QElapsedTimer>
-#include <QWidget>
 #include <map>
 #include <vector>
+
+#include <QElapsedTimer>
+#include <QWidget>
 
 #include "study/given_answer.h"
 #include "study/gui/item_widget.h"
 
 namespace study::gui {
 
-/// A questionnaire to be filled in. Shows and collects; what becomes of the answers is not its business.
+/// A questionnaire to be filled in. Shows and collects; what becomes of the answers is not its
+/// business.
 class QuestionnairePage final : public QWidget {
   Q_OBJECT
 
@@ -42,8 +44,8 @@ class QuestionnairePage final : public QWidget {
  private:
   struct Told {
     std::optional<questionnaires::Response> response;  ///< as last handed on
-    double firstTouch = 0.0;                            ///< [s]
-    int changes = -1;                                   ///< −1: untouched
+    double firstTouch = 0.0;                           ///< [s]
+    int changes = -1;                                  ///< −1: untouched
   };
 
   void handOn(std::size_t index);

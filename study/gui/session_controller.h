@@ -1,10 +1,11 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+
 #include <QObject>
 #include <QString>
 #include <QTimer>
-#include <memory>
-#include <optional>
 
 #include "study/live_trial.h"
 #include "study/rig.h"
@@ -32,7 +33,9 @@ class SessionController final : public QObject {
   /// How the tissue gives way; nothing where the trial is not seen.
   const haptics::engine::MeshView* mesh() const;
   /// The next sample for a plot.
-  bool nextToPlot(haptics::engine::TickSample& sample) { return live_ && live_->nextToPlot(sample); }
+  bool nextToPlot(haptics::engine::TickSample& sample) {
+    return live_ && live_->nextToPlot(sample);
+  }
   /// Whether the device that the present trial needs is there.
   QString deviceName() const;
 

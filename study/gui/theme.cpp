@@ -37,6 +37,12 @@ QProgressBar::chunk { background: #1f5f99; border-radius: 4px; }
 QFrame[role="card"] { background: #ffffff; border: 1px solid #d4d9de; border-radius: 10px; }
 QFrame[role="card"] QLabel { background: transparent; }
 QScrollArea { border: none; }
+QScrollBar:vertical { background: #f0f1f2; width: 14px; margin: 0; border: none; border-radius: 7px; }
+QScrollBar::handle:vertical { background: #9aa4ae; min-height: 40px; border-radius: 7px; }
+QScrollBar:horizontal { background: #f0f1f2; height: 14px; margin: 0; border: none; border-radius: 7px; }
+QScrollBar::handle:horizontal { background: #9aa4ae; min-width: 40px; border-radius: 7px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTableWidget { background: #ffffff; border: 1px solid #d4d9de; gridline-color: #e9ecef; }
 QHeaderView::section { background: #eef0f2; border: none; padding: 4px 8px; font-weight: 600; }
 QGroupBox { font-weight: 600; border: 1px solid #d4d9de; border-radius: 8px; margin-top: 12px;

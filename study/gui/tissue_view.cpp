@@ -1,9 +1,10 @@
 #include "study/gui/tissue_view.h"
 
-#include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <utility>
+
+#include <QPainter>
+#include <QPainterPath>
 
 namespace study::gui {
 namespace {
@@ -11,8 +12,8 @@ namespace {
 // The picture is drawn on a canvas of 600 × 320 and fitted into the widget.
 constexpr double kWide = 600.0;
 constexpr double kHigh = 320.0;
-constexpr double kSurface = 170.0;        // where the tissue's surface lies when nothing touches it
-constexpr double kPixelsPerUnit = 11.0;   // of displacement and travel
+constexpr double kSurface = 170.0;       // where the tissue's surface lies when nothing touches it
+constexpr double kPixelsPerUnit = 11.0;  // of displacement and travel
 
 }  // namespace
 
@@ -40,14 +41,17 @@ void TissueView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void TissueView::paintTissue(QPainter& painter) const {
-  if (mesh_.size() < 2) return;
-  const double first = mesh_.front().position;
-  const double span = mesh_.back().position - first;
   QPainterPath surface(QPointF(0, kHigh));
-  for (const auto& point : mesh_) {
-    const double x = kWide * (point.position - first) / span;
-    surface.lineTo(x, kSurface + kPixelsPerUnit * point.displacement);
+  surface.lineTo(0, kSurface);
+  if (mesh_.size() > 1) {
+    const double first = mesh_.front().position;
+    const double span = mesh_.back().position - first;
+    for (const auto& point : mesh_) {
+      const double x = kWide * (point.position - first) / span;
+      surface.lineTo(x, kSurface + kPixelsPerUnit * point.displacement);
+    }
   }
+  surface.lineTo(kWide, kSurface);
   surface.lineTo(kWide, kHigh);
   surface.closeSubpath();
   painter.setPen(QPen(QColor(0xf3, 0xe6, 0xd8), 3));

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <QWidget>
 #include <vector>
+
+#include <QWidget>
 
 #include "haptics/engine/compiled_scene.h"
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QWidget>
+
+#include "study/session_state.h"
+
+namespace study::gui {
+
+class SessionController;
+
+/// What the operator may do, as far as the session allows it; every exceptional step asks for its
+/// reason.
+class ControlPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ControlPanel(QWidget* parent = nullptr);
+
+  /// Nothing where no session is open.
+  void follow(SessionController* controller);
+  void refresh();
+  QPushButton* stopButton() const noexcept { return stop_; }
+
+ signals:
+  void interviewFinished();
+  void closeSessionRequested();
+
+ private:
+  using Perform = void (SessionController::*)(const QString& reason);
+  QPushButton* add(const QString& text, SessionEvent event, Perform action);
+  void askAndDo(Perform action, const QString& what);
+
+  struct Choice {
+    QPushButton* button;
+    SessionEvent event;
+  };
+
+  SessionController* controller_ = nullptr;
+  QPushButton* stop_;
+  QPushButton* resume_;
+  QPushButton* interviewDone_;
+  QPushButton* close_;
+  QLineEdit* note_;
+  std::vector<Choice> choices_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,207 @@
+#include "study/gui/operator_window.h"
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QScreen>
+#include <QVBoxLayout>
+
+#include "study/gui/attempt.h"
+#include "study/gui/control_panel.h"
+#include "study/gui/labels.h"
+#include "study/gui/questionnaire_page.h"
+#include "study/gui/session_table.h"
+#include "study/gui/trial_panel.h"
+#include "study/trial_setup.h"
+
+namespace study::gui {
+
+OperatorWindow::OperatorWindow(Study& study, QWidget* parent)
+    : QMainWindow(parent),
+      study_(study),
+      rig_([this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
+        auto hand = pointerHandFor(need);
+        hands_[need.id] = hand.get();
+        return hand;
+      }),
+      middle_(new QStackedWidget(this)),
+      sessions_(new SessionTable(study, this)),
+      controls_(new ControlPanel(this)),
+      trial_(new TrialPanel(this)) {
+  const auto& metadata = study.protocol().protocol.study;
+  setWindowTitle(tr("Palpate — %1").arg(QString::fromStdString(metadata.title)));
+  auto* inside = new QWidget(this);
+  auto* columns = new QHBoxLayout(inside);
+  columns->setContentsMargins(20, 16, 20, 16);
+  columns->setSpacing(20);
+  auto* side = new QWidget(inside);
+  side->setFixedWidth(500);
+  auto* left = new QVBoxLayout(side);
+  left->setContentsMargins(0, 0, 0, 0);
+  auto* heading = titleLabel(QString::fromStdString(metadata.title), side);
+  heading->setStyleSheet(QStringLiteral("font-size: 20px;"));
+  left->addWidget(heading);
+  left->addWidget(quietLabel(
+      tr("Devices are virtual: the participant's mouse or space bar is the hand."), inside));
+  left->addWidget(sessions_, 1);
+  left->addWidget(controls_);
+  columns->addWidget(side);
+  middle_->addWidget(trial_);
+  columns->addWidget(middle_, 1);
+  setCentralWidget(inside);
+  resize(1280, 860);
+
+  connect(sessions_, &SessionTable::enrolRequested, this, &OperatorWindow::enrol);
+  connect(sessions_, &SessionTable::resumeRequested, this, [this](qlonglong id) {
+    resume(SessionId{id});
+  });
+  connect(controls_, &ControlPanel::interviewFinished, this, &OperatorWindow::finishInterview);
+  connect(controls_, &ControlPanel::closeSessionRequested, this, &OperatorWindow::endSession);
+}
+
+OperatorWindow::~OperatorWindow() {
+  trial_->follow(nullptr);
+  controls_->follow(nullptr);
+}
+
+void OperatorWindow::enrol(const Enrolment& enrolment) {
+  if (controller_) return;
+  attempt(this, [&] { begin(Session::enrol(study_, enrolment)); });
+}
+
+void OperatorWindow::resume(SessionId id) {
+  if (controller_) return;
+  attempt(this, [&] { begin(Session::resume(study_, id)); });
+}
+
+void OperatorWindow::begin(Session session) {
+  controller_ = std::make_unique<SessionController>(study_, rig_, std::move(session));
+  connect(controller_.get(), &SessionController::stepChanged, this, &OperatorWindow::updateAll);
+  connect(controller_.get(), &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
+  connect(
+      controller_.get(),
+      &SessionController::languageChanged,
+      this,
+      &OperatorWindow::speakTheSessionsLanguage);
+  connect(controller_.get(), &SessionController::failed, this, [this](const QString& why) {
+    QMessageBox::warning(this, tr("That did not work"), why);
+  });
+  speakTheSessionsLanguage();
+  participant_ =
+      std::make_unique<ParticipantWindow>(*controller_, [this](double share) { moveHand(share); });
+  connect(
+      participant_.get(),
+      &ParticipantWindow::stopRequested,
+      controller_.get(),
+      &SessionController::stop);
+  sessions_->setOpen(true);
+  trial_->follow(controller_.get());
+  controls_->follow(controller_.get());
+  sessions_->refresh();
+  updateAll();
+  showParticipant();
+}
+
+void OperatorWindow::showParticipant() {
+  const auto screens = QGuiApplication::screens();
+  if (screens.size() > 1) {
+    auto* other = screens.front() == screen() ? screens.back() : screens.front();
+    participant_->setGeometry(other->geometry());
+    participant_->showFullScreen();
+  } else {
+    participant_->resize(1100, 760);
+    participant_->show();
+  }
+}
+
+void OperatorWindow::speakTheSessionsLanguage() {
+  QCoreApplication::removeTranslator(&translator_);
+  const QString language = QString::fromStdString(controller_->session().language());
+  if (translator_.load(QStringLiteral(":/i18n/palpate_%1.qm").arg(language))) {
+    QCoreApplication::installTranslator(&translator_);
+  }
+}
+
+void OperatorWindow::moveHand(double share) {
+  const auto& session = controller_->session();
+  if (session.isOver() || session.step().kind != StepKind::Trial) return;
+  const auto& need = deviceFor(session);
+  const auto hand = hands_.find(need.id);
+  if (hand != hands_.end()) hand->second->moveTo(share * farthestFor(need));
+}
+
+void OperatorWindow::updateAll() {
+  trial_->updateSteps();
+  controls_->refresh();
+  showInterview();
+  const auto& session = controller_->session();
+  if (session.isOver()) sessions_->refresh();
+}
+
+void OperatorWindow::showInterview() {
+  if (interview_ != nullptr) {
+    middle_->removeWidget(interview_);
+    interview_->deleteLater();
+    interview_ = nullptr;
+  }
+  const auto& session = controller_->session();
+  if (session.isOver() || session.step().kind != StepKind::Interview) return;
+  const auto* instrument = session.instrument();
+  interview_ = new QuestionnairePage(
+      {.title = QString::fromStdString(instrument->title.in("en")),
+       .introduction = QString::fromStdString(instrument->introduction.in("en")),
+       .items = session.items(),
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = session.answers()},
+      this);
+  connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
+  connect(
+      interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
+  middle_->addWidget(interview_);
+  middle_->setCurrentWidget(interview_);
+}
+
+void OperatorWindow::finishInterview() {
+  if (interview_ == nullptr) return;
+  interview_->flush();
+  controller_->finishStep();
+}
+
+void OperatorWindow::endSession() {
+  if (!controller_ || controller_->isTrialRunning()) return;
+  trial_->follow(nullptr);
+  controls_->follow(nullptr);
+  participant_->allowClosing();
+  participant_->close();
+  participant_.reset();
+  if (interview_ != nullptr) {
+    middle_->removeWidget(interview_);
+    interview_->deleteLater();
+    interview_ = nullptr;
+  }
+  controller_.reset();
+  sessions_->setOpen(false);
+  sessions_->refresh();
+}
+
+void OperatorWindow::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && controller_) controller_->stop();
+  QMainWindow::keyPressEvent(event);
+}
+
+void OperatorWindow::closeEvent(QCloseEvent* event) {
+  if (controller_ && controller_->isTrialRunning()) {
+    QMessageBox::warning(
+        this, tr("A trial is running"), tr("Stop it first; then this window can be closed."));
+    event->ignore();
+    return;
+  }
+  endSession();
+  event->accept();
+}
+
+}  // namespace study::gui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include <QMainWindow>
+#include <QStackedWidget>
+#include <QTranslator>
+
+#include "study/gui/participant_window.h"
+#include "study/gui/session_controller.h"
+#include "study/rig.h"
+
+namespace study::gui {
+
+class QuestionnairePage;
+class ControlPanel;
+class SessionTable;
+class TrialPanel;
+
+/// What the operator sees: who has taken part, where the present session is, how the device and its
+/// clock are, and one large button that means no force at once. Knows alternatives, not conditions.
+class OperatorWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// The study outlives it.
+  explicit OperatorWindow(Study& study, QWidget* parent = nullptr);
+  ~OperatorWindow() override;
+
+  /// Begins a session and shows it to the participant.
+  void enrol(const Enrolment& enrolment);
+  /// Goes on with one that was interrupted.
+  void resume(SessionId id);
+
+  SessionController* controller() const noexcept { return controller_.get(); }
+  ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
+  /// The virtual instruments, for trying out what happens when one is gone.
+  SimulatedRig& rig() noexcept { return rig_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void begin(Session session);
+  void showParticipant();
+  void showInterview();
+  void finishInterview();
+  void endSession();
+  void updateAll();
+  void moveHand(double share);
+  void speakTheSessionsLanguage();
+
+  Study& study_;
+  std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices
+  SimulatedRig rig_;
+  std::unique_ptr<SessionController> controller_;
+  std::unique_ptr<ParticipantWindow> participant_;
+  QTranslator translator_;
+  QStackedWidget* middle_;
+  QuestionnairePage* interview_ = nullptr;
+  SessionTable* sessions_;
+  ControlPanel* controls_;
+  TrialPanel* trial_;
+};
+
+}  // namespace study::gui

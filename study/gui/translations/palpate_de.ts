@@ -1,0 +1,113 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>study::gui::BenchmarkPage</name>
+    <message>
+        <source>I have made a cut</source>
+        <translation>Ich habe einen Schnitt gemacht</translation>
+    </message>
+    <message>
+        <source>Cuts: %1 of at least %2</source>
+        <translation>Schnitte: %1 von mindestens %2</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::FeelPage</name>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>I have felt enough</source>
+        <translation>Ich habe genug gefühlt</translation>
+    </message>
+    <message>
+        <source>Press Begin when you hold the instrument.</source>
+        <translation>Drücken Sie auf „Beginnen“, wenn Sie das Instrument in der Hand haben.</translation>
+    </message>
+    <message>
+        <source>Strokes: %1 of at least %2</source>
+        <translation>Fräsbewegungen: %1 von mindestens %2</translation>
+    </message>
+    <message>
+        <source>Cuts: %1 of at least %2</source>
+        <translation>Schnitte: %1 von mindestens %2</translation>
+    </message>
+    <message>
+        <source>No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open.</source>
+        <translation>Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::NumberItem</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::ParticipantWindow</name>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Thank you</source>
+        <translation>Vielen Dank</translation>
+    </message>
+    <message>
+        <source>This session is over. Please tell the researcher.</source>
+        <translation>Diese Sitzung ist zu Ende. Bitte geben Sie der Studienleitung Bescheid.</translation>
+    </message>
+    <message>
+        <source>One moment, please</source>
+        <translation>Einen Moment, bitte</translation>
+    </message>
+    <message>
+        <source>The researcher will go on in a moment.</source>
+        <translation>Es geht gleich weiter.</translation>
+    </message>
+    <message>
+        <source>A few questions</source>
+        <translation>Einige Fragen</translation>
+    </message>
+    <message>
+        <source>The researcher would like to talk with you.</source>
+        <translation>Die Studienleitung möchte mit Ihnen sprechen.</translation>
+    </message>
+    <message>
+        <source>A short break</source>
+        <translation>Eine kurze Pause</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::PointItem</name>
+    <message>
+        <source>%1: %2%3 of %4, from %5 to %6</source>
+        <translation>%1: %2%3 von %4, von %5 bis %6</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::QuestionnairePage</name>
+    <message>
+        <source>You may leave this out.</source>
+        <translation>Diese Angabe ist freiwillig.</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::SliderItem</name>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation>%1: von %2 bis %3</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,99 @@
+#include "haptics/devices/simulated_device.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "haptics/devices/pointer_hand.h"
+
+namespace haptics::devices {
+namespace {
+
+constexpr double kDt = 0.001;
+
+/// A hand that pushes with one force.
+class SteadyHand final : public Hand {
+ public:
+  explicit SteadyHand(double force) : force_(force) {}
+  double push(double /*travel*/, double /*velocity*/, double /*dt*/) noexcept override {
+    return force_;
+  }
+
+ private:
+  double force_;
+};
+
+DeviceSample after(SimulatedDevice& device, int ticks) {
+  DeviceSample sample;
+  for (int i = 0; i < ticks; ++i) sample = device.read(kDt);
+  return sample;
+}
+
+TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
+  auto capabilities = simulatedPunch();
+  capabilities.mostTravel = 1e6;
+  SteadyHand hand(2.0);
+  SimulatedDevice device(capabilities, {.damping = 0.1}, hand);
+  EXPECT_NEAR(after(device, 2000).velocity, 2.0 / 0.1, 1e-6);
+}
+
+TEST(SimulatedDevice, StandsStillWhenPushedBackAsHard) {
+  SteadyHand hand(2.0);
+  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  device.command(2.0);
+  EXPECT_EQ(after(device, 500).travel, 0.0);
+}
+
+TEST(SimulatedDevice, IsHeldByTheStopAtTheEndOfItsTravel) {
+  SteadyHand hand(8.0);
+  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  EXPECT_NEAR(after(device, 5000).travel, 11.0 + 8.0 / 80.0, 0.05);  // push over stop stiffness
+}
+
+TEST(SimulatedDevice, SeesTravelInStepsOfItsEncoder) {
+  SteadyHand hand(1.0);
+  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  for (int i = 0; i < 300; ++i) {
+    const double steps = device.read(kDt).travel / 0.0439;
+    EXPECT_NEAR(steps, std::round(steps), 1e-6);
+  }
+}
+
+TEST(SimulatedDevice, GivesNoMeasurementWhileItIsUnplugged) {
+  SteadyHand hand(1.0);
+  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  EXPECT_EQ(after(device, 10).status, DeviceStatus::Ok);
+  device.unplug();
+  EXPECT_EQ(after(device, 1).status, DeviceStatus::Gone);
+  device.plugIn();
+  EXPECT_EQ(after(device, 1).status, DeviceStatus::Ok);
+}
+
+TEST(SimulatedDevice, SaysThatItIsFaultyRatherThanFlyAway) {
+  SteadyHand hand(INFINITY);
+  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  bool wasFaulty = false;
+  for (int i = 0; i < 100; ++i) {
+    const auto sample = device.read(kDt);
+    EXPECT_TRUE(std::isfinite(sample.travel));
+    wasFaulty = wasFaulty || sample.status == DeviceStatus::Faulted;
+  }
+  EXPECT_TRUE(wasFaulty);
+}
+
+TEST(SimulatedDevice, RefusesAMechanismWithoutMass) {
+  SteadyHand hand(0.0);
+  EXPECT_THROW(SimulatedDevice(simulatedPunch(), {.mass = 0.0}, hand), std::invalid_argument);
+}
+
+TEST(PointerHand, FollowsThePointerNoFasterThanAHand) {
+  PointerHand hand({.stiffness = 2.0, .damping = 0.0, .speed = 40.0});
+  hand.moveTo(10.0);
+  EXPECT_NEAR(hand.push(0.0, 0.0, kDt), 2.0 * 40.0 * kDt, 1e-12);
+  for (int i = 0; i < 1000; ++i) hand.push(0.0, 0.0, kDt);
+  EXPECT_NEAR(hand.push(0.0, 0.0, kDt), 2.0 * 10.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace haptics::devices

@@ -1,0 +1,144 @@
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QPushButton>
+#include <QTest>
+
+#include "protocols/loaded_protocol.h"
+#include "study/gui/control_panel.h"
+#include "study/gui/feel_page.h"
+#include "study/gui/operator_window.h"
+#include "study/gui/option_buttons.h"
+#include "study/results.h"
+#include "study/storage/records.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+using tests::buttonSaying;
+
+protocols::LoadedProtocol library(const std::string& name) {
+  questionnaires::Problems problems;
+  return *protocols::loadProtocolFile(name, problems);
+}
+
+class PunchSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_.show();
+    window_.enrol(
+        {.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  }
+
+  /// Brings the session to its first trial.
+  void goToTheFirstTrial() {
+    const auto& plan = window_.controller()->session().plan();
+    int trial = 0;
+    while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+    participant_.takePart(trial);
+    ASSERT_EQ(window_.controller()->session().stepIndex(), trial);
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", library("punch-face-validity"), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
+  participant_.takePart();
+
+  const auto& session = window_.controller()->session();
+  ASSERT_TRUE(session.isOver()) << "stuck in step " << session.stepIndex();
+  EXPECT_EQ(session.state(), SessionState::Completed);
+  const auto results = computeResults(study_, RunMode::Live);
+  EXPECT_EQ(results.completed(), 1);
+  for (const auto& condition : results.families.front().cohorts.front().conditions) {
+    EXPECT_EQ(condition.counts.total(), 6U);  // three statements, two rounds
+  }
+  for (const auto& trial : storage::Records(study_.database()).trials()) {
+    EXPECT_GE(trial.cuts, 3);
+    EXPECT_EQ(trial.traceSamples, trial.ticks);
+  }
+}
+
+TEST_F(PunchSession, ShowsNoConditionAnywhere) {
+  participant_.takePart();
+  ASSERT_GT(participant_.seen().size(), 60U);  // it has really looked
+  for (const auto& words : participant_.seen()) {
+    for (const auto* secret :
+         {"interpolation", "finite", "element", "fem", "kalman", "hysteresis", "parametric"}) {
+      EXPECT_FALSE(words.contains(QLatin1String(secret), Qt::CaseInsensitive))
+          << words.toStdString();
+    }
+  }
+}
+
+TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
+  goToTheFirstTrial();
+  participant_.cut(1);
+  QTest::mouseClick(window_.findChild<ControlPanel*>()->stopButton(), Qt::LeftButton);
+  EXPECT_FALSE(window_.controller()->isTrialRunning());
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "stopped");
+}
+
+TEST_F(PunchSession, StopsOnEscapeInTheParticipantsWindowToo) {
+  goToTheFirstTrial();
+  participant_.cut(1);
+  QTest::keyClick(window_.participantWindow()->findChild<FeelPage*>(), Qt::Key_Escape);
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
+}
+
+TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
+  goToTheFirstTrial();
+  const auto step = window_.controller()->session().stepIndex();
+  participant_.cut(1);
+  window_.rig().unplug("punch");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.controller()->isTrialRunning(); }, 2000));
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "device_gone");
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
+
+  window_.rig().plugIn("punch");
+  window_.controller()->repeatStep(QStringLiteral("cable"));
+  EXPECT_EQ(window_.controller()->session().stepIndex(), step);
+  participant_.doStep();
+  EXPECT_EQ(window_.controller()->session().stepIndex(), step + 1);
+}
+
+TEST_F(PunchSession, RefusesToCloseWhileATrialRuns) {
+  goToTheFirstTrial();
+  participant_.cut(1);
+  EXPECT_FALSE(window_.participantWindow()->close());
+  window_.controller()->stop();
+}
+
+TEST_F(PunchSession, KeepsAnswersWhenTheLanguageIsSwitched) {
+  participant_.takePart(1);  // at the consent form
+  const auto before = window_.controller()->session().answers();
+  participant_.look();
+  auto* first = window_.participantWindow()->findChild<OptionButtons*>();
+  QTest::mouseClick(first->button(0), Qt::LeftButton);
+  window_.controller()->chooseLanguage(QStringLiteral("de"));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_.controller()->session().answers().size(), before.size() + 1);
+  EXPECT_EQ(window_.participantWindow()->findChild<OptionButtons*>()->chosen(), 0);
+  EXPECT_NE(buttonSaying(window_.participantWindow(), QStringLiteral("Weiter")), nullptr);
+}
+
+TEST_F(PunchSession, GoesOnWhereItWasAfterTheWindowsWereClosed) {
+  participant_.takePart(3);
+  const auto id = window_.controller()->session().id();
+  const int step = window_.controller()->session().stepIndex();
+  ASSERT_TRUE(window_.close());
+  window_.show();
+  window_.resume(id);
+  ASSERT_NE(window_.controller(), nullptr);
+  EXPECT_EQ(window_.controller()->session().stepIndex(), step);
+}
+
+}  // namespace
+}  // namespace study::gui
