@@ -19,10 +19,6 @@ std::string padded(const std::string& text, std::size_t columns, bool toTheRight
   return toTheRight ? space + text : text + space;
 }
 
-std::string rounded(const std::optional<double>& value, const char* format) {
-  return value ? fmt::format(fmt::runtime(format), *value) : "–";
-}
-
 class Writer {
  public:
   Writer(Study& study, const Results& results)
@@ -79,8 +75,8 @@ class Writer {
         row += padded(
             fmt::format(
                 "{} / {} (n={})",
-                rounded(condition.counts.mean(), "{:.1f}"),
-                rounded(condition.counts.variance(), "{:.1f}"),
+                rounded(condition.counts.mean(), 1),
+                rounded(condition.counts.variance(), 1),
                 condition.counts.total()),
             22,
             true);
@@ -140,6 +136,10 @@ class Writer {
 };
 
 }  // namespace
+
+std::string rounded(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "–";
+}
 
 std::string pInWords(const std::optional<double>& p) {
   if (!p) return "–";

@@ -49,10 +49,6 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string rounded(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "–";
-}
-
 std::string interval(const std::optional<analysis::Interval>& i) {
   return i ? fmt::format("[{:.2f}, {:.2f}]", i->low, i->high) : "–";
 }

@@ -5,6 +5,7 @@
 
 #include "study/report/palette.h"
 #include "study/report/svg_canvas.h"
+#include "study/results_text.h"
 
 namespace study::report {
 namespace {
@@ -54,6 +55,7 @@ class LikertPainter {
   void paint() {
     double y = 4.0;
     for (const auto& cohort : family_.cohorts) {
+      painter_.setPen(Qt::black);
       drawText(
           painter_,
           {0, y, kWidth, kHeading},
@@ -75,11 +77,14 @@ class LikertPainter {
   double middle() const { return kLabels + mostLeft_ * unit_; }
 
   void bar(const analysis::NamedCounts& condition, double y) {
+    painter_.setPen(Qt::black);
     drawText(
         painter_,
         {0, y, kLabels - 12, kBar},
         Qt::AlignRight | Qt::AlignVCenter,
         QString::fromStdString(section_.conditionTitle(condition.name)));
+    painter_.setPen(QPen(QColor(60, 60, 60), 1));
+    painter_.drawLine(QPointF(middle(), y - 3), QPointF(middle(), y + kBar + 3));
     const auto shares = sharesOf(condition.counts);
     double x = middle() - leftShare(shares) * unit_;
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -91,14 +96,12 @@ class LikertPainter {
           condition.counts.counts()[i]);
       x += wide;
     }
-    painter_.setPen(QPen(QColor(60, 60, 60), 1));
-    painter_.drawLine(QPointF(middle(), y - 3), QPointF(middle(), y + kBar + 3));
-    const auto mean = condition.counts.mean();
+    painter_.setPen(Qt::black);
     drawText(
         painter_,
         {kWidth - kRight + 10, y, kRight - 10, kBar},
         Qt::AlignLeft | Qt::AlignVCenter,
-        mean ? QStringLiteral("μ %1").arg(QString::number(*mean, 'f', 1)) : QStringLiteral("–"));
+        QString::fromStdString("μ " + rounded(condition.counts.mean(), 1)));
   }
 
   void segment(const QRectF& where, int index, int points, std::uint64_t count) {
