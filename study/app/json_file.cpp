@@ -102,6 +102,31 @@ Json asJson(const haptics::recordings::Closure& closure) {
       {"opening", asJson(closure.landmarks.opening)}};
 }
 
+Json chosenAsJson(
+    const haptics::recordings::ImportedCut& imported, const haptics::recordings::Trace& trace) {
+  const auto& [cut, report] = imported;
+  Json chosen{{"name", cut.name}, {"cuts", report.closures}};
+  chosen["rows"] = Json::array();
+  for (const auto& rows : report.rows) chosen["rows"].push_back({rows.first, rows.last});
+  chosen["calibration"] = cut.provenance.calibration;
+  chosen["filter"] = cut.provenance.filter;
+  chosen["largest_slope_before"] = report.slopeBefore;
+  chosen["largest_slope"] = cut.curve.largestSlope();
+  chosen["largest_change_n"] = report.largestChange;
+  chosen["changes"] = report.changes;
+  chosen["samples"] = Json::array();
+  for (const auto& rows : report.rows) {
+    for (std::size_t row = rows.first - 1; row < rows.last; ++row) {
+      chosen["samples"].push_back({{"travel", trace.travel[row]}, {"force_n", trace.force[row]}});
+    }
+  }
+  chosen["curve"] = Json::array();
+  for (const auto& point : cut.curve.nodes()) {
+    chosen["curve"].push_back({{"travel", point.travel}, {"force_n", point.force}});
+  }
+  return chosen;
+}
+
 }  // namespace
 
 std::string problemsAsJson(
@@ -198,8 +223,10 @@ std::string verificationAsJson(const Verification& verification) {
 
 std::string importAsJson(
     const haptics::recordings::Recording& recording,
-    const haptics::recordings::ImportedCut& imported) {
-  const auto& survey = imported.report.survey;
+    const haptics::recordings::RecordingSurvey& survey,
+    const haptics::recordings::Trace& trace,
+    const std::optional<haptics::recordings::ImportedCut>& imported,
+    const std::string& whyNot) {
   Json json{
       {"file", recording.source},
       {"rows", survey.rows},
@@ -219,21 +246,8 @@ std::string importAsJson(
     json["refused_lines"].push_back({{"line", line.number}, {"reason", line.reason}});
   }
   for (const auto& closure : survey.closures) json["cuts"].push_back(asJson(closure));
-  Json chosen{{"name", imported.cut.name}, {"reason", imported.report.reason}};
-  chosen["cuts"] = imported.report.closures;
-  chosen["rows"] = Json::array();
-  for (const auto& rows : imported.report.rows) chosen["rows"].push_back({rows.first, rows.last});
-  chosen["calibration"] = imported.cut.provenance.calibration;
-  chosen["filter"] = imported.cut.provenance.filter;
-  chosen["largest_slope_before"] = imported.report.slopeBefore;
-  chosen["largest_slope"] = imported.cut.curve.largestSlope();
-  chosen["largest_change_n"] = imported.report.largestChange;
-  chosen["changes"] = imported.report.changes;
-  chosen["curve"] = Json::array();
-  for (const auto& point : imported.cut.curve.nodes()) {
-    chosen["curve"].push_back({{"travel", point.travel}, {"force_n", point.force}});
-  }
-  json["chosen"] = std::move(chosen);
+  json["chosen"] = imported ? chosenAsJson(*imported, trace) : Json(nullptr);
+  json["reason"] = imported ? imported->report.reason : whyNot;
   return printed(json);
 }
 

@@ -28,9 +28,14 @@ std::string statusAsJson(Study& study);
 std::string verificationAsJson(const Verification& verification);
 
 /// `rows`, `sample_rate_hz`, `saturated_rows`, `max_force_n`, `cuts` …; rows are numbered from 1.
+/// `chosen` is the cut that was taken, with its samples as recorded and its curve as it would be
+/// felt; null, and `reason` says why, where none was.
 std::string importAsJson(
     const haptics::recordings::Recording& recording,
-    const haptics::recordings::ImportedCut& imported);
+    const haptics::recordings::RecordingSurvey& survey,
+    const haptics::recordings::Trace& trace,
+    const std::optional<haptics::recordings::ImportedCut>& imported,
+    const std::string& whyNot);
 
 std::string passesAsJson(
     const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds);

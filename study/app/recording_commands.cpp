@@ -1,16 +1,15 @@
-#include <algorithm>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/error.h"
 #include "haptics/recordings/recording_file.h"
-#include "protocols/cut_file.h"
+#include "haptics/recordings/recording_survey.h"
 #include "study/app/commands.h"
 #include "study/app/import_recording.h"
 #include "study/app/json_file.h"
@@ -51,8 +50,8 @@ std::string landmark(const char* name, const std::optional<recordings::CurvePoin
                : fmt::format("{} –", name);
 }
 
-void printSurvey(const recordings::Recording& recording, const recordings::ImportReport& report) {
-  const auto& survey = report.survey;
+void printSurvey(
+    const recordings::Recording& recording, const recordings::RecordingSurvey& survey) {
   fmt::print(
       "{}\n  {} rows at {:.1f} Hz (steps of {:.0f} to {:.0f} ms), {} lines could not be read\n",
       recording.source,
@@ -90,27 +89,55 @@ void printSurvey(const recordings::Recording& recording, const recordings::Impor
   }
 }
 
+/// The cut that was asked for. Where nothing was asked for and none can be chosen, nothing, and why
+/// not: a recording may be looked at all the same.
+std::optional<recordings::ImportedCut> cutFrom(
+    const recordings::Recording& recording, const ImportCommand& command, std::string& whyNot) {
+  const bool isLookingOnly =
+      command.out.empty() && command.rows.empty() && command.options.closures.empty();
+  try {
+    return importRecording(recording, command.options);
+  } catch (const recordings::Error& error) {
+    if (!isLookingOnly) throw;
+    whyNot = error.what();
+    return std::nullopt;
+  }
+}
+
+void printChoice(const ImportCommand& command, const recordings::ImportReport& report) {
+  fmt::print("\n  {}\n", report.reason);
+  for (const auto& change : report.changes) fmt::print("  {}\n", change);
+  if (command.out.empty()) {
+    fmt::print("\nNothing was written. Add --out CUT.json to keep this cut.\n");
+  } else {
+    fmt::print(
+        "\n{0} holds the cut. Put it beside a protocol and name it there: \"cut\": \"{0}\".\n",
+        command.out);
+  }
+}
+
 int import(ImportCommand& command) {
   command.options.calibration = *recordings::forceCalibrationNamed(command.calibration);
   command.options.filter = *recordings::travelFilterNamed(command.filter);
   if (!command.rows.empty()) command.options.rows = rowRange(command.rows);
   const auto recording = recordings::readRecordingFile(command.file);
-  const auto imported = importRecording(recording, command.options);
-  if (!command.out.empty()) writeNewFile(command.out, cutAsJsonFrom(command.file, imported.cut));
+  const auto trace =
+      recordings::traceOf(recording, command.options.calibration, command.options.filter);
+  const auto survey = recordings::surveyOf(recording, trace);
+  std::string whyNot;
+  const auto imported = cutFrom(recording, command, whyNot);
+  if (imported && !command.out.empty()) {
+    writeNewFile(command.out, cutAsJsonFrom(command.file, imported->cut));
+  }
   if (command.json) {
-    std::fputs(importAsJson(recording, imported).c_str(), stdout);
+    std::fputs(importAsJson(recording, survey, trace, imported, whyNot).c_str(), stdout);
     return 0;
   }
-  printSurvey(recording, imported.report);
-  fmt::print("\n  {}\n", imported.report.reason);
-  for (const auto& change : imported.report.changes) fmt::print("  {}\n", change);
-  if (command.out.empty()) {
-    fmt::print("\nNothing was written. Add --out CUT.json to keep this cut.\n");
+  printSurvey(recording, survey);
+  if (imported) {
+    printChoice(command, imported->report);
   } else {
-    fmt::print(
-        "\n{} holds the cut. Put it beside a protocol and name it there: \"cut\": \"{}\".\n",
-        command.out,
-        command.out);
+    fmt::print("\n  {}\n", whyNot);
   }
   return 0;
 }
