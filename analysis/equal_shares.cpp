@@ -9,14 +9,14 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kMost = 127;              // fewer votes and options than this
+constexpr std::size_t kTooMany = 127;           // fewer votes and options than this
 constexpr Wide kMostOutcomes = Wide{1} << 126;  // what exactQuotient() can divide by
 
 /// Pascal's triangle, as far as outcomes can be counted.
 class Binomials {
  public:
   Binomials() {
-    for (std::size_t n = 0; n < kMost; ++n) {
+    for (std::size_t n = 0; n < kTooMany; ++n) {
       rows_[n][0] = rows_[n][n] = 1;
       for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
     }
@@ -24,7 +24,7 @@ class Binomials {
   Wide operator()(std::size_t n, std::size_t k) const { return rows_[n][k]; }
 
  private:
-  std::array<std::array<Wide, kMost>, kMost> rows_{};
+  std::array<std::array<Wide, kTooMany>, kTooMany> rows_{};
 };
 
 const Binomials& binomials() {
@@ -65,7 +65,7 @@ class Outcomes {
 
 /// kⁿ, or nothing where it does not fit.
 std::optional<Wide> outcomeCount(std::size_t options, std::uint64_t votes) {
-  if (options >= kMost || votes >= kMost) return std::nullopt;
+  if (options >= kTooMany || votes >= kTooMany) return std::nullopt;
   Wide count = 1;
   for (std::uint64_t i = 0; i < votes; ++i) {
     if (count > kMostOutcomes / static_cast<Wide>(options)) return std::nullopt;

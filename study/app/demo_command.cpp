@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct DemoArguments {
   std::string out = "palpate-demo";
   std::uint64_t seed = 20221212;
   std::string recording;
@@ -35,7 +35,7 @@ std::string libraryProtocol(const std::string& name) {
 }
 
 /// The punch study of the paper; with the cut of a real recording in it, if there is one.
-std::string punchProtocol(const Options& options, const fs::path& folder) {
+std::string punchProtocol(const DemoArguments& options, const fs::path& folder) {
   const std::string path = (folder / "punch-face-validity.json").string();
   std::string text = libraryProtocol("punch-face-validity");
   if (!options.recording.empty()) {
@@ -74,7 +74,7 @@ report::ReportSection runStudy(
   return report::gather(study, RunMode::Simulated);
 }
 
-int demo(const Options& options) {
+int demo(const DemoArguments& options) {
   const fs::path folder(options.out);
   std::error_code error;
   if (fs::exists(folder, error) || !fs::create_directories(folder, error)) {
@@ -100,7 +100,7 @@ int demo(const Options& options) {
 }  // namespace
 
 void addDemoCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DemoArguments>();
   auto* command = program.add_subcommand(
       "demo",
       "See all of it: both published studies with simulated participants, report and export");

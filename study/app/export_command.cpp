@@ -11,7 +11,7 @@
 namespace study::app {
 namespace {
 
-struct Options {
+struct ExportArguments {
   std::string folder;
   std::string format = "csv";
   std::string out;
@@ -20,7 +20,7 @@ struct Options {
   std::string reason;
 };
 
-int exportAs(const Options& options) {
+int exportAs(const ExportArguments& options) {
   SystemClock clock;
   const auto access =
       options.unblind ? storage::Database::Access::ReadWrite : storage::Database::Access::ReadOnly;
@@ -38,7 +38,7 @@ int exportAs(const Options& options) {
 }  // namespace
 
 void addExportCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   auto* command = program.add_subcommand(
       "export", "Data for others: tidy tables, one row per answer, blinded unless asked otherwise");
   command->add_option("DIR", options->folder, "The study's folder")->required();

@@ -12,13 +12,13 @@
 namespace study::app {
 namespace {
 
-struct Options {
+struct ReportArguments {
   std::vector<std::string> folders;
   std::string out;
   std::string runMode;
 };
 
-int report(const Options& options) {
+int report(const ReportArguments& options) {
   SystemClock clock;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
@@ -33,7 +33,7 @@ int report(const Options& options) {
 }  // namespace
 
 void addReportCommand(CLI::App& program, Action& action) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportArguments>();
   auto* command = program.add_subcommand(
       "report",
       "A results section: tables, figures, what was felt; one page that needs nothing else");

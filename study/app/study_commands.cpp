@@ -17,7 +17,7 @@ namespace {
 
 using Access = storage::Database::Access;
 
-struct Options {
+struct StudyArguments {
   std::string folder;
   std::string protocol;
   std::string reason;
@@ -41,11 +41,11 @@ protocols::LoadedProtocol loadOrExplain(const std::string& file) {
   return std::move(*loaded);
 }
 
-std::optional<std::uint64_t> seedOf(const Options& options) {
+std::optional<std::uint64_t> seedOf(const StudyArguments& options) {
   return options.hasSeed ? std::optional(options.seed) : std::nullopt;
 }
 
-int create(const Options& options) {
+int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
   auto study = Study::create(options.folder, protocol, clock, seedOf(options));
@@ -62,7 +62,7 @@ int create(const Options& options) {
   return 0;
 }
 
-int amend(const Options& options) {
+int amend(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
   auto study = Study::open(options.folder, clock);
@@ -71,7 +71,7 @@ int amend(const Options& options) {
   return 0;
 }
 
-int simulate(const Options& options) {
+int simulate(const StudyArguments& options) {
   SimulatedClock clock;
   auto study = Study::open(options.folder, clock);
   const int participants = options.participants > 0
@@ -91,7 +91,7 @@ int simulate(const Options& options) {
   return 0;
 }
 
-int run(const Options& options) {
+int run(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
   return runInTerminal(
@@ -102,7 +102,7 @@ int run(const Options& options) {
        .code = options.participant});
 }
 
-int status(const Options& options) {
+int status(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, Access::ReadOnly);
   if (options.json) {
@@ -143,7 +143,7 @@ int status(const Options& options) {
   return 0;
 }
 
-int verify(const Options& options) {
+int verify(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, Access::ReadOnly);
   const auto verification = study::verify(study);
@@ -163,9 +163,9 @@ CLI::App* addVerb(
     CLI::App& noun,
     const char* name,
     const char* help,
-    const std::shared_ptr<Options>& options,
+    const std::shared_ptr<StudyArguments>& options,
     Action& action,
-    int (*perform)(const Options&)) {
+    int (*perform)(const StudyArguments&)) {
   auto* verb = noun.add_subcommand(name, help);
   verb->add_option("DIR", options->folder, "The study's folder")->required();
   verb->callback(
@@ -173,7 +173,7 @@ CLI::App* addVerb(
   return verb;
 }
 
-void addSeed(CLI::App& verb, const std::shared_ptr<Options>& options, const char* help) {
+void addSeed(CLI::App& verb, const std::shared_ptr<StudyArguments>& options, const char* help) {
   verb.add_option_function<std::uint64_t>(
       "--seed",
       [options](const std::uint64_t& seed) {
@@ -188,7 +188,7 @@ void addSeed(CLI::App& verb, const std::shared_ptr<Options>& options, const char
 void addStudyCommands(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand("study", "A study on disk: make it, run it, look after it");
   noun->require_subcommand(1);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyArguments>();
 
   auto* create =
       addVerb(*noun, "create", "Make a study from a protocol", options, action, app::create);
