@@ -1,118 +1,147 @@
-#include <algorithm>
-#include <set>
-#include <string>
+#include "protocols/analysis_rules.h"
 
-#include "protocols/block_rules.h"
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "questionnaires/document.h"
 
 namespace protocols {
 namespace {
 
+using questionnaires::isSoundId;
 using questionnaires::ItemType;
 using questionnaires::Problems;
+using questionnaires::shown;
 
 /// Looks at one family of comparisons.
 class FamilyCheck {
  public:
-  FamilyCheck(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
-      : loaded_(loaded),
-        protocol_(loaded.protocol),
-        family_(loaded.protocol.analysis.families[index]),
+  FamilyCheck(const Draft& draft, std::size_t index, Problems& problems)
+      : draft_(draft),
+        protocol_(draft.loaded.protocol),
+        family_(protocol_.analysis.families[index]),
         path_("$.analysis.families[" + std::to_string(index) + "]"),
         problems_(problems) {}
 
   void all() {
-    instrument();
-    blocks();
+    if (isSoundId(family_.instrument)) instrument();
+    for (std::size_t i = 0; i < family_.blocks.size(); ++i) block(i);
     for (std::size_t i = 0; i < family_.comparisons.size(); ++i) comparison(i);
-    if (!problems_.hasErrors()) itemsInCommon();
   }
 
  private:
-  bool isAskedIn(const Phase& phase) const {
-    const auto& asked = phase.trials.questionnaires;
-    return std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
-      return questionnaire.instrument == family_.instrument;
-    });
-  }
-
   void instrument() {
     const bool isAsked =
         std::any_of(protocol_.phases.begin(), protocol_.phases.end(), [&](const auto& phase) {
-          return isAskedIn(phase);
+          return mayAsk(phase);
         });
-    const auto* instrument = loaded_.instrument(family_.instrument);
-    if (!isAsked || instrument == nullptr) {
+    if (!isAsked && draft_.hasAllPhases()) {
       problems_.add(
           path_ + ".instrument",
-          "no block asks '" + family_.instrument + "' after its conditions",
+          "no block asks '" + shown(family_.instrument) + "' after its conditions",
           "name an instrument that one asks");
       return;
     }
-    std::vector<const questionnaires::Item*> statements;
-    for (const auto& item : instrument->items) {
-      if (item.type == ItemType::Likert) statements.push_back(&item);
-    }
-    if (statements.empty()) {
+    const auto* asked = draft_.loaded.instrument(family_.instrument);
+    if (asked != nullptr) statements(*asked);
+  }
+
+  /// Whether @p phase asks about its conditions what this family compares, or is unread.
+  bool mayAsk(const Phase& phase) const {
+    const auto& asked = phase.trials.questionnaires;
+    return phase.id.empty() || !isSoundId(family_.instrument) ||
+           std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
+             return questionnaire.instrument == family_.instrument ||
+                    !isSoundId(questionnaire.instrument);
+           });
+  }
+
+  void statements(const questionnaires::Instrument& asked) {
+    const questionnaires::Item* first = nullptr;
+    for (const auto& item : asked.items) {
+      if (item.type != ItemType::Likert) continue;
+      if (first == nullptr) first = &item;
+      if (item.scale.lowest == first->scale.lowest && item.scale.points == first->scale.points) {
+        continue;
+      }
       problems_.add(
           path_ + ".instrument",
-          "'" + family_.instrument + "' has no Likert items to compare",
-          "name one that has");
-    }
-    for (const auto* item : statements) {
-      const auto& scale = statements.front()->scale;
-      if (item->scale.lowest == scale.lowest && item->scale.points == scale.points) continue;
-      problems_.add(
-          path_ + ".instrument",
-          "the Likert items of '" + family_.instrument + "' have different scales",
-          "answers on different scales cannot be pooled; compare them in families of their own");
+          "the Likert items of '" + asked.id + "' have different scales",
+          "answers on different scales cannot be pooled; make an instrument of each scale");
       return;
+    }
+    if (first == nullptr) {
+      problems_.add(
+          path_ + ".instrument",
+          "'" + asked.id + "' has no Likert items to compare",
+          "name one that has");
     }
   }
 
-  void blocks() {
-    for (const auto& id : family_.blocks) {
-      const auto* phase = protocol_.phase(id);
-      if (phase != nullptr && phase->type == PhaseType::Block && isAskedIn(*phase)) continue;
-      problems_.add(
-          path_ + ".blocks",
-          "'" + id + "' is no block that asks '" + family_.instrument + "'",
-          "correct the name");
-    }
+  void block(std::size_t index) {
+    const auto& id = family_.blocks[index];
+    const auto* phase = protocol_.phase(id);
+    if (!isSoundId(id) || (phase == nullptr && !draft_.hasAllPhases())) return;
+    if (phase != nullptr && phase->type == PhaseType::Block && mayAsk(*phase)) return;
+    problems_.add(
+        path_ + ".blocks[" + std::to_string(index) + "]",
+        "'" + shown(id) + "' is no block that asks '" + shown(family_.instrument) + "'",
+        "correct the name");
   }
 
   void comparison(std::size_t index) {
     const auto& pair = family_.comparisons[index];
     const std::string path = path_ + ".comparisons[" + std::to_string(index) + "]";
-    for (const auto& id : {pair.first, pair.second}) {
-      if (protocol_.condition(id) != nullptr) continue;
-      problems_.add(path, "there is no condition '" + id + "'", "correct the name");
-    }
+    side(pair.first, path + ".first");
+    side(pair.second, path + ".second");
+    if (pair.first.empty() || pair.second.empty()) return;
     if (pair.first == pair.second) {
       problems_.add(path, "a condition is compared with itself", "name two");
+      return;
     }
-    for (std::size_t i = 0; i < index; ++i) {
-      const auto& other = family_.comparisons[i];
-      const bool isSame = (other.first == pair.first && other.second == pair.second) ||
-                          (other.first == pair.second && other.second == pair.first);
-      if (isSame) problems_.add(path, "this pair is compared already", "keep one of the two");
+    const auto end = family_.comparisons.begin() + static_cast<std::ptrdiff_t>(index);
+    const bool isThere = std::any_of(family_.comparisons.begin(), end, [&](const auto& other) {
+      return (other.first == pair.first && other.second == pair.second) ||
+             (other.first == pair.second && other.second == pair.first);
+    });
+    if (isThere) problems_.add(path, "this pair is compared already", "keep one of the two");
+  }
+
+  void side(const std::string& condition, const std::string& path) {
+    if (draft_.lacksCondition(condition)) {
+      problems_.add(path, "there is no condition '" + shown(condition) + "'", "correct the name");
+    } else if (isSoundId(condition) && !isAskedAbout(condition)) {
+      problems_.add(
+          path,
+          "no block of this family asks '" + shown(family_.instrument) + "' about '" +
+              shown(condition) + "'",
+          "compare conditions that are asked about");
     }
   }
 
-  /// Different statements for different conditions: method and wording are confounded.
-  void itemsInCommon() {
+  bool isAskedAbout(const std::string& condition) const {
+    bool isAskedAtAll = false;
     for (const auto& phase : protocol_.phases) {
-      for (const auto& asked : phase.trials.questionnaires) {
-        if (asked.instrument != family_.instrument || asked.setByCondition.empty()) continue;
-        problems_.warn(
-            path_,
-            "conditions answer different statements in '" + phase.id + "'",
-            "a difference may be one of wording; the item ids also tell an analyst which is which");
-        return;
-      }
+      if (phase.type != PhaseType::Block || !isCounted(phase) || !mayAsk(phase)) continue;
+      if (mayHold(phase.trials, condition)) return true;
+      isAskedAtAll = true;
     }
+    return !isAskedAtAll || !draft_.hasAllPhases();  // what is missing then has been said
   }
 
-  const LoadedProtocol& loaded_;
+  bool isCounted(const Phase& phase) const {
+    const auto& only = family_.blocks;
+    return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
+  }
+
+  static bool mayHold(const Block& block, const std::string& condition) {
+    const auto& felt = block.conditions;
+    return felt.empty() || !std::all_of(felt.begin(), felt.end(), isSoundId) ||
+           std::find(felt.begin(), felt.end(), condition) != felt.end();
+  }
+
+  const Draft& draft_;
   const Protocol& protocol_;
   const Family& family_;
   std::string path_;
@@ -121,20 +150,17 @@ class FamilyCheck {
 
 }  // namespace
 
-void checkAnalysis(const LoadedProtocol& loaded, Problems& problems) {
-  const auto& families = loaded.protocol.analysis.families;
-  for (std::size_t i = 0; i < families.size(); ++i) FamilyCheck(loaded, i, problems).all();
-  if (families.empty()) {
-    problems.warn(
-        "$.analysis",
-        "no family of comparisons is declared",
-        "what is compared only after a look at the data is exploratory");
+void checkAnalysis(const Draft& draft, Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
+  for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
+    FamilyCheck(draft, i, problems).all();
   }
-  for (const auto& [condition, realism] : loaded.protocol.simulation.realismByCondition) {
-    if (loaded.protocol.condition(condition) != nullptr) continue;
+  for (const auto& member : protocol.simulation.realismByCondition) {
+    const std::string& condition = member.first;
+    if (isSoundId(condition) && !draft.lacksCondition(condition)) continue;
     problems.add(
-        "$.simulation.realism." + condition,
-        "there is no condition '" + condition + "'",
+        "$.simulation.realism." + shown(condition),
+        "there is no condition '" + shown(condition) + "'",
         "correct the name");
   }
 }

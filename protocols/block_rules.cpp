@@ -5,11 +5,14 @@
 #include <string>
 
 #include "protocols/order.h"
+#include "questionnaires/document.h"
 
 namespace protocols {
 namespace {
 
+using questionnaires::isSoundId;
 using questionnaires::Problems;
+using questionnaires::shown;
 
 std::set<std::string> asSet(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
@@ -18,10 +21,10 @@ std::set<std::string> asSet(const std::vector<std::string>& names) {
 /// Looks at one block of a protocol.
 class BlockCheck {
  public:
-  BlockCheck(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
-      : loaded_(loaded),
-        protocol_(loaded.protocol),
-        phase_(loaded.protocol.phases[index]),
+  BlockCheck(const Draft& draft, std::size_t index, Problems& problems)
+      : draft_(draft),
+        protocol_(draft.loaded.protocol),
+        phase_(protocol_.phases[index]),
         block_(phase_.trials),
         path_("$.phases[" + std::to_string(index) + "]"),
         problems_(problems) {}
@@ -30,16 +33,15 @@ class BlockCheck {
     conditions();
     order();
     for (std::size_t i = 0; i < block_.questionnaires.size(); ++i) questionnaire(i);
-    if (!problems_.hasErrors()) balance();
   }
 
  private:
   void conditions() {
     for (std::size_t i = 0; i < block_.conditions.size(); ++i) {
-      if (protocol_.condition(block_.conditions[i]) != nullptr) continue;
+      if (!draft_.lacksCondition(block_.conditions[i])) continue;
       problems_.add(
           path_ + ".conditions[" + std::to_string(i) + "]",
-          "there is no condition '" + block_.conditions[i] + "'",
+          "there is no condition '" + shown(block_.conditions[i]) + "'",
           "add it to 'conditions', or correct the name");
     }
   }
@@ -52,15 +54,16 @@ class BlockCheck {
           "all orders of " + std::to_string(block_.conditions.size()) + " conditions are too many",
           "use balancedLatinSquare");
     }
-    if (type == OrderType::Reversed) reversed();
+    if (type == OrderType::Reversed && isSoundId(block_.order.of)) reversed();
   }
 
   void reversed() {
     const auto* other = protocol_.phase(block_.order.of);
+    if (other == nullptr && !draft_.hasAllPhases()) return;
     if (other == nullptr || other->type != PhaseType::Block) {
       problems_.add(
           path_ + ".order.of",
-          "there is no block '" + block_.order.of + "'",
+          "there is no block '" + shown(block_.order.of) + "'",
           "name a block before this one");
       return;
     }
@@ -72,13 +75,14 @@ class BlockCheck {
     } else if (other >= &phase_) {
       problems_.add(
           path_ + ".order.of",
-          "'" + block_.order.of + "' does not come before this block",
+          "'" + shown(block_.order.of) + "' does not come before this block",
           "reverse the order of a block before this one");
     }
-    if (asSet(other->trials.conditions) != asSet(block_.conditions)) {
+    const bool areRead = !other->trials.conditions.empty() && !block_.conditions.empty();
+    if (areRead && asSet(other->trials.conditions) != asSet(block_.conditions)) {
       problems_.add(
           path_ + ".conditions",
-          "not the conditions of '" + block_.order.of + "', whose order is reversed",
+          "not the conditions of '" + shown(block_.order.of) + "', whose order is reversed",
           "list the same conditions");
     }
   }
@@ -96,84 +100,42 @@ class BlockCheck {
   void questionnaire(std::size_t index) {
     const auto& asked = block_.questionnaires[index];
     const std::string path = path_ + ".questionnaires[" + std::to_string(index) + "]";
-    const auto* instrument = loaded_.instrument(asked.instrument);
-    if (instrument == nullptr) {
+    for (std::size_t i = 0; i < index; ++i) {
+      if (!isSoundId(asked.instrument) || block_.questionnaires[i].instrument != asked.instrument) {
+        continue;
+      }
       problems_.add(
           path + ".instrument",
-          "there is no instrument '" + asked.instrument + "'",
-          "name one of the library, or list its file in 'instrument_files'");
-      return;
+          "'" + shown(asked.instrument) + "' is asked twice after each condition",
+          "keep one of the two");
+      break;
     }
     for (const auto& [condition, set] : asked.setByCondition) {
-      const std::string where = path + ".set_by_condition." + condition;
-      const auto& mine = block_.conditions;
-      if (std::find(mine.begin(), mine.end(), condition) == mine.end()) {
-        problems_.add(where, "this block has no condition '" + condition + "'", "correct the name");
-      }
-      if (instrument->itemsOf(set).empty()) {
-        problems_.add(
-            where,
-            "'" + asked.instrument + "' has no items of the set '" + set + "'",
-            "correct the name");
-      }
+      checkSet(asked, condition, set, path + ".set_by_condition." + shown(condition));
     }
-    if (!problems_.hasErrors()) relativeItems(asked, *instrument, path);
   }
 
-  /// A statement like "than the previous cut" needs a previous cut.
-  void relativeItems(
+  void checkSet(
       const ConditionQuestionnaire& asked,
-      const questionnaires::Instrument& instrument,
+      const std::string& condition,
+      const std::string& set,
       const std::string& path) {
-    for (const auto& condition : block_.conditions) {
-      if (!canComeFirst(condition)) continue;
-      for (const auto& item : instrument.itemsOf(asked.setFor(condition))) {
-        if (item.reference != questionnaires::Reference::Previous) continue;
-        problems_.warn(
-            path,
-            "item '" + item.id + "' compares with the previous, and '" + condition +
-                "' can come first in this block, where there is none",
-            "use an order in which it cannot, or a statement that compares with nothing");
-      }
+    const auto& mine = block_.conditions;
+    if (!mine.empty() && std::find(mine.begin(), mine.end(), condition) == mine.end()) {
+      problems_.add(
+          path, "this block has no condition '" + shown(condition) + "'", "correct the name");
+    }
+    const auto* instrument = draft_.loaded.instrument(asked.instrument);
+    if (instrument == nullptr || !isSoundId(set)) return;
+    if (instrument->itemsOf(set).empty()) {
+      problems_.add(
+          path,
+          "'" + asked.instrument + "' has no items of the set '" + set + "'",
+          "correct the name");
     }
   }
 
-  bool canComeFirst(const std::string& condition) const {
-    bool isBackwards = false;
-    const Phase* source = &phase_;
-    while (source->trials.order.type == OrderType::Reversed) {
-      source = protocol_.phase(source->trials.order.of);
-      isBackwards = !isBackwards;
-    }
-    if (source->trials.order.type != OrderType::Fixed) return true;
-    const auto& order = source->trials.conditions;
-    return condition == (isBackwards ? order.back() : order.front());
-  }
-
-  void balance() {
-    const auto k = block_.conditions.size();
-    const auto type = block_.order.type;
-    if (type == OrderType::Fixed && k > 1) {
-      problems_.warn(
-          path_ + ".order",
-          "everybody feels this block in the same order",
-          "what comes first or last may be preferred for that alone; 'balancedLatinSquare' avoids "
-          "it");
-    }
-    if (type == OrderType::Fixed || type == OrderType::Random || type == OrderType::Reversed)
-      return;
-    const auto rows = rowsOf(type, static_cast<int>(k)).size();
-    for (const auto& cohort : protocol_.cohorts) {
-      if (cohort.planned == 0 || static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
-      problems_.warn(
-          path_ + ".order",
-          std::to_string(cohort.planned) + " participants of '" + cohort.id +
-              "' do not balance this design",
-          "plan a multiple of " + std::to_string(rows));
-    }
-  }
-
-  const LoadedProtocol& loaded_;
+  const Draft& draft_;
   const Protocol& protocol_;
   const Phase& phase_;
   const Block& block_;
@@ -181,37 +143,36 @@ class BlockCheck {
   Problems& problems_;
 };
 
-void checkPreference(const Protocol& protocol, std::size_t index, Problems& problems) {
+void checkPreference(const Draft& draft, std::size_t index, Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
   const auto& phase = protocol.phases[index];
   const auto* block = protocol.phase(phase.block);
+  if (!isSoundId(phase.block) || (block == nullptr && !draft.hasAllPhases())) return;
   const std::string path = "$.phases[" + std::to_string(index) + "].block";
+  const std::string name = "'" + shown(phase.block) + "'";
   if (block == nullptr || block->type != PhaseType::Block) {
-    problems.add(
-        path, "there is no block '" + phase.block + "'", "name the block that was just felt");
+    problems.add(path, "there is no block " + name, "name the block that was just felt");
   } else if (block >= &phase) {
     problems.add(
-        path,
-        "the alternatives of '" + phase.block + "' have not been felt yet",
-        "ask after that block");
-  } else if (block->trials.conditions.size() < 2) {
-    problems.add(
-        path, "'" + phase.block + "' has one alternative only", "there is nothing to prefer");
+        path, "the alternatives of " + name + " have not been felt yet", "ask after that block");
+  } else if (block->trials.conditions.size() == 1) {
+    problems.add(path, name + " has one alternative only", "there is nothing to prefer; remove it");
   }
 }
 
 }  // namespace
 
-void checkBlocks(const LoadedProtocol& loaded, Problems& problems) {
-  const auto& phases = loaded.protocol.phases;
+void checkBlocks(const Draft& draft, Problems& problems) {
+  const auto& phases = draft.loaded.protocol.phases;
   bool hasBlock = false;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     if (phases[i].type == PhaseType::Block) {
       hasBlock = true;
-      BlockCheck(loaded, i, problems).all();
+      BlockCheck(draft, i, problems).all();
     }
-    if (phases[i].type == PhaseType::Preference) checkPreference(loaded.protocol, i, problems);
+    if (phases[i].type == PhaseType::Preference) checkPreference(draft, i, problems);
   }
-  if (!hasBlock) {
+  if (!hasBlock && draft.hasAllPhases()) {
     problems.add("$.phases", "nothing is felt in this study", "add a phase of type 'block'");
   }
 }

@@ -1,10 +1,11 @@
 #include "protocols/cut_file.h"
 
-#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "protocols/provenance_file.h"
 #include "questionnaires/document.h"
 
 namespace protocols {
@@ -12,8 +13,11 @@ namespace {
 
 using haptics::recordings::CurvePoint;
 using haptics::recordings::Cut;
+using haptics::recordings::ForceCurve;
 using Json = nlohmann::ordered_json;
 using questionnaires::Node;
+using questionnaires::Problems;
+using questionnaires::Value;
 
 constexpr std::string_view kFormat = "palpate-cut-1";
 constexpr double kLargestTravel = 1e6;  // [travel units]
@@ -39,12 +43,52 @@ void readLandmarks(const Node& node, Cut& cut) {
   cut.landmarks.opening = readLandmark(node, "opening");
 }
 
-std::vector<CurvePoint> readCurve(const Node& root) {
-  std::vector<CurvePoint> curve;
+/// Travel rises from point to point, or there is no curve.
+std::optional<ForceCurve> readCurve(const Node& root, Problems& problems) {
+  std::vector<CurvePoint> points;
+  bool isSound = true;
   for (const auto& node : root.requiredList("curve")) {
-    if (const auto point = readPoint(node)) curve.push_back(*point);
+    const auto point = readPoint(node);
+    const bool rises = !point || points.empty() || point->travel > points.back().travel;
+    if (!rises) {
+      node.problem(
+          "travel",
+          "the travel does not rise from the point before",
+          "list the points in the order of their travel, each travel once");
+    }
+    isSound = isSound && point && rises;
+    if (point) points.push_back(*point);
   }
-  return curve;
+  if (isSound && points.size() == 1) {
+    root.problem("curve", "one point is no curve", "list two or more");
+  }
+  if (!isSound || points.size() < 2 || problems.hasErrors()) return std::nullopt;
+  return ForceCurve(std::move(points));
+}
+
+std::optional<Cut> readRoot(const Value& value, Problems& problems) {
+  const Node root(value, "$", problems);
+  if (!root.isObjectWith(
+          {"format", "name", "title", "unit", "synthetic", "curve", "landmarks", "provenance"})) {
+    return std::nullopt;
+  }
+  const std::string format = root.text("format");
+  if (!format.empty() && format != kFormat) {
+    root.problem(
+        "format",
+        "this is no cut file of the kind that this program reads",
+        "write one with 'palpate recording import'");
+  }
+  auto curve = readCurve(root, problems);
+  Cut cut{
+      .name = root.id("name"),
+      .title = root.text("title"),
+      .unit = root.text("unit"),
+      .curve = curve ? std::move(*curve) : ForceCurve({{0.0, 0.0}, {1.0, 0.0}}),
+      .provenance = readProvenance(value, problems),
+      .isSynthetic = root.flag("synthetic", false)};
+  if (const auto landmarks = root.object("landmarks")) readLandmarks(*landmarks, cut);
+  return cut;
 }
 
 Json pointAsJson(const CurvePoint& point) {
@@ -54,54 +98,26 @@ Json pointAsJson(const CurvePoint& point) {
 Json provenanceAsJson(const haptics::recordings::Provenance& p, std::string_view sha256) {
   Json json;
   json["statement"] = p.statement;
-  if (p.sourceFile.empty()) return json;
-  json["source_file"] = p.sourceFile;
-  json["source_sha256"] = sha256;
-  json["rows"] = Json::array();
+  if (!p.sourceFile.empty()) json["source_file"] = p.sourceFile;
+  if (!sha256.empty()) json["source_sha256"] = sha256;
   for (const auto& range : p.rows) json["rows"].push_back({range.first, range.last});
-  json["closures"] = p.closures;
-  json["calibration"] = p.calibration;
-  json["filter"] = p.filter;
-  json["filter_parameters"] = p.filterParameters;
+  if (!p.closures.empty()) json["closures"] = p.closures;
+  if (!p.calibration.empty()) json["calibration"] = p.calibration;
+  if (!p.filter.empty()) json["filter"] = p.filter;
+  if (!p.filterParameters.empty()) json["filter_parameters"] = p.filterParameters;
   if (p.slopeLimit) json["slope_limit_n_per_travel_unit"] = *p.slopeLimit;
-  json["changes"] = p.changes;
+  if (!p.changes.empty()) json["changes"] = p.changes;
   return json;
 }
 
 }  // namespace
 
-std::optional<Cut> readCut(std::string_view json, questionnaires::Problems& problems) {
-  const auto value = questionnaires::parseJson(json, problems);
-  if (!value) return std::nullopt;
-  const Node root(*value, "$", problems);
-  if (!root.isObjectWith(
-          {"format", "name", "title", "unit", "synthetic", "curve", "landmarks", "provenance"})) {
-    return std::nullopt;
-  }
-  if (root.text("format") != kFormat) {
-    root.problem(
-        "format",
-        "this is no cut file of the kind that this program reads",
-        "write one with 'palpate recording import'");
-  }
-  const auto points = readCurve(root);
-  try {
-    Cut cut{
-        .name = root.id("name"),
-        .title = root.text("title"),
-        .unit = root.text("unit"),
-        .curve = haptics::recordings::ForceCurve(points),
-        .isSynthetic = root.flag("synthetic", false)};
-    if (const auto landmarks = root.object("landmarks")) readLandmarks(*landmarks, cut);
-    if (const auto provenance = root.object("provenance")) {
-      cut.provenance.statement = provenance->text("statement", "");
-      cut.provenance.sourceFile = provenance->text("source_file", "");
-    }
-    return problems.hasErrors() ? std::nullopt : std::optional(std::move(cut));
-  } catch (const std::invalid_argument& error) {
-    root.problem("curve", error.what(), "travel must rise from point to point");
-    return std::nullopt;
-  }
+std::optional<Cut> readCut(std::string_view json, Problems& problems) {
+  Problems found;
+  std::optional<Cut> cut;
+  if (const auto value = questionnaires::parseJson(json, found)) cut = readRoot(*value, found);
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::move(cut);
 }
 
 std::string cutAsJson(const Cut& cut, std::string_view sha256) {
@@ -122,7 +138,8 @@ std::string cutAsJson(const Cut& cut, std::string_view sha256) {
   json["provenance"] = provenanceAsJson(cut.provenance, sha256);
   json["curve"] = Json::array();
   for (const auto& point : cut.curve.nodes()) json["curve"].push_back(pointAsJson(point));
-  return json.dump(1) + "\n";
+  // Names of files are bytes; what is no UTF-8 in them is replaced.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::vector<haptics::models::CurveNode<double>> nodesOf(const Cut& cut) {

@@ -11,7 +11,7 @@
 
 namespace protocols {
 
-/// A cut as `palpate recording import` writes it (docs/protocol-format.md, "cut files"), and
+/// A cut as `palpate recording import` writes it (docs/protocol-format.md, "Cut files"), and
 /// everything that is wrong with it; nothing where there are errors.
 std::optional<haptics::recordings::Cut> readCut(
     std::string_view json, questionnaires::Problems& problems);

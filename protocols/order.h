@@ -11,7 +11,9 @@ namespace protocols {
 /// An order of k things: which comes at each position, counted from 0.
 using Row = std::vector<int>;
 
-/// Most conditions of a `complete` block: 6! = 720 orders.
+/// Most conditions of a block …
+inline constexpr int kMostConditions = 100;
+/// … and of a `complete` one: 6! = 720 orders.
 inline constexpr int kMostForComplete = 6;
 
 /// The orders that a design of k conditions uses, each equally often. One row where everybody has

@@ -2,7 +2,9 @@
 
 #include <array>
 
+#include "protocols/choice_file.h"
 #include "protocols/localized_file.h"
+#include "protocols/order.h"
 
 namespace protocols {
 namespace {
@@ -32,10 +34,12 @@ constexpr std::array kOrders{
 constexpr int kMostCuts = 1000;
 
 Order readOrder(const Node& block) {
-  Order order;
+  Order order{.type = OrderType::Random, .of = {}};  // until it is read: what no rule objects to
   const auto node = block.requiredObject("order");
   if (!node || !node->isObjectWith({"type", "of"})) return order;
-  order.type = node->choice("type", kOrders);
+  const auto type = readChoice(*node, "type", kOrders);
+  if (!type) return order;
+  order.type = *type;
   if (order.type == OrderType::Reversed) {
     order.of = node->id("of");
   } else if (node->has("of")) {
@@ -44,19 +48,27 @@ Order readOrder(const Node& block) {
   return order;
 }
 
-std::vector<ConditionQuestionnaire> readQuestionnaires(const Node& block) {
-  std::vector<ConditionQuestionnaire> all;
-  for (const auto& node : block.list("questionnaires")) {
-    if (!node.isObjectWith({"instrument", "set_by_condition"})) continue;
-    ConditionQuestionnaire questionnaire{.instrument = node.id("instrument"), .setByCondition = {}};
-    if (const auto sets = node.object("set_by_condition")) {
-      for (const auto& [condition, set] : sets->members()) {
-        questionnaire.setByCondition.emplace_back(condition, set.asText());
-      }
+ConditionQuestionnaire readQuestionnaire(const Node& node) {
+  ConditionQuestionnaire questionnaire;
+  if (!node.isObjectWith({"instrument", "set_by_condition"})) return questionnaire;
+  questionnaire.instrument = node.id("instrument");
+  if (const auto sets = node.object("set_by_condition")) {
+    for (const auto& member : sets->members()) {
+      questionnaire.setByCondition.emplace_back(member.first, sets->id(member.first));
     }
-    all.push_back(std::move(questionnaire));
   }
-  return all;
+  return questionnaire;
+}
+
+std::vector<std::string> readConditions(const Node& block) {
+  if (block.requiredList("conditions").empty()) return {};
+  const auto conditions = block.ids("conditions");
+  if (conditions.size() <= std::size_t{kMostConditions}) return conditions;
+  block.problem(
+      "conditions",
+      "more than " + std::to_string(kMostConditions) + " conditions in one block",
+      "nobody can compare so many; make several blocks");
+  return {};
 }
 
 void readBlock(const Node& node, Phase& phase) {
@@ -71,14 +83,13 @@ void readBlock(const Node& node, Phase& phase) {
     return;
   }
   auto& block = phase.trials;
-  block.conditions = node.ids("conditions");
-  if (block.conditions.empty()) {
-    node.problem("", "this block has no conditions", "add 'conditions': [\"…\"]");
-  }
+  block.conditions = readConditions(node);
   if (node.has("visualisation")) block.isVisualised = node.flag("visualisation", false);
   block.order = readOrder(node);
   block.minimumCuts = static_cast<int>(node.wholeNumber("minimum_cuts", 1, kMostCuts));
-  block.questionnaires = readQuestionnaires(node);
+  for (const auto& asked : node.list("questionnaires")) {
+    block.questionnaires.push_back(readQuestionnaire(asked));
+  }
 }
 
 void readBenchmark(const Node& node, Phase& phase) {
@@ -88,9 +99,10 @@ void readBenchmark(const Node& node, Phase& phase) {
 }
 
 void readBreak(const Node& node, Phase& phase) {
+  constexpr double kLongest = 86'400.0;  // [s]
   if (!node.isObjectWith({"id", "type", "text", "seconds"})) return;
   phase.text = readLocalized(node, "text");
-  phase.seconds = node.number("seconds", 0.0, 86'400.0);
+  phase.seconds = node.number("seconds", 0.0, kLongest, 0.0);
 }
 
 void readPreference(const Node& node, Phase& phase) {
@@ -111,8 +123,11 @@ Phase readPhase(const Node& node) {
     node.isObjectWith({});
     return phase;
   }
-  phase.id = node.id("id");
-  phase.type = node.choice("type", kPhaseTypes);
+  const std::string id = node.id("id");
+  const auto type = readChoice(node, "type", kPhaseTypes);
+  if (!type) return phase;
+  phase.id = id;
+  phase.type = *type;
   switch (phase.type) {
     case PhaseType::Block:
       readBlock(node, phase);

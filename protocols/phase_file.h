@@ -5,7 +5,8 @@
 
 namespace protocols {
 
-/// Reads one phase (docs/protocol-format.md, "phases"); problems go where the node's go.
+/// Reads one phase (docs/protocol-format.md, "Phases"); problems go where the node's go. One whose
+/// type is not understood has no id.
 Phase readPhase(const questionnaires::Node& node);
 
 }  // namespace protocols

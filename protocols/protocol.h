@@ -41,9 +41,12 @@ struct DeviceNeed {
   double maxForceRate = 0.0;  ///< [N/s]
 };
 
+/// The name of the cut that ships.
+inline constexpr std::string_view kParametricCut = "parametric";
+
 /// Where a force model's parameters come from that stand in no protocol: a cut, by name or file.
 struct CutReference {
-  std::string name;  ///< "parametric" (shipped), or a cut file beside the protocol
+  std::string name;  ///< kParametricCut, or a cut file beside the protocol
   std::string path;  ///< JSON path of the reference, for messages
 };
 
@@ -121,7 +124,7 @@ struct Phase {
   std::string instrument;  ///< of all but Block, Benchmark and Break
   LocalizedText text;      ///< Benchmark, Break: what the participant reads
   int minimumCuts = 0;     ///< Benchmark
-  double seconds = 0.0;    ///< Break: lasts at least so long [s]
+  double seconds = 0.0;    ///< Break: lasts at least so long [s]; 0: as long as they like
   Block trials;            ///< Block
   std::string block;       ///< Preference: between the alternatives of this one
 };

@@ -1,12 +1,17 @@
 #include "protocols/protocol_file.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
+#include "protocols/analysis_file.h"
+#include "protocols/choice_file.h"
 #include "protocols/localized_file.h"
 #include "protocols/phase_file.h"
 #include "protocols/scene_file.h"
 #include "questionnaires/document.h"
+#include "questionnaires/text_reader.h"
 
 namespace protocols {
 namespace {
@@ -27,22 +32,67 @@ constexpr std::array kPolicies{
     Choice<LabelPolicy>{"position", LabelPolicy::Position},
     Choice<LabelPolicy>{"random", LabelPolicy::Random},
 };
-constexpr std::array kTests{Choice<TestType>{"welch", TestType::Welch}};
-constexpr std::array kCorrections{
-    Choice<CorrectionType>{"bonferroni", CorrectionType::Bonferroni},
-    Choice<CorrectionType>{"none", CorrectionType::None},
-};
 
 void requireSchema(const Node& root) {
   const std::string schema = root.text("$schema");
-  const bool isOurs = schema == kSchema || (schema.size() > kSchema.size() &&
-                                            schema.ends_with("/" + std::string(kSchema)));
+  const bool isOurs = schema == kSchema || schema.ends_with("/" + std::string(kSchema));
   if (!schema.empty() && !isOurs) {
     root.problem(
         "$schema",
-        "this is not the schema of a protocol that this program reads",
-        "write \"" + std::string(kSchema) + "\"");
+        "this is written for '" + questionnaires::shown(schema) + "'",
+        "this program reads " + std::string(kSchema));
   }
+}
+
+/// Texts in a list, none of them empty.
+std::vector<std::string> readTexts(const Node& node, std::string_view key) {
+  std::vector<std::string> texts;
+  for (const auto& entry : node.list(key)) {
+    texts.push_back(entry.asText());
+    if (entry.isText() && texts.back().empty()) {
+      entry.problem("", "this text is empty", "write something");
+    }
+  }
+  return texts;
+}
+
+/// Texts in a list, each once.
+std::vector<std::string> readFileNames(const Node& root) {
+  auto names = readTexts(root, "instrument_files");
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty() || seen.insert(names[i]).second) continue;
+    root.problem(
+        "instrument_files[" + std::to_string(i) + "]",
+        "'" + questionnaires::shown(names[i]) + "' stands in this list twice",
+        "keep one");
+  }
+  return names;
+}
+
+std::vector<std::string> readLanguages(const Node& root) {
+  std::vector<std::string> languages;
+  for (const auto& node : root.requiredList("languages")) {
+    const std::string language = node.asText();
+    if (!node.isText()) continue;
+    if (!questionnaires::isLanguageTag(language)) {
+      node.problem(
+          "",
+          "'" + questionnaires::shown(language) + "' is no language tag",
+          "write one such as en, de, nb, de-CH");
+    } else if (std::find(languages.begin(), languages.end(), language) != languages.end()) {
+      node.problem("", "'" + language + "' stands in this list twice", "keep one");
+    }
+    languages.push_back(language);
+  }
+  if (!languages.empty() &&
+      std::find(languages.begin(), languages.end(), "en") == languages.end()) {
+    root.problem(
+        "languages",
+        "'en' is not among the languages",
+        "add it: English is what is shown where another language has no text");
+  }
+  return languages;
 }
 
 StudyMetadata readMetadata(const Node& node) {
@@ -54,27 +104,30 @@ StudyMetadata readMetadata(const Node& node) {
   study.id = node.id("id");
   study.title = node.text("title");
   study.version = node.text("version");
-  study.authors = node.texts("authors");
-  study.organizations = node.texts("organizations");
+  study.authors = readTexts(node, "authors");
+  study.organizations = readTexts(node, "organizations");
   study.date = node.text("date", "");
   study.description = node.text("description", "");
   return study;
 }
 
 Cohort readCohort(const Node& node) {
+  constexpr int kMostPlanned = 10'000;
   Cohort cohort;
   if (!node.isObjectWith({"id", "title", "planned"})) return cohort;
   cohort.id = node.id("id");
   cohort.title = readLocalized(node, "title");
-  cohort.planned = static_cast<int>(node.wholeNumber("planned", 0, 10'000, 0));
+  cohort.planned = static_cast<int>(node.wholeNumber("planned", 0, kMostPlanned, 0));
   return cohort;
 }
 
 DeviceNeed readDevice(const Node& node) {
   DeviceNeed device;
   if (!node.isObjectWith({"id", "kind", "max_force_n", "max_force_rate_n_per_s"})) return device;
-  device.id = node.id("id");
-  device.kind = node.choice("kind", kDeviceKinds);
+  const std::string id = node.id("id");
+  const auto kind = readChoice(node, "kind", kDeviceKinds);
+  if (kind) device.id = id;  // without a kind it is as good as unread
+  device.kind = kind.value_or(device.kind);
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
   device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
   return device;
@@ -98,53 +151,6 @@ Labels readLabels(const Node& root) {
   return labels;
 }
 
-std::vector<Comparison> readComparisons(const Node& family) {
-  std::vector<Comparison> comparisons;
-  for (const auto& node : family.requiredList("comparisons")) {
-    if (!node.isObjectWith({"first", "second"})) continue;
-    comparisons.push_back({node.id("first"), node.id("second")});
-  }
-  return comparisons;
-}
-
-Family readFamily(const Node& node) {
-  Family family;
-  if (!node.isObjectWith(
-          {"id", "title", "instrument", "blocks", "comparisons", "test", "correction", "alpha"})) {
-    return family;
-  }
-  family.id = node.id("id");
-  family.title = node.text("title");
-  family.instrument = node.id("instrument");
-  family.blocks = node.ids("blocks");
-  family.comparisons = readComparisons(node);
-  family.test = node.choice("test", kTests);
-  family.correction = node.choice("correction", kCorrections);
-  family.alpha = node.number("alpha", 0.0, 1.0);
-  if (family.alpha == 0.0 || family.alpha == 1.0) {
-    node.problem("alpha", "alpha must lie between 0 and 1, both excluded", "0.05 is usual");
-  }
-  return family;
-}
-
-SimulationTruth readSimulation(const Node& node) {
-  SimulationTruth truth;
-  if (!node.isObjectWith(
-          {"realism", "person_deviation", "person_by_condition_deviation", "answer_deviation"})) {
-    return truth;
-  }
-  if (const auto realism = node.object("realism")) {
-    for (const auto& [condition, unused] : realism->members()) {
-      truth.realismByCondition.emplace_back(condition, realism->number(condition, -10.0, 10.0));
-    }
-  }
-  truth.personDeviation = node.number("person_deviation", 0.0, 10.0, truth.personDeviation);
-  truth.personByConditionDeviation =
-      node.number("person_by_condition_deviation", 0.0, 10.0, truth.personByConditionDeviation);
-  truth.answerDeviation = node.number("answer_deviation", 0.0, 10.0, truth.answerDeviation);
-  return truth;
-}
-
 template <typename T, typename Read>
 std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
   std::vector<T> all;
@@ -152,9 +158,28 @@ std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
   return all;
 }
 
+Protocol readRoot(const Node& root) {
+  Protocol protocol;
+  requireSchema(root);
+  if (const auto study = root.requiredObject("study")) protocol.study = readMetadata(*study);
+  protocol.languages = readLanguages(root);
+  if (root.has("seed")) {
+    protocol.seed = static_cast<std::uint64_t>(root.wholeNumber("seed", 0, kMostExactWhole));
+  }
+  protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
+  protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
+  protocol.instrumentFiles = readFileNames(root);
+  protocol.conditions = readAll<Condition>(root.requiredList("conditions"), readCondition);
+  protocol.labels = readLabels(root);
+  protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
+  if (const auto analysis = root.object("analysis")) protocol.analysis = readAnalysis(*analysis);
+  if (const auto truth = root.object("simulation")) protocol.simulation = readSimulation(*truth);
+  return protocol;
+}
+
 }  // namespace
 
-std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems) {
+std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problems& problems) {
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
@@ -173,28 +198,14 @@ std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Prob
            "simulation"})) {
     return std::nullopt;
   }
-  requireSchema(root);
-  Protocol protocol;
-  if (const auto study = root.requiredObject("study")) protocol.study = readMetadata(*study);
-  for (const auto& language : root.requiredList("languages")) {
-    protocol.languages.push_back(language.asText());
-  }
-  if (root.has("seed")) {
-    protocol.seed = static_cast<std::uint64_t>(root.wholeNumber("seed", 0, kMostExactWhole));
-  }
-  protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
-  protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
-  protocol.instrumentFiles = root.texts("instrument_files");
-  protocol.conditions = readAll<Condition>(root.requiredList("conditions"), readCondition);
-  protocol.labels = readLabels(root);
-  protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
-  if (const auto analysis = root.object("analysis")) {
-    if (analysis->isObjectWith({"families"})) {
-      protocol.analysis.families = readAll<Family>(analysis->requiredList("families"), readFamily);
-    }
-  }
-  if (const auto truth = root.object("simulation")) protocol.simulation = readSimulation(*truth);
-  return problems.hasErrors() ? std::nullopt : std::optional(std::move(protocol));
+  return readRoot(root);
+}
+
+std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems) {
+  questionnaires::Problems found;
+  auto protocol = readDraft(json, found);
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::move(protocol);
 }
 
 }  // namespace protocols

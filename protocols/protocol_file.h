@@ -13,4 +13,8 @@ namespace protocols {
 /// loadProtocol().
 std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems);
 
+/// The same as far as it goes: what was not understood is empty, and a problem. Nothing only where
+/// @p json is no JSON object.
+std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problems& problems);
+
 }  // namespace protocols

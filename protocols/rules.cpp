@@ -4,14 +4,20 @@
 #include <set>
 #include <string>
 
+#include "protocols/analysis_rules.h"
 #include "protocols/block_rules.h"
+#include "protocols/instrument_use.h"
+#include "questionnaires/document.h"
 
 namespace protocols {
 namespace {
 
+using haptics::devices::DeviceKind;
 using questionnaires::Instrument;
 using questionnaires::ItemType;
+using questionnaires::OptionSource;
 using questionnaires::Problems;
+using questionnaires::shown;
 
 std::string at(const char* list, std::size_t index) {
   return "$." + std::string(list) + "[" + std::to_string(index) + "]";
@@ -25,57 +31,60 @@ void checkUnique(
     if (!things[i].id.empty() && !seen.insert(things[i].id).second) {
       problems.add(
           at(list, i) + ".id",
-          std::string("two ") + what + " share the id '" + things[i].id + "'",
+          std::string("two ") + what + " share the id '" + shown(things[i].id) + "'",
           "give each its own");
     }
   }
 }
 
-void checkLanguages(const Protocol& protocol, Problems& problems) {
-  const auto& languages = protocol.languages;
-  if (std::find(languages.begin(), languages.end(), "en") == languages.end()) {
-    problems.add("$.languages", "English is missing", "add \"en\": every text falls back to it");
+bool isToldAbout(const std::string& place, const Problems& problems) {
+  const auto& all = problems.all();
+  return std::any_of(
+      all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(place); });
+}
+
+/// A curve that could not be read has no points.
+bool isCurveThere(const haptics::engine::SceneSpec& scene) {
+  if (const auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&scene.model)) {
+    return !spec->curve.empty();
   }
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < languages.size(); ++i) {
-    if (!seen.insert(languages[i]).second) {
-      problems.add(at("languages", i), "'" + languages[i] + "' stands here twice", "keep one");
-    }
+  const auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&scene.model);
+  return kalman == nullptr || !kalman->interpolation.curve.empty();
+}
+
+void checkParameters(
+    haptics::engine::SceneSpec scene,
+    DeviceKind device,
+    const std::string& path,
+    Problems& problems) {
+  const bool isMaterial = std::holds_alternative<haptics::engine::MaterialSpec>(scene.model);
+  scene.device = isMaterial ? DeviceKind::Reamer : DeviceKind::Punch;
+  if (scene.device != device) {
+    problems.add(
+        path + ".model",
+        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
+                   : "this model is felt on a punch, not on a reamer",
+        "choose another model, or another device");
+  }
+  for (const auto& wrong : haptics::engine::problemsOf(scene)) {
+    problems.add(path + ".parameters", wrong, "see \"Scenes\" in docs/protocol-format.md");
   }
 }
 
-void checkConditions(const Protocol& protocol, Problems& problems) {
-  for (std::size_t i = 0; i < protocol.conditions.size(); ++i) {
-    const auto& condition = protocol.conditions[i];
-    const std::string scene = at("conditions", i) + ".scene";
-    const auto* device = protocol.device(condition.device);
-    if (device == nullptr) {
-      problems.add(
-          scene + ".device",
-          "there is no device '" + condition.device + "' in this protocol",
-          "add it to 'devices', or correct the name");
-      continue;
-    }
-    auto spec = condition.scene;
-    spec.device = device->kind;
-    for (const auto& wrong : haptics::engine::problemsOf(spec)) {
-      problems.add(scene + ".parameters", wrong, "");
-    }
+void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
+  const auto& condition = draft.loaded.protocol.conditions[index];
+  const std::string path = at("conditions", index) + ".scene";
+  const bool isRead =
+      !isToldAbout(path + ".model", problems) && !isToldAbout(path + ".parameters", problems);
+  if (draft.lacksDevice(condition.device)) {
+    problems.add(
+        path + ".device",
+        "there is no device '" + shown(condition.device) + "' in this protocol",
+        "add it to 'devices', or correct the name");
   }
-}
-
-void checkDevicesAreUsed(const Protocol& protocol, Problems& problems) {
-  for (std::size_t i = 0; i < protocol.devices.size(); ++i) {
-    const bool isUsed =
-        std::any_of(protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& c) {
-          return c.device == protocol.devices[i].id;
-        });
-    if (!isUsed) {
-      problems.warn(
-          at("devices", i),
-          "no condition uses '" + protocol.devices[i].id + "'",
-          "it will not be opened; remove it");
-    }
+  const auto* device = draft.loaded.protocol.device(condition.device);
+  if (isRead && device != nullptr && isCurveThere(condition.scene)) {
+    checkParameters(condition.scene, device->kind, path, problems);
   }
 }
 
@@ -85,64 +94,56 @@ bool hasConsentItem(const Instrument& instrument) {
   });
 }
 
-bool asksForAnAlternative(const Instrument& instrument) {
+bool asksForAlternatives(const Instrument& instrument) {
   return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
-    return item.type == ItemType::SingleChoice &&
-           item.optionSource == questionnaires::OptionSource::Alternatives;
+    return item.optionSource == OptionSource::Alternatives;
   });
 }
 
-void checkInstrument(
-    const LoadedProtocol& loaded,
-    const std::string& id,
-    const std::string& path,
-    Problems& problems) {
-  const auto* instrument = loaded.instrument(id);
-  if (instrument == nullptr) {
+bool asksForOneAlternative(const Instrument& instrument) {
+  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+    return item.type == ItemType::SingleChoice && item.optionSource == OptionSource::Alternatives;
+  });
+}
+
+void checkSuits(
+    const Instrument& instrument, PhaseType phase, const std::string& path, Problems& problems) {
+  if (phase == PhaseType::Consent && !hasConsentItem(instrument)) {
     problems.add(
         path,
-        "there is no instrument '" + id + "'",
-        "name one of the library, or list its file in 'instrument_files'");
-    return;
+        "'" + instrument.id + "' asks for no consent",
+        "it needs an item with 'consent_option'");
   }
-  for (const auto& language : loaded.protocol.languages) {
-    const auto& known = instrument->languages;
-    if (std::find(known.begin(), known.end(), language) == known.end()) {
-      problems.warn(
-          path, "'" + id + "' has no texts in '" + language + "'", "English will be shown instead");
-    }
+  if (phase == PhaseType::Preference && !asksForOneAlternative(instrument)) {
+    problems.add(
+        path,
+        "'" + instrument.id + "' does not ask for an alternative",
+        "it needs a single_choice item with \"options_from\": \"alternatives\"");
+  }
+  if (phase != PhaseType::Preference && asksForAlternatives(instrument)) {
+    problems.add(
+        path,
+        "'" + instrument.id + "' asks for an alternative, and there are none to choose from here",
+        "ask it in a phase of type 'preference'");
   }
 }
 
-void checkPhase(const LoadedProtocol& loaded, std::size_t index, Problems& problems) {
-  const auto& phase = loaded.protocol.phases[index];
-  const std::string path = at("phases", index);
-  if (!phase.instrument.empty()) {
-    checkInstrument(loaded, phase.instrument, path + ".instrument", problems);
-  }
-  const auto* instrument = loaded.instrument(phase.instrument);
-  if (instrument == nullptr) return;
-  if (phase.type == PhaseType::Consent && !hasConsentItem(*instrument)) {
+void checkInstrument(const Draft& draft, const InstrumentUse& use, Problems& problems) {
+  if (draft.lacksInstrument(use.instrument)) {
     problems.add(
-        path + ".instrument",
-        "'" + phase.instrument + "' asks for no consent",
-        "it needs an item with 'consent_option'");
+        use.path,
+        "there is no instrument '" + shown(use.instrument) + "'",
+        "name one of the library, or list its file in 'instrument_files'");
   }
-  if (phase.type == PhaseType::Preference && !asksForAnAlternative(*instrument)) {
-    problems.add(
-        path + ".instrument",
-        "'" + phase.instrument + "' does not ask for an alternative",
-        "it needs a single_choice item with \"options_from\": \"alternatives\"");
-  }
+  const auto* instrument = draft.loaded.instrument(use.instrument);
+  if (instrument != nullptr) checkSuits(*instrument, use.phase, use.path, problems);
 }
 
 void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
-  bool hasConsent = false;
   for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
-    const auto type = protocol.phases[i].type;
-    if (type == PhaseType::Consent) hasConsent = true;
-    const bool isFelt = type == PhaseType::Block || type == PhaseType::Benchmark;
-    if (isFelt && !hasConsent) {
+    const auto& phase = protocol.phases[i];
+    if (phase.type == PhaseType::Consent || phase.id.empty()) return;
+    if (phase.type == PhaseType::Block || phase.type == PhaseType::Benchmark) {
       problems.add(
           at("phases", i),
           "something is felt here before anybody has agreed to take part",
@@ -154,20 +155,18 @@ void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
 
 }  // namespace
 
-void checkRules(const LoadedProtocol& loaded, Problems& problems) {
-  const auto& protocol = loaded.protocol;
+void checkRules(const Draft& draft, Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
   checkUnique(protocol.cohorts, "cohorts", "cohorts", problems);
   checkUnique(protocol.devices, "devices", "devices", problems);
   checkUnique(protocol.conditions, "conditions", "conditions", problems);
   checkUnique(protocol.phases, "phases", "phases", problems);
   checkUnique(protocol.analysis.families, "analysis.families", "families", problems);
-  checkLanguages(protocol, problems);
-  checkConditions(protocol, problems);
-  checkDevicesAreUsed(protocol, problems);
+  for (std::size_t i = 0; i < protocol.conditions.size(); ++i) checkCondition(draft, i, problems);
   checkConsentComesFirst(protocol, problems);
-  for (std::size_t i = 0; i < protocol.phases.size(); ++i) checkPhase(loaded, i, problems);
-  checkBlocks(loaded, problems);
-  if (!problems.hasErrors()) checkAnalysis(loaded, problems);
+  for (const auto& use : instrumentUses(protocol)) checkInstrument(draft, use, problems);
+  checkBlocks(draft, problems);
+  checkAnalysis(draft, problems);
 }
 
 }  // namespace protocols

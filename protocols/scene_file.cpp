@@ -3,6 +3,7 @@
 #include <array>
 
 #include "haptics/engine/parametric_material.h"
+#include "protocols/choice_file.h"
 
 namespace protocols {
 namespace {
@@ -35,7 +36,8 @@ constexpr std::array kVariants{
 engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
   engine::InterpolationSpec spec;
   if (!node.isObjectWith({"cut", "beyond", "ramp_length"})) return spec;
-  condition.cut = CutReference{node.text("cut", "parametric"), node.pathOf("cut")};
+  const std::string cut = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
+  condition.cut = CutReference{cut, node.pathOf("cut")};
   spec.options.beyond = node.choice("beyond", kBeyond, spec.options.beyond);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
   return spec;
@@ -88,7 +90,7 @@ engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
   engine::KalmanSpec spec;
   if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise"})) return spec;
   node.choice("variant", kVariants, KalmanVariant::AuthorsFirmware);
-  condition.cut = CutReference{"parametric", node.pathOf("interpolation.cut")};
+  condition.cut = CutReference{std::string(kParametricCut), node.pathOf("interpolation.cut")};
   if (const auto part = node.object("interpolation")) {
     spec.interpolation = readInterpolation(*part, condition);
   }
@@ -122,10 +124,10 @@ void readScene(const Node& scene, Condition& condition) {
   if (!scene.isObjectWith({"device", "model", "parameters", "visualisation"})) return;
   condition.device = scene.id("device");
   condition.scene.isVisualised = scene.flag("visualisation", false);
-  const Model model = scene.choice("model", kModels);
+  const auto model = readChoice(scene, "model", kModels);
   const auto parameters = scene.requiredObject("parameters");
-  if (!parameters) return;
-  switch (model) {
+  if (!model || !parameters) return;
+  switch (*model) {
     case Model::Interpolation:
       condition.scene.model = readInterpolation(*parameters, condition);
       break;

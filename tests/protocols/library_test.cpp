@@ -11,8 +11,11 @@ TEST(ProtocolLibrary, HoldsTheFourShippedProtocols) {
   std::vector<std::string_view> names;
   for (const auto& file : libraryFiles()) names.push_back(file.name);
   for (const auto* name :
-       {"punch-face-validity.json", "punch-counterbalanced.json", "reaming-hardness.json",
-        "two-devices.json", "protocol-1.schema.json"}) {
+       {"punch-face-validity.json",
+        "punch-counterbalanced.json",
+        "reaming-hardness.json",
+        "two-devices.json",
+        "protocol-1.schema.json"}) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
   }
 }

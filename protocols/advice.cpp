@@ -1,0 +1,164 @@
+#include "protocols/advice.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "protocols/block_advice.h"
+#include "protocols/instrument_use.h"
+#include "questionnaires/library.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Instrument;
+using questionnaires::Problems;
+
+std::string at(const char* list, std::size_t index) {
+  return "$." + std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+/// The first "[[…]]" in an English text; empty where there is none.
+std::string placeholderIn(const LocalizedText& text) {
+  const std::string& words = text.in("en");
+  const auto start = words.find("[[");
+  const auto end = words.find("]]", start);
+  const bool isThere = start != std::string::npos && end != std::string::npos;
+  return isThere ? words.substr(start, end + 2 - start) : std::string();
+}
+
+std::string placeholderIn(const Instrument& instrument) {
+  std::vector<LocalizedText> texts{instrument.title, instrument.introduction};
+  for (const auto& item : instrument.items) texts.push_back(item.text);
+  for (const auto& text : texts) {
+    if (auto placeholder = placeholderIn(text); !placeholder.empty()) return placeholder;
+  }
+  return {};
+}
+
+bool isInLibrary(const std::string& instrument) {
+  const auto files = questionnaires::libraryFiles();
+  return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+    return file.name == instrument + ".json";
+  });
+}
+
+/// Gives advice about everything but blocks.
+class Advice {
+ public:
+  Advice(const LoadedProtocol& loaded, Problems& problems)
+      : loaded_(loaded), protocol_(loaded.protocol), problems_(problems) {}
+
+  void onTexts() {
+    text("$.labels.prefix", protocol_.labels.prefix);
+    for (std::size_t i = 0; i < protocol_.phases.size(); ++i) {
+      const auto& words = protocol_.phases[i].text;
+      if (!words.isEmpty()) text(at("phases", i) + ".text", words);
+    }
+  }
+
+  void onInstruments() {
+    std::set<std::string> told;
+    for (const auto& use : instrumentUses(protocol_)) {
+      if (!told.insert(use.instrument).second) continue;
+      const auto* instrument = loaded_.instrument(use.instrument);
+      languagesOf(*instrument, use.path);
+      if (!isFromFile(*instrument)) blanksOf(*instrument, use.path);
+    }
+    for (std::size_t i = 0; i < protocol_.instrumentFiles.size(); ++i) {
+      file(loaded_.instruments[i].id, at("instrument_files", i), told);
+    }
+  }
+
+  void onWhatNobodyUses() {
+    std::set<std::string> devices;
+    for (const auto& condition : protocol_.conditions) devices.insert(condition.device);
+    std::set<std::string> felt;
+    for (const auto& phase : protocol_.phases) {
+      felt.insert(phase.trials.conditions.begin(), phase.trials.conditions.end());
+    }
+    for (std::size_t i = 0; i < protocol_.devices.size(); ++i) {
+      const auto& id = protocol_.devices[i].id;
+      if (devices.count(id) > 0) continue;
+      problems_.warn(
+          at("devices", i), "no condition uses '" + id + "'", "it will not be opened; remove it");
+    }
+    for (std::size_t i = 0; i < protocol_.conditions.size(); ++i) {
+      const auto& id = protocol_.conditions[i].id;
+      if (felt.count(id) > 0) continue;
+      problems_.warn(
+          at("conditions", i), "no block uses '" + id + "'", "nobody will feel it; remove it");
+    }
+  }
+
+ private:
+  void text(const std::string& path, const LocalizedText& words) {
+    for (const auto& language : protocol_.languages) {
+      if (words.has(language)) continue;
+      problems_.warn(
+          path,
+          "there is no text in '" + language + "'",
+          "English will be shown instead; add \"" + language + "\": \"…\"");
+    }
+    const std::string placeholder = placeholderIn(words);
+    if (placeholder.empty()) return;
+    problems_.warn(path, "still to be filled in: " + placeholder, "write what holds there");
+  }
+
+  void languagesOf(const Instrument& instrument, const std::string& path) {
+    for (const auto& language : protocol_.languages) {
+      const auto& known = instrument.languages;
+      if (std::find(known.begin(), known.end(), language) != known.end()) continue;
+      problems_.warn(
+          path,
+          "'" + instrument.id + "' has no texts in '" + language + "'",
+          "English will be shown instead");
+    }
+  }
+
+  /// What lies in a file has its own warnings.
+  bool isFromFile(const Instrument& instrument) const {
+    const auto files = static_cast<std::ptrdiff_t>(protocol_.instrumentFiles.size());
+    return &instrument - loaded_.instruments.data() < files;
+  }
+
+  void blanksOf(const Instrument& instrument, const std::string& path) {
+    const std::string placeholder = placeholderIn(instrument);
+    if (placeholder.empty()) return;
+    problems_.warn(
+        path,
+        "'" + instrument.id + "' is a template: " + placeholder + " and more is to be filled in",
+        "copy it beside the protocol, give it an id of its own, fill it in, and list it in "
+        "'instrument_files'");
+  }
+
+  void file(const std::string& id, const std::string& path, const std::set<std::string>& used) {
+    if (used.count(id) == 0) {
+      problems_.warn(path, "nothing asks '" + id + "'", "name it in a phase, or remove the file");
+    }
+    if (isInLibrary(id)) {
+      problems_.warn(
+          path,
+          "'" + id + "' takes the place of the instrument of this name in the library",
+          "give it an id of its own, so that nobody takes one for the other");
+    }
+  }
+
+  const LoadedProtocol& loaded_;
+  const Protocol& protocol_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void advise(const LoadedProtocol& loaded, Problems& problems) {
+  Advice advice(loaded, problems);
+  advice.onTexts();
+  advice.onInstruments();
+  adviseOnBlocks(loaded, problems);
+  adviseOnAnalysis(loaded.protocol, problems);
+  advice.onWhatNobodyUses();
+}
+
+}  // namespace protocols

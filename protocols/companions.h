@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "haptics/recordings/cut.h"
+#include "protocols/draft.h"
+#include "questionnaires/problem.h"
+
+namespace protocols {
+
+/// Reads the files that a protocol names, and keeps what it read in the draft. Their problems go
+/// where the protocol's go, with the file's name before the path.
+class Companions {
+ public:
+  /// All three outlive this.
+  Companions(Draft& draft, const FileFinder& find, questionnaires::Problems& problems)
+      : draft_(draft), find_(find), problems_(problems) {}
+
+  /// Those of 'instrument_files', and then those of the library that are used.
+  void readInstruments();
+
+  /// Puts the cut that @p condition names, if it names one, into its scene.
+  void readCut(Condition& condition);
+
+ private:
+  using CutFile = std::optional<haptics::recordings::Cut>;
+
+  void readInstrument(std::size_t index);
+  void addLibraryInstruments();
+  CutFile cutOf(const CutReference& reference);
+  std::optional<std::string> textOf(const std::string& name, const std::string& path);
+  std::optional<std::string> found(const std::string& name, const std::string& path);
+
+  Draft& draft_;
+  const FileFinder& find_;
+  questionnaires::Problems& problems_;
+  std::map<std::string, CutFile> cuts_;  ///< by file: each is told about once
+};
+
+}  // namespace protocols

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "haptics/recordings/provenance.h"
+#include "questionnaires/document.h"
+
+namespace protocols {
+
+/// Reads from a whole cut file where the cut comes from (docs/protocol-format.md, "Cut files");
+/// everything that is wrong with it goes into @p problems.
+haptics::recordings::Provenance readProvenance(
+    const questionnaires::Value& cut, questionnaires::Problems& problems);
+
+}  // namespace protocols

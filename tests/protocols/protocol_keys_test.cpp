@@ -1,0 +1,205 @@
+// What becomes of each key of a protocol.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "haptics/engine/parametric_material.h"
+#include "protocols/protocol_file.h"
+#include "tests/protocols/small_protocol.h"
+
+namespace protocols {
+namespace {
+
+namespace engine = haptics::engine;
+namespace models = haptics::models;
+using haptics::devices::DeviceKind;
+
+Protocol readGood(const std::string& name) {
+  questionnaires::Problems problems;
+  const auto protocol = readProtocol(tests::corpusText("good", name), problems);
+  EXPECT_TRUE(protocol.has_value()) << name << "\n" << inWords(problems.all());
+  return protocol.value_or(Protocol());
+}
+
+template <typename Spec>
+Spec sceneOf(const Protocol& protocol, std::string_view condition) {
+  return std::get<Spec>(protocol.condition(condition)->scene.model);
+}
+
+TEST(ProtocolKeys, TellWhatTheStudyIs) {
+  const auto protocol = readGood("every-key");
+  EXPECT_EQ(protocol.study.id, "everything");
+  EXPECT_EQ(protocol.study.title, "Every key there is");
+  EXPECT_EQ(protocol.study.version, "2.1");
+  EXPECT_EQ(protocol.study.authors, (std::vector<std::string>{"A. Author", "B. Author"}));
+  EXPECT_EQ(protocol.study.organizations, std::vector<std::string>{"A laboratory"});
+  EXPECT_EQ(protocol.study.date, "2026-11-20");
+  EXPECT_EQ(protocol.study.description, "For the tests.");
+  EXPECT_EQ(protocol.languages, (std::vector<std::string>{"en", "de"}));
+  EXPECT_EQ(protocol.seed, 42U);
+  EXPECT_EQ(protocol.instrumentFiles, std::vector<std::string>{"instruments/comfort.json"});
+}
+
+TEST(ProtocolKeys, TellWhoTakesPartOnWhat) {
+  const auto protocol = readGood("every-key");
+  EXPECT_EQ(protocol.cohort("surgeons")->title.in("de"), "Chirurginnen und Chirurgen");
+  EXPECT_EQ(protocol.cohort("surgeons")->planned, 12);
+  EXPECT_EQ(protocol.cohort("others")->title.in("de"), "Others");
+  EXPECT_EQ(protocol.device("punch")->kind, DeviceKind::Punch);
+  EXPECT_EQ(protocol.device("punch")->maxForce, 8.5);
+  EXPECT_EQ(protocol.device("punch")->maxForceRate, 500.0);
+  EXPECT_EQ(protocol.device("reamer")->kind, DeviceKind::Reamer);
+  EXPECT_EQ(protocol.labels.policy, LabelPolicy::Condition);
+  EXPECT_EQ(protocol.labels.prefix.in("de"), "Variante");
+}
+
+TEST(ProtocolKeys, TellWhatIsFelt) {
+  const auto protocol = readGood("every-key");
+  const auto* recorded = protocol.condition("recorded");
+  EXPECT_EQ(recorded->title, "Recorded");
+  EXPECT_EQ(recorded->device, "punch");
+  EXPECT_TRUE(recorded->scene.isVisualised);
+  EXPECT_EQ(recorded->cut->name, "cuts/two-points.json");
+  EXPECT_EQ(recorded->cut->path, "$.conditions[0].scene.parameters.cut");
+  const auto curve = sceneOf<engine::InterpolationSpec>(protocol, "recorded").options;
+  EXPECT_EQ(curve.beyond, models::BeyondCurve::Hold);
+  EXPECT_EQ(curve.rampLength, 0.5);
+
+  const auto elastic = sceneOf<engine::FiniteElementsSpec>(protocol, "elastic").parameters;
+  EXPECT_EQ(elastic.elements, 10);
+  EXPECT_EQ(elastic.start, 0.25);
+  EXPECT_EQ(elastic.end, 3.0);
+  EXPECT_EQ(elastic.toolPosition, 1.25);
+  EXPECT_EQ(elastic.elementStiffness, 2.0);
+  EXPECT_EQ(elastic.contact, 3.5);
+  EXPECT_EQ(elastic.yieldForce, 6.5);
+  EXPECT_FALSE(protocol.condition("elastic")->scene.isVisualised);
+  EXPECT_FALSE(protocol.condition("elastic")->cut.has_value());
+}
+
+TEST(ProtocolKeys, TellHowForcesAreFused) {
+  const auto protocol = readGood("every-key");
+  const auto fused = sceneOf<engine::KalmanSpec>(protocol, "fused");
+  EXPECT_EQ(
+      protocol.condition("fused")->cut->path, "$.conditions[2].scene.parameters.interpolation.cut");
+  EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Zero);
+  EXPECT_EQ(fused.finiteElements.parameters.elements, 7);
+  EXPECT_EQ(fused.noise.processForce, 6.1);
+  EXPECT_EQ(fused.noise.processCovariance, 0.25);
+  EXPECT_EQ(fused.noise.processStiffness, 7.0);
+  EXPECT_EQ(fused.noise.finiteElements, 0.01);
+  EXPECT_EQ(fused.noise.interpolation, 0.3);
+}
+
+TEST(ProtocolKeys, TellWhatBoneIsLike) {
+  const auto bone = sceneOf<engine::MaterialSpec>(readGood("every-key"), "bone");
+  EXPECT_EQ(bone.hardness, 0.25);
+  EXPECT_EQ(bone.forceScale, 0.5);
+  ASSERT_EQ(bone.nodes.size(), 3U);
+  EXPECT_EQ(bone.nodes[1].depth, 0.005);
+  EXPECT_EQ(bone.nodes[1].lower, 30.0);
+  EXPECT_EQ(bone.nodes[1].upper, 330.0);
+}
+
+TEST(ProtocolKeys, TellWhatHappensInASession) {
+  const auto protocol = readGood("every-key");
+  std::vector<PhaseType> types;
+  for (const auto& phase : protocol.phases) types.push_back(phase.type);
+  using enum PhaseType;
+  EXPECT_EQ(
+      types,
+      (std::vector{
+          Information,
+          Consent,
+          Form,
+          Benchmark,
+          Block,
+          Preference,
+          Break,
+          Block,
+          Block,
+          Interview,
+          Debrief}));
+  EXPECT_EQ(protocol.phase("background")->instrument, "background");
+  EXPECT_EQ(protocol.phase("real")->text.in("de"), "Bitte schneiden Sie.");
+  EXPECT_EQ(protocol.phase("real")->minimumCuts, 4);
+  EXPECT_EQ(protocol.phase("best")->block, "first");
+  EXPECT_EQ(protocol.phase("rest")->seconds, 90.5);
+}
+
+TEST(ProtocolKeys, TellHowABlockIsRun) {
+  const auto protocol = readGood("every-key");
+  const auto& first = protocol.phase("first")->trials;
+  EXPECT_EQ(first.conditions, (std::vector<std::string>{"recorded", "elastic", "fused"}));
+  EXPECT_EQ(first.isVisualised, false);
+  EXPECT_EQ(first.order.type, OrderType::Complete);
+  EXPECT_EQ(first.minimumCuts, 5);
+  ASSERT_EQ(first.questionnaires.size(), 2U);
+  EXPECT_EQ(first.questionnaires[0].setFor("elastic"), "2");
+  EXPECT_EQ(first.questionnaires[0].setFor("fused"), "");
+  EXPECT_EQ(first.questionnaires[1].instrument, "comfort");
+  const auto& second = protocol.phase("second")->trials;
+  EXPECT_FALSE(second.isVisualised.has_value());
+  EXPECT_EQ(second.order.type, OrderType::Reversed);
+  EXPECT_EQ(second.order.of, "first");
+}
+
+TEST(ProtocolKeys, TellWhatIsComparedAndWhatIsPretended) {
+  const auto protocol = readGood("every-key");
+  const auto& family = protocol.analysis.families.at(0);
+  EXPECT_EQ(family.id, "methods");
+  EXPECT_EQ(family.title, "Methods");
+  EXPECT_EQ(family.instrument, "comfort");
+  EXPECT_EQ(family.blocks, std::vector<std::string>{"first"});
+  EXPECT_EQ(family.comparisons.at(1).first, "fused");
+  EXPECT_EQ(family.comparisons.at(1).second, "elastic");
+  EXPECT_EQ(family.test, TestType::Welch);
+  EXPECT_EQ(family.correction, CorrectionType::None);
+  EXPECT_EQ(family.alpha, 0.01);
+  EXPECT_EQ(protocol.simulation.realismOf("recorded"), 1.5);
+  EXPECT_EQ(protocol.simulation.realismOf("fused"), 0.0);
+  EXPECT_EQ(protocol.simulation.personDeviation, 0.1);
+  EXPECT_EQ(protocol.simulation.personByConditionDeviation, 0.2);
+  EXPECT_EQ(protocol.simulation.answerDeviation, 0.3);
+}
+
+TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
+  const auto protocol = readGood("smallest");
+  EXPECT_FALSE(protocol.seed.has_value());
+  EXPECT_EQ(protocol.cohorts.at(0).planned, 0);
+  EXPECT_EQ(protocol.labels.prefix.in("en"), "Alternative");
+  EXPECT_TRUE(protocol.phase("felt")->trials.questionnaires.empty());
+  EXPECT_TRUE(protocol.analysis.families.empty());
+  EXPECT_EQ(protocol.simulation.personDeviation, 0.5);
+  EXPECT_EQ(protocol.simulation.personByConditionDeviation, 0.5);
+  EXPECT_EQ(protocol.simulation.answerDeviation, 0.8);
+  EXPECT_EQ(readGood("break-as-long-as-you-like").phases.back().seconds, 0.0);
+  EXPECT_EQ(readGood("largest-seed").seed, std::uint64_t{1} << 53);
+}
+
+TEST(ProtocolKeys, LeaveModelsAsThePaperHasThem) {
+  const auto interpolation = readGood("usual-interpolation");
+  EXPECT_EQ(interpolation.conditions[0].cut->name, "parametric");
+  const auto options = sceneOf<engine::InterpolationSpec>(interpolation, "soft").options;
+  EXPECT_EQ(options.beyond, models::BeyondCurve::RampOut);
+  EXPECT_EQ(options.rampLength, 1.5);
+
+  const auto kalman = readGood("usual-kalman");
+  EXPECT_EQ(kalman.conditions[0].cut->name, "parametric");
+  const auto fused = sceneOf<engine::KalmanSpec>(kalman, "soft");
+  EXPECT_EQ(fused.finiteElements.parameters.elements, 5);
+  EXPECT_EQ(fused.finiteElements.parameters.yieldForce, 7.0);
+  EXPECT_EQ(fused.finiteElements.parameters.contact, 4.0);
+  EXPECT_EQ(fused.noise.processForce, 7.0275);
+  EXPECT_EQ(fused.noise.processCovariance, 0.2772);
+  EXPECT_EQ(fused.noise.processStiffness, 6.1024);
+  EXPECT_EQ(fused.noise.finiteElements, 0.001);
+  EXPECT_EQ(fused.noise.interpolation, 7.742);
+
+  const auto bone = sceneOf<engine::MaterialSpec>(readGood("usual-material"), "soft");
+  EXPECT_EQ(bone.forceScale, 1.0);
+  EXPECT_EQ(bone.nodes.size(), engine::parametricMaterial().size());
+}
+
+}  // namespace
+}  // namespace protocols

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocols/loaded_protocol.h"
+#include "questionnaires/problem.h"
+
+namespace tests {
+
+/// The text of a file of tests/protocols/data, by kind ("good") and name ("usual").
+std::string corpusText(std::string_view kind, std::string_view name);
+
+/// The names of all files of a kind.
+std::vector<std::string> corpusNames(std::string_view kind);
+
+/// data/good/usual.json: two conditions on a punch, one block.
+std::string usualProtocol();
+
+/// @p text with @p part replaced by @p other, everywhere; fails the test where there is no @p part.
+std::string with(std::string text, std::string_view part, std::string_view other);
+
+/// usualProtocol() with phases after its own, each a JSON object.
+std::string withPhases(const std::vector<std::string>& phases);
+
+/// A protocol as loaded, or not, and all that was said.
+struct Loading {
+  std::optional<protocols::LoadedProtocol> loaded;
+  std::vector<questionnaires::Problem> problems;
+
+  std::string inWords() const { return questionnaires::inWords(problems); }
+};
+
+/// Loads @p json; the files that it names come from @p find.
+Loading load(std::string_view json, const protocols::FileFinder& find = {});
+
+/// The protocol itself; fails the test where it is not sound.
+protocols::Protocol soundProtocol(std::string_view json);
+
+}  // namespace tests
