@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ std::vector<DataTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a folder that does not exist yet, all or
 /// nothing: the folder appears when it is complete. Without blinding, @p reason is written into the
-/// audit trail.
+/// audit trail, and there must be one.
 /// @throws storage::StorageError  if the folder is there already or cannot be written.
 void exportStudy(
     Study& study,
@@ -33,7 +34,8 @@ void exportStudy(
     const ExportOptions& options,
     const std::string& reason = {});
 
-/// The code under which a condition goes in blinded exports: "C2".
-std::string conditionCode(Study& study, const std::string& condition);
+/// The codes under which conditions go in exports: "C2". Conditions that a later version of the
+/// protocol adds get new ones; no code ever changes.
+std::map<std::string, std::string> conditionCodes(Study& study);
 
 }  // namespace study

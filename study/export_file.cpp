@@ -1,3 +1,5 @@
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -88,6 +90,21 @@ void writeTables(Study& study, const fs::path& folder, const ExportOptions& opti
   writeNewFile((folder / "README.md").string(), readme(study, options));
 }
 
+/// An empty folder beside @p target that nobody else has.
+fs::path folderBeside(const fs::path& target) {
+  std::error_code error;
+  const auto parent = fs::absolute(target).parent_path();
+  fs::create_directories(parent, error);
+  std::string name = (parent / (target.filename().string() + ".unfinished-XXXXXX")).string();
+  if (error || mkdtemp(name.data()) == nullptr) {
+    const auto why = error ? error.message() : std::generic_category().message(errno);
+    throw storage::StorageError(
+        "Could not make the folder " + target.string() + " (" + why + "). Choose another place.");
+  }
+  fs::permissions(name, fs::perms(0755), error);
+  return name;
+}
+
 }  // namespace
 
 void exportStudy(
@@ -95,29 +112,28 @@ void exportStudy(
     const std::string& folder,
     const ExportOptions& options,
     const std::string& reason) {
-  const fs::path target(folder);
+  fs::path target = fs::path(folder).lexically_normal();
+  if (!target.has_filename()) target = target.parent_path();  // "out/" means "out"
   std::error_code error;
   if (fs::exists(target, error)) {
     throw storage::StorageError(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
-  if (!options.isBlinded) study.note("unblinded_export", reason);
-  const fs::path unfinished = target.string() + ".unfinished";
-  fs::remove_all(unfinished, error);
-  if (!fs::create_directories(unfinished, error) && error) {
+  if (!options.isBlinded && reason.empty()) {
     throw storage::StorageError(
-        "Could not make the folder " + folder + " (" + error.message() +
-        "). Choose another place.");
+        "To say which rendering was felt needs a reason: it goes into the audit trail.");
   }
+  if (!options.isBlinded) study.note("unblinded_export", reason);
+  const fs::path unfinished = folderBeside(target);
   try {
     writeTables(study, unfinished, options);
+    fs::rename(unfinished, target, error);
+    if (error)
+      throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");
   } catch (...) {
     fs::remove_all(unfinished, error);
     throw;
   }
-  fs::rename(unfinished, target, error);
-  if (error)
-    throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");
 }
 
 }  // namespace study

@@ -22,11 +22,40 @@ Cell cellOf(const std::string& text) {
   return text.empty() ? Cell() : Cell(text);
 }
 
+/// How long after a session's first event things happened. The clock that is never set back begins
+/// anew with the computer, so what lies between two runs of the program is taken from the wall.
+class Onsets {
+ public:
+  double of(const storage::Event& event) {
+    auto& last = last_[event.visit->session];
+    if (last) {
+      const bool isNewRun = event.kind == "resumed";
+      const auto passed = isNewRun ? (event.when.wall - last->when.wall) * 1'000'000
+                                   : event.when.monotonic - last->when.monotonic;
+      last->onset += std::max<std::int64_t>(passed, 0);
+      last->when = event.when;
+    } else {
+      last = {.when = event.when};
+    }
+    return static_cast<double>(last->onset) / 1e9;
+  }
+
+ private:
+  struct Last {
+    Moment when;
+    std::int64_t onset = 0;  ///< [ns]
+  };
+  std::map<SessionId, std::optional<Last>> last_;
+};
+
 /// Reads a study once and lays it out.
 class Tables {
  public:
   Tables(Study& study, const ExportOptions& options)
-      : study_(study), options_(options), records_(study.database()) {
+      : study_(study),
+        options_(options),
+        records_(study.database()),
+        codes_(conditionCodes(study)) {
     for (auto& session : records_.sessions()) {
       const bool isWanted = !options.runMode || session.runMode == nameOf(*options.runMode);
       if (isWanted) sessions_.emplace(session.id, session);
@@ -171,12 +200,11 @@ class Tables {
             {"actor", "participant, operator or program"},
             {"event", "What happened"},
             {"detail", "More about it", true}}};
-    std::map<SessionId, std::int64_t> first;
+    Onsets onsets;
     for (const auto& event : study_.events().read()) {
       if (!event.visit) continue;
       const auto session = sessions_.find(event.visit->session);
       if (session == sessions_.end()) continue;
-      const auto start = first.emplace(session->first, event.when.monotonic).first->second;
       // Answers stand in responses.csv; here it matters that and when one was given.
       const bool isAnswer = event.kind == "answered";
       table.rows.push_back(
@@ -185,7 +213,7 @@ class Tables {
            std::int64_t{event.visit->step} + 1,
            std::int64_t{event.visit->attempt},
            asUtc(event.when.wall),
-           static_cast<double>(event.when.monotonic - start) / 1e9,
+           onsets.of(event),
            std::string(storage::nameOf(event.actor)),
            event.kind,
            cellOf(isAnswer ? event.detail.substr(0, event.detail.find(' ')) : event.detail)});
@@ -253,6 +281,11 @@ class Tables {
     return columns;
   }
 
+  std::string codeOf(const std::string& condition) const {
+    const auto code = codes_.find(condition);
+    return code == codes_.end() ? std::string() : code->second;
+  }
+
   std::vector<Cell> keysOf(const SessionRecord& session, const StepRecord& step) const {
     const bool isFelt = !step.condition.empty();
     std::vector<Cell> row{
@@ -265,7 +298,7 @@ class Tables {
         step.phase,
         isFelt ? Cell(std::int64_t{step.position}) : Cell(),
         isFelt ? Cell(std::int64_t{step.label}) : Cell(),
-        isFelt ? Cell(conditionCode(study_, step.condition)) : Cell()};
+        isFelt ? cellOf(codeOf(step.condition)) : Cell()};
     if (!options_.isBlinded) row.push_back(cellOf(step.condition));
     return row;
   }
@@ -309,18 +342,27 @@ class Tables {
   Study& study_;
   ExportOptions options_;
   storage::Records records_;
+  std::map<std::string, std::string> codes_;
   std::map<SessionId, SessionRecord> sessions_;
 };
 
 }  // namespace
 
-std::string conditionCode(Study& study, const std::string& condition) {
-  std::vector<std::string> ids;
-  for (const auto& known : study.protocol().protocol.conditions) ids.push_back(known.id);
-  std::sort(ids.begin(), ids.end());
-  protocols::RandomStream(study.seed(), 0, "blinding").shuffle(ids);
-  const auto found = std::find(ids.begin(), ids.end(), condition);
-  return "C" + std::to_string(found - ids.begin() + 1);
+std::map<std::string, std::string> conditionCodes(Study& study) {
+  std::map<std::string, std::string> codes;
+  std::uint64_t version = 0;
+  for (const auto id : study.protocols().all()) {
+    std::vector<std::string> added;
+    for (const auto& known : study.protocol(id).protocol.conditions) {
+      if (codes.count(known.id) == 0) added.push_back(known.id);
+    }
+    std::sort(added.begin(), added.end());
+    protocols::RandomStream(study.seed(), version++, "blinding").shuffle(added);
+    for (const auto& condition : added) {
+      codes.emplace(condition, "C" + std::to_string(codes.size() + 1));
+    }
+  }
+  return codes;
 }
 
 std::vector<DataTable> exportTables(Study& study, const ExportOptions& options) {

@@ -1,6 +1,7 @@
 #include "study/live_trial.h"
 
 #include <chrono>
+#include <exception>
 
 namespace study {
 namespace {
@@ -51,7 +52,7 @@ void LiveTrial::drain() {
     if (isTraceLost_.load(std::memory_order_relaxed)) continue;
     try {
       trial_.keep(sample);
-    } catch (const storage::StorageError&) {
+    } catch (const std::exception&) {
       trial_.stop();  // what cannot be kept is not felt
       isTraceLost_.store(true, std::memory_order_relaxed);
     }

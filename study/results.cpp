@@ -1,6 +1,7 @@
 #include "study/results.h"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <set>
 
@@ -132,6 +133,14 @@ class Computation {
     return counts;
   }
 
+  /// What an alternative was in a session; empty where it was nothing.
+  std::string feltAs(SessionId session, const std::string& block, const std::string& label) const {
+    int number = 0;
+    std::from_chars(label.data(), label.data() + label.size(), number);
+    const auto felt = allocation_.find({session, block, number});
+    return felt == allocation_.end() ? std::string() : felt->second;
+  }
+
   VoteResult votesOf(const protocols::Phase& phase, const std::string& cohort) const {
     const auto& block = loaded_.protocol.phase(phase.block)->trials;
     VoteResult result{
@@ -147,9 +156,9 @@ class Computation {
       const bool isVote = item != nullptr && label != nullptr &&
                           item->optionSource == questionnaires::OptionSource::Alternatives;
       if (!isVote) continue;
-      const auto felt =
-          allocation_.find({answer.step.visit.session, phase.block, std::stoi(*label)});
-      if (felt != allocation_.end()) result.votes.add(felt->second);
+      const auto felt = feltAs(answer.step.visit.session, phase.block, *label);
+      const auto& options = block.conditions;
+      if (std::find(options.begin(), options.end(), felt) != options.end()) result.votes.add(felt);
     }
     return result;
   }

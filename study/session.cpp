@@ -27,30 +27,25 @@ std::vector<Step> planFor(Study& study, const SessionRow& row) {
           protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
 }
 
-void requireTheOrderAsDrawn(Study& study, const SessionRow& row, const std::vector<Step>& plan) {
+[[noreturn]] void refuseDamaged(const std::string& what) {
+  throw StorageError(
+      what + " Do not go on with it; 'palpate study verify' says more.",
+      StorageError::Kind::Damaged);
+}
+
+void requireSound(Study& study, const SessionRow& row, const std::vector<Step>& plan) {
   std::vector<std::pair<int, std::string>> drawn;
   for (std::size_t i = 0; i < plan.size(); ++i) {
     if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
   }
   if (study.sessions().allocation(row.id) != drawn) {
-    throw StorageError(
-        "The order of this session is not the one that was drawn for it. Do not go on with it; "
-        "'palpate study verify' says more.",
-        StorageError::Kind::Damaged);
+    refuseDamaged("The order of this session is not the one that was drawn for it.");
   }
+  const bool isAStep = row.step >= 0 && row.step < static_cast<int>(plan.size());
+  if (!isAStep && !isOver(row.state)) refuseDamaged("This session stands before no step.");
 }
 
-}  // namespace
-
-Session::Session(Study& study, SessionRow row, std::vector<Step> plan)
-    : study_(study),
-      row_(std::move(row)),
-      plan_(std::move(plan)),
-      protocol_(&study.protocol(row_.protocol)),
-      lease_(study.database(), row_.id, asUtc(study.clock().now().wall)) {}
-
-Session Session::enrol(Study& study, const Enrolment& enrolment) {
-  const auto& protocol = study.protocol().protocol;
+void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrolment) {
   const auto& languages = protocol.languages;
   if (protocol.cohort(enrolment.cohort) == nullptr) {
     throw NotNow("The protocol has no cohort '" + enrolment.cohort + "'.");
@@ -63,47 +58,78 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
         "'" + enrolment.code +
         "' cannot be a participant's code. Use letters, digits, '-' and '_'.");
   }
-  SessionRow row{
-      .runMode = enrolment.runMode, .cohort = enrolment.cohort, .language = enrolment.language};
+}
+
+/// The first live participant freezes the protocol.
+void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
+  if (row.runMode != RunMode::Live || study.protocols().current().frozenUtc) return;
+  study.protocols().freeze(row.protocol, row.startedUtc);
+  study.events().append({.when = now, .kind = "froze_protocol", .detail = row.participant});
+}
+
+/// Writes down that somebody takes part, inside the caller's transaction.
+std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
+  auto sessions = study.sessions();
+  row.protocol = study.protocols().current().id;
+  row.startedUtc = asUtc(now.wall);
+  if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode);
+  row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
+  auto plan = planFor(study, row);
+  freezeFor(study, row, now);
+  sessions.add(row, plan, std::string(appVersion()));
+  sessions.openVisit({row.id, 0, 1}, row.startedUtc);
+  return plan;
+}
+
+}  // namespace
+
+Session::Session(Study& study, SessionRow row, std::vector<Step> plan, storage::Lease lease)
+    : study_(study),
+      row_(std::move(row)),
+      plan_(std::move(plan)),
+      protocol_(&study.protocol(row_.protocol)),
+      lease_(std::move(lease)) {}
+
+Session Session::enrol(Study& study, const Enrolment& enrolment) {
+  requirePossible(study.protocol().protocol, enrolment);
+  SessionRow row;
   std::vector<Step> plan;
-  study.withRoom([&] {
-    storage::Transaction transaction(study.database());
-    auto sessions = study.sessions();
+  std::optional<storage::Lease> lease;
+  study.transact([&] {
     const Moment now = study.clock().now();
-    const auto stored = study.protocols().current();
-    row.protocol = stored.id;
-    row.startedUtc = asUtc(now.wall);
-    row.participant = enrolment.code.empty() ? sessions.freeCode(row.runMode) : enrolment.code;
-    row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
-    plan = planFor(study, row);
-    if (row.runMode == RunMode::Live && !stored.frozenUtc) {
-      study.protocols().freeze(stored.id, row.startedUtc);
-    }
-    sessions.add(row, plan, std::string(appVersion()));
-    sessions.openVisit({row.id, 0, 1}, row.startedUtc);
+    row = {
+        .participant = enrolment.code,
+        .runMode = enrolment.runMode,
+        .cohort = enrolment.cohort,
+        .language = enrolment.language};
+    plan = enrolIn(study, row, now);
+    lease.emplace(study.database(), row.id, row.startedUtc);
     study.events().append(
         {.visit = VisitKey{row.id, 0, 1},
          .when = now,
          .kind = "enrolled",
          .detail = row.participant + " " + row.cohort + " " + std::string(nameOf(row.runMode)) +
                    ", place " + std::to_string(row.slot + 1)});
-    transaction.commit();
   });
-  return Session(study, std::move(row), std::move(plan));
+  return Session(study, std::move(row), std::move(plan), std::move(*lease));
 }
 
 Session Session::resume(Study& study, SessionId id) {
   auto row = study.sessions().load(id);
+  std::optional<storage::Lease> lease;
+  study.withRoom([&] {
+    storage::Transaction transaction(study.database());
+    lease.emplace(study.database(), id, asUtc(study.clock().now().wall));
+    row = study.sessions().load(id);  // as it is now that nobody else goes on with it
+    transaction.commit();
+  });
   auto plan = planFor(study, row);
-  requireTheOrderAsDrawn(study, row, plan);
-  Session session(study, std::move(row), std::move(plan));
+  requireSound(study, row, plan);
+  Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
   session.transact([&] { session.say(Actor::Program, "resumed"); });
   if (session.state() == SessionState::InTrial) {
-    TrialRecord record{.ending = TrialEnding::ProgramEnded};
-    record.traceSamples = study.traces().sampleCount(session.visit());
-    record.ticks = record.traceSamples;
-    session.breakOffTrial(record);
+    session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
   }
   return session;
 }
@@ -111,10 +137,19 @@ Session Session::resume(Study& study, SessionId id) {
 bool Session::allows(SessionEvent event) const noexcept {
   if (!next(row_.state, event)) return false;
   if (isOver()) return false;
-  const bool isTrial = plan_[static_cast<std::size_t>(row_.step)].kind == StepKind::Trial;
+  const bool isTrial = step().kind == StepKind::Trial;
   if (event == SessionEvent::BeganTrial) return isTrial;
   if (event == SessionEvent::FinishedStep) return !isTrial;
+  if (event == SessionEvent::RepeatedStep) return !isRightAfterConsent();
+  if (event == SessionEvent::SkippedStep) return step().kind != StepKind::Consent;
   return true;
+}
+
+/// What comes before is no step that is ever done again.
+bool Session::isRightAfterConsent() const noexcept {
+  const bool isAgain = row_.state == SessionState::Interrupted;
+  const auto before = static_cast<std::size_t>(row_.step) - 1;
+  return !isAgain && (row_.step == 0 || plan_[before].kind == StepKind::Consent);
 }
 
 void Session::require(SessionEvent event) const {
@@ -129,20 +164,20 @@ void Session::require(bool condition, const std::string& otherwise) const {
 }
 
 void Session::transact(const std::function<void()>& action) {
+  settleDoubt();
   const SessionRow before = row_;
-  std::vector<std::byte> mark;
+  const auto lastMoment = lastMoment_;
   try {
-    study_.withRoom([&] {
+    study_.transact([&] {
       row_ = before;
-      storage::Transaction transaction(study_.database());
+      lastMoment_ = lastMoment;
+      said_.clear();
       action();
       study_.sessions().update(row_);
-      mark = study_.events().head();
-      transaction.commit();
+      for (const auto& event : said_) study_.events().append(event);
     });
-  } catch (const StorageError&) {
-    // A commit that failed is unknown, not undone: the audit trail says whether it arrived.
-    if (!mark.empty() && study_.events().head() == mark) return;
+  } catch (const StorageError& error) {
+    isInDoubt_ = error.kind() == StorageError::Kind::Unknown;
     row_ = before;
     throw;
   } catch (...) {
@@ -151,11 +186,20 @@ void Session::transact(const std::function<void()>& action) {
   }
 }
 
+/// Nobody goes on from a step that may not be the present one any more.
+void Session::settleDoubt() {
+  if (!isInDoubt_) return;
+  const auto kept = study_.sessions().load(row_.id);
+  isInDoubt_ = false;
+  if (kept == row_) return;
+  row_ = kept;
+  throw NotNow("What could not be confirmed had been kept after all. Go on from the present step.");
+}
+
 void Session::say(Actor actor, const std::string& kind, const std::string& detail) {
   const Moment now = study_.clock().now();
   noticeSteppedClock(now);
-  study_.events().append(
-      {.visit = visit(), .when = now, .actor = actor, .kind = kind, .detail = detail});
+  said_.push_back({.visit = visit(), .when = now, .actor = actor, .kind = kind, .detail = detail});
 }
 
 void Session::noticeSteppedClock(const Moment& now) {
@@ -164,7 +208,7 @@ void Session::noticeSteppedClock(const Moment& now) {
   const double onWall = static_cast<double>(now.wall - last->wall) / 1e3;
   const double really = static_cast<double>(now.monotonic - last->monotonic) / 1e9;
   if (std::abs(onWall - really) < kClockSlack) return;
-  study_.events().append(
+  said_.push_back(
       {.visit = visit(),
        .when = now,
        .kind = "clock_stepped",

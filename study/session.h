@@ -32,7 +32,8 @@ class NotNow : public std::runtime_error {
 /// anybody sees the next page. The window, the terminal and a simulated cohort go through it alike.
 ///
 /// Whatever returns has been committed. What throws storage::StorageError was not, and nothing has
-/// changed: the answers are still on the screen. The study outlives its sessions.
+/// changed: the answers are still on the screen. (Of the kind Unknown, it may have been: the next
+/// call finds out, and says so where it was.) The study outlives its sessions.
 class Session {
  public:
   /// Reserves the next place of the cohort. The first live participant freezes the protocol.
@@ -76,7 +77,7 @@ class Session {
   /// Takes an answer back: the item is missing again.
   void retract(const std::string& item);
 
-  /// The physical cuts that were counted in a benchmark.
+  /// The physical cuts that were counted in a benchmark; none or more.
   void recordBenchmarkCuts(int cuts);
   int benchmarkCuts() const;
 
@@ -85,6 +86,7 @@ class Session {
   void finishStep();
 
   void beginTrial();
+  /// @param record  of a trial that was finished; any other is broken off.
   void finishTrial(const TrialRecord& record);
   /// No force any more; the operator decides between repeatStep(), skipStep(), giveUpOnDevice().
   void breakOffTrial(const TrialRecord& record);
@@ -96,6 +98,7 @@ class Session {
   void skipStep(const std::string& reason);
   void pause(const std::string& reason);
   void resumeAfterPause();
+  /// At any time, in a trial as well: it is let go of first, and counts as stopped.
   void withdraw(const std::string& reason);
   void reject(const std::string& reason);
   void giveUpOnDevice(const std::string& reason);
@@ -103,11 +106,12 @@ class Session {
   void setLanguage(const std::string& language);
 
  private:
-  Session(Study& study, storage::SessionRow row, std::vector<Step> plan);
+  Session(Study& study, storage::SessionRow row, std::vector<Step> plan, storage::Lease lease);
 
   void require(SessionEvent event) const;
   void require(bool condition, const std::string& otherwise) const;
   void transact(const std::function<void()>& action);
+  void settleDoubt();
   void say(storage::Actor actor, const std::string& kind, const std::string& detail = {});
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;
@@ -117,7 +121,14 @@ class Session {
   void leaveStep(storage::VisitStatus status, const std::string& reason);
   void moveTo(int step);
   void end(storage::SlotState slot, const std::string& reason);
+  void keepTrial(const TrialRecord& record);
+  TrialRecord brokenOff(TrialEnding ending);
+  int stepToRepeat() const;
+  bool isRightAfterConsent() const noexcept;
   bool gaveConsent() const;
+  void requireAnswerable() const;
+  questionnaires::Item askedItem(const std::string& id) const;
+  storage::IdentityStore::Place place() const;
   void storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer);
 
   Study& study_;
@@ -126,6 +137,8 @@ class Session {
   const protocols::LoadedProtocol* protocol_;
   storage::Lease lease_;
   std::optional<Moment> lastMoment_;
+  std::vector<storage::Event> said_;  ///< in the transaction under way
+  bool isInDoubt_ = false;            ///< whether the last transaction arrived
 };
 
 }  // namespace study

@@ -45,8 +45,9 @@ void Session::beginTrial() {
 
 void Session::finishTrial(const TrialRecord& record) {
   require(SessionEvent::FinishedTrial);
+  require(record.ending == TrialEnding::Finished, "This trial was not finished.");
   transact([&] {
-    storage::TrialRepository(study_.database()).add(visit(), record);
+    keepTrial(record);
     leaveStep(VisitStatus::Finished, "");
     enter(
         SessionEvent::FinishedTrial,
@@ -60,24 +61,46 @@ void Session::finishTrial(const TrialRecord& record) {
 void Session::breakOffTrial(const TrialRecord& record) {
   require(SessionEvent::BrokeOffTrial);
   transact([&] {
-    storage::TrialRepository(study_.database()).add(visit(), record);
+    keepTrial(record);
     leaveStep(VisitStatus::BrokenOff, std::string(nameOf(record.ending)));
     enter(SessionEvent::BrokeOffTrial, Actor::Program, std::string(nameOf(record.ending)));
   });
 }
 
+void Session::keepTrial(const TrialRecord& record) {
+  storage::TrialRepository(study_.database()).add(visit(), record);
+  say(Actor::Program, "kept_trace", study_.traces().digest(visit()));
+}
+
+/// What is known of a trial that nobody is there to tell about.
+TrialRecord Session::brokenOff(TrialEnding ending) {
+  TrialRecord record{.ending = ending};
+  record.traceSamples = study_.traces().sampleCount(visit());
+  record.ticks = record.traceSamples;
+  return record;
+}
+
+/// Of a questionnaire the trial that it is about; nobody is asked again about what nobody felt.
+int Session::stepToRepeat() const {
+  if (row_.state == SessionState::Interrupted) return row_.step;
+  const auto isQuestionnaire = [&](int step) {
+    return plan_[static_cast<std::size_t>(step)].kind == StepKind::Questionnaire;
+  };
+  const int before = row_.step - 1;
+  int felt = isQuestionnaire(row_.step) ? row_.step : before;
+  while (isQuestionnaire(felt)) --felt;
+  if (isQuestionnaire(row_.step) || felt == before) return felt;
+  auto sessions = study_.sessions();
+  const VisitKey last{row_.id, felt, sessions.attempts(row_.id, felt)};
+  return sessions.statusOf(last) == VisitStatus::Finished ? before : felt;
+}
+
 void Session::repeatStep(const std::string& reason) {
+  require(
+      row_.state != SessionState::Consented || !isRightAfterConsent(),
+      "Consent was given; that step is not repeated.");
   require(SessionEvent::RepeatedStep);
-  int target = row_.step;
-  if (row_.state != SessionState::Interrupted) {
-    if (step().kind == StepKind::Questionnaire) {
-      while (plan_[static_cast<std::size_t>(target)].kind != StepKind::Trial) --target;
-    } else if (target > 0) {
-      --target;
-    }
-    const bool isConsent = plan_[static_cast<std::size_t>(target)].kind == StepKind::Consent;
-    require(!isConsent, "Consent was given; that step is not repeated.");
-  }
+  const int target = stepToRepeat();
   transact([&] {
     study_.sessions().markRepeated(row_.id, target, utcNow(), reason);
     enter(SessionEvent::RepeatedStep, Actor::Operator, reason);
@@ -86,12 +109,12 @@ void Session::repeatStep(const std::string& reason) {
 }
 
 void Session::skipStep(const std::string& reason) {
+  require(isOver() || step().kind != StepKind::Consent, "Consent is not skipped.");
   require(SessionEvent::SkippedStep);
-  require(step().kind != StepKind::Consent, "Consent is not skipped.");
   transact([&] {
     const Step skipped = step();
     auto sessions = study_.sessions();
-    if (row_.state != SessionState::Interrupted) leaveStep(VisitStatus::Skipped, reason);
+    leaveStep(VisitStatus::Skipped, reason);
     enter(SessionEvent::SkippedStep, Actor::Operator, reason);
     int target = row_.step + 1;
     // Nobody is asked about what nobody felt.
@@ -119,6 +142,7 @@ void Session::resumeAfterPause() {
 void Session::withdraw(const std::string& reason) {
   require(SessionEvent::Withdrew);
   transact([&] {
+    if (row_.state == SessionState::InTrial) keepTrial(brokenOff(TrialEnding::Stopped));
     leaveStep(VisitStatus::BrokenOff, reason);
     enter(SessionEvent::Withdrew, Actor::Participant, reason);
     end(SlotState::Released, reason);
@@ -148,6 +172,7 @@ void Session::note(const std::string& text) {
 
 void Session::setLanguage(const std::string& language) {
   const auto& languages = protocol_->protocol.languages;
+  require(!isOver(), "This session is over.");
   require(
       std::find(languages.begin(), languages.end(), language) != languages.end(),
       "The protocol has no texts in '" + language + "'.");

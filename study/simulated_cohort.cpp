@@ -31,10 +31,7 @@ class Sitting {
             seed,
             session.cohort(),
             static_cast<std::uint64_t>(session.slot())),
-        rig_([&session, seed](const protocols::DeviceNeed& need) {
-          return simulatedHandFor(
-              need, seed, session.cohort(), static_cast<std::uint64_t>(session.slot()));
-        }) {}
+        seed_(seed) {}
 
   void run() {
     while (!session_.isOver()) {
@@ -54,8 +51,13 @@ class Sitting {
   void feel() {
     const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;
+    // The hand is fresh in every trial: one that is done again after a crash feels the same.
+    SimulatedRig rig([&](const protocols::DeviceNeed& need) {
+      return simulatedHandFor(
+          need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
+    });
     Trial trial(
-        rig_.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
+        rig.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
           study_.traces().add(visit, number, samples);
         }));
     session_.beginTrial();
@@ -80,9 +82,10 @@ class Sitting {
       const bool isThere = std::any_of(already.begin(), already.end(), [&](const auto& answer) {
         return answer.item == items[i].id;
       });
-      if (!response || isThere) continue;
-      clock_.advance(touched - shown);
+      if (!response) continue;
+      if (!isThere) clock_.advance(touched - shown);
       shown = touched;
+      if (isThere) continue;
       session_.record(
           {.item = items[i].id,
            .response = *response,
@@ -104,7 +107,7 @@ class Sitting {
   SimulatedClock& clock_;
   const Acknowledge& acknowledge_;
   SimulatedParticipant person_;
-  SimulatedRig rig_;
+  std::uint64_t seed_;
 };
 
 /// The cohort that is furthest behind its plan.

@@ -1,6 +1,5 @@
 #include "study/study.h"
 
-#include <array>
 #include <charconv>
 #include <utility>
 
@@ -19,58 +18,17 @@ namespace fs = std::filesystem;
 using storage::Database;
 using storage::StorageError;
 
-constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: for a first session
-
-std::uint64_t drawnSeed() {
-  constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
-  std::uint64_t seed = 0;
-  randombytes_buf(&seed, sizeof seed);
-  return seed & kExactInJson;
-}
-
-/// Names a study for good. A study with a given seed and protocol always gets the same name, so
-/// that a simulated one can be made again byte for byte; a drawn seed makes it unique.
-std::string uuidFor(std::uint64_t seed, const std::string& protocolHash) {
-  std::array<unsigned char, 16> bytes{};
-  const std::string content = std::to_string(seed) + protocolHash;
-  crypto_generichash(
-      bytes.data(),
-      bytes.size(),
-      reinterpret_cast<const unsigned char*>(content.data()),
-      content.size(),
-      nullptr,
-      0);
-  std::array<char, 2 * bytes.size() + 1> text{};
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  return text.data();
-}
-
-void makeFolder(const fs::path& folder) {
-  std::error_code error;
-  if (fs::exists(folder, error)) {
-    throw StorageError(
-        folder.string() + " is there already. Nothing is ever overwritten: choose another folder.");
-  }
-  const auto parent = fs::absolute(folder).parent_path();
-  fs::create_directories(parent, error);
-  if (error || !fs::create_directory(folder, error)) {
-    throw StorageError(
-        folder.string() + " cannot be made (" + error.message() +
-        "). Choose a folder on a disk of this computer that may be written.");
-  }
-  const auto space = fs::space(folder, error);
-  if (!error && space.available < kLeastFreeSpace) {
-    fs::remove(folder, error);
-    throw StorageError(
-        "There is too little room for a study in " + parent.string() + ": " +
-        std::to_string(space.available / (1024 * 1024)) +
-        " MiB are free, 64 are needed. Free some space.");
-  }
-  fs::create_directory(folder / "exports", error);
-}
-
 std::string pathOf(const fs::path& folder, const char* file) {
   return (folder / file).string();
+}
+
+void requireFinished(const Database& database) {
+  storage::Statement select(database, "SELECT 1 FROM study WHERE id = 1");
+  if (select.step()) return;
+  throw StorageError(
+      database.path() +
+          " was not finished when it was made. Remove the folder and make the study again.",
+      StorageError::Kind::Damaged);
 }
 
 }  // namespace
@@ -86,41 +44,6 @@ Study::Study(fs::path folder, Clock& clock, Database database, Database traces, 
       traces_(std::move(traces)),
       identities_(std::move(identities)) {}
 
-Study Study::create(
-    const fs::path& folder,
-    const protocols::LoadedProtocol& protocol,
-    Clock& clock,
-    std::optional<std::uint64_t> seed) {
-  makeFolder(folder);
-  {
-    Database::create(pathOf(folder, "study.db"), storage::studySchema());
-    Database::create(pathOf(folder, "traces.db"), storage::traceSchema());
-    Database::create(pathOf(folder, "identity.db"), storage::identitySchema());
-    fs::permissions(folder / "identity.db", fs::perms::owner_read | fs::perms::owner_write);
-  }
-  Database database = Database::open(
-      pathOf(folder, "study.db"), storage::studySchema(), Database::Access::ReadWrite);
-  storage::Transaction transaction(database);
-  const std::string utc = asUtc(clock.now().wall);
-  storage::ProtocolRepository(database).add(protocol, "the study was made", utc);
-  const std::uint64_t chosen = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
-  storage::Statement insert(
-      database,
-      "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
-      "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, uuidFor(chosen, storage::sha256(protocol.text, protocol.files)))
-      .bind(2, std::to_string(chosen))
-      .bind(3, std::int64_t{protocols::kRandomVersion})
-      .bind(4, appVersion())
-      .bind(5, utc);
-  insert.run();
-  storage::EventLog(database).append(
-      {.when = clock.now(), .kind = "made_study", .detail = protocol.protocol.study.id});
-  transaction.commit();
-  storage::Ballast(folder).take();
-  return open(folder, clock);
-}
-
 Study Study::open(const fs::path& folder, Clock& clock, Database::Access access) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   if (!fs::is_directory(folder)) {
@@ -128,12 +51,12 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
         "There is no study in " + folder.string() +
         ". Make one with 'palpate study create', or check the folder's name.");
   }
-  Study study(
-      folder,
-      clock,
-      Database::open(pathOf(folder, "study.db"), storage::studySchema(), access),
-      Database::open(pathOf(folder, "traces.db"), storage::traceSchema(), access),
-      Database::open(pathOf(folder, "identity.db"), storage::identitySchema(), access));
+  auto database = Database::open(pathOf(folder, "study.db"), storage::studySchema(), access);
+  requireFinished(database);
+  auto traces = Database::open(pathOf(folder, "traces.db"), storage::traceSchema(), access);
+  auto identities =
+      Database::open(pathOf(folder, "identity.db"), storage::identitySchema(), access);
+  Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
   if (access == Database::Access::ReadWrite) storage::Ballast(folder).take();
   return study;
@@ -142,13 +65,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
 void Study::readHead() {
   storage::Statement select(
       database_, "SELECT uuid, seed, random_version, created_utc FROM study WHERE id = 1");
-  if (!select.step()) {
-    throw StorageError(
-        database_.path() +
-            " was not finished when it was made. Remove the folder and make the study again.",
-        StorageError::Kind::Damaged);
-  }
-  if (select.number(2) != protocols::kRandomVersion) {
+  if (!select.step() || select.number(2) != protocols::kRandomVersion) {
     throw StorageError(
         database_.path() +
             " draws its orders in a way that this version of palpate does not know. "
@@ -188,22 +105,21 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
 }
 
 void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {
-  storage::Transaction transaction(database_);
-  const bool isFrozen = protocols().current().frozenUtc.has_value();
-  if (isFrozen && reason.empty()) {
-    throw StorageError(
-        "A participant has begun with the protocol as it is. A change is a new version and needs a "
-        "reason: add --reason \"…\".");
-  }
-  const Moment now = clock_->now();
-  const auto id = protocols().add(
-      protocol, reason.empty() ? "before the first participant" : reason, asUtc(now.wall));
-  events().append(
-      {.when = now,
-       .actor = storage::Actor::Operator,
-       .kind = "amended_protocol",
-       .detail = "version " + std::to_string(static_cast<std::int64_t>(id)) + ": " + reason});
-  transaction.commit();
+  transact([&] {
+    if (protocols().current().frozenUtc && reason.empty()) {
+      throw StorageError(
+          "A participant has begun with the protocol as it is. A change is a new version and needs "
+          "a reason: add --reason \"…\".");
+    }
+    const Moment now = clock_->now();
+    const auto id = protocols().add(
+        protocol, reason.empty() ? "before the first participant" : reason, asUtc(now.wall));
+    events().append(
+        {.when = now,
+         .actor = storage::Actor::Operator,
+         .kind = "amended_protocol",
+         .detail = "version " + std::to_string(static_cast<std::int64_t>(id)) + ": " + reason});
+  });
 }
 
 storage::TraceStore Study::openTraces() const {
@@ -221,11 +137,35 @@ void Study::withRoom(const std::function<void()>& action) {
   }
 }
 
+bool Study::hasArrived(const std::vector<std::byte>& head) {
+  try {
+    return !head.empty() && events().holds(head);
+  } catch (const StorageError& error) {
+    throw StorageError(
+        std::string("Whether the last step was kept cannot be found out just now. ") + error.what(),
+        StorageError::Kind::Unknown);
+  }
+}
+
+void Study::transact(const std::function<void()>& action) {
+  withRoom([&] {
+    std::vector<std::byte> head;
+    try {
+      storage::Transaction transaction(database_);
+      action();
+      head = events().head();
+      transaction.commit();
+    } catch (const StorageError&) {
+      if (!hasArrived(head)) throw;
+    }
+  });
+}
+
 void Study::note(const std::string& kind, const std::string& detail) {
-  storage::Transaction transaction(database_);
-  events().append(
-      {.when = clock_->now(), .actor = storage::Actor::Operator, .kind = kind, .detail = detail});
-  transaction.commit();
+  transact([&] {
+    events().append(
+        {.when = clock_->now(), .actor = storage::Actor::Operator, .kind = kind, .detail = detail});
+  });
 }
 
 }  // namespace study

@@ -67,6 +67,13 @@ class Study {
   /// @throws whatever it throws.
   void withRoom(const std::function<void()>& action);
 
+  /// Runs @p action, which notes at least one event at its end, as one transaction, with that room
+  /// where it is needed. A commit that failed is unknown, not undone: the audit trail says whether
+  /// it arrived.
+  /// @throws storage::StorageError  and then nothing has changed; or, of the kind Unknown, it may
+  /// have.
+  void transact(const std::function<void()>& action);
+
   /// Writes down something that happened to no session: an export, an unblinding.
   void note(const std::string& kind, const std::string& detail);
 
@@ -78,6 +85,7 @@ class Study {
       storage::Database traces,
       storage::Database identities);
   void readHead();
+  bool hasArrived(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;
   Clock* clock_;

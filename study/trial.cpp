@@ -1,5 +1,6 @@
 #include "study/trial.h"
 
+#include <exception>
 #include <utility>
 
 namespace study {
@@ -60,7 +61,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
       .ending = ending};
   try {
     keepChunk();
-  } catch (const storage::StorageError&) {
+  } catch (const std::exception&) {
     record.ending = TrialEnding::TraceLost;
   }
   statistics_.fillIn(record);
@@ -81,7 +82,7 @@ TrialRecord feelInVirtualTime(Trial& trial, int cuts, double longest) {
       if (trial.isStopped()) return trial.finish(TrialEnding::Stopped);
       if (static_cast<int>(sample.cuts) >= cuts) return trial.finish(TrialEnding::Finished);
     }
-  } catch (const storage::StorageError&) {
+  } catch (const std::exception&) {
     return trial.finish(TrialEnding::TraceLost);
   }
   return trial.finish(TrialEnding::TimedOut);

@@ -8,6 +8,7 @@
 #include "protocols/schedule.h"
 #include "study/audit_words.h"
 #include "study/session_plan.h"
+#include "study/storage/content_hash.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -33,6 +34,32 @@ Problems files(Study& study) {
 Problems auditTrail(Study& study) {
   const auto broken = study.events().firstBreak();
   return broken ? Problems{*broken} : Problems{};
+}
+
+/// What the tables say must be what the last event vouched for. What format 1 wrote vouches for
+/// nothing.
+void checkContent(
+    Study& study,
+    std::optional<SessionId> session,
+    const storage::Hash& found,
+    const std::string& name,
+    Problems& problems) {
+  const auto vouched = study.events().vouchedFor(session);
+  if (!vouched) {
+    problems.push_back("the audit trail knows nothing of " + name);
+  } else if (!vouched->empty() && *vouched != storage::asBytes(found)) {
+    problems.push_back("what is kept of " + name + " is not what the audit trail vouches for");
+  }
+}
+
+Problems contents(Study& study) {
+  Problems problems;
+  auto& database = study.database();
+  checkContent(study, {}, storage::contentHash(database), "the study itself", problems);
+  for (const auto& row : study.sessions().all()) {
+    checkContent(study, row.id, storage::contentHash(database, row.id), row.participant, problems);
+  }
+  return problems;
 }
 
 /// The last thing that the audit trail says about each answer must be what the table says.
@@ -93,21 +120,40 @@ Problems orders(Study& study) {
   return problems;
 }
 
+/// What the audit trail says of every trial's trace.
+std::map<VisitKey, std::string> keptTraces(Study& study) {
+  std::map<VisitKey, std::string> kept;
+  for (const auto& event : study.events().read()) {
+    if (event.kind == "kept_trace" && event.visit) kept[*event.visit] = event.detail;
+  }
+  return kept;
+}
+
+void checkTrace(
+    Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
+  const auto& visit = trial.step.visit;
+  try {
+    const auto samples = study.traces().read(visit);
+    if (static_cast<std::int64_t>(samples.size()) != trial.traceSamples) {
+      problems.push_back(
+          nameOf(visit) + ": " + std::to_string(samples.size()) + " of " +
+          std::to_string(trial.traceSamples) + " samples are there");
+    }
+    if (!kept.empty() && kept != study.traces().digest(visit)) {
+      problems.push_back(nameOf(visit) + ": the trace is not the one that was recorded");
+    }
+  } catch (const storage::StorageError& error) {
+    problems.push_back(nameOf(visit) + ": " + error.what());
+  }
+}
+
 Problems traces(Study& study) {
   Problems problems;
   std::set<VisitKey> expected;
+  auto kept = keptTraces(study);
   for (const auto& trial : storage::Records(study.database()).trials()) {
     expected.insert(trial.step.visit);
-    try {
-      const auto samples = study.traces().read(trial.step.visit);
-      if (static_cast<std::int64_t>(samples.size()) != trial.traceSamples) {
-        problems.push_back(
-            nameOf(trial.step.visit) + ": " + std::to_string(samples.size()) + " of " +
-            std::to_string(trial.traceSamples) + " samples are there");
-      }
-    } catch (const storage::StorageError& error) {
-      problems.push_back(nameOf(trial.step.visit) + ": " + error.what());
-    }
+    checkTrace(study, trial, kept[trial.step.visit], problems);
   }
   for (const auto& visit : study.traces().visits()) {
     if (expected.count(visit) > 0) continue;
@@ -138,6 +184,7 @@ Verification verify(Study& study) {
   };
   check("the database files are whole, and every row refers to something", files);
   check("the audit trail is unbroken", auditTrail);
+  check("everything is what the audit trail vouches for", contents);
   check("every answer is what the audit trail says", answers);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);

@@ -89,7 +89,8 @@ class TerminalSession {
     const int needed = session_.step().minimumCuts;
     while (session_.benchmarkCuts() < needed) {
       fmt::print("How many cuts were made (at least {})? ", needed);
-      if (const auto cuts = numberIn<int>(readLine())) session_.recordBenchmarkCuts(*cuts);
+      const auto cuts = numberIn<int>(readLine());
+      if (cuts && *cuts >= 0) session_.recordBenchmarkCuts(*cuts);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <sys/vfs.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -54,7 +55,9 @@ Database::~Database() {
 }
 
 Database::Database(Database&& other) noexcept
-    : path_(std::move(other.path_)), handle_(std::exchange(other.handle_, nullptr)) {}
+    : path_(std::move(other.path_)),
+      handle_(std::exchange(other.handle_, nullptr)),
+      owesRollback_(other.owesRollback_) {}
 
 Database Database::create(const std::string& path, const Schema& schema) {
   if (std::filesystem::exists(path)) {
@@ -121,7 +124,7 @@ void Database::requireKind(const Schema& schema) const {
     id = pragmaNumber(*this, "application_id");
     version = pragmaNumber(*this, "user_version");
   } catch (const StorageError& error) {
-    if (error.kind() == StorageError::Kind::Busy) throw;
+    if (error.kind() != StorageError::Kind::Damaged) throw;
     throw StorageError(
         path_ + " is damaged, or no database at all. Restore it from a copy; do not go on with it.",
         StorageError::Kind::Damaged);
@@ -162,6 +165,11 @@ void Database::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(code, "write to");
 }
 
+void Database::undoWhatIsLeft() {
+  if (owesRollback_ && sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
+  owesRollback_ = false;
+}
+
 std::string Database::integrityProblems() {
   std::string problems;
   Statement integrity(*this, "PRAGMA integrity_check(20)");
@@ -182,7 +190,9 @@ std::int64_t Database::lastInsertedId() const noexcept {
 void Database::fail(int code, const std::string& action) const {
   const std::string reason = sqlite3_errmsg(handle_);
   const std::string could = "Could not " + action + " " + path_ + ": ";
-  switch (code & 0xff) {
+  const bool isForWantOfRoom =
+      (code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC;
+  switch (isForWantOfRoom ? SQLITE_FULL : code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw StorageError(

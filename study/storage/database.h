@@ -42,6 +42,11 @@ class Database {
   /// One or more statements without results. @throws StorageError
   void execute(const std::string& sql);
 
+  /// What a transaction began and did not commit is to be undone: now if it can be, before the next
+  /// one begins if it cannot.
+  void owesRollback() noexcept { owesRollback_ = true; }
+  void undoWhatIsLeft();
+
   /// What is wrong with the file, by SQLite's own integrity check and the foreign keys; empty if
   /// nothing.
   std::string integrityProblems();
@@ -63,6 +68,7 @@ class Database {
 
   std::string path_;
   sqlite3* handle_ = nullptr;
+  bool owesRollback_ = false;
 };
 
 }  // namespace study::storage

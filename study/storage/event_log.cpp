@@ -1,47 +1,13 @@
 #include "study/storage/event_log.h"
 
-#include <array>
+#include <charconv>
 
-#include <sodium.h>
-
+#include "questionnaires/characters.h"
+#include "study/storage/content_hash.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
 namespace {
-
-using Hash = std::array<std::byte, 32>;
-
-/// What is hashed: every field with its length before it, so that no two events look alike.
-class Hasher {
- public:
-  Hasher() { crypto_generichash_init(&state_, nullptr, 0, sizeof(Hash)); }
-
-  void add(std::string_view text) {
-    const std::string length = std::to_string(text.size()) + ":";
-    update(length);
-    update(text);
-  }
-  void add(const std::optional<std::int64_t>& number) {
-    add(number ? std::to_string(*number) : std::string("-"));
-  }
-  void add(const std::vector<std::byte>& bytes) {
-    add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  }
-
-  Hash finish() {
-    Hash hash{};
-    crypto_generichash_final(&state_, reinterpret_cast<unsigned char*>(hash.data()), hash.size());
-    return hash;
-  }
-
- private:
-  void update(std::string_view text) {
-    crypto_generichash_update(
-        &state_, reinterpret_cast<const unsigned char*>(text.data()), text.size());
-  }
-
-  crypto_generichash_state state_{};
-};
 
 /// An event as it stands in a row.
 struct Row {
@@ -53,10 +19,11 @@ struct Row {
   std::string actor;
   std::string kind;
   std::string detail;
+  std::vector<std::byte> content;  ///< empty in what format 1 wrote
 
   Hash hashAfter(std::int64_t seq, const std::vector<std::byte>& previous) const {
     Hasher hasher;
-    hasher.add(previous);
+    hasher.add(std::span(previous));
     hasher.add(std::optional(seq));
     hasher.add(session);
     hasher.add(step);
@@ -66,12 +33,13 @@ struct Row {
     hasher.add(actor);
     hasher.add(kind);
     hasher.add(detail);
+    if (!content.empty()) hasher.add(std::span(content));
     return hasher.finish();
   }
 };
 
 constexpr const char* kColumns =
-    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash";
+    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash";
 
 Row rowIn(const Statement& statement) {
   return {
@@ -82,7 +50,26 @@ Row rowIn(const Statement& statement) {
       .monotonic = statement.number(5),
       .actor = statement.text(6),
       .kind = statement.text(7),
-      .detail = statement.text(8)};
+      .detail = statement.text(8),
+      .content = statement.blob(10)};
+}
+
+/// What is no text could be exported by nobody.
+void requireText(const Event& event) {
+  const bool isText =
+      questionnaires::charactersIn(event.detail) && event.detail.find('\0') == std::string::npos;
+  if (!isText) {
+    throw StorageError("What is to be noted is no sound UTF-8 text. Write it with other letters.");
+  }
+}
+
+/// "381" in "2026-11-20T13:35:07.381Z"; 0 where it cannot be read.
+std::int64_t millisecondsIn(const std::string& utc) {
+  constexpr std::size_t kWhere = 20;
+  std::int64_t milliseconds = 0;
+  if (utc.size() < kWhere + 3) return 0;
+  std::from_chars(utc.data() + kWhere, utc.data() + kWhere + 3, milliseconds);
+  return milliseconds;
 }
 
 Actor actorNamed(std::string_view name) {
@@ -105,6 +92,7 @@ std::string_view nameOf(Actor actor) noexcept {
 }
 
 void EventLog::append(const Event& event) {
+  requireText(event);
   Row row{
       .utc = asUtc(event.when.wall),
       .monotonic = event.when.monotonic,
@@ -116,6 +104,8 @@ void EventLog::append(const Event& event) {
     row.step = event.visit->step;
     row.attempt = event.visit->attempt;
   }
+  row.content =
+      asBytes(event.visit ? contentHash(database_, event.visit->session) : contentHash(database_));
   std::int64_t seq = 1;
   std::vector<std::byte> previous;
   Statement last(database_, "SELECT seq, hash FROM event ORDER BY seq DESC LIMIT 1");
@@ -125,7 +115,8 @@ void EventLog::append(const Event& event) {
   }
   const Hash hash = row.hashAfter(seq, previous);
   Statement insert(
-      database_, "INSERT INTO event (" + std::string(kColumns) + ") VALUES (?,?,?,?,?,?,?,?,?,?)");
+      database_,
+      "INSERT INTO event (" + std::string(kColumns) + ") VALUES (?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind(1, seq)
       .bind(2, row.session)
       .bind(3, row.step)
@@ -135,13 +126,27 @@ void EventLog::append(const Event& event) {
       .bind(7, row.actor)
       .bind(8, row.kind)
       .bind(9, row.detail)
-      .bind(10, std::span<const std::byte>(hash));
+      .bind(10, std::span<const std::byte>(hash))
+      .bind(11, std::span<const std::byte>(row.content));
   insert.run();
 }
 
 std::vector<std::byte> EventLog::head() const {
   Statement last(database_, "SELECT hash FROM event ORDER BY seq DESC LIMIT 1");
   return last.step() ? last.blob(0) : std::vector<std::byte>();
+}
+
+bool EventLog::holds(const std::vector<std::byte>& head) const {
+  Statement select(database_, "SELECT 1 FROM event WHERE hash = ?");
+  select.bind(1, std::span(head));
+  return select.step();
+}
+
+std::optional<std::vector<std::byte>> EventLog::vouchedFor(std::optional<SessionId> session) const {
+  Statement select(
+      database_, "SELECT content_hash FROM event WHERE session_id IS ? ORDER BY seq DESC LIMIT 1");
+  select.bind(1, session ? std::optional(static_cast<std::int64_t>(*session)) : std::nullopt);
+  return select.step() ? std::optional(select.blob(0)) : std::nullopt;
 }
 
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
@@ -160,8 +165,7 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
           static_cast<int>(row.step.value_or(0)),
           static_cast<int>(row.attempt.value_or(1))};
     }
-    const std::string milliseconds = row.utc.size() > 23 ? row.utc.substr(20, 3) : "0";
-    event.when = {select.number(10) * 1000 + std::stoll(milliseconds), row.monotonic};
+    event.when = {select.number(11) * 1000 + millisecondsIn(row.utc), row.monotonic};
     events.push_back(std::move(event));
   }
   return events;
@@ -177,8 +181,7 @@ std::optional<std::string> EventLog::firstBreak() const {
       return "event " + std::to_string(expected) + " is missing from the audit trail";
     }
     const auto stored = select.blob(9);
-    const Hash hash = rowIn(select).hashAfter(seq, previous);
-    if (stored != std::vector<std::byte>(hash.begin(), hash.end())) {
+    if (stored != asBytes(rowIn(select).hashAfter(seq, previous))) {
       return "event " + std::to_string(seq) + " (" + select.text(7) + ", " + select.text(4) +
              ") has been changed since it was written";
     }

@@ -28,16 +28,25 @@ struct Event {
 ///
 /// Every event carries a hash of itself and of the one before it (BLAKE2b-256): a line that is
 /// changed, removed or slipped in shows, which SQLite's own check of a file does not (of 3,000
-/// flipped bits it missed 1,571 that changed content).
+/// flipped bits it missed 1,571 that changed content). And it carries a hash of what the tables
+/// said about its session by then, so that a row changed behind the program's back shows as well.
 class EventLog {
  public:
   explicit EventLog(Database& database) : database_(database) {}
 
-  /// Inside the caller's transaction.
+  /// Inside the caller's transaction, after everything else in it: the event vouches for what the
+  /// tables say by then. @throws StorageError  also if the detail is no text.
   void append(const Event& event);
 
   /// What the chain ends with at present; empty before the first event.
   std::vector<std::byte> head() const;
+
+  /// Whether the event that ended the chain with @p head has arrived.
+  bool holds(const std::vector<std::byte>& head) const;
+
+  /// The content hash in the last event of a session, or of the study itself; empty where format 1
+  /// wrote it, nothing where there is no event.
+  std::optional<std::vector<std::byte>> vouchedFor(std::optional<SessionId> session) const;
 
   /// Events of one session, or of all, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;

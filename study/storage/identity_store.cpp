@@ -29,6 +29,17 @@ void IdentityStore::put(
   transaction.commit();
 }
 
+void IdentityStore::remove(const Place& place, const std::string& item) {
+  Transaction transaction(database_);
+  Statement remove(
+      database_,
+      "DELETE FROM identifying_answer WHERE participant = ? AND session_number = ? AND step = ? "
+      "AND attempt = ? AND item = ?");
+  bindPlace(remove, place, item);
+  remove.run();
+  transaction.commit();
+}
+
 bool IdentityStore::has(const Place& place, const std::string& item) const {
   Statement select(
       database_,

@@ -22,6 +22,8 @@ class IdentityStore {
   /// One transaction.
   void put(
       const Place& place, const std::string& item, const std::string& text, const std::string& utc);
+  /// One transaction.
+  void remove(const Place& place, const std::string& item);
   bool has(const Place& place, const std::string& item) const;
 
   Database& database() noexcept { return database_; }

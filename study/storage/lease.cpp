@@ -4,11 +4,12 @@
 
 #include <array>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <sstream>
 #include <utility>
 
 #include "study/storage/statement.h"
-#include "study/storage/transaction.h"
 
 namespace study::storage {
 namespace {
@@ -34,23 +35,55 @@ std::string marksOf(std::int64_t pid) {
   return boot + "/" + began;
 }
 
+/// The leases that this process holds: one whose row could not be removed is held by nobody.
+class Tokens {
+ public:
+  std::string make() {
+    const std::lock_guard lock(mutex_);
+    const std::string token = marksOf(getpid()) + "#" + std::to_string(++made_);
+    held_.insert(token);
+    return token;
+  }
+  void drop(const std::string& token) {
+    const std::lock_guard lock(mutex_);
+    held_.erase(token);
+  }
+  bool isHeld(const std::string& token) {
+    const std::lock_guard lock(mutex_);
+    return held_.count(token) > 0;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::string> held_;
+  std::uint64_t made_ = 0;
+};
+
+Tokens& tokens() {
+  static Tokens all;
+  return all;
+}
+
+/// Whether somebody is behind the row of a lease.
+bool isAlive(const std::string& station, std::int64_t pid, const std::string& token) {
+  if (station != thisStation()) return true;  // nobody here can know
+  if (pid == getpid()) return tokens().isHeld(token);
+  return marksOf(pid) == token.substr(0, token.find('#'));
+}
+
 }  // namespace
 
 Lease::Lease(Database& database, SessionId session, const std::string& utc)
-    : database_(&database), session_(session) {
-  Transaction transaction(database);
+    : database_(&database), session_(session), token_(tokens().make()) {
   Statement held(
       database, "SELECT station, pid, taken_utc, process FROM lease WHERE session_id = ?");
   held.bind(1, static_cast<std::int64_t>(session));
-  if (held.step()) {
-    const bool isElsewhere = held.text(0) != thisStation();
-    if (isElsewhere || marksOf(held.number(1)) == held.text(3)) {
-      throw StorageError(
-          "This session is open already, on " + held.text(0) + " (process " +
-              std::to_string(held.number(1)) + ", since " + held.text(2) +
-              "). Go on there, or close it there first.",
-          StorageError::Kind::Busy);
-    }
+  if (held.step() && isAlive(held.text(0), held.number(1), held.text(3))) {
+    throw StorageError(
+        "This session is open already, on " + held.text(0) + " (process " +
+            std::to_string(held.number(1)) + ", since " + held.text(2) +
+            "). Go on there, or close it there first.",
+        StorageError::Kind::Busy);
   }
   Statement take(
       database,
@@ -60,22 +93,24 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc)
       .bind(2, thisStation())
       .bind(3, std::int64_t{getpid()})
       .bind(4, utc)
-      .bind(5, marksOf(getpid()));
+      .bind(5, token_);
   take.run();
-  transaction.commit();
 }
 
 Lease::Lease(Lease&& other) noexcept
-    : database_(std::exchange(other.database_, nullptr)), session_(other.session_) {}
+    : database_(std::exchange(other.database_, nullptr)),
+      session_(other.session_),
+      token_(std::move(other.token_)) {}
 
 Lease::~Lease() {
   if (database_ == nullptr) return;
+  tokens().drop(token_);
   try {
-    Statement give(*database_, "DELETE FROM lease WHERE session_id = ?");
-    give.bind(1, static_cast<std::int64_t>(session_));
+    Statement give(*database_, "DELETE FROM lease WHERE session_id = ? AND process = ?");
+    give.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
     give.run();
   } catch (const StorageError&) {
-    // It stays behind, and is taken over when this process is gone.
+    // The row stays behind, and is taken over by whoever goes on.
   }
 }
 

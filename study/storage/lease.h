@@ -7,11 +7,13 @@
 
 namespace study::storage {
 
-/// The right to run a session: one program at a time. Given back when this object goes; what a
-/// crashed program of this computer left behind is taken over.
+/// The right to run a session: one program at a time, and one window of it. Given back when this
+/// object goes; what a crashed program of this computer left behind is taken over, and so is what
+/// this program could not give back.
 class Lease {
  public:
-  /// @throws StorageError  (Busy) if another program is running this session; says which.
+  /// Inside the caller's transaction.
+  /// @throws StorageError  (Busy) if somebody is running this session; says who.
   Lease(Database& database, SessionId session, const std::string& utc);
   ~Lease();
   Lease(Lease&& other) noexcept;
@@ -20,6 +22,7 @@ class Lease {
  private:
   Database* database_;
   SessionId session_;
+  std::string token_;  ///< nobody else's
 };
 
 }  // namespace study::storage

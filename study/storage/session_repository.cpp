@@ -231,7 +231,7 @@ void SessionRepository::closeVisit(
   Statement update(
       database_,
       "UPDATE visit SET status = ?, ended_utc = ?, reason = ? "
-      "WHERE session_id = ? AND step = ? AND attempt = ?");
+      "WHERE session_id = ? AND step = ? AND attempt = ? AND status = 'open'");
   update.bind(1, nameOf(status)).bind(2, utc).bind(3, reason);
   bindVisit(update, 4, visit);
   update.run();
@@ -243,6 +243,14 @@ int SessionRepository::attempts(SessionId session, int step) const {
   select.bind(1, static_cast<std::int64_t>(session)).bind(2, std::int64_t{step});
   select.step();
   return static_cast<int>(select.number(0));
+}
+
+VisitStatus SessionRepository::statusOf(const VisitKey& visit) const {
+  Statement select(
+      database_, "SELECT status FROM visit WHERE session_id = ? AND step = ? AND attempt = ?");
+  bindVisit(select, 1, visit);
+  return select.step() ? static_cast<VisitStatus>(indexIn(kVisitStatuses, select.text(0)))
+                       : VisitStatus::Open;
 }
 
 void SessionRepository::markRepeated(

@@ -36,6 +36,8 @@ struct SessionRow {
   std::string startedUtc;
   std::optional<std::string> endedUtc;
   std::optional<std::string> endReason;
+
+  bool operator==(const SessionRow&) const = default;
 };
 
 /// How a visit ended, or that it has not.
@@ -64,10 +66,13 @@ class SessionRepository {
   bool hasLiveSession() const;
 
   void openVisit(const VisitKey& visit, const std::string& utc);
+  /// Only a visit that is open; how another one ended stays.
   void closeVisit(
       const VisitKey& visit, VisitStatus status, const std::string& utc, const std::string& reason);
   /// How often a step has been begun.
   int attempts(SessionId session, int step) const;
+  /// How a visit stands; a step that was never begun is open.
+  VisitStatus statusOf(const VisitKey& visit) const;
   /// Whatever was finished from @p step on does not count any more: it is done again.
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 

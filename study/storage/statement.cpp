@@ -1,5 +1,7 @@
 #include "study/storage/statement.h"
 
+#include <cstring>
+
 #include <sqlite3.h>
 
 namespace study::storage {
@@ -82,14 +84,24 @@ double Statement::real(int column) const noexcept {
   return sqlite3_column_double(statement_, column);
 }
 
+/// SQLite answers with nothing where there is nothing, and where it has no memory to show what
+/// there is; only the one is a value.
+void Statement::requireMemory(const void* value) const {
+  if (value == nullptr && sqlite3_errcode(database_.handle()) == SQLITE_NOMEM) {
+    database_.fail(SQLITE_NOMEM, "read");
+  }
+}
+
 std::string Statement::text(int column) const {
   const auto* text = sqlite3_column_text(statement_, column);
+  requireMemory(text);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
   return text == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(text), size);
 }
 
 std::vector<std::byte> Statement::blob(int column) const {
   const auto* data = static_cast<const std::byte*>(sqlite3_column_blob(statement_, column));
+  requireMemory(data);
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
   return data == nullptr ? std::vector<std::byte>() : std::vector<std::byte>(data, data + size);
 }
@@ -104,6 +116,31 @@ std::optional<double> Statement::optionalReal(int column) const {
 
 std::optional<std::string> Statement::optionalText(int column) const {
   return isNull(column) ? std::nullopt : std::optional(text(column));
+}
+
+int Statement::columnCount() const noexcept {
+  return sqlite3_column_count(statement_);
+}
+
+std::string Statement::exactBytes(int column) const {
+  switch (sqlite3_column_type(statement_, column)) {
+    case SQLITE_INTEGER:
+      return "i" + std::to_string(number(column));
+    case SQLITE_FLOAT: {
+      const double value = real(column);
+      std::string bytes(1 + sizeof value, 'r');
+      std::memcpy(bytes.data() + 1, &value, sizeof value);
+      return bytes;
+    }
+    case SQLITE_NULL:
+      return "n";
+    case SQLITE_BLOB: {
+      const auto bytes = blob(column);
+      return "b" + std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    }
+    default:
+      return "t" + text(column);
+  }
 }
 
 }  // namespace study::storage

@@ -48,7 +48,13 @@ class Statement {
   std::optional<double> optionalReal(int column) const;
   std::optional<std::string> optionalText(int column) const;
 
+  int columnCount() const noexcept;
+  /// A value with its type, bit by bit: two that differ in anything give different bytes.
+  std::string exactBytes(int column) const;
+
  private:
+  void requireMemory(const void* value) const;
+
   const Database& database_;
   sqlite3_stmt* statement_ = nullptr;
 };

@@ -14,6 +14,7 @@ class StorageError : public std::runtime_error {
     DiskFull,
     Damaged,  ///< or never was a study
     Newer,    ///< written by a later version of this program
+    Unknown,  ///< whether it was kept cannot be found out just now
   };
 
   explicit StorageError(const std::string& what, Kind kind = Kind::Other)

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added, never changed:
 // somebody's study is at each of them.
-constexpr std::array<std::string_view, 1> kStudySteps{
+constexpr std::array<std::string_view, 2> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -200,6 +200,39 @@ constexpr std::array<std::string_view, 1> kStudySteps{
         process    TEXT NOT NULL,
         taken_utc  TEXT NOT NULL
       ) STRICT;
+    )sql",
+    R"sql(
+      -- What the tables said about the event's session (or the study) after it.
+      ALTER TABLE event ADD COLUMN content_hash BLOB CHECK (length(content_hash) = 32);
+
+      -- REPLACE removes without asking the trigger above.
+      CREATE TRIGGER an_event_is_added_at_the_end BEFORE INSERT ON event
+      WHEN new.seq <> (SELECT coalesce(max(seq), 0) + 1 FROM event)
+      BEGIN SELECT RAISE(ABORT, 'events are only ever added at the end'); END;
+
+      CREATE TRIGGER a_frozen_protocol_stays_frozen
+      BEFORE UPDATE OF frozen_utc ON protocol WHEN old.frozen_utc IS NOT NULL
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TRIGGER a_frozen_protocol_is_not_removed
+      BEFORE DELETE ON protocol WHEN old.frozen_utc IS NOT NULL
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TRIGGER a_protocol_is_not_replaced
+      BEFORE INSERT ON protocol WHEN EXISTS (SELECT 1 FROM protocol WHERE id = new.id)
+      BEGIN SELECT RAISE(ABORT, 'there is a protocol of that id'); END;
+
+      CREATE TRIGGER a_frozen_file_stays_as_it_is BEFORE UPDATE ON protocol_file
+      WHEN EXISTS (SELECT 1 FROM protocol WHERE id = old.protocol_id AND frozen_utc IS NOT NULL)
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TRIGGER a_frozen_file_is_not_removed BEFORE DELETE ON protocol_file
+      WHEN EXISTS (SELECT 1 FROM protocol WHERE id = old.protocol_id AND frozen_utc IS NOT NULL)
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+
+      CREATE TRIGGER a_frozen_protocol_gets_no_file BEFORE INSERT ON protocol_file
+      WHEN EXISTS (SELECT 1 FROM protocol WHERE id = new.protocol_id AND frozen_utc IS NOT NULL)
+      BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
     )sql",
 };
 

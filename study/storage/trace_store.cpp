@@ -1,11 +1,9 @@
 #include "study/storage/trace_store.h"
 
-#include <array>
 #include <bit>
 #include <cstring>
 
-#include <sodium.h>
-
+#include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
 
@@ -17,20 +15,6 @@ static_assert(sizeof(TraceSample) == 28, "as documented");
 static_assert(
     std::endian::native == std::endian::little, "samples are written as they lie in memory");
 
-using Hash = std::array<std::byte, 32>;
-
-Hash hashOf(std::span<const std::byte> bytes) {
-  Hash hash{};
-  crypto_generichash(
-      reinterpret_cast<unsigned char*>(hash.data()),
-      hash.size(),
-      reinterpret_cast<const unsigned char*>(bytes.data()),
-      bytes.size(),
-      nullptr,
-      0);
-  return hash;
-}
-
 void bindVisit(Statement& statement, const VisitKey& visit) {
   statement.bind(1, static_cast<std::int64_t>(visit.session))
       .bind(2, std::int64_t{visit.step})
@@ -40,6 +24,16 @@ void bindVisit(Statement& statement, const VisitKey& visit) {
 }  // namespace
 
 void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
+  try {
+    insert(visit, number, samples);
+  } catch (const StorageError&) {
+    // A commit that failed is unknown, not undone: look whether it arrived.
+    if (!holds(visit, number, samples)) throw;
+  }
+}
+
+void TraceStore::insert(
+    const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
   const auto bytes = std::as_bytes(std::span(samples));
   const Hash hash = hashOf(bytes);
   Transaction transaction(database_);
@@ -57,6 +51,16 @@ void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceS
   transaction.commit();
 }
 
+bool TraceStore::holds(
+    const VisitKey& visit, int number, const std::vector<TraceSample>& samples) const {
+  Statement select(
+      database_,
+      "SELECT hash FROM chunk WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
+  bindVisit(select, visit);
+  select.bind(4, std::int64_t{number});
+  return select.step() && select.blob(0) == asBytes(hashOf(std::as_bytes(std::span(samples))));
+}
+
 std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
   Statement select(
       database_,
@@ -67,10 +71,9 @@ std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
   for (std::int64_t expected = 0; select.step(); ++expected) {
     const auto bytes = select.blob(0);
     const auto count = static_cast<std::size_t>(select.number(2));
-    const Hash hash = hashOf(bytes);
     const bool isSound = select.number(3) == expected &&
                          bytes.size() == count * sizeof(TraceSample) &&
-                         select.blob(1) == std::vector<std::byte>(hash.begin(), hash.end());
+                         select.blob(1) == asBytes(hashOf(bytes));
     if (!isSound) {
       throw StorageError(
           database_.path() + " is damaged: second " + std::to_string(expected + 1) +
@@ -92,6 +95,21 @@ std::int64_t TraceStore::sampleCount(const VisitKey& visit) const {
   bindVisit(select, visit);
   select.step();
   return select.number(0);
+}
+
+std::string TraceStore::digest(const VisitKey& visit) const {
+  Statement select(
+      database_,
+      "SELECT number, samples, layout, hash FROM chunk "
+      "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
+  bindVisit(select, visit);
+  Hasher hasher;
+  while (select.step()) {
+    for (int column = 0; column < select.columnCount(); ++column) {
+      hasher.add(select.exactBytes(column));
+    }
+  }
+  return inHexadecimal(hasher.finish());
 }
 
 std::vector<VisitKey> TraceStore::visits() const {

@@ -30,7 +30,7 @@ class TraceStore {
  public:
   explicit TraceStore(Database database) : database_(std::move(database)) {}
 
-  /// One transaction. @throws StorageError
+  /// One transaction; a chunk that is there already is not written again. @throws StorageError
   void add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples);
 
   /// All samples of a trial, in order. @throws StorageError  (Damaged) if a chunk is not what was
@@ -39,12 +39,19 @@ class TraceStore {
 
   std::int64_t sampleCount(const VisitKey& visit) const;
 
+  /// Of all chunks of a trial in their order, for the audit trail: a chunk that is taken away, put
+  /// elsewhere or written anew gives another one.
+  std::string digest(const VisitKey& visit) const;
+
   /// The visits that have a trace.
   std::vector<VisitKey> visits() const;
 
   Database& database() noexcept { return database_; }
 
  private:
+  void insert(const VisitKey& visit, int number, const std::vector<TraceSample>& samples);
+  bool holds(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) const;
+
   Database database_;
 };
 

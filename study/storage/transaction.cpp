@@ -1,16 +1,19 @@
 #include "study/storage/transaction.h"
 
-#include <sqlite3.h>
-
 namespace study::storage {
 
 Transaction::Transaction(Database& database) : database_(database) {
+  database_.undoWhatIsLeft();
   database_.execute("BEGIN IMMEDIATE");
 }
 
 Transaction::~Transaction() {
-  if (isOpen_ && sqlite3_get_autocommit(database_.handle()) == 0) {
-    sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+  if (!isOpen_) return;
+  try {
+    database_.owesRollback();
+    database_.undoWhatIsLeft();
+  } catch (const StorageError&) {
+    // The next transaction undoes it before it begins.
   }
 }
 

@@ -1,0 +1,71 @@
+#include "study/storage/content_hash.h"
+
+#include <array>
+#include <string>
+
+#include "study/storage/statement.h"
+
+namespace study::storage {
+namespace {
+
+// Columns are listed, and their order stays: a column that a later format adds changes no hash that
+// was written before. What is hashed of a row is every value with its type, bit by bit.
+constexpr std::array kOfASession{
+    "SELECT p.id, p.code, p.cohort, p.run_mode, p.created_utc FROM participant AS p "
+    "JOIN session AS s ON s.participant_id = p.id WHERE s.id = ?",
+    "SELECT id, participant_id, number, protocol_id, run_mode, cohort, language, slot, slot_state, "
+    "state, step, attempt, app_version, started_utc, ended_utc, end_reason "
+    "FROM session WHERE id = ?",
+    "SELECT step, kind, phase, instrument, item_set, position, label FROM step "
+    "WHERE session_id = ? ORDER BY step",
+    "SELECT step, condition FROM allocation WHERE session_id = ? ORDER BY step",
+    "SELECT step, attempt, status, began_utc, ended_utc, reason FROM visit "
+    "WHERE session_id = ? ORDER BY step, attempt",
+    "SELECT step, attempt, item, item_order, kind, point, number, text, first_touch_s, response_s, "
+    "changes, language, saved_utc FROM answer WHERE session_id = ? ORDER BY step, attempt, item",
+    "SELECT step, attempt, device, ending, verdict, verdict_reason, force_unit, travel_unit, "
+    "duration_s, ticks, nominal_rate_hz, achieved_rate_hz, lateness_p50_us, lateness_p99_us, "
+    "lateness_max_us, late_ticks, lost_samples, invalid_ticks, saturated_s, slewed_s, undefined_s, "
+    "contact_s, largest_force_n, cuts, trace_samples FROM trial "
+    "WHERE session_id = ? ORDER BY step, attempt",
+    "SELECT step, attempt, number, interception_travel, interception_n, yield_travel, yield_n, "
+    "bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n FROM cut "
+    "WHERE session_id = ? ORDER BY step, attempt, number"};
+
+constexpr std::array kOfTheStudy{
+    "SELECT id, uuid, seed, random_version, app_version, created_utc FROM study ORDER BY id",
+    "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
+    "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
+
+void addRows(Hasher& hasher, Statement& rows) {
+  while (rows.step()) {
+    hasher.add("row");
+    for (int column = 0; column < rows.columnCount(); ++column) {
+      hasher.add(rows.exactBytes(column));
+    }
+  }
+  hasher.add("end");
+}
+
+}  // namespace
+
+Hash contentHash(const Database& database, SessionId session) {
+  Hasher hasher;
+  for (const char* select : kOfASession) {
+    Statement rows(database, select);
+    rows.bind(1, static_cast<std::int64_t>(session));
+    addRows(hasher, rows);
+  }
+  return hasher.finish();
+}
+
+Hash contentHash(const Database& database) {
+  Hasher hasher;
+  for (const char* select : kOfTheStudy) {
+    Statement rows(database, select);
+    addRows(hasher, rows);
+  }
+  return hasher.finish();
+}
+
+}  // namespace study::storage

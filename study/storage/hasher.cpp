@@ -1,0 +1,47 @@
+#include "study/storage/hasher.h"
+
+#include <sodium.h>
+
+namespace study::storage {
+
+void Hasher::add(std::string_view field) {
+  fields_ += std::to_string(field.size()) + ":";
+  fields_ += field;
+}
+
+void Hasher::add(const std::optional<std::int64_t>& number) {
+  add(number ? std::string_view(std::to_string(*number)) : std::string_view("-"));
+}
+
+void Hasher::add(std::span<const std::byte> bytes) {
+  add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+Hash Hasher::finish() const {
+  return hashOf(std::as_bytes(std::span(fields_)));
+}
+
+Hash hashOf(std::span<const std::byte> bytes) {
+  Hash hash{};
+  crypto_generichash(
+      reinterpret_cast<unsigned char*>(hash.data()),
+      hash.size(),
+      reinterpret_cast<const unsigned char*>(bytes.data()),
+      bytes.size(),
+      nullptr,
+      0);
+  return hash;
+}
+
+std::vector<std::byte> asBytes(const Hash& hash) {
+  return {hash.begin(), hash.end()};
+}
+
+std::string inHexadecimal(const Hash& hash) {
+  std::array<char, 2 * std::tuple_size_v<Hash> + 1> text{};
+  sodium_bin2hex(
+      text.data(), text.size(), reinterpret_cast<const unsigned char*>(hash.data()), hash.size());
+  return text.data();
+}
+
+}  // namespace study::storage

@@ -1,0 +1,86 @@
+// What names a person lies in identity.db and nowhere else.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "study/export.h"
+#include "tests/study/everything_instrument.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace {
+
+const std::string kName = "Zaphod Beeblebrox-Sentinel";
+
+/// The files under @p folder that hold @p text, by their names.
+std::vector<std::string> filesWith(const std::string& folder, const std::string& text) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    if (tests::contentOf(entry.path()).find(text) == std::string::npos) continue;
+    names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
+class IdentityTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    tests::walkTo(session_, StepKind::Form);
+    session_.record({.item = "agree", .response = std::int64_t{1}, .itemOrder = 1});
+    session_.record({.item = "name", .response = kName, .itemOrder = 2});
+  }
+
+  tests::MadeStudy study_{tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_F(IdentityTest, LiesInItsOwnFileAndInNoOther) {
+  EXPECT_TRUE(session_.missing().empty());
+  for (const auto& name : filesWith(study_.folder(), kName)) {
+    EXPECT_EQ(name.substr(0, 11), "identity.db");  // and its -wal
+  }
+  EXPECT_FALSE(filesWith(study_.folder(), kName).empty());
+  { const Session gone = std::move(session_); }
+  study_.close();  // what was in a write-ahead log is in its database now
+  EXPECT_EQ(filesWith(study_.folder(), kName), std::vector<std::string>{"identity.db"});
+}
+
+TEST_F(IdentityTest, IsNeitherAnsweredNorExported) {
+  session_.finishStep();
+  tests::walkToTheEnd(session_);
+  EXPECT_TRUE(session_.answers().empty());
+  for (const auto format : {ExportFormat::Csv, ExportFormat::Json}) {
+    const std::string out = study_.file(format == ExportFormat::Csv ? "csv" : "json");
+    exportStudy(*study_, out, {.format = format, .isBlinded = false}, "a test");
+    EXPECT_TRUE(filesWith(out, kName).empty());
+    EXPECT_FALSE(filesWith(out, "name").empty());  // that it was given is known
+  }
+}
+
+TEST_F(IdentityTest, CountsAsGivenAfterTheProgramHasEnded) {
+  const auto id = session_.id();
+  { const Session gone = std::move(session_); }
+  study_.reopen();
+  EXPECT_TRUE(Session::resume(*study_, id).missing().empty());
+}
+
+TEST_F(IdentityTest, IsGoneWhenItIsTakenBack) {
+  session_.retract("name");
+  EXPECT_EQ(session_.missing(), std::vector<std::string>{"name"});
+  { const Session gone = std::move(session_); }
+  study_.close();
+  EXPECT_TRUE(filesWith(study_.folder(), kName).empty());  // SQLite overwrites what it deletes
+}
+
+TEST_F(IdentityTest, IsForItsOwnerAlone) {
+  const auto permissions = std::filesystem::status(study_.file("identity.db")).permissions();
+  EXPECT_EQ(
+      permissions & std::filesystem::perms::all,
+      std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+}  // namespace
+}  // namespace study

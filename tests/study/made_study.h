@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/clock.h"
+#include "study/session.h"
+#include "study/study.h"
+#include "tests/support/scratch_folder.h"
+
+namespace tests {
+
+/// A protocol of protocols/library/ by name.
+protocols::LoadedProtocol libraryProtocol(const std::string& name);
+
+/// A protocol as its JSON says; what it names is found among @p files.
+/// @throws std::runtime_error  with all problems in words, if it has errors.
+protocols::LoadedProtocol protocolFrom(
+    const std::string& json, const std::vector<protocols::SourceFile>& files = {});
+
+/// What is different about a short protocol.
+struct ShortProtocol {
+  std::string order = "balancedLatinSquare";
+  std::string labels = "random";
+  std::vector<std::string> conditions{"interpolation", "finite-elements", "kalman"};
+  std::string questionnaire = "realism-common";  ///< after each condition; empty: none
+  std::string form;                              ///< an instrument after the consent; empty: none
+  std::string files;                             ///< instrument files: "\"everything.json\""
+  bool hasPreference = true;
+  int minimumCuts = 1;
+};
+
+/// Consent, a form perhaps, a block of conditions on a punch, a preference perhaps, a debriefing;
+/// two cohorts, `surgeons` and `students`; in English, German and Norwegian.
+std::string shortProtocol(const ShortProtocol& options = {});
+
+/// A study in a folder of its own, with a clock that goes on when it is told to.
+class MadeStudy {
+ public:
+  explicit MadeStudy(
+      const protocols::LoadedProtocol& protocol = protocolFrom(shortProtocol()),
+      std::uint64_t seed = 1);
+
+  study::Study& operator*() { return *study_; }
+  study::Study* operator->() { return &*study_; }
+  std::string folder() const { return scratch_ / "study"; }
+  std::string file(const std::string& name) const { return folder() + "/" + name; }
+  const ScratchFolder& scratch() const noexcept { return scratch_; }
+
+  /// As when the program has ended; reopen() starts it again.
+  void close() { study_.reset(); }
+  void reopen();
+
+  study::SimulatedClock clock;
+
+ private:
+  ScratchFolder scratch_;
+  std::optional<study::Study> study_;
+};
+
+}  // namespace tests

@@ -1,0 +1,139 @@
+// A session goes on at the step it was in, whenever the program ended.
+#include <gtest/gtest.h>
+
+#include "study/storage/records.h"
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace {
+
+using storage::StorageError;
+using tests::MadeStudy;
+
+class ResumeTest : public testing::Test {
+ protected:
+  /// As when the program has ended and was started again.
+  Session& again() {
+    const auto id = session_->id();
+    session_.reset();
+    study_.reopen();
+    session_.emplace(Session::resume(*study_, id));
+    return *session_;
+  }
+
+  MadeStudy study_;
+  std::optional<Session> session_{Session::enrol(*study_, {.cohort = "surgeons"})};
+};
+
+TEST_F(ResumeTest, StandsAtEveryStepWhereItStood) {
+  while (!session_->isOver()) {
+    const auto visit = session_->visit();
+    const auto state = session_->state();
+    auto& resumed = again();
+    EXPECT_EQ(resumed.visit(), visit);
+    EXPECT_EQ(resumed.state(), state);
+    tests::passStep(resumed);
+  }
+  EXPECT_EQ(session_->state(), SessionState::Completed);
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(ResumeTest, HasTheAnswersThatWereGivenBefore) {
+  tests::walkTo(*session_, StepKind::Questionnaire);
+  const auto items = session_->items();
+  session_->record(tests::answerTo(*session_, items[0], 1));
+  const auto before = session_->answers();
+  auto& resumed = again();
+  EXPECT_EQ(resumed.answers(), before);
+  EXPECT_EQ(resumed.missing().size(), items.size() - 1);
+}
+
+TEST_F(ResumeTest, CountsATrialUnderWayAsBrokenOff) {
+  tests::walkTo(*session_, StepKind::Trial);
+  const auto visit = session_->visit();
+  session_->beginTrial();
+  study_->traces().add(visit, 0, std::vector<storage::TraceSample>(1000));
+  study_->traces().add(visit, 1, std::vector<storage::TraceSample>(1000));
+  auto& resumed = again();
+  EXPECT_EQ(resumed.state(), SessionState::Interrupted);
+  EXPECT_EQ(resumed.visit(), visit);
+  const auto trials = storage::Records(study_->database()).trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].ending, "program_ended");
+  EXPECT_EQ(trials[0].verdict, "FAIL");
+  EXPECT_EQ(trials[0].traceSamples, 2000);
+  EXPECT_TRUE(verify(*study_).isSound());
+  resumed.repeatStep("the program had ended");
+  EXPECT_EQ(resumed.visit(), (VisitKey{visit.session, visit.step, 2}));
+}
+
+TEST_F(ResumeTest, StaysInterruptedUntilTheOperatorDecides) {
+  tests::walkTo(*session_, StepKind::Trial);
+  session_->beginTrial();
+  session_->breakOffTrial({.ending = TrialEnding::DeviceGone});
+  EXPECT_EQ(again().state(), SessionState::Interrupted);
+  EXPECT_EQ(storage::Records(study_->database()).trials().size(), 1U);
+  session_->skipStep("no device");
+  EXPECT_EQ(again().step().kind, StepKind::Trial);
+}
+
+TEST_F(ResumeTest, StaysPausedAndInItsLanguage) {
+  tests::walkTo(*session_, StepKind::Questionnaire);
+  session_->setLanguage("nb");
+  session_->pause("lunch");
+  auto& resumed = again();
+  EXPECT_EQ(resumed.state(), SessionState::Paused);
+  EXPECT_EQ(resumed.language(), "nb");
+  resumed.resumeAfterPause();
+  EXPECT_EQ(resumed.step().kind, StepKind::Questionnaire);
+}
+
+TEST_F(ResumeTest, FeelsTheSameAlternativesInTheSameOrder) {
+  const auto labels = [](const Session& session) {
+    std::string all;
+    for (const auto& step : session.plan()) all += step.condition + std::to_string(step.label);
+    return all;
+  };
+  const std::string before = labels(*session_);
+  tests::walkTo(*session_, StepKind::Trial);
+  EXPECT_EQ(labels(again()), before);
+}
+
+TEST_F(ResumeTest, SaysThatItWasResumedUnlessItIsOver) {
+  tests::walkTo(*session_, StepKind::Trial);
+  again();
+  EXPECT_NE(tests::eventsOf(*study_, session_->id()).find("resumed"), std::string::npos);
+  tests::walkToTheEnd(*session_);
+  const std::string events = tests::eventsOf(*study_, session_->id());
+  EXPECT_TRUE(again().isOver());
+  EXPECT_EQ(tests::eventsOf(*study_, session_->id()), events);
+}
+
+TEST_F(ResumeTest, RefusesAnOrderThatIsNotTheOneThatWasDrawn) {
+  const auto id = session_->id();
+  session_.reset();
+  study_->database().execute(
+      "UPDATE allocation SET condition = 'kalman' WHERE condition = 'interpolation'");
+  EXPECT_THROW(Session::resume(*study_, id), StorageError);
+}
+
+TEST_F(ResumeTest, RefusesAStepThatTheSessionDoesNotHave) {
+  const auto id = session_->id();
+  session_.reset();
+  study_->database().execute("UPDATE session SET step = 400");
+  try {
+    Session::resume(*study_, id);
+    FAIL() << "it was resumed";
+  } catch (const StorageError& error) {
+    EXPECT_EQ(error.kind(), StorageError::Kind::Damaged);
+  }
+}
+
+TEST_F(ResumeTest, RefusesASessionThatDoesNotExist) {
+  EXPECT_THROW(Session::resume(*study_, SessionId{77}), StorageError);
+}
+
+}  // namespace
+}  // namespace study

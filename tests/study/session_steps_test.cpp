@@ -1,0 +1,241 @@
+// How a session goes on: steps, trials, and what the operator may decide.
+#include <gtest/gtest.h>
+
+#include "study/storage/records.h"
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace {
+
+using tests::MadeStudy;
+
+class SessionStepsTest : public testing::Test {
+ protected:
+  /// How the visits of a step ended, one after the other: "repeated finished".
+  std::string visitsOf(int step) {
+    std::string all;
+    for (int attempt = 1; attempt <= study_->sessions().attempts(session_.id(), step); ++attempt) {
+      const auto status = study_->sessions().statusOf({session_.id(), step, attempt});
+      all += (all.empty() ? "" : " ") + std::string(nameOf(status));
+    }
+    return all;
+  }
+
+  bool isSound() { return verify(*study_).isSound(); }
+
+  MadeStudy study_;
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_F(SessionStepsTest, FinishesNoStepWhileSomethingRequiredIsMissing) {
+  EXPECT_EQ(session_.missing(), std::vector<std::string>{"consent"});
+  EXPECT_THROW(session_.finishStep(), NotNow);
+  tests::answerStep(session_);
+  EXPECT_TRUE(session_.missing().empty());
+  session_.finishStep();
+  EXPECT_EQ(session_.state(), SessionState::Consented);
+  EXPECT_EQ(session_.stepIndex(), 1);
+}
+
+TEST_F(SessionStepsTest, EndsWithoutATrialWhenConsentIsRefused) {
+  auto no = tests::answerTo(session_, session_.items().front());
+  no.response = std::string("no");
+  session_.record(no);
+  session_.finishStep();
+  EXPECT_EQ(session_.state(), SessionState::Declined);
+  EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));
+  EXPECT_THROW(session_.beginTrial(), NotNow);
+}
+
+TEST_F(SessionStepsTest, RunsATrialAsATrialAndNothingElse) {
+  tests::walkTo(session_, StepKind::Trial);
+  EXPECT_FALSE(session_.allows(SessionEvent::FinishedStep));
+  EXPECT_THROW(session_.finishStep(), NotNow);
+  session_.beginTrial();
+  EXPECT_THROW(session_.beginTrial(), NotNow);
+  EXPECT_THROW(session_.pause(""), NotNow);
+  EXPECT_THROW(session_.reject(""), NotNow);
+  session_.finishTrial(tests::feltTrial());
+  EXPECT_EQ(session_.step().kind, StepKind::Questionnaire);
+}
+
+TEST_F(SessionStepsTest, FinishesNoTrialThatWasNot) {
+  tests::walkTo(session_, StepKind::Trial);
+  session_.beginTrial();
+  for (const auto ending : {TrialEnding::Stopped, TrialEnding::DeviceGone, TrialEnding::TimedOut}) {
+    EXPECT_THROW(session_.finishTrial({.ending = ending}), NotNow);
+  }
+  EXPECT_EQ(session_.state(), SessionState::InTrial);
+}
+
+TEST_F(SessionStepsTest, GoesBackFromTheQuestionsToTheirTrial) {
+  tests::walkTo(session_, StepKind::Questionnaire);
+  const int trial = session_.stepIndex() - 1;
+  tests::answerStep(session_);
+  const auto before = session_.visit();
+  session_.repeatStep("the hand slipped");
+  EXPECT_EQ(session_.stepIndex(), trial);
+  EXPECT_EQ(session_.visit().attempt, 2);
+  EXPECT_EQ(visitsOf(trial), "repeated open");
+  EXPECT_EQ(visitsOf(trial + 1), "repeated");
+  tests::passStep(session_);
+  EXPECT_TRUE(session_.answers().empty());                               // of the new attempt …
+  EXPECT_FALSE(storage::Records(study_->database()).answers().empty());  // … the old ones stay
+  EXPECT_NE(session_.visit(), before);
+  tests::walkToTheEnd(session_);
+  EXPECT_EQ(visitsOf(trial), "repeated finished");
+  EXPECT_TRUE(isSound());
+}
+
+TEST_F(SessionStepsTest, GoesBackFromATrialToTheQuestionsBeforeIt) {
+  tests::walkTo(session_, StepKind::Questionnaire);
+  const int questions = session_.stepIndex();
+  tests::passStep(session_);
+  ASSERT_EQ(session_.step().kind, StepKind::Trial);
+  session_.repeatStep("wants to correct something");
+  EXPECT_EQ(session_.stepIndex(), questions);
+}
+
+TEST_F(SessionStepsTest, DoesATrialAgainThatBrokeOff) {
+  tests::walkTo(session_, StepKind::Trial);
+  const int trial = session_.stepIndex();
+  session_.beginTrial();
+  session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
+  EXPECT_EQ(session_.state(), SessionState::Interrupted);
+  EXPECT_THROW(session_.beginTrial(), NotNow);
+  session_.repeatStep("plugged in again");
+  EXPECT_EQ(session_.stepIndex(), trial);
+  EXPECT_EQ(session_.visit().attempt, 2);
+  tests::walkToTheEnd(session_);
+  EXPECT_EQ(visitsOf(trial), "broken_off finished");
+  EXPECT_EQ(session_.state(), SessionState::Completed);
+  EXPECT_TRUE(isSound());
+}
+
+TEST_F(SessionStepsTest, AsksNobodyAboutATrialThatWasSkipped) {
+  tests::walkTo(session_, StepKind::Trial);
+  const int trial = session_.stepIndex();
+  session_.beginTrial();
+  session_.breakOffTrial({.ending = TrialEnding::Stopped});
+  session_.skipStep("does not want to feel it again");
+  EXPECT_EQ(session_.stepIndex(), trial + 2);
+  EXPECT_EQ(session_.step().kind, StepKind::Trial);
+  EXPECT_EQ(visitsOf(trial), "broken_off");
+  EXPECT_EQ(visitsOf(trial + 1), "skipped");
+}
+
+TEST_F(SessionStepsTest, GoesBackToASkippedTrialAndNotToTheQuestionsAboutIt) {
+  tests::walkTo(session_, StepKind::Trial);
+  const int trial = session_.stepIndex();
+  session_.skipStep("a mistake");
+  session_.repeatStep("it was a mistake to skip it");
+  EXPECT_EQ(session_.stepIndex(), trial);
+  EXPECT_EQ(visitsOf(trial), "repeated open");
+}
+
+TEST_F(SessionStepsTest, GoesBackToQuestionsThatWereSkippedAlone) {
+  tests::walkTo(session_, StepKind::Questionnaire);
+  const int questions = session_.stepIndex();
+  session_.skipStep("the screen went dark");
+  session_.repeatStep("it is back");
+  EXPECT_EQ(session_.stepIndex(), questions);
+}
+
+TEST_F(SessionStepsTest, NeitherSkipsNorRepeatsConsent) {
+  EXPECT_FALSE(session_.allows(SessionEvent::SkippedStep));
+  EXPECT_THROW(session_.skipStep("in a hurry"), NotNow);
+  tests::passStep(session_);
+  EXPECT_FALSE(session_.allows(SessionEvent::RepeatedStep));
+  EXPECT_THROW(session_.repeatStep("again, please"), NotNow);
+}
+
+TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
+  tests::walkTo(session_, StepKind::Questionnaire);
+  tests::answerStep(session_);
+  const auto visit = session_.visit();
+  session_.pause("a telephone rings");
+  EXPECT_THROW(session_.finishStep(), NotNow);
+  EXPECT_THROW(session_.record(tests::answerTo(session_, session_.items().front())), NotNow);
+  EXPECT_THROW(session_.retract(session_.items().front().id), NotNow);
+  session_.resumeAfterPause();
+  EXPECT_EQ(session_.visit(), visit);
+  EXPECT_TRUE(session_.missing().empty());
+  session_.finishStep();
+}
+
+TEST_F(SessionStepsTest, LetsAParticipantLeaveInTheMiddleOfATrial) {
+  tests::walkTo(session_, StepKind::Trial);
+  const auto visit = session_.visit();
+  session_.beginTrial();
+  study_->traces().add(visit, 0, std::vector<storage::TraceSample>(1000));
+  session_.withdraw("it hurts");
+  EXPECT_EQ(session_.state(), SessionState::Withdrawn);
+  const auto trials = storage::Records(study_->database()).trials();
+  ASSERT_EQ(trials.size(), 1U);
+  EXPECT_EQ(trials[0].ending, "stopped");
+  EXPECT_EQ(trials[0].verdict, "FAIL");
+  EXPECT_EQ(trials[0].traceSamples, 1000);
+  EXPECT_EQ(trials[0].step.visitStatus, "broken_off");
+  EXPECT_TRUE(isSound());  // the trace has its trial
+}
+
+TEST_F(SessionStepsTest, RemembersWhyATrialBrokeOffWhenItsParticipantLeaves) {
+  tests::walkTo(session_, StepKind::Trial);
+  session_.beginTrial();
+  session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
+  session_.withdraw("enough");
+  const auto session = storage::Records(study_->database()).sessions().front();
+  EXPECT_EQ(session.endReason, "enough");
+  EXPECT_EQ(storage::Records(study_->database()).trials().front().ending, "device_gone");
+}
+
+TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {
+  MadeStudy study(tests::libraryProtocol("punch-face-validity"));
+  auto session = tests::consenting(*study, {.cohort = "professional"});
+  tests::walkTo(session, StepKind::Benchmark);
+  EXPECT_EQ(session.benchmarkCuts(), 0);
+  session.recordBenchmarkCuts(2);
+  EXPECT_THROW(session.finishStep(), NotNow);  // at least 3, says the protocol
+  EXPECT_THROW(session.recordBenchmarkCuts(-1), NotNow);
+  EXPECT_EQ(session.benchmarkCuts(), 2);
+  session.recordBenchmarkCuts(3);
+  session.finishStep();
+  EXPECT_THROW(session.recordBenchmarkCuts(4), NotNow);
+}
+
+TEST_F(SessionStepsTest, TakesNotesAtAnyTimeAndAlsoAfterwards) {
+  session_.note("wears gloves");
+  tests::walkToTheEnd(session_);
+  session_.note("came late");
+  const std::string events = tests::eventsOf(*study_, session_.id());
+  EXPECT_EQ(events.substr(0, 14), "enrolled note ");
+  EXPECT_EQ(events.substr(events.size() - 21), "finished_session note");
+}
+
+TEST_F(SessionStepsTest, WritesNothingMoreIntoASessionThatIsOver) {
+  tests::walkToTheEnd(session_);
+  ASSERT_EQ(session_.state(), SessionState::Completed);
+  EXPECT_THROW(session_.record({.item = "preferred", .response = std::string("1")}), NotNow);
+  EXPECT_THROW(session_.retract("preferred"), NotNow);
+  EXPECT_THROW(session_.recordBenchmarkCuts(3), NotNow);
+  EXPECT_THROW(session_.setLanguage("de"), NotNow);
+  EXPECT_THROW(session_.repeatStep(""), NotNow);
+  EXPECT_THROW(session_.skipStep(""), NotNow);
+  EXPECT_THROW(session_.withdraw(""), NotNow);
+  EXPECT_THROW(session_.finishStep(), NotNow);
+}
+
+TEST_F(SessionStepsTest, SaysInTheAuditTrailWhoDidWhatAndWhy) {
+  tests::walkTo(session_, StepKind::Trial);
+  session_.skipStep("no time");
+  const auto events = study_->events().read(session_.id());
+  EXPECT_EQ(events.back().kind, "skipped_step");
+  EXPECT_EQ(events.back().detail, "no time");
+  EXPECT_EQ(events.back().actor, storage::Actor::Operator);
+  EXPECT_EQ(events.front().actor, storage::Actor::Program);
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,221 @@
+#include "study/storage/database.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "study/storage/statement.h"
+#include "study/storage/study_schema.h"
+#include "study/storage/transaction.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/refusals.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+namespace fs = std::filesystem;
+using Access = Database::Access;
+using Kind = StorageError::Kind;
+using tests::expectClear;
+using tests::refusalOf;
+
+std::string pragma(Database& database, const std::string& name) {
+  Statement statement(database, "PRAGMA " + name);
+  return statement.step() ? statement.text(0) : std::string();
+}
+
+TEST(Database, IsReallySetUpToKeepWhatItAcknowledges) {
+  tests::MadeStudy study;
+  auto recorder = study->openTraces();  // the connection of the recorder's thread
+  for (auto* database :
+       {&study->database(),
+        &study->traces().database(),
+        &study->identities().database(),
+        &recorder.database()}) {
+    SCOPED_TRACE(database->path());
+    EXPECT_EQ(pragma(*database, "journal_mode"), "wal");
+    EXPECT_EQ(pragma(*database, "synchronous"), "2");  // FULL
+    EXPECT_EQ(pragma(*database, "foreign_keys"), "1");
+    EXPECT_EQ(pragma(*database, "trusted_schema"), "0");
+    EXPECT_EQ(pragma(*database, "cell_size_check"), "1");
+    EXPECT_EQ(pragma(*database, "mmap_size"), "0");
+    EXPECT_EQ(pragma(*database, "busy_timeout"), "3000");
+  }
+}
+
+TEST(Database, IsNeverMadeOverAFileThatIsThere) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("study.db", "a diary");
+  const auto refusal = refusalOf([&] { Database::create(file, studySchema()); });
+  expectClear(refusal, "study.db is there already");
+  EXPECT_EQ(tests::contentOf(file), "a diary");
+}
+
+TEST(Database, CannotBeMadeWhereThereIsNoFolder) {
+  const tests::ScratchFolder folder;
+  const auto refusal = refusalOf([&] { Database::create(folder / "no/study.db", studySchema()); });
+  expectClear(refusal, "Check that the folder exists");
+}
+
+class OpeningTest : public testing::Test {
+ protected:
+  tests::Refusal opening(Access access = Access::ReadWrite) {
+    study_.close();
+    return refusalOf([&] { Study::open(study_.folder(), study_.clock, access); });
+  }
+
+  /// A study.db with something in it, whole, without a log.
+  void SetUp() override {
+    {
+      auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+      tests::walkToTheEnd(session);
+    }
+    study_.close();
+  }
+
+  tests::MadeStudy study_;
+};
+
+TEST_F(OpeningTest, AMissingFolderNamesItAndSaysHowToMakeOne) {
+  const auto refusal = refusalOf([&] { Study::open(study_.file("elsewhere"), study_.clock); });
+  expectClear(refusal, "palpate study create");
+}
+
+TEST_F(OpeningTest, AFileInPlaceOfTheFolder) {
+  const auto file = study_.scratch().write("file", "text");
+  expectClear(refusalOf([&] { Study::open(file, study_.clock); }), "There is no study in");
+}
+
+TEST_F(OpeningTest, AFolderWithoutAStudy) {
+  const auto refusal = refusalOf([&] { Study::open(study_.scratch().path(), study_.clock); });
+  expectClear(refusal, "study.db");
+}
+
+TEST_F(OpeningTest, AForeignDatabase) {
+  fs::remove(study_.file("study.db"));
+  tests::Sql(study_.file("study.db")).run("CREATE TABLE song (title TEXT)");
+  const auto refusal = opening();
+  EXPECT_EQ(refusal.kind, Kind::Damaged);
+  expectClear(refusal, "not a palpate study");
+}
+
+TEST_F(OpeningTest, TheTracesInPlaceOfTheStudy) {
+  fs::copy_file(
+      study_.file("traces.db"), study_.file("study.db"), fs::copy_options::overwrite_existing);
+  expectClear(opening(), "not a palpate study");
+}
+
+TEST_F(OpeningTest, WhatIsNoDatabase) {
+  for (const auto& content : {std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
+    std::ofstream(study_.file("study.db"), std::ios::binary | std::ios::trunc) << content;
+    const auto refusal = opening();
+    EXPECT_EQ(refusal.kind, Kind::Damaged) << refusal.words;
+    expectClear(refusal, "study.db");
+  }
+}
+
+TEST_F(OpeningTest, AnEmptyFile) {
+  fs::resize_file(study_.file("study.db"), 0);
+  const auto refusal = opening();
+  EXPECT_EQ(refusal.kind, Kind::Damaged);
+  expectClear(refusal, "not a palpate study");
+}
+
+TEST_F(OpeningTest, ATruncatedFile) {
+  const auto size = fs::file_size(study_.file("study.db"));
+  const auto whole = study_.scratch() / "whole.db";
+  fs::copy_file(study_.file("study.db"), whole);
+  for (const auto part : {size / 2, size - 4096, std::uintmax_t{4096}, std::uintmax_t{5000}}) {
+    fs::copy_file(whole, study_.file("study.db"), fs::copy_options::overwrite_existing);
+    fs::resize_file(study_.file("study.db"), part);
+    const auto refusal = opening();
+    EXPECT_EQ(refusal.kind, Kind::Damaged) << refusal.words;
+    expectClear(refusal, "damaged");
+  }
+}
+
+TEST_F(OpeningTest, ANewerFormatChangesNothing) {
+  tests::Sql(study_.file("study.db")).run("PRAGMA user_version = 99; PRAGMA journal_mode = DELETE");
+  const auto before = tests::contentOf(study_.file("study.db"));
+  for (const auto access : {Access::ReadWrite, Access::ReadOnly}) {
+    const auto refusal = opening(access);
+    EXPECT_EQ(refusal.kind, Kind::Newer);
+    expectClear(refusal, "newer version of palpate");
+  }
+  EXPECT_EQ(tests::contentOf(study_.file("study.db")), before);
+}
+
+TEST_F(OpeningTest, AStudyThatWasNotFinishedWhenItWasMade) {
+  fs::remove(study_.file("study.db"));
+  fs::remove(study_.file("traces.db"));
+  Database::create(study_.file("study.db"), studySchema());
+  const auto refusal = opening();
+  EXPECT_EQ(refusal.kind, Kind::Damaged);
+  expectClear(refusal, "was not finished when it was made");
+}
+
+TEST_F(OpeningTest, AStudyWithoutItsTraces) {
+  fs::remove(study_.file("traces.db"));
+  expectClear(opening(), "traces.db");
+}
+
+TEST_F(OpeningTest, AStudyWhoseRandomNumbersNobodyKnows) {
+  tests::Sql(study_.file("study.db")).run("UPDATE study SET random_version = 2");
+  const auto refusal = opening();
+  EXPECT_EQ(refusal.kind, Kind::Newer);
+  expectClear(refusal, "Install the version that made it");
+}
+
+TEST(Transaction, UndoesWhatWasNotCommitted) {
+  auto database = Database::inMemory(identitySchema());
+  const std::string row =
+      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '')";
+  {
+    Transaction transaction(database);
+    database.execute(row);
+  }
+  Statement count(database, "SELECT count(*) FROM identifying_answer");
+  ASSERT_TRUE(count.step());
+  EXPECT_EQ(count.number(0), 0);
+}
+
+TEST(Study, IsNeverMadeInAFolderThatIsThere) {
+  const tests::ScratchFolder folder;
+  SimulatedClock clock;
+  const auto protocol = tests::protocolFrom(tests::shortProtocol());
+  folder.write("study/notes.txt", "mine");
+  const auto refusal = refusalOf([&] { Study::create(folder / "study", protocol, clock); });
+  expectClear(refusal, "is there already");
+  EXPECT_EQ(tests::contentOf(folder / "study/notes.txt"), "mine");
+  folder.write("file", "mine");
+  expectClear(refusalOf([&] { Study::create(folder / "file", protocol, clock); }), "is there");
+  expectClear(
+      refusalOf([&] { Study::create(folder / "file/study", protocol, clock); }), "cannot be made");
+}
+
+TEST(Study, OfTheSameSeedAndProtocolHasTheSameNameAndEveryOtherAnother) {
+  tests::MadeStudy a(tests::protocolFrom(tests::shortProtocol()), 5);
+  tests::MadeStudy b(tests::protocolFrom(tests::shortProtocol()), 5);
+  tests::MadeStudy c(tests::protocolFrom(tests::shortProtocol()), 6);
+  EXPECT_EQ(a->uuid(), b->uuid());
+  EXPECT_NE(a->uuid(), c->uuid());
+  EXPECT_EQ(a->seed(), 5U);
+  a.reopen();
+  EXPECT_EQ(a->seed(), 5U);
+  EXPECT_EQ(a->uuid(), b->uuid());
+}
+
+TEST(Study, KeepsItsProtocolWholeWhateverBecomesOfTheFiles) {
+  const auto protocol = tests::libraryProtocol("punch-counterbalanced");
+  tests::MadeStudy study(protocol);
+  study.reopen();
+  EXPECT_EQ(study->protocol().text, protocol.text);
+  EXPECT_EQ(study->protocol().protocol.study.title, protocol.protocol.study.title);
+  EXPECT_EQ(study->protocol().instruments.size(), protocol.instruments.size());
+}
+
+}  // namespace
+}  // namespace study::storage

@@ -1,0 +1,135 @@
+// The n-th call of the disk, and the n-th need of memory, fail: reliability.md, F3, F4, F5.
+// All points of both kinds: PALPATE_EVERY_FAULT=1 (minutes); otherwise every one of the first, and
+// then every few.
+#include <cstdlib>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "tests/study/storage/faults.h"
+#include "tests/study/storage/scripted_session.h"
+
+namespace study {
+namespace {
+
+using tests::Arm;
+using tests::Fault;
+
+/// A way of failing.
+struct Kind {
+  const char* name;
+  void (*arm)(const Fault&);
+  std::int64_t (*disarm)();
+  bool (*hasFired)();
+  Arm when;
+  bool isPersistent;
+  int error;
+  std::int64_t stride;  ///< between the points that are tried, after the first 100
+  std::size_t fewest;   ///< points that there must be, lest nothing was tried at all
+};
+
+constexpr int kIoError = 5;  // EIO
+constexpr int kNoRoom = 28;  // ENOSPC
+
+class FaultTest : public testing::TestWithParam<Kind> {
+ protected:
+  static void SetUpTestSuite() { tests::memory_faults::install(); }
+  void TearDown() override { GetParam().disarm(); }
+
+  std::int64_t stride() const {
+    const bool isEvery = std::getenv("PALPATE_EVERY_FAULT") != nullptr;  // NOLINT: one thread
+    return isEvery ? 1 : GetParam().stride;
+  }
+};
+
+TEST_P(FaultTest, LosesNothingThatWasAcknowledgedAndSpeaksInWords) {
+  const Kind kind = GetParam();
+  tests::ScriptedStudy study;
+  std::size_t points = 0;
+  std::size_t complete = 0;
+  for (std::int64_t n = 1;; n += n <= 100 ? 1 : stride()) {
+    const auto folder = study.copy();
+    const auto arm = [&] {
+      kind.arm({.first = n, .isPersistent = kind.isPersistent, .error = kind.error});
+    };
+    const auto outcome = tests::runScript(folder, kind.when, arm);
+    kind.disarm();
+    const bool hasFired = kind.hasFired();
+    const auto wrong = tests::whatIsWrongAfter(study, folder, outcome, points % 5 == 0);
+    ASSERT_EQ(wrong, "") << kind.name << ", call " << n;
+    if (!hasFired) {
+      ASSERT_TRUE(outcome.isComplete);
+      break;
+    }
+    ++points;
+    complete += outcome.isComplete ? 1 : 0;
+  }
+  std::cout << kind.name << ": " << points << " points, " << complete << " of them overcome\n";
+  RecordProperty("points", static_cast<int>(points));
+  EXPECT_GE(points, kind.fewest);
+}
+
+constexpr auto kDisk = [](const char* name, Arm when, bool isPersistent, int error) {
+  return Kind{
+      name,
+      tests::io_faults::arm,
+      tests::io_faults::disarm,
+      tests::io_faults::hasFired,
+      when,
+      isPersistent,
+      error,
+      1,
+      100};
+};
+
+constexpr auto kMemory = [](const char* name, Arm when, bool isPersistent) {
+  return Kind{
+      name,
+      tests::memory_faults::arm,
+      tests::memory_faults::disarm,
+      tests::memory_faults::hasFired,
+      when,
+      isPersistent,
+      0,
+      23,
+      200};
+};
+
+INSTANTIATE_TEST_SUITE_P(
+    Of,
+    FaultTest,
+    testing::Values(
+        kDisk("ADiskThatFailsOnce", Arm::BeforeTheFirstCall, false, kIoError),
+        kDisk("ADiskThatGoesOnFailing", Arm::BeforeTheFirstCall, true, kIoError),
+        kDisk("ADiskThatIsFullForAMoment", Arm::BeforeTheFirstCall, false, kNoRoom),
+        kDisk("ADiskThatStaysFull", Arm::BeforeTheFirstCall, true, kNoRoom),
+        kDisk("ADiskThatFailsOnceFromTheStart", Arm::BeforeOpening, false, kIoError),
+        kDisk("ADiskThatGoesOnFailingFromTheStart", Arm::BeforeOpening, true, kIoError),
+        kMemory("MemoryThatIsShortOnce", Arm::BeforeTheFirstCall, false),
+        kMemory("MemoryThatStaysShort", Arm::BeforeTheFirstCall, true),
+        kMemory("MemoryThatIsShortOnceFromTheStart", Arm::BeforeOpening, false)),
+    [](const auto& kind) { return kind.param.name; });
+
+TEST(Faults, AreNoneWhereNothingFails) {
+  tests::ScriptedStudy study;
+  const auto folder = study.copy();
+  const auto outcome = tests::runScript(folder, Arm::BeforeOpening, [] {});
+  EXPECT_TRUE(outcome.isComplete) << outcome.error;
+  EXPECT_EQ(tests::whatIsWrongAfter(study, folder, outcome, true), "");
+}
+
+TEST(Faults, AreFoundByThisTestWhereSomethingIsLost) {
+  // The positive control: an acknowledgement too many is a loss.
+  tests::ScriptedStudy study;
+  const auto folder = study.copy();
+  auto outcome = tests::runScript(folder, Arm::BeforeTheFirstCall, [] {
+    tests::io_faults::arm({.first = 20, .isPersistent = true});
+  });
+  tests::io_faults::disarm();
+  ASSERT_FALSE(outcome.isComplete);
+  outcome.acknowledged += 2;
+  EXPECT_NE(tests::whatIsWrongAfter(study, folder, outcome, false), "");
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,163 @@
+#include "study/storage/lease.h"
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "tests/study/made_study.h"
+#include "tests/study/storage/refusals.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+using Kind = StorageError::Kind;
+
+class LeaseTest : public testing::Test {
+ protected:
+  void SetUp() override { id_ = Session::enrol(*study_, {.cohort = "surgeons"}).id(); }
+
+  tests::Refusal resuming() {
+    return tests::refusalOf([&] { Session::resume(*study_, id_); });
+  }
+
+  /// Writes a lease as somebody else may have left it.
+  void leave(const std::string& station, std::int64_t pid, const std::string& process) {
+    tests::Sql(study_.file("study.db"))
+        .run(
+            "INSERT OR REPLACE INTO lease (session_id, station, pid, process, taken_utc) VALUES "
+            "(1, '" +
+            station + "', " + std::to_string(pid) + ", '" + process + "', 'earlier')");
+  }
+
+  std::string thisStation() {
+    const auto session = Session::resume(*study_, id_);
+    return tests::Sql(study_.file("study.db")).text("SELECT station FROM lease");
+  }
+
+  tests::MadeStudy study_;
+  SessionId id_{};
+};
+
+TEST_F(LeaseTest, IsForOneWindowAtATime) {
+  auto first = std::make_optional(Session::resume(*study_, id_));
+  const auto refusal = resuming();
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  tests::expectClear(refusal, "process " + std::to_string(getpid()));
+  tests::passStep(*first);  // who was first goes on
+  first.reset();
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, IsGivenBackWithTheSession) {
+  { const auto session = Session::resume(*study_, id_); }
+  EXPECT_EQ(tests::Sql(study_.file("study.db")).number("SELECT count(*) FROM lease"), 0);
+}
+
+TEST_F(LeaseTest, IsNotNeededByOthersWhoTakePart) {
+  const auto session = Session::resume(*study_, id_);
+  const auto other = Session::enrol(*study_, {.cohort = "surgeons"});
+  EXPECT_NE(other.id(), session.id());
+}
+
+/// Another program that runs the session until it is told to end.
+class OtherProgram {
+ public:
+  OtherProgram(const std::string& folder, SessionId id) {
+    if (pipe(ready_) != 0) throw std::runtime_error("no pipe");
+    pid_ = fork();
+    if (pid_ == 0) run(folder, id);
+    char byte = 0;
+    hasIt_ = read(ready_[0], &byte, 1) == 1 && byte == 'y';
+  }
+  ~OtherProgram() { die(); }
+  OtherProgram(const OtherProgram&) = delete;
+  OtherProgram& operator=(const OtherProgram&) = delete;
+
+  pid_t pid() const noexcept { return pid_; }
+  bool hasIt() const noexcept { return hasIt_; }
+  void die() {
+    if (pid_ <= 0) return;
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+    pid_ = 0;
+  }
+
+ private:
+  [[noreturn]] void run(const std::string& folder, SessionId id) {
+    try {
+      SimulatedClock clock;
+      auto study = Study::open(folder, clock);
+      const auto session = Session::resume(study, id);
+      if (write(ready_[1], "y", 1) == 1) pause();
+    } catch (const std::exception&) {
+      if (write(ready_[1], "n", 1) == 1) _exit(1);
+    }
+    _exit(0);
+  }
+
+  pid_t pid_ = 0;
+  int ready_[2]{};
+  bool hasIt_ = false;
+};
+
+TEST_F(LeaseTest, IsHeldByAnotherProgramUntilThatIsGone) {
+  study_.close();
+  OtherProgram other(study_.folder(), id_);
+  ASSERT_TRUE(other.hasIt());
+  study_.reopen();
+  const auto refusal = resuming();
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  tests::expectClear(refusal, "process " + std::to_string(other.pid()));
+  other.die();  // kill -9: it gives nothing back
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, IsTakenOverFromAProcessOfTheSameNumberThatBeganAtAnotherTime) {
+  leave(thisStation(), 1, "another-boot/12345#1");  // there is always a process 1
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, IsTakenOverFromThisVeryProcessAfterABootThatGaveItTheSameNumber) {
+  leave(thisStation(), getpid(), "another-boot/12345#1");
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, IsTakenOverFromTheFormatThatKnewNoWindows) {
+  leave(thisStation(), 1, "another-boot/12345");
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, OfAnotherComputerIsNobodysHereToTake) {
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  const auto refusal = resuming();
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  tests::expectClear(refusal, "the-other-laboratory");
+}
+
+TEST_F(LeaseTest, ThatCouldNotBeGivenBackDoesNotLockItsOwnProgramOut) {
+  auto session = std::make_optional(Session::resume(*study_, id_));
+  {
+    tests::Sql other(study_.file("study.db"));
+    other.run("BEGIN IMMEDIATE");
+    session.reset();  // waits in vain for the right to write
+    other.run("ROLLBACK");
+  }
+  EXPECT_EQ(tests::Sql(study_.file("study.db")).number("SELECT count(*) FROM lease"), 1);
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, OfSomebodyElseIsNotGivenBackByAnEarlierHolder) {
+  auto session = std::make_optional(Session::resume(*study_, id_));
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  session.reset();
+  EXPECT_EQ(
+      tests::Sql(study_.file("study.db")).text("SELECT station FROM lease"),
+      "the-other-laboratory");
+}
+
+}  // namespace
+}  // namespace study::storage

@@ -1,0 +1,90 @@
+// Another program holds the right to write: reliability.md, F8.
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/refusals.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+using Kind = StorageError::Kind;
+using Seconds = std::chrono::duration<double>;
+
+class LockedTest : public testing::TestWithParam<const char*> {
+ protected:
+  tests::Refusal timed(const std::function<void()>& action) {
+    const auto start = std::chrono::steady_clock::now();
+    auto refusal = tests::refusalOf(action);
+    took_ = Seconds(std::chrono::steady_clock::now() - start).count();
+    return refusal;
+  }
+
+  tests::MadeStudy study_;
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+  double took_ = 0.0;
+};
+
+TEST_P(LockedTest, SaysSoInTimeChangesNothingAndGoesOnAfterwards) {
+  tests::answerStep(session_);
+  const auto answers = session_.answers();
+  const auto events = tests::eventsOf(*study_, session_.id());
+  tests::Sql other(study_.file("study.db"));
+  other.run(GetParam());
+
+  const auto refusal = timed([&] { session_.finishStep(); });
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  tests::expectClear(refusal, "another program is using it");
+  EXPECT_GE(took_, 2.5);  // the busy timeout is 3 s
+  EXPECT_LT(took_, 6.0);
+  EXPECT_EQ(session_.state(), SessionState::Enrolled);
+  EXPECT_EQ(session_.answers(), answers);  // reading goes on all the while
+  EXPECT_EQ(tests::eventsOf(*study_, session_.id()), events);
+
+  other.run("ROLLBACK");
+  session_.finishStep();
+  EXPECT_EQ(session_.state(), SessionState::Consented);
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    By, LockedTest, testing::Values("BEGIN IMMEDIATE", "BEGIN EXCLUSIVE"), [](const auto& lock) {
+      return std::string(lock.param).substr(6);
+    });
+
+TEST(Locked, AltogetherIsNotOpened) {
+  tests::MadeStudy study;
+  study.close();
+  tests::Sql other(study.file("study.db"));
+  other.run(
+      "PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = DELETE; BEGIN EXCLUSIVE;"
+      "CREATE TABLE mine (x)");
+  const auto refusal = tests::refusalOf([&] { Study::open(study.folder(), study.clock); });
+  EXPECT_EQ(refusal.kind, Kind::Busy) << refusal.words;
+  tests::expectClear(refusal, "another program is using it");
+  other.run("ROLLBACK; PRAGMA locking_mode = NORMAL; SELECT * FROM study");
+  study.reopen();
+  EXPECT_TRUE(verify(*study).isSound());
+}
+
+TEST(Locked, IdentitiesKeepTheAnswerOnTheScreen) {
+  tests::MadeStudy study;
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  const auto signature = session.items().back();
+  ASSERT_TRUE(signature.isIdentifying);
+  tests::Sql other(study.file("identity.db"));
+  other.run("BEGIN IMMEDIATE");
+  const auto refusal =
+      tests::refusalOf([&] { session.record(tests::answerTo(session, signature)); });
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  EXPECT_EQ(tests::eventsOf(*study, session.id()), "enrolled");
+  other.run("ROLLBACK");
+  session.record(tests::answerTo(session, signature));
+}
+
+}  // namespace
+}  // namespace study::storage

@@ -1,0 +1,102 @@
+// Studies of older formats go on: somebody's study is at each of them.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "study/storage/content_hash.h"
+#include "study/storage/records.h"
+#include "study/storage/study_schema.h"
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/refusals.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+using Access = Database::Access;
+
+/// A study of format 1 as palpate 0.1.0 left it on 2026-11-21, with a live session under way.
+class FormatOneTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(folder_);
+    tests::Sql study(folder_ + "/study.db");
+    study.run(
+        tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/tests/study/data/study-format-1.sql"));
+    study.run("PRAGMA application_id = 0x50616c53; PRAGMA user_version = 1");
+    Database::create(folder_ + "/traces.db", traceSchema());
+    Database::create(folder_ + "/identity.db", identitySchema());
+  }
+
+  std::int64_t format() { return tests::Sql(folder_ + "/study.db").number("PRAGMA user_version"); }
+
+  tests::ScratchFolder scratch_;
+  std::string folder_ = scratch_ / "old";
+  SimulatedClock clock_{1'795'300'000'000};  // 2026-11-21, later
+};
+
+TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
+  auto study = Study::open(folder_, clock_);
+  EXPECT_EQ(format(), 2);
+  EXPECT_EQ(study.seed(), 42U);
+  const auto answers = Records(study.database()).answers();
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].answer.response, questionnaires::Response(std::string("yes")));
+  EXPECT_EQ(answers[1].answer.response, questionnaires::Response(std::int64_t{4}));
+  EXPECT_TRUE(study.protocols().current().frozenUtc);
+  EXPECT_TRUE(verify(study).isSound());
+}
+
+TEST_F(FormatOneTest, IsOnlyReadByNobodyWhoMayNotChangeIt) {
+  const auto refusal = tests::refusalOf([&] { Study::open(folder_, clock_, Access::ReadOnly); });
+  tests::expectClear(refusal, "Open the study once for writing");
+  EXPECT_EQ(format(), 1);
+}
+
+TEST_F(FormatOneTest, GoesOnWhereItWasAndVouchesForWhatItSaysFromThenOn) {
+  auto study = Study::open(folder_, clock_);
+  auto session = Session::resume(study, SessionId{1});
+  EXPECT_EQ(session.step().kind, StepKind::Trial);
+  tests::walkToTheEnd(session);
+  EXPECT_TRUE(verify(study).isSound());
+  study.database().execute("UPDATE answer SET first_touch_s = 0 WHERE item = 'presence'");
+  EXPECT_FALSE(verify(study).isSound());
+}
+
+TEST_F(FormatOneTest, IsProtectedByTheRulesOfTheNewOne) {
+  auto study = Study::open(folder_, clock_);
+  EXPECT_THROW(study.database().execute("UPDATE protocol SET frozen_utc = NULL"), StorageError);
+  EXPECT_THROW(
+      study.database().execute("REPLACE INTO event SELECT * FROM event WHERE seq = 2"),
+      StorageError);
+}
+
+TEST_F(FormatOneTest, StaysWhatItWasWhenBringingItUpToDateFails) {
+  // Somebody has made a thing of the same name as one that the new format makes.
+  tests::Sql(folder_ + "/study.db")
+      .run(
+          "CREATE TRIGGER a_frozen_protocol_is_not_removed BEFORE DELETE ON protocol BEGIN SELECT "
+          "1; END");
+  const std::string before =
+      tests::Sql(folder_ + "/study.db").text("SELECT group_concat(sql) FROM sqlite_master");
+  EXPECT_THROW(Study::open(folder_, clock_), StorageError);
+  EXPECT_EQ(format(), 1);
+  EXPECT_EQ(
+      tests::Sql(folder_ + "/study.db").text("SELECT group_concat(sql) FROM sqlite_master"),
+      before);
+}
+
+TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {
+  tests::ScratchFolder folder;
+  const Schema first{studySchema().applicationId, studySchema().name, studySchema().steps.first(1)};
+  Database::create(folder / "old.db", first);
+  Database::open(folder / "old.db", studySchema(), Access::ReadWrite);
+  Database::create(folder / "new.db", studySchema());
+  const char* all = "SELECT group_concat(type || name || sql) FROM sqlite_master";
+  EXPECT_EQ(tests::Sql(folder / "old.db").text(all), tests::Sql(folder / "new.db").text(all));
+}
+
+}  // namespace
+}  // namespace study::storage
