@@ -10,6 +10,7 @@
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
+#include "study/study_files.h"
 
 namespace study {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using storage::Database;
 using storage::StorageError;
-
-std::string pathOf(const fs::path& folder, const char* file) {
-  return (folder / file).string();
-}
 
 void requireFinished(const Database& database) {
   storage::Statement select(database, "SELECT 1 FROM study WHERE id = 1");
@@ -51,11 +48,11 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
         "There is no study in " + folder.string() +
         ". Make one with 'palpate study create', or check the folder's name.");
   }
-  auto database = Database::open(pathOf(folder, "study.db"), storage::studySchema(), access);
+  const StudyFiles files{folder};
+  auto database = Database::open(files.study(), storage::studySchema(), access);
   requireFinished(database);
-  auto traces = Database::open(pathOf(folder, "traces.db"), storage::traceSchema(), access);
-  auto identities =
-      Database::open(pathOf(folder, "identity.db"), storage::identitySchema(), access);
+  auto traces = Database::open(files.traces(), storage::traceSchema(), access);
+  auto identities = Database::open(files.identity(), storage::identitySchema(), access);
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
   if (access == Database::Access::ReadWrite) storage::Ballast(folder).take();
@@ -124,7 +121,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
 
 storage::TraceStore Study::openTraces() const {
   return storage::TraceStore(Database::open(
-      pathOf(folder_, "traces.db"), storage::traceSchema(), Database::Access::ReadWrite));
+      StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));
 }
 
 void Study::withRoom(const std::function<void()>& action) {

@@ -9,6 +9,7 @@
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
 #include "study/study.h"
+#include "study/study_files.h"
 
 namespace study {
 namespace {
@@ -67,22 +68,19 @@ void makeFolder(const fs::path& folder) {
   fs::create_directory(folder / "exports", error);
 }
 
-std::string pathOf(const fs::path& folder, const char* file) {
-  return (folder / file).string();
-}
-
 /// Writes what a new study begins with.
 void begin(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
     std::uint64_t seed) {
-  Database::create(pathOf(folder, "study.db"), storage::studySchema());
-  Database::create(pathOf(folder, "traces.db"), storage::traceSchema());
-  Database::create(pathOf(folder, "identity.db"), storage::identitySchema());
-  fs::permissions(folder / "identity.db", fs::perms::owner_read | fs::perms::owner_write);
-  Database database = Database::open(
-      pathOf(folder, "study.db"), storage::studySchema(), Database::Access::ReadWrite);
+  const StudyFiles files{folder};
+  Database::create(files.study(), storage::studySchema());
+  Database::create(files.traces(), storage::traceSchema());
+  Database::create(files.identity(), storage::identitySchema());
+  fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
+  Database database =
+      Database::open(files.study(), storage::studySchema(), Database::Access::ReadWrite);
   storage::Transaction transaction(database);
   const Moment now = clock.now();
   storage::ProtocolRepository(database).add(protocol, "the study was made", asUtc(now.wall));

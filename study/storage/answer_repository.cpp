@@ -7,7 +7,7 @@
 namespace study::storage {
 namespace {
 
-constexpr const char* kColumns =
+constexpr const char* kAnswerColumns =
     "item, item_order, kind, point, number, text, first_touch_s, response_s, changes, language";
 
 GivenAnswer answerIn(const Statement& row) {
@@ -23,12 +23,6 @@ GivenAnswer answerIn(const Statement& row) {
       .responseTime = row.real(7),
       .changes = static_cast<int>(row.number(8)),
       .language = row.text(9)};
-}
-
-void bindVisit(Statement& statement, const VisitKey& visit) {
-  statement.bind(1, static_cast<std::int64_t>(visit.session))
-      .bind(2, std::int64_t{visit.step})
-      .bind(3, std::int64_t{visit.attempt});
 }
 
 }  // namespace
@@ -63,13 +57,13 @@ void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
   Statement put(
       database_,
-      "INSERT INTO answer (session_id, step, attempt, " + std::string(kColumns) +
+      "INSERT INTO answer (session_id, step, attempt, " + std::string(kAnswerColumns) +
           ", saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
           "ON CONFLICT (session_id, step, attempt, item) DO UPDATE SET kind = excluded.kind, "
           "point = excluded.point, number = excluded.number, text = excluded.text, "
           "response_s = excluded.response_s, changes = excluded.changes, "
           "language = excluded.language, saved_utc = excluded.saved_utc");
-  bindVisit(put, visit);
+  put.bind(1, visit);
   const auto response = stored(answer.response);
   put.bind(4, answer.item)
       .bind(5, std::int64_t{answer.itemOrder})
@@ -89,7 +83,7 @@ void AnswerRepository::remove(const VisitKey& visit, std::string_view item) {
   Statement remove(
       database_,
       "DELETE FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
-  bindVisit(remove, visit);
+  remove.bind(1, visit);
   remove.bind(4, item);
   remove.run();
 }
@@ -98,9 +92,9 @@ std::optional<GivenAnswer> AnswerRepository::find(
     const VisitKey& visit, std::string_view item) const {
   Statement find(
       database_,
-      "SELECT " + std::string(kColumns) +
+      "SELECT " + std::string(kAnswerColumns) +
           " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? AND item = ?");
-  bindVisit(find, visit);
+  find.bind(1, visit);
   find.bind(4, item);
   return find.step() ? std::optional(answerIn(find)) : std::nullopt;
 }
@@ -108,10 +102,10 @@ std::optional<GivenAnswer> AnswerRepository::find(
 std::vector<GivenAnswer> AnswerRepository::of(const VisitKey& visit) const {
   Statement select(
       database_,
-      "SELECT " + std::string(kColumns) +
+      "SELECT " + std::string(kAnswerColumns) +
           " FROM answer WHERE session_id = ? AND step = ? AND attempt = ? "
           "ORDER BY item_order");
-  bindVisit(select, visit);
+  select.bind(1, visit);
   std::vector<GivenAnswer> answers;
   while (select.step()) answers.push_back(answerIn(select));
   return answers;

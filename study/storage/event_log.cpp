@@ -38,7 +38,7 @@ struct Row {
   }
 };
 
-constexpr const char* kColumns =
+constexpr const char* kEventColumns =
     "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash";
 
 Row rowIn(const Statement& statement) {
@@ -116,7 +116,7 @@ void EventLog::append(const Event& event) {
   const Hash hash = row.hashAfter(seq, previous);
   Statement insert(
       database_,
-      "INSERT INTO event (" + std::string(kColumns) + ") VALUES (?,?,?,?,?,?,?,?,?,?,?)");
+      "INSERT INTO event (" + std::string(kEventColumns) + ") VALUES (?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind(1, seq)
       .bind(2, row.session)
       .bind(3, row.step)
@@ -152,7 +152,7 @@ std::optional<std::vector<std::byte>> EventLog::vouchedFor(std::optional<Session
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   Statement select(
       database_,
-      "SELECT " + std::string(kColumns) + ", unixepoch(utc) FROM event" +
+      "SELECT " + std::string(kEventColumns) + ", unixepoch(utc) FROM event" +
           (session ? " WHERE session_id = ?" : "") + " ORDER BY seq");
   if (session) select.bind(1, static_cast<std::int64_t>(*session));
   std::vector<Event> events;
@@ -172,7 +172,7 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
 }
 
 std::optional<std::string> EventLog::firstBreak() const {
-  Statement select(database_, "SELECT " + std::string(kColumns) + " FROM event ORDER BY seq");
+  Statement select(database_, "SELECT " + std::string(kEventColumns) + " FROM event ORDER BY seq");
   std::vector<std::byte> previous;
   std::int64_t expected = 1;
   while (select.step()) {

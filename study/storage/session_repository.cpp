@@ -54,12 +54,6 @@ SessionRow sessionIn(const Statement& row) {
       .endReason = row.optionalText(14)};
 }
 
-Statement& bindVisit(Statement& statement, int first, const VisitKey& visit) {
-  return statement.bind(first, static_cast<std::int64_t>(visit.session))
-      .bind(first + 1, std::int64_t{visit.step})
-      .bind(first + 2, std::int64_t{visit.attempt});
-}
-
 }  // namespace
 
 std::string_view nameOf(SlotState state) noexcept {
@@ -222,7 +216,7 @@ void SessionRepository::openVisit(const VisitKey& visit, const std::string& utc)
       database_,
       "INSERT INTO visit (session_id, step, attempt, status, began_utc) VALUES (?, ?, ?, 'open', "
       "?)");
-  bindVisit(insert, 1, visit).bind(4, utc);
+  insert.bind(1, visit).bind(4, utc);
   insert.run();
 }
 
@@ -233,7 +227,7 @@ void SessionRepository::closeVisit(
       "UPDATE visit SET status = ?, ended_utc = ?, reason = ? "
       "WHERE session_id = ? AND step = ? AND attempt = ? AND status = 'open'");
   update.bind(1, nameOf(status)).bind(2, utc).bind(3, reason);
-  bindVisit(update, 4, visit);
+  update.bind(4, visit);
   update.run();
 }
 
@@ -248,7 +242,7 @@ int SessionRepository::attempts(SessionId session, int step) const {
 VisitStatus SessionRepository::statusOf(const VisitKey& visit) const {
   Statement select(
       database_, "SELECT status FROM visit WHERE session_id = ? AND step = ? AND attempt = ?");
-  bindVisit(select, 1, visit);
+  select.bind(1, visit);
   return select.step() ? static_cast<VisitStatus>(indexIn(kVisitStatuses, select.text(0)))
                        : VisitStatus::Open;
 }

@@ -47,6 +47,12 @@ Statement& Statement::bind(int index, std::span<const std::byte> value) {
   return *this;
 }
 
+Statement& Statement::bind(int first, const VisitKey& visit) {
+  return bind(first, static_cast<std::int64_t>(visit.session))
+      .bind(first + 1, std::int64_t{visit.step})
+      .bind(first + 2, std::int64_t{visit.attempt});
+}
+
 Statement& Statement::bindNull(int index) {
   const int code = sqlite3_bind_null(statement_, index);
   if (code != SQLITE_OK) database_.fail(code, "write to");

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "study/ids.h"
 #include "study/storage/database.h"
 
 struct sqlite3_stmt;
@@ -27,6 +28,8 @@ class Statement {
   Statement& bind(int index, double value);
   Statement& bind(int index, std::string_view value);
   Statement& bind(int index, std::span<const std::byte> value);
+  /// Three parameters: session, step, attempt.
+  Statement& bind(int first, const VisitKey& visit);
   Statement& bindNull(int index);
   template <typename T>
   Statement& bind(int index, const std::optional<T>& value) {

@@ -15,12 +15,6 @@ static_assert(sizeof(TraceSample) == 28, "as documented");
 static_assert(
     std::endian::native == std::endian::little, "samples are written as they lie in memory");
 
-void bindVisit(Statement& statement, const VisitKey& visit) {
-  statement.bind(1, static_cast<std::int64_t>(visit.session))
-      .bind(2, std::int64_t{visit.step})
-      .bind(3, std::int64_t{visit.attempt});
-}
-
 }  // namespace
 
 void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
@@ -41,7 +35,7 @@ void TraceStore::insert(
       database_,
       "INSERT INTO chunk (session_id, step, attempt, number, samples, layout, data, hash) "
       "VALUES (?,?,?,?,?,?,?,?)");
-  bindVisit(insert, visit);
+  insert.bind(1, visit);
   insert.bind(4, std::int64_t{number})
       .bind(5, static_cast<std::int64_t>(samples.size()))
       .bind(6, kLayout)
@@ -56,7 +50,7 @@ bool TraceStore::holds(
   Statement select(
       database_,
       "SELECT hash FROM chunk WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
-  bindVisit(select, visit);
+  select.bind(1, visit);
   select.bind(4, std::int64_t{number});
   return select.step() && select.blob(0) == asBytes(hashOf(std::as_bytes(std::span(samples))));
 }
@@ -66,7 +60,7 @@ std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
       database_,
       "SELECT data, hash, samples, number FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  bindVisit(select, visit);
+  select.bind(1, visit);
   std::vector<TraceSample> samples;
   for (std::int64_t expected = 0; select.step(); ++expected) {
     const auto bytes = select.blob(0);
@@ -92,7 +86,7 @@ std::int64_t TraceStore::sampleCount(const VisitKey& visit) const {
       database_,
       "SELECT coalesce(sum(samples), 0) FROM chunk WHERE session_id = ? AND step = ? AND attempt = "
       "?");
-  bindVisit(select, visit);
+  select.bind(1, visit);
   select.step();
   return select.number(0);
 }
@@ -102,7 +96,7 @@ std::string TraceStore::digest(const VisitKey& visit) const {
       database_,
       "SELECT number, samples, layout, hash FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
-  bindVisit(select, visit);
+  select.bind(1, visit);
   Hasher hasher;
   while (select.step()) {
     for (int column = 0; column < select.columnCount(); ++column) {

@@ -3,15 +3,6 @@
 #include "study/storage/statement.h"
 
 namespace study::storage {
-namespace {
-
-void bindVisit(Statement& statement, const VisitKey& visit) {
-  statement.bind(1, static_cast<std::int64_t>(visit.session))
-      .bind(2, std::int64_t{visit.step})
-      .bind(3, std::int64_t{visit.attempt});
-}
-
-}  // namespace
 
 void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
   Statement insert(
@@ -23,7 +14,7 @@ void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
       "slewed_s, "
       "undefined_s, contact_s, largest_force_n, cuts, trace_samples) "
       "VALUES (?,?,?,?,?,?,?,'N',?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  bindVisit(insert, visit);
+  insert.bind(1, visit);
   const auto judgement = record.judgement();
   insert.bind(4, record.device)
       .bind(5, nameOf(record.ending))
@@ -59,7 +50,7 @@ void TrialRepository::addCut(
       "INSERT INTO cut (session_id, step, attempt, number, interception_travel, interception_n, "
       "yield_travel, yield_n, bottom_out_travel, bottom_out_n, opening_travel, opening_n, peak_n) "
       "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)");
-  bindVisit(insert, visit);
+  insert.bind(1, visit);
   insert.bind(4, number);
   int column = 5;
   for (const auto* point : {&cut.interception, &cut.yield, &cut.bottomOut, &cut.opening}) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace study {
+
+/// The files of a study. Answers, traces and names lie apart, so that one can be shared, or
+/// destroyed, without the others.
+struct StudyFiles {
+  std::filesystem::path folder;
+
+  std::string study() const { return (folder / "study.db").string(); }
+  std::string traces() const { return (folder / "traces.db").string(); }
+  std::string identity() const { return (folder / "identity.db").string(); }
+};
+
+}  // namespace study
