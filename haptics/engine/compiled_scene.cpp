@@ -67,23 +67,28 @@ struct Builder {
 };
 
 /// The tissue that is drawn while a punch is felt, whatever renders its force.
-models::FiniteElements<double>::Parameters shownTissue(const SceneSpec& spec) {
-  if (const auto* elements = std::get_if<FiniteElementsSpec>(&spec.model))
-    return elements->parameters;
-  if (const auto* kalman = std::get_if<KalmanSpec>(&spec.model)) {
-    return kalman->finiteElements.parameters;
-  }
+FiniteElementsSpec shownTissue(const SceneSpec& spec) {
+  if (const auto* elements = std::get_if<FiniteElementsSpec>(&spec.model)) return *elements;
+  if (const auto* kalman = std::get_if<KalmanSpec>(&spec.model)) return kalman->finiteElements;
   return {};
 }
 
 }  // namespace
 
-std::vector<MeshView::Point> MeshView::under(double force) const {
-  std::vector<Point> points{{elements_.position(0), 0.0}};
-  for (int node = 1; node <= elements_.elements(); ++node) {
-    points.push_back({elements_.position(node), elements_.displacement(node, force)});
+MeshView::MeshView(const FiniteElementsSpec& spec) {
+  const models::FiniteElements<double> elements(spec.asParameters());
+  std::vector<double> displacements(static_cast<std::size_t>(elements.elements()));
+  elements.writeMeshShape(displacements.data());
+  shape_.push_back({elements.position(0), 0.0});
+  for (int node = 1; node <= elements.elements(); ++node) {
+    shape_.push_back({elements.position(node), displacements[static_cast<std::size_t>(node) - 1]});
   }
-  points.push_back({elements_.position(elements_.elements() + 1), 0.0});
+  shape_.push_back({elements.position(elements.elements() + 1), 0.0});
+}
+
+std::vector<MeshView::Point> MeshView::under(double force) const {
+  std::vector<Point> points = shape_;
+  for (auto& point : points) point.displacement *= force;
   return points;
 }
 
@@ -96,7 +101,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   std::visit(builder, spec.model);
   const bool isPunch = spec.device == devices::DeviceKind::Punch;
   if (spec.isVisualised && isPunch) {
-    mesh_.emplace(models::FiniteElements<double>(shownTissue(spec)));
+    mesh_.emplace(shownTissue(spec));
     builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
   } else {
     builder.out(kMesh, isPunch ? "nothing is shown" : "no meniscus is shown");

@@ -11,11 +11,11 @@
 
 namespace haptics::engine {
 
-/// The tissue as it is seen: how the finite-element mesh gives way under the tool. Solved when
-/// somebody looks, at the display's rate, never in the tick.
+/// The tissue as it is seen: how the finite-element mesh gives way under the tool. Its shape is
+/// solved once; drawing it is a product per point, at the display's rate, never in the tick.
 class MeshView {
  public:
-  explicit MeshView(const models::FiniteElements<double>& elements) : elements_(elements) {}
+  explicit MeshView(const FiniteElementsSpec& spec);
 
   struct Point {
     double position = 0.0;      ///< along the tissue [string units]
@@ -26,7 +26,7 @@ class MeshView {
   std::vector<Point> under(double force) const;
 
  private:
-  models::FiniteElements<double> elements_;
+  std::vector<Point> shape_;  ///< under one newton
 };
 
 /// A part of a scene, built or left out.

@@ -51,6 +51,7 @@ models::Response<double> KalmanModel::respond(const ToolState& tool) noexcept {
 
 void KalmanModel::reset() noexcept {
   interpolation_.reset();
+  finiteElements_.reset();
   filter_.reset();
   hasTravel_ = false;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
 
@@ -24,16 +26,20 @@ class InterpolationModel final : public ForceModel {
 /// The elastic, ideally plastic reference.
 class FiniteElementModel final : public ForceModel {
  public:
-  explicit FiniteElementModel(const FiniteElementsSpec& spec) : elements_(spec.parameters) {}
+  /// @param spec  sound.
+  explicit FiniteElementModel(FiniteElementsSpec spec)
+      : spec_(std::move(spec)), elements_(spec_.asParameters()) {}
 
   models::Response<double> respond(const ToolState& tool) noexcept override {
-    return elements_.at(tool.travel);
+    return elements_.at(tool.travel, state_);
   }
-  void reset() noexcept override {}
+  void reset() noexcept override { state_ = {}; }
   double largestStiffness() const noexcept override { return elements_.stiffness(); }
 
  private:
+  FiniteElementsSpec spec_;
   models::FiniteElements<double> elements_;
+  models::FiniteElements<double>::State state_;
 };
 
 /// Both, fused.

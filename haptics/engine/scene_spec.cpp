@@ -17,11 +17,24 @@ void check(const InterpolationSpec& spec, Words& problems) {
 }
 
 void check(const FiniteElementsSpec& spec, Words& problems) {
-  if (!models::FiniteElements<double>::isSound(spec.parameters)) {
+  using Model = models::FiniteElements<double>;
+  const auto& each = spec.elementStiffnesses;
+  if (!each.empty() && each.size() != static_cast<std::size_t>(spec.parameters.elements)) {
+    problems.push_back(
+        "there are " + std::to_string(spec.parameters.elements) + " finite elements, but " +
+        std::to_string(each.size()) + " stiffnesses");
+    return;
+  }
+  auto withPapersWeights = spec.asParameters();
+  withPapersWeights.weights = models::ToolWeights::Paper;
+  if (!Model::isSound(withPapersWeights)) {
     problems.push_back(
         "the finite elements need start < tool position < end, one or more elements, a stiffness "
-        "above "
-        "0 and a yield force that is not negative");
+        "above 0 and a yield force that is not negative");
+  } else if (!Model::isSound(spec.asParameters())) {
+    problems.push_back(
+        "the tool presses on the last finite element, where the authors' firmware writes beyond "
+        "its memory; move it, or take the paper's weights");
   }
 }
 
@@ -58,6 +71,12 @@ void check(const MaterialSpec& spec, Words& problems) {
 }
 
 }  // namespace
+
+models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() const noexcept {
+  auto p = parameters;
+  p.elementStiffnesses = elementStiffnesses.empty() ? nullptr : elementStiffnesses.data();
+  return p;
+}
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
   Words problems;

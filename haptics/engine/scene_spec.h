@@ -20,6 +20,10 @@ struct InterpolationSpec {
 /// Force by one-dimensional finite elements: eq. (3)–(11).
 struct FiniteElementsSpec {
   models::FiniteElements<double>::Parameters parameters;
+  std::vector<double> elementStiffnesses;  ///< of each element, where they differ; or none
+
+  /// For the model; this outlives it.
+  models::FiniteElements<double>::Parameters asParameters() const noexcept;
 };
 
 /// Both fused by a Kalman filter: eq. (12)–(24).

@@ -1,25 +1,42 @@
 #pragma once
 
+#include "haptics/models/compensated_sum.h"
 #include "haptics/models/response.h"
 
 namespace haptics::models {
 
-/// The meniscus as a string of one-dimensional finite elements: eq. (3)–(11) of the punch paper,
-/// with the boundary read as printed ("reading A": the N unknowns sit at the element midpoints,
-/// both ends are fixed and already eliminated).
+/// How the ends of the string are held: paper-discrepancies in docs/force-models.md.
+enum class Boundary {
+  A,  ///< eq. (6) as printed: each end joined to its nearest midpoint by 2k₃, half an element long
+  B,  ///< every spring alike: each end joined by k₃, as the authors' firmware came to have it
+};
+
+/// How the tool's position is given to the unknowns.
+enum class ToolWeights {
+  Paper,            ///< eq. (7)–(8): the two midpoints beside it share it
+  AuthorsFirmware,  ///< eq. (7)–(8) with the midpoint after its element: extrapolates from there
+  ExactKink,        ///< a node of its own: the string bends where the tool is, without ripple
+};
+
+/// What happens beyond the yield force.
+enum class Yielding {
+  Clip,       ///< the force stays: a function of position alone, so opening replays the cut
+  ReturnMap,  ///< the tissue gives way for good: opening feels only what is left of it
+};
+
+/// The meniscus as a string of one-dimensional finite elements: eq. (3)–(11) of the punch paper.
+/// The N unknowns sit at the element midpoints, both ends are fixed.
 ///
-/// Neighbouring midpoints are joined by springs k₃ = kᵉ/2lᵉ, each end to its nearest midpoint by
-/// 2k₃. The tool presses at x_tool, between two midpoints that share it by the weights of
-/// eq. (7)–(8), so that
+/// Neighbouring midpoints are joined by springs k₃ = kᵉ/2lᵉ: half an element has the flexibility
+/// lᵉ/kᵉ. The tool presses at x_tool with weights c, so that
 ///
 ///     f = (y_tool) / (cᵀ K⁻¹ c),        y_mesh = K⁻¹ c f.
 ///
-/// K is never formed: for springs in a row, K⁻¹ᵢⱼ = S_min (T − S_max) / T with S the flexibility
-/// (1/k) summed from the left end and T its total. Positive sums and products lose no digits, and
-/// the force costs the same for 5 elements and for 5,000.
-///
-/// The force is elastic up to the yield force and stays there ("ideally plastic"). As in the paper
-/// this is a function of position alone: opening the punch replays the cut.
+/// K is never formed: for springs in a row, K⁻¹ᵢⱼ = S_min R_max / (S_min + s + R_max) with S the
+/// flexibility (1/k) summed from the left end, R from the right one, s what lies between. Sums and
+/// products of positive numbers lose no digits, whatever the contrast of the elements; forming
+/// kᵢ + kᵢ₊₁ loses the softer one. A stiffness of nothing is a flexibility without end, and the
+/// other way round. The force costs the same for 5 elements and for 5,000.
 template <typename Scalar>
 class FiniteElements {
  public:
@@ -31,74 +48,228 @@ class FiniteElements {
     Scalar toolPosition{1.5};      ///< x_tool, strictly between a and b
     Scalar contact{4.0};           ///< where the tool meets the tissue [travel units]
     Scalar yieldForce{7.0};        ///< [N]
+    Boundary boundary = Boundary::A;
+    ToolWeights weights = ToolWeights::Paper;
+    Yielding yielding = Yielding::Clip;
+    /// Of each element, where they differ: N of them, which outlive this; kᵉ then counts no more.
+    const Scalar* elementStiffnesses = nullptr;
+  };
+
+  /// How far the tissue has given way for good [travel units]. Forgotten where the tool lets go of
+  /// it: the next bite is into tissue that is whole.
+  struct State {
+    Scalar offset{};
   };
 
   /// @param parameters  isSound() has been asked.
   constexpr explicit FiniteElements(const Parameters& parameters) noexcept : p_(parameters) {
-    // Nodes count from 0 (left end) over the midpoints 1 … N to N + 1 (right end), eq. (4).
-    left_ = 0;
-    while (left_ < p_.elements && position(left_ + 1) <= p_.toolPosition) ++left_;
-    const Scalar from = position(left_);
-    const Scalar to = position(left_ + 1);
-    weightRight_ = (p_.toolPosition - from) / (to - from);  // eq. (8)
-    weightLeft_ = Scalar{1} - weightRight_;                 // eq. (7)
-    const Scalar flexibility = weightLeft_ * weightLeft_ * inverse(left_, left_) +
-                               Scalar{2} * weightLeft_ * weightRight_ * inverse(left_, left_ + 1) +
-                               weightRight_ * weightRight_ * inverse(left_ + 1, left_ + 1);
-    stiffness_ = Scalar{1} / flexibility;
+    if (p_.weights == ToolWeights::ExactKink) {
+      const auto beside = flexibilitiesBeside(p_.toolPosition);
+      compliance_ = parallel(beside.left, beside.right);
+    } else {
+      tool_ = supportOfTool();
+      compliance_ = complianceBetweenNodes();
+    }
+    stiffness_ = Scalar{1} / compliance_;
   }
 
   static constexpr bool isSound(const Parameters& p) noexcept {
-    const bool finite = p.start - p.start == Scalar{0} && p.end - p.end == Scalar{0} &&
-                        p.contact - p.contact == Scalar{0} &&
-                        p.yieldForce - p.yieldForce == Scalar{0};
-    return finite && p.end > p.start && p.elements >= 1 && p.elementStiffness > Scalar{0} &&
-           p.toolPosition > p.start && p.toolPosition < p.end && p.yieldForce >= Scalar{0};
+    const bool finite = isFinite(p.start) && isFinite(p.end) && isFinite(p.contact) &&
+                        isFinite(p.yieldForce) && isFinite(p.toolPosition);
+    if (!finite || !(p.end > p.start) || p.elements < 1) return false;
+    if (!(p.toolPosition > p.start && p.toolPosition < p.end)) return false;
+    for (int e = 0; e < (p.elementStiffnesses == nullptr ? 1 : p.elements); ++e) {
+      const Scalar k =
+          p.elementStiffnesses == nullptr ? p.elementStiffness : p.elementStiffnesses[e];
+      if (!(k >= Scalar{0})) return false;
+    }
+    // The published code writes beyond its array where the tool is in the last element.
+    const Scalar length = (p.end - p.start) / Scalar(p.elements);
+    const bool isInTheLast = p.toolPosition >= p.end - length;
+    return p.yieldForce >= Scalar{0} && !(p.weights == ToolWeights::AuthorsFirmware && isInTheLast);
   }
 
   /// What the tool feels while the tissue is elastic [N per travel unit]: 1 / (cᵀ K⁻¹ c).
   constexpr Scalar stiffness() const noexcept { return stiffness_; }
   constexpr int elements() const noexcept { return p_.elements; }
+  constexpr const Parameters& parameters() const noexcept { return p_; }
 
-  constexpr Response<Scalar> at(Scalar travel) const noexcept {
+  /// Force and stiffness at @p travel [travel units]; none, and undefined, where it is no number.
+  constexpr Response<Scalar> at(Scalar travel, State& state) const noexcept {
     const Scalar penetration = travel - p_.contact;
-    if (!(penetration > Scalar{0})) return {Scalar{0}, Scalar{0}, penetration <= Scalar{0}};
-    const Scalar elastic = stiffness_ * penetration;
+    if (!(penetration > Scalar{0})) {
+      state.offset = Scalar{0};
+      return {Scalar{0}, Scalar{0}, penetration <= Scalar{0}};
+    }
+    const Scalar stretch = penetration - state.offset;
+    if (!(stretch > Scalar{0})) return {Scalar{0}, Scalar{0}, true};
+    const Scalar elastic = stiffness_ * stretch;
     if (elastic < p_.yieldForce) return {elastic, stiffness_, true};
+    if (p_.yielding == Yielding::ReturnMap) {
+      state.offset = penetration - p_.yieldForce * compliance_;
+    }
     return {p_.yieldForce, Scalar{0}, true};
   }
 
-  /// How far midpoint @p node, from 1 to N, gives way under @p force at the tool [travel units]:
-  /// eq. (11). Nobody needs it who does not look at the tissue.
-  constexpr Scalar displacement(int node, Scalar force) const noexcept {
-    return force * (weightLeft_ * inverse(node, left_) + weightRight_ * inverse(node, left_ + 1));
+  /// How far each midpoint gives way under one newton at the tool [travel units per N]: K⁻¹ c of
+  /// eq. (11), N of them. The mesh under a force is this, times the force: whoever draws it.
+  constexpr void writeMeshShape(Scalar* shape) const noexcept {
+    if (p_.weights == ToolWeights::ExactKink) {
+      const int before = nodesBefore(p_.toolPosition);
+      const auto beside = flexibilitiesBeside(p_.toolPosition);
+      writeLeft(shape, before, shareOf(beside.right, beside.left));
+      writeRight(shape, before + 1, shareOf(beside.left, beside.right));
+      return;
+    }
+    const Scalar s = flexibilityTo(tool_.left);
+    const Scalar r = flexibilityFrom(tool_.left + 1);
+    const Scalar between = springAfter(tool_.left);
+    const Scalar wl = tool_.weightLeft;
+    const Scalar wr = tool_.weightRight;
+    writeLeft(shape, tool_.left, wl * shareOf(between + r, s) + wr * shareOf(r, s + between));
+    writeRight(shape, tool_.left + 1, wl * shareOf(s, between + r) + wr * shareOf(s + between, r));
   }
 
-  /// Where node 0 … N + 1 lies [string units]: the left end, the midpoints, the right end.
+  /// Where node 0 … N + 1 lies [string units]: the left end, the midpoints, the right end, eq. (4).
   constexpr Scalar position(int node) const noexcept {
     if (node <= 0) return p_.start;
     if (node > p_.elements) return p_.end;
-    const Scalar length = (p_.end - p_.start) / static_cast<Scalar>(p_.elements);
-    return p_.start + (static_cast<Scalar>(node) - Scalar(0.5)) * length;
+    return p_.start + (Scalar(node) - Scalar(0.5)) * length();
   }
 
  private:
-  /// Summed from the left end to node i; uniform elements make it a line: S = 2 (x − a) / kᵉ.
+  struct Support {
+    int left = 0;  ///< of the two nodes that carry the tool
+    Scalar weightLeft{};
+    Scalar weightRight{};
+  };
+  struct Beside {
+    Scalar left{};
+    Scalar right{};
+  };
+
+  static constexpr bool isFinite(Scalar value) noexcept { return value - value == Scalar{0}; }
+  static constexpr bool isEndless(Scalar value) noexcept { return !isFinite(value); }
+
+  /// a b / (a + b); either may be nothing or without end.
+  static constexpr Scalar parallel(Scalar a, Scalar b) noexcept {
+    if (a == Scalar{0} || b == Scalar{0}) return Scalar{0};
+    if (isEndless(a)) return b;
+    if (isEndless(b)) return a;
+    return a > b ? b / (Scalar{1} + b / a) : a / (Scalar{1} + a / b);
+  }
+
+  /// a / (a + b): how much of a force at their joint goes to the side of b.
+  static constexpr Scalar shareOf(Scalar a, Scalar b) noexcept {
+    if (a == Scalar{0}) return Scalar{0};
+    if (isEndless(a)) return Scalar{1};
+    return isEndless(b) ? Scalar{0} : Scalar{1} / (Scalar{1} + b / a);
+  }
+
+  constexpr Scalar length() const noexcept { return (p_.end - p_.start) / Scalar(p_.elements); }
+
+  /// Flexibility of half of element @p e, counted from 0.
+  constexpr Scalar half(int e) const noexcept {
+    return length() /
+           (p_.elementStiffnesses == nullptr ? p_.elementStiffness : p_.elementStiffnesses[e]);
+  }
+
+  constexpr int elementAt(Scalar x) const noexcept {
+    int e = 0;
+    while (e + 1 < p_.elements && p_.start + Scalar(e + 1) * length() <= x) ++e;
+    return e;
+  }
+
+  /// How many midpoints lie before @p x.
+  constexpr int nodesBefore(Scalar x) const noexcept {
+    int node = 0;
+    while (node < p_.elements && position(node + 1) <= x) ++node;
+    return node;
+  }
+
+  constexpr Support supportOfTool() const noexcept {
+    const int left = p_.weights == ToolWeights::Paper ? nodesBefore(p_.toolPosition)
+                                                      : elementAt(p_.toolPosition) + 1;
+    const Scalar right = (p_.toolPosition - position(left)) / (position(left + 1) - position(left));
+    return {left, Scalar{1} - right, right};
+  }
+
+  /// Flexibility of the spring between node @p node and the next one.
+  constexpr Scalar springAfter(int node) const noexcept {
+    if (node == 0) return endSpring(0);
+    if (node == p_.elements) return endSpring(p_.elements - 1);
+    return half(node - 1) + half(node);
+  }
+  constexpr Scalar endSpring(int e) const noexcept {
+    return p_.boundary == Boundary::A ? half(e) : Scalar{2} * half(e);
+  }
+
+  /// Summed from the left end to node @p node, and from there to the right end.
   constexpr Scalar flexibilityTo(int node) const noexcept {
-    return Scalar{2} * (position(node) - p_.start) / p_.elementStiffness;
+    CompensatedSum<Scalar> sum;
+    for (int i = 0; i < node; ++i) sum.add(springAfter(i));
+    return sum.value();
   }
   constexpr Scalar flexibilityFrom(int node) const noexcept {
-    return Scalar{2} * (p_.end - position(node)) / p_.elementStiffness;
+    CompensatedSum<Scalar> sum;
+    for (int i = p_.elements; i >= node; --i) sum.add(springAfter(i));
+    return sum.value();
   }
-  constexpr Scalar inverse(int i, int j) const noexcept {
-    const Scalar total = Scalar{2} * (p_.end - p_.start) / p_.elementStiffness;
-    return flexibilityTo(i < j ? i : j) * flexibilityFrom(i < j ? j : i) / total;
+
+  /// From the ends to @p x, which need not be a node. Within a spring the flexibility is spread as
+  /// its halves are.
+  constexpr Beside flexibilitiesBeside(Scalar x) const noexcept {
+    const int node = nodesBefore(x);
+    const Scalar before = (x - position(node)) / length();  // in elements
+    const Scalar after = (position(node + 1) - x) / length();
+    Beside within;
+    if (node == 0 || node == p_.elements) {
+      const Scalar whole = before + after;  // half an element
+      const Scalar spring = springAfter(node);
+      within = {spring * (before / whole), spring * (after / whole)};
+    } else if (before <= after) {
+      const Scalar here = Scalar{2} * half(node - 1);
+      within = {here * before, here * (Scalar(0.5) - before) + half(node)};
+    } else {
+      const Scalar here = Scalar{2} * half(node);
+      within = {half(node - 1) + here * (Scalar(0.5) - after), here * after};
+    }
+    return {flexibilityTo(node) + within.left, within.right + flexibilityFrom(node + 1)};
+  }
+
+  constexpr Scalar complianceBetweenNodes() const noexcept {
+    const Scalar s = flexibilityTo(tool_.left);
+    const Scalar r = flexibilityFrom(tool_.left + 1);
+    const Scalar between = springAfter(tool_.left);
+    const Scalar wl = tool_.weightLeft;
+    const Scalar wr = tool_.weightRight;
+    Scalar compliance{};
+    if (wl != Scalar{0}) compliance += wl * wl * parallel(s, between + r);
+    if (wr != Scalar{0}) compliance += wr * wr * parallel(s + between, r);
+    const Scalar across = parallel(s, r + between) * shareOf(r, between);
+    if (isFinite(compliance) && isFinite(across)) compliance += Scalar{2} * wl * wr * across;
+    return compliance;
+  }
+
+  /// Midpoints 1 … last: the flexibility up to each, times a slope.
+  constexpr void writeLeft(Scalar* shape, int last, Scalar slope) const noexcept {
+    CompensatedSum<Scalar> sum;
+    for (int node = 1; node <= last; ++node) {
+      sum.add(springAfter(node - 1));
+      shape[node - 1] = slope == Scalar{0} ? Scalar{0} : slope * sum.value();
+    }
+  }
+  constexpr void writeRight(Scalar* shape, int first, Scalar slope) const noexcept {
+    CompensatedSum<Scalar> sum;
+    for (int node = p_.elements; node >= first && node >= 1; --node) {
+      sum.add(springAfter(node));
+      shape[node - 1] = slope == Scalar{0} ? Scalar{0} : slope * sum.value();
+    }
   }
 
   Parameters p_;
-  int left_ = 0;
-  Scalar weightLeft_{};
-  Scalar weightRight_{};
+  Support tool_;
+  Scalar compliance_{};
   Scalar stiffness_{};
 };
 

@@ -1,5 +1,6 @@
 #include "haptics/models/finite_elements.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -34,13 +35,51 @@ struct Assembled {
   double stiffness() const { return 1.0 / c.dot(k.lu().solve(c)); }
 };
 
+/// Of the paper's string, at its tool.
+double stiffness(int elements, Boundary boundary, ToolWeights weights) {
+  return Elements({.elements = elements, .boundary = boundary, .weights = weights}).stiffness();
+}
+
 TEST(FiniteElements, ReproduceReadingAOfThePaper) {
   // paper-discrepancies §5.1, "A, paper weights" at x = 1.5.
-  const auto stiffness = [](int elements) { return Elements({.elements = elements}).stiffness(); };
-  EXPECT_NEAR(stiffness(5), 1.714, 5e-4);
-  EXPECT_NEAR(stiffness(10), 1.600, 5e-4);
-  EXPECT_NEAR(stiffness(15), 1.622, 5e-4);
-  EXPECT_NEAR(stiffness(100), 1.509, 5e-4);
+  EXPECT_NEAR(stiffness(5, Boundary::A, ToolWeights::Paper), 1.714, 5e-4);
+  EXPECT_NEAR(stiffness(10, Boundary::A, ToolWeights::Paper), 1.600, 5e-4);
+  EXPECT_NEAR(stiffness(15, Boundary::A, ToolWeights::Paper), 1.622, 5e-4);
+  EXPECT_NEAR(stiffness(100, Boundary::A, ToolWeights::Paper), 1.509, 5e-4);
+}
+
+TEST(FiniteElements, ReproduceReadingB) {
+  EXPECT_NEAR(stiffness(5, Boundary::B, ToolWeights::Paper), 1.338, 5e-4);
+  EXPECT_NEAR(stiffness(10, Boundary::B, ToolWeights::Paper), 1.413, 5e-4);
+  EXPECT_NEAR(stiffness(15, Boundary::B, ToolWeights::Paper), 1.488, 5e-4);
+  EXPECT_NEAR(stiffness(100, Boundary::B, ToolWeights::Paper), 1.491, 5e-4);
+}
+
+TEST(FiniteElements, ReproduceWhatTheAuthorsFirmwareRenders) {
+  EXPECT_NEAR(stiffness(5, Boundary::B, ToolWeights::AuthorsFirmware), 1.055718, 1e-6);
+  EXPECT_NEAR(stiffness(10, Boundary::B, ToolWeights::AuthorsFirmware), 1.413, 5e-4);
+  EXPECT_NEAR(stiffness(15, Boundary::B, ToolWeights::AuthorsFirmware), 1.147, 5e-4);
+}
+
+TEST(FiniteElements, HaveNoRippleWhereTheStringBendsAtTheTool) {
+  // Exactly a string of tension kᵉ/2, wherever the tool is; the paper's weights add up to 48 %
+  // between the first midpoint and the last.
+  double ripple = 0.0;
+  for (int i = 1; i < 1000; ++i) {
+    const double x = 0.5 + 1.5 * i / 1000.0;
+    const double string = 0.5 * 1.5 / ((x - 0.5) * (2.0 - x));
+    const Elements exact({.toolPosition = x, .weights = ToolWeights::ExactKink});
+    EXPECT_NEAR(exact.stiffness() / string, 1.0, 1e-13);
+    if (x < 0.65 || x > 1.85) continue;
+    ripple = std::max(ripple, Elements({.toolPosition = x}).stiffness() / string - 1.0);
+  }
+  EXPECT_NEAR(ripple, 0.48, 0.005);
+}
+
+std::vector<double> shapeOf(const Elements& elements) {
+  std::vector<double> shape(elements.elements());
+  elements.writeMeshShape(shape.data());
+  return shape;
 }
 
 TEST(FiniteElements, EqualTheAssembledMatrixSolvedByLu) {
@@ -58,12 +97,9 @@ TEST(FiniteElements, EqualTheAssembledMatrixSolvedByLu) {
 TEST(FiniteElements, GiveTheMeshThatTheMatrixGives) {
   const Elements::Parameters p{};
   const Assembled assembled(p);
-  const double force = 3.0;
-  const Eigen::VectorXd mesh = assembled.k.lu().solve(assembled.c * force);
-  const Elements elements(p);
-  for (int i = 0; i < p.elements; ++i) {
-    EXPECT_NEAR(elements.displacement(i + 1, force), mesh(i), 1e-14);
-  }
+  const Eigen::VectorXd mesh = assembled.k.lu().solve(assembled.c);
+  const auto shape = shapeOf(Elements(p));
+  for (int i = 0; i < p.elements; ++i) EXPECT_NEAR(shape[i], mesh(i), 1e-14);
 }
 
 TEST(FiniteElements, MeshFollowsTheTool) {
@@ -72,12 +108,24 @@ TEST(FiniteElements, MeshFollowsTheTool) {
   const Elements elements(p);
   const Assembled assembled(p);
   const double penetration = 1.3;
-  const double force = elements.at(p.contact + penetration).force;
+  Elements::State state;
+  const double force = elements.at(p.contact + penetration, state).force;
+  const auto shape = shapeOf(elements);
   double atTool = 0.0;
-  for (int i = 0; i < p.elements; ++i) {
-    atTool += assembled.c(i) * elements.displacement(i + 1, force);
-  }
+  for (int i = 0; i < p.elements; ++i) atTool += assembled.c(i) * shape[i] * force;
   EXPECT_NEAR(atTool, penetration, 1e-13);
+}
+
+TEST(FiniteElements, BendTheMeshAsAStringWhereTheToolIsANodeOfItsOwn) {
+  const Elements::Parameters p{.elements = 15, .weights = ToolWeights::ExactKink};
+  const Elements elements(p);
+  const auto shape = shapeOf(elements);
+  for (int node = 1; node <= p.elements; ++node) {
+    const double x = elements.position(node);
+    const double near = std::min(x, p.toolPosition);
+    const double far = std::max(x, p.toolPosition);
+    EXPECT_NEAR(shape[node - 1], (near - 0.5) * (2.0 - far) / (0.5 * 1.5), 1e-14);
+  }
 }
 
 TEST(FiniteElements, ConvergeToTheExactString) {
@@ -87,15 +135,53 @@ TEST(FiniteElements, ConvergeToTheExactString) {
 
 TEST(FiniteElements, AreElasticThenYieldAndNeverPull) {
   const Elements elements({});
-  EXPECT_EQ(elements.at(3.9).force, 0.0);
-  EXPECT_DOUBLE_EQ(elements.at(5.0).force, elements.stiffness());
-  EXPECT_EQ(elements.at(9.0).force, 7.0);
-  EXPECT_EQ(elements.at(9.0).stiffness, 0.0);
-  EXPECT_EQ(elements.at(1e300).force, 7.0);
+  Elements::State state;
+  EXPECT_EQ(elements.at(3.9, state).force, 0.0);
+  EXPECT_DOUBLE_EQ(elements.at(5.0, state).force, elements.stiffness());
+  EXPECT_EQ(elements.at(9.0, state).force, 7.0);
+  EXPECT_EQ(elements.at(9.0, state).stiffness, 0.0);
+  EXPECT_EQ(elements.at(1e300, state).force, 7.0);
+}
+
+TEST(FiniteElements, ReplayTheCutOnOpeningWhereTheForceIsClipped) {
+  const Elements elements({});
+  Elements::State state;
+  const double closing = elements.at(5.0, state).force;
+  elements.at(10.0, state);
+  EXPECT_EQ(elements.at(5.0, state).force, closing);
+}
+
+TEST(FiniteElements, GiveWayForGoodWhereTheTissueReallyYields) {
+  const Elements elements({.yielding = Yielding::ReturnMap});
+  Elements::State state;
+  elements.at(10.0, state);
+  EXPECT_NEAR(state.offset, 6.0 - 7.0 / elements.stiffness(), 1e-14);
+  EXPECT_NEAR(elements.at(9.9, state).force, 7.0 - 0.1 * elements.stiffness(), 1e-13);
+  EXPECT_EQ(elements.at(5.0, state).force, 0.0);  // nothing is left to press on
+  EXPECT_EQ(elements.at(10.1, state).force, 7.0);
+  elements.at(3.0, state);  // the next bite is into tissue that is whole
+  EXPECT_DOUBLE_EQ(elements.at(5.0, state).force, elements.stiffness());
+}
+
+TEST(FiniteElements, TakeUpTheEnergyOfACutWhereTheTissueReallyYields) {
+  const auto energyOf = [](Yielding yielding) {
+    const Elements elements({.yielding = yielding});
+    Elements::State state;
+    double energy = 0.0;
+    for (int i = -10'000; i <= 10'000; ++i) {  // to 10 and back
+      const double direction = i < 0 ? 1.0 : -1.0;
+      energy += direction * elements.at(10.0 - std::abs(i) * 7e-4, state).force * 7e-4;
+    }
+    return energy;
+  };
+  const double stiffness = Elements({}).stiffness();
+  EXPECT_NEAR(energyOf(Yielding::Clip), 0.0, 0.01);
+  EXPECT_NEAR(energyOf(Yielding::ReturnMap), 7.0 * (6.0 - 7.0 / stiffness), 0.02);
 }
 
 TEST(FiniteElements, HaveNoForceForWhatIsNoNumber) {
-  const auto response = Elements({}).at(std::nan(""));
+  Elements::State state;
+  const auto response = Elements({}).at(std::nan(""), state);
   EXPECT_FALSE(response.isDefined);
   EXPECT_EQ(response.force, 0.0);
 }
@@ -103,10 +189,14 @@ TEST(FiniteElements, HaveNoForceForWhatIsNoNumber) {
 TEST(FiniteElements, KnowUnsoundParameters) {
   EXPECT_TRUE(Elements::isSound({}));
   EXPECT_FALSE(Elements::isSound({.elements = 0}));
-  EXPECT_FALSE(Elements::isSound({.elementStiffness = 0.0}));
+  EXPECT_FALSE(Elements::isSound({.elementStiffness = -1.0}));
+  EXPECT_FALSE(Elements::isSound({.elementStiffness = std::nan("")}));
   EXPECT_FALSE(Elements::isSound({.toolPosition = 2.0}));
   EXPECT_FALSE(Elements::isSound({.yieldForce = -1.0}));
   EXPECT_FALSE(Elements::isSound({.contact = std::nan("")}));
+  const Elements::Parameters inTheLast{
+      .toolPosition = 1.75, .weights = ToolWeights::AuthorsFirmware};
+  EXPECT_FALSE(Elements::isSound(inTheLast));
 }
 
 }  // namespace

@@ -11,8 +11,10 @@ namespace {
 class SchemaTest : public testing::Test {
  protected:
   void SetUp() override {
-    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
-    tests::walkToTheEnd(session);
+    {
+      auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+      tests::walkToTheEnd(session);
+    }
     study_.close();
     sql_.emplace(study_.file("study.db"));
     sql_->run("PRAGMA foreign_keys = ON");
