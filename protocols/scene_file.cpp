@@ -66,8 +66,8 @@ engine::FiniteElementsSpec readFiniteElements(const Node& node) {
   return spec;
 }
 
-models::KalmanFilter<double>::Noise readNoise(const Node& node) {
-  models::KalmanFilter<double>::Noise noise;
+models::KalmanNoise<double> readNoise(const Node& node) {
+  models::KalmanNoise<double> noise;
   if (!node.isObjectWith(
           {"process_force",
            "process_covariance",

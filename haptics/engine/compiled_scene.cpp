@@ -48,7 +48,11 @@ struct Builder {
   }
 
   void operator()(const KalmanSpec& spec) {
-    model = std::make_unique<KalmanModel>(spec);
+    if (spec.isProcessAsPrinted) {
+      model = std::make_unique<PrintedKalmanModel>(spec, spec.noise.asPrinted());
+    } else {
+      model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
+    }
     in(kInterpolation, "the filter corrects with it", bytesOf(spec.interpolation));
     in(kFiniteElements, "the filter corrects with it", sizeof(FiniteElementModel));
     in(kFilter, "this is the force", sizeof(models::KalmanFilter<double>));

@@ -28,12 +28,15 @@ double InterpolationModel::largestStiffness() const noexcept {
   return largest;
 }
 
-KalmanModel::KalmanModel(const KalmanSpec& spec)
+template <typename Filter>
+KalmanModel<Filter>::KalmanModel(const KalmanSpec& spec, const typename Filter::Noise& noise)
     : interpolation_(spec.interpolation),
       finiteElements_(spec.finiteElements),
-      filter_(spec.noise) {}
+      filter_(noise, spec.scheme),
+      average_(spec.smoothing) {}
 
-models::Response<double> KalmanModel::respond(const ToolState& tool) noexcept {
+template <typename Filter>
+models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noexcept {
   const auto recorded = interpolation_.respond(tool);
   const auto elastic = finiteElements_.respond(tool);
   if (!recorded.isDefined || !elastic.isDefined) return {};
@@ -41,7 +44,7 @@ models::Response<double> KalmanModel::respond(const ToolState& tool) noexcept {
   const double travelled = hasTravel_ ? tool.travel - lastTravel_ : 0.0;
   lastTravel_ = tool.travel;
   hasTravel_ = true;
-  const double force = filter_.step(travelled, elastic.force, recorded.force);
+  const double force = average_.feed(filter_.step(travelled, elastic.force, recorded.force));
   if (!std::isfinite(force)) {  // a leap that no hand makes: begin anew
     reset();
     return {};
@@ -49,15 +52,21 @@ models::Response<double> KalmanModel::respond(const ToolState& tool) noexcept {
   return {force, filter_.stiffness(), true};
 }
 
-void KalmanModel::reset() noexcept {
+template <typename Filter>
+void KalmanModel<Filter>::reset() noexcept {
   interpolation_.reset();
   finiteElements_.reset();
   filter_.reset();
+  average_.reset();
   hasTravel_ = false;
 }
 
-double KalmanModel::largestStiffness() const noexcept {
+template <typename Filter>
+double KalmanModel<Filter>::largestStiffness() const noexcept {
   return std::max(interpolation_.largestStiffness(), finiteElements_.largestStiffness());
 }
+
+template class KalmanModel<models::KalmanFilter<double>>;
+template class KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 
 }  // namespace haptics::engine

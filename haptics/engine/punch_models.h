@@ -42,10 +42,12 @@ class FiniteElementModel final : public ForceModel {
   models::FiniteElements<double>::State state_;
 };
 
-/// Both, fused.
+/// Both, fused by a filter, and smoothed.
+template <typename Filter>
 class KalmanModel final : public ForceModel {
  public:
-  explicit KalmanModel(const KalmanSpec& spec);
+  /// @param spec  sound.
+  KalmanModel(const KalmanSpec& spec, const typename Filter::Noise& noise);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
@@ -54,9 +56,16 @@ class KalmanModel final : public ForceModel {
  private:
   InterpolationModel interpolation_;
   FiniteElementModel finiteElements_;
-  models::KalmanFilter<double> filter_;
+  Filter filter_;
+  models::MovingAverage<double> average_;
   bool hasTravel_ = false;
   double lastTravel_ = 0.0;
 };
+
+using FactoredKalmanModel = KalmanModel<models::KalmanFilter<double>>;
+/// With Q as eq. (22) prints it.
+using PrintedKalmanModel = KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
+extern template class KalmanModel<models::KalmanFilter<double>>;
+extern template class KalmanModel<models::KalmanFilter<double, models::TextbookCovariance>>;
 
 }  // namespace haptics::engine

@@ -41,10 +41,10 @@ void check(const FiniteElementsSpec& spec, Words& problems) {
 void check(const KalmanSpec& spec, Words& problems) {
   check(spec.interpolation, problems);
   check(spec.finiteElements, problems);
-  if (!models::KalmanFilter<double>::isSound(spec.noise)) {
-    problems.push_back(
-        "the Kalman filter's variances must not be negative, its process noise must be positive "
-        "semi-definite (force · stiffness ≥ covariance²), and not everything may be 0");
+  if (const char* why = spec.noise.whyUnsound()) problems.emplace_back(why);
+  const bool isPerStep = spec.scheme != models::KalmanScheme::SpaceDomain;
+  if (spec.isProcessAsPrinted && !isPerStep) {
+    problems.emplace_back("the printed process noise is one per step; take another variant");
   }
 }
 

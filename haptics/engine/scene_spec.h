@@ -8,6 +8,8 @@
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
+#include "haptics/models/kalman_noise.h"
+#include "haptics/models/smoothing.h"
 
 namespace haptics::engine {
 
@@ -30,7 +32,10 @@ struct FiniteElementsSpec {
 struct KalmanSpec {
   InterpolationSpec interpolation;
   FiniteElementsSpec finiteElements;
-  models::KalmanFilter<double>::Noise noise;
+  models::KalmanNoise<double> noise;
+  models::KalmanScheme scheme = models::KalmanScheme::AuthorsFirmware;
+  bool isProcessAsPrinted = false;  ///< Q of eq. (22) with its misprint, whatever the noise says
+  models::Smoothing smoothing = models::Smoothing::None;
 };
 
 /// A node of a reaming material: the softest and the hardest bone that was measured there.

@@ -1,6 +1,16 @@
 #pragma once
 
+#include "haptics/models/covariance.h"
+
 namespace haptics::models {
+
+/// How the two forces enter a step of the handle by Δθ.
+enum class KalmanScheme {
+  PaperText,        ///< predict; then one of the two, in turn: a square wave between them
+  AuthorsFirmware,  ///< predict, finite elements, predict again by the same Δθ, interpolation
+  Sequential,       ///< predict, finite elements, interpolation: as a textbook would
+  SpaceDomain,      ///< as Sequential, with a Q that grows with the way: the same at every rate
+};
 
 /// A filter over travel that fuses two forces into one: eq. (12)–(24) of the punch paper.
 ///
@@ -12,51 +22,58 @@ namespace haptics::models {
 ///
 ///     K = P Hᵀ (H P Hᵀ + R)⁻¹,   x ← x + K (z − f),   P ← (I − K H) P,   H = [1 0].
 ///
-/// step() is the variant `authors-firmware`, what the paper's participants felt: predict, correct
-/// with the finite elements, predict again by the same Δθ, correct with the interpolation. Only
-/// because Q is added twice do both forces weigh about the same.
-template <typename Scalar>
+/// Which of the schemes runs decides what is felt (paper-discrepancies in docs/force-models.md):
+/// with the published noise the interpolation weighs 0.24, 0.48 and nothing in the first three. In
+/// SpaceDomain only R decides.
+///
+/// Q is per step in the first three, so that what is felt depends on the rate and on the speed of
+/// the hand. In SpaceDomain a stiffness that wanders by `wandering` per unit of travel gives
+///
+///     Q = q [ |Δθ|³/3  Δθ|Δθ|/2 ; Δθ|Δθ|/2  |Δθ| ].
+template <typename Scalar, template <typename> typename Covariance = FactoredCovariance>
 class KalmanFilter {
  public:
-  /// Variances as in eq. (22)–(24). Q is symmetric: the 0.02772 printed in its upper right corner
-  /// is read as the 0.2772 of its lower left one.
+  using Variances = typename Covariance<Scalar>::Noise;
+
   struct Noise {
-    Scalar processForce{7.0275};       ///< Q₁₁
-    Scalar processCovariance{0.2772};  ///< Q₁₂ = Q₂₁
-    Scalar processStiffness{6.1024};   ///< Q₂₂
-    Scalar finiteElements{0.001};      ///< R of the finite-element force [N²]
-    Scalar interpolation{7.742};       ///< R of the interpolated force [N²]
+    Variances process;        ///< Q of eq. (22)
+    Scalar finiteElements{};  ///< R of the finite-element force [N²]
+    Scalar interpolation{};   ///< R of the interpolated force [N²]
+    Scalar wandering{};       ///< q of SpaceDomain [N²/travel unit³]
   };
 
-  /// @param noise  isSound() has been asked.
-  constexpr explicit KalmanFilter(const Noise& noise) noexcept : noise_(noise) { reset(); }
-
-  /// No variance negative or infinite, Q positive semi-definite, and something to weigh with: with
-  /// Q = 0 and R = 0 the gain would be 0/0.
-  static constexpr bool isSound(const Noise& n) noexcept {
-    const Scalar sum = n.processForce + n.processStiffness + n.finiteElements + n.interpolation +
-                       n.processCovariance;
-    const bool finite = sum - sum == Scalar{0};
-    return finite && n.processForce >= Scalar{0} && n.processStiffness >= Scalar{0} &&
-           n.processForce * n.processStiffness >= n.processCovariance * n.processCovariance &&
-           n.finiteElements >= Scalar{0} && n.interpolation >= Scalar{0} &&
-           (n.processForce > Scalar{0} ||
-            (n.finiteElements > Scalar{0} && n.interpolation > Scalar{0}));
+  /// @param noise  whyUnsound() has been asked.
+  constexpr KalmanFilter(const Noise& noise, KalmanScheme scheme) noexcept
+      : noise_(noise), scheme_(scheme) {
+    reset();
   }
 
   constexpr void reset() noexcept {
     force_ = stiffness_ = Scalar{0};
-    p11_ = noise_.processForce;
-    p12_ = noise_.processCovariance;
-    p22_ = noise_.processStiffness;
+    isElastic_ = true;
+    covariance_.set(noise_.process);
   }
 
   /// One step of the handle by @p travelled [travel units]; both forces in [N].
   constexpr Scalar step(
       Scalar travelled, Scalar finiteElementForce, Scalar interpolatedForce) noexcept {
     predict(travelled);
-    correct(finiteElementForce, noise_.finiteElements);
-    predict(travelled);
+    switch (scheme_) {
+      case KalmanScheme::PaperText:
+        correct(
+            isElastic_ ? finiteElementForce : interpolatedForce,
+            isElastic_ ? noise_.finiteElements : noise_.interpolation);
+        isElastic_ = !isElastic_;
+        return force_;
+      case KalmanScheme::AuthorsFirmware:
+        correct(finiteElementForce, noise_.finiteElements);
+        predict(travelled);
+        break;
+      case KalmanScheme::Sequential:
+      case KalmanScheme::SpaceDomain:
+        correct(finiteElementForce, noise_.finiteElements);
+        break;
+    }
     correct(interpolatedForce, noise_.interpolation);
     return force_;
   }
@@ -64,34 +81,42 @@ class KalmanFilter {
   constexpr Scalar force() const noexcept { return force_; }
   /// Unobservable while the handle rests: for the filter's own use, not for showing.
   constexpr Scalar stiffness() const noexcept { return stiffness_; }
+  /// P, in the form in which it is kept.
+  constexpr const Variances& variances() const noexcept { return covariance_.variances(); }
 
  private:
   constexpr void predict(Scalar travelled) noexcept {
     force_ += stiffness_ * travelled;
-    p11_ += travelled * (Scalar{2} * p12_ + travelled * p22_) + noise_.processForce;
-    p12_ += travelled * p22_ + noise_.processCovariance;
-    p22_ += noise_.processStiffness;
+    covariance_.predict(
+        travelled,
+        scheme_ == KalmanScheme::SpaceDomain ? wanderingOver(travelled) : noise_.process);
+  }
+
+  /// Factored beforehand: slope 3/2Δθ, and a quarter of the stiffness' variance is left.
+  constexpr Variances wanderingOver(Scalar travelled) const noexcept {
+    if constexpr (requires(Variances v) { v.slope; }) {
+      const Scalar way = travelled < Scalar{0} ? -travelled : travelled;
+      const Scalar third = noise_.wandering * way * way * way / Scalar{3};
+      if (third == Scalar{0}) return {Scalar{0}, Scalar{0}, noise_.wandering * way};
+      return {third, Scalar(1.5) / travelled, noise_.wandering * way / Scalar{4}};
+    } else {
+      return noise_.process;
+    }
   }
 
   constexpr void correct(Scalar measured, Scalar variance) noexcept {
-    const Scalar total = p11_ + variance;
-    if (!(total > Scalar{0})) return;  // both are certain: there is nothing to weigh
-    const Scalar gainForce = p11_ / total;
-    const Scalar gainStiffness = p12_ / total;
+    const auto gain = covariance_.correct(variance);
     const Scalar innovation = measured - force_;
-    force_ += gainForce * innovation;
-    stiffness_ += gainStiffness * innovation;
-    p22_ -= gainStiffness * p12_;
-    p12_ *= variance / total;
-    p11_ *= variance / total;
+    force_ += gain.force * innovation;
+    stiffness_ += gain.stiffness * innovation;
   }
 
   Noise noise_;
+  KalmanScheme scheme_;
   Scalar force_{};
   Scalar stiffness_{};
-  Scalar p11_{};
-  Scalar p12_{};
-  Scalar p22_{};
+  bool isElastic_ = true;  ///< PaperText: whose turn it is
+  Covariance<Scalar> covariance_;
 };
 
 }  // namespace haptics::models

@@ -1,40 +1,70 @@
 #include "haptics/models/kalman_filter.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "haptics/models/finite_elements.h"
-#include "haptics/models/interpolation.h"
+#include "haptics/models/kalman_noise.h"
 
 namespace haptics::models {
 namespace {
 
 using Filter = KalmanFilter<double>;
+using Noise = KalmanNoise<double>;
+
+const std::vector kSchemes{
+    KalmanScheme::PaperText,
+    KalmanScheme::AuthorsFirmware,
+    KalmanScheme::Sequential,
+    KalmanScheme::SpaceDomain};
+
+Filter filterOf(KalmanScheme scheme, const Noise& noise = {}) {
+  return Filter(noise.factored(), scheme);
+}
 
 /// Eq. (14)–(21) with matrices, as a textbook writes them.
 class Textbook {
  public:
-  explicit Textbook(const Filter::Noise& n) : noise_(n) {
-    q_ << n.processForce, n.processCovariance, n.processCovariance, n.processStiffness;
-    p_ = q_;
+  Textbook(const Eigen::Matrix2d& q, const Noise& noise, KalmanScheme scheme)
+      : noise_(noise), scheme_(scheme), q_(q), p_(q) {}
+
+  static Textbook of(const Noise& n, KalmanScheme scheme) {
+    Eigen::Matrix2d q;
+    q << n.processForce, n.processCovariance, n.processCovariance, n.processStiffness;
+    return {q, n, scheme};
   }
 
   double step(double travelled, double finiteElements, double interpolation) {
     predict(travelled);
+    if (scheme_ == KalmanScheme::PaperText) {
+      if (steps_++ % 2 == 0) {
+        correct(finiteElements, noise_.finiteElements);
+      } else {
+        correct(interpolation, noise_.interpolation);
+      }
+      return x_(0);
+    }
     correct(finiteElements, noise_.finiteElements);
-    predict(travelled);
+    if (scheme_ == KalmanScheme::AuthorsFirmware) predict(travelled);
     correct(interpolation, noise_.interpolation);
     return x_(0);
   }
 
  private:
-  void predict(double travelled) {
+  void predict(double d) {
     Eigen::Matrix2d a;
-    a << 1.0, travelled, 0.0, 1.0;
+    a << 1.0, d, 0.0, 1.0;
+    Eigen::Matrix2d q = q_;
+    if (scheme_ == KalmanScheme::SpaceDomain) {
+      const double way = std::abs(d);
+      q << way * way * way / 3, d * way / 2, d * way / 2, way;
+      q *= noise_.wandering;
+    }
     x_ = a * x_;
-    p_ = a * p_ * a.transpose() + q_;
+    p_ = a * p_ * a.transpose() + q;
   }
   void correct(double z, double r) {
     const Eigen::RowVector2d h(1.0, 0.0);
@@ -43,61 +73,162 @@ class Textbook {
     p_ = (Eigen::Matrix2d::Identity() - k * h) * p_;
   }
 
-  Filter::Noise noise_;
+  Noise noise_;
+  KalmanScheme scheme_;
   Eigen::Matrix2d q_;
   Eigen::Matrix2d p_;
   Eigen::Vector2d x_ = Eigen::Vector2d::Zero();
+  int steps_ = 0;
 };
 
-TEST(KalmanFilter, EqualsTheTextbookWithMatrices) {
-  Filter filter({});
-  Textbook textbook({});
+/// The largest difference of the force while a hand moves to and fro.
+template <typename AnyFilter>
+double largestDifference(AnyFilter filter, Textbook textbook) {
+  double largest = 0.0;
   for (int i = 0; i < 2000; ++i) {
-    const double travelled = 0.02 * std::sin(0.01 * i);
+    const double travelled = 0.02 * std::sin(0.01 * i + 0.3);
     const double elastic = 3.0 + std::sin(0.05 * i);
     const double recorded = 2.0 + std::cos(0.03 * i);
-    EXPECT_NEAR(
-        filter.step(travelled, elastic, recorded), textbook.step(travelled, elastic, recorded), 1e-9);
+    const double ours = filter.step(travelled, elastic, recorded);
+    largest = std::max(largest, std::abs(ours - textbook.step(travelled, elastic, recorded)));
+  }
+  return largest;
+}
+
+TEST(KalmanFilter, EqualsTheTextbookWithMatricesInEveryScheme) {
+  for (const auto scheme : kSchemes) {
+    for (const auto reading :
+         {ProcessReading::Symmetrised, ProcessReading::StateOrder, ProcessReading::Product}) {
+      const auto noise = Noise::published(reading);
+      EXPECT_LE(largestDifference(filterOf(scheme, noise), Textbook::of(noise, scheme)), 1e-9)
+          << static_cast<int>(scheme) << " " << static_cast<int>(reading);
+    }
   }
 }
 
-TEST(KalmanFilter, WeighsBothForcesAboutEqually) {
-  // paper-discrepancies §6.1: with `authors-firmware` the interpolation weighs 0.48–0.53, and the
-  // steady gain is 7.0275 / (7.0275 + 7.742) = 0.476 where the handle hardly moves.
-  Filter filter({});
+TEST(KalmanFilter, EqualsTheTextbookWhereTheProcessNoiseIsAsPrinted) {
+  Eigen::Matrix2d printed;
+  printed << 7.0275, 0.02772, 0.2772, 6.1024;
+  using Printed = KalmanFilter<double, TextbookCovariance>;
+  for (const auto scheme :
+       {KalmanScheme::PaperText, KalmanScheme::AuthorsFirmware, KalmanScheme::Sequential}) {
+    const Printed filter(Noise().asPrinted(), scheme);
+    EXPECT_LE(largestDifference(filter, Textbook(printed, {}, scheme)), 1e-9);
+    if (scheme == KalmanScheme::Sequential) continue;
+    EXPECT_GT(largestDifference(filter, Textbook::of({}, scheme)), 1e-5);  // and it matters
+  }
+}
+
+/// How much the interpolation weighs while the hand moves by @p travelled a step: the mean of
+/// (f − FEM) / (IP − FEM).
+double weightOfInterpolation(KalmanScheme scheme, const Noise& noise, double travelled) {
+  Filter filter(noise.factored(), scheme);
+  double sum = 0.0;
+  constexpr int kSteps = 1000;
+  for (int i = -100; i < kSteps; ++i) {
+    const double force = filter.step(travelled, 2.0, 3.0);
+    if (i >= 0) sum += force - 2.0;
+  }
+  return sum / kSteps;
+}
+
+TEST(KalmanFilter, WeighsTheInterpolationAsEachSchemeDoes) {
+  // paper-discrepancies §6.1: 0.24, 0.48–0.53, 0.000.
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::PaperText, {}, 0.0), 0.238, 0.005);
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::AuthorsFirmware, {}, 0.0), 0.4758, 1e-4);
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::AuthorsFirmware, {}, 0.15), 0.50, 0.03);
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::Sequential, {}, 0.0), 0.0, 1e-3);
+}
+
+TEST(KalmanFilter, WeighsByTheMeasurementNoiseAlone) {
+  // paper-discrepancies §13, G7.
+  const std::vector<std::pair<double, double>> published{
+      {0.001, 0.499}, {0.1, 0.492}, {1, 0.438}, {7.742, 0.239}, {50, 0.061}, {500, 0.005}};
+  for (const auto& [variance, weight] : published) {
+    const Noise noise{.interpolation = variance};
+    EXPECT_NEAR(weightOfInterpolation(KalmanScheme::PaperText, noise, 0.0), weight, 0.005);
+  }
+}
+
+TEST(KalmanFilter, WeighsBothAlikeOverTheWayWhereTheyAreEquallyCertain) {
+  const Noise noise{.finiteElements = 0.32, .interpolation = 0.32};
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::SpaceDomain, noise, 0.001), 0.5, 0.005);
+  EXPECT_NEAR(weightOfInterpolation(KalmanScheme::SpaceDomain, noise, 0.0), 0.5, 1e-3);
+}
+
+TEST(KalmanFilter, RendersASquareWaveInThePapersText) {
+  // The measurements alternate: the force jumps at every step, at the Nyquist frequency.
+  auto filter = filterOf(KalmanScheme::PaperText);
+  for (int i = 0; i < 100; ++i) filter.step(0.0, 2.0, 3.0);
+  const double first = filter.step(0.0, 2.0, 3.0);
+  const double second = filter.step(0.0, 2.0, 3.0);
+  EXPECT_NEAR(std::abs(second - first), 0.476, 0.005);
+  EXPECT_NEAR(filter.step(0.0, 2.0, 3.0), first, 1e-3);
+}
+
+/// The force at 6 travel units on the way at 10 a second, at a rate [Hz].
+double forceAtSix(KalmanScheme scheme, double rate) {
+  const Noise noise{.finiteElements = 0.32, .interpolation = 0.32};
+  auto filter = filterOf(scheme, noise);
+  const double step = 10.0 / rate;
+  const int steps = static_cast<int>(std::lround(4.0 / step));
   double force = 0.0;
-  for (int i = 0; i < 1000; ++i) force = filter.step(0.0, 2.0, 3.0);
-  EXPECT_NEAR(force - 2.0, 0.4758, 1e-3);
+  for (int i = 0; i <= steps; ++i) {
+    const double travel = 2.0 + i * step;
+    const double elastic = std::max(0.0, 1.7 * (travel - 4.0));
+    const double recorded = travel < 3.813 ? 0.0 : 1.722 * (travel - 3.813);
+    force = filter.step(step, elastic, recorded);
+  }
+  return force;
+}
+
+TEST(KalmanFilter, FeelsTheSameAtEveryRateOverTheWay) {
+  const double slow = forceAtSix(KalmanScheme::SpaceDomain, 375.0);
+  EXPECT_NEAR(forceAtSix(KalmanScheme::SpaceDomain, 1000.0), slow, 0.01);
+  EXPECT_NEAR(forceAtSix(KalmanScheme::SpaceDomain, 4000.0), slow, 0.01);
 }
 
 TEST(KalmanFilter, FollowsAForceThatBothAgreeOn) {
-  Filter filter({});
-  double force = 0.0;
-  for (int i = 0; i < 100; ++i) force = filter.step(0.01, 4.0, 4.0);
-  EXPECT_NEAR(force, 4.0, 0.01);
+  for (const auto scheme : kSchemes) {
+    auto filter = filterOf(scheme);
+    double force = 0.0;
+    for (int i = 0; i < 100; ++i) force = filter.step(0.01, 4.0, 4.0);
+    EXPECT_NEAR(force, 4.0, 0.01);
+  }
 }
 
 TEST(KalmanFilter, ForgetsWhenReset) {
-  Filter fresh({});
-  Filter used({});
-  for (int i = 0; i < 50; ++i) used.step(0.1, 5.0, 1.0);
-  used.reset();
-  EXPECT_EQ(used.step(0.1, 2.0, 3.0), fresh.step(0.1, 2.0, 3.0));
+  for (const auto scheme : kSchemes) {
+    auto fresh = filterOf(scheme);
+    auto used = filterOf(scheme);
+    for (int i = 0; i < 51; ++i) used.step(0.1, 5.0, 1.0);
+    used.reset();
+    EXPECT_EQ(used.step(0.1, 2.0, 3.0), fresh.step(0.1, 2.0, 3.0));
+  }
 }
 
-TEST(KalmanFilter, KnowsUnsoundNoise) {
-  EXPECT_TRUE(Filter::isSound({}));
-  EXPECT_FALSE(Filter::isSound({.processForce = -1.0}));
-  EXPECT_FALSE(Filter::isSound({.processCovariance = 7.0}));  // 7² > 7.0275 · 6.1024
-  EXPECT_FALSE(Filter::isSound({.interpolation = -0.1}));
-  EXPECT_FALSE(Filter::isSound({.interpolation = std::nan("")}));
-  EXPECT_FALSE(Filter::isSound(
-      {.processForce = 0, .processCovariance = 0, .processStiffness = 0, .finiteElements = 0}));
+TEST(KalmanNoise, SaysWhyAFilterCannotBeRunWithIt) {
+  const auto why = [](const Noise& noise) {
+    const char* reason = noise.whyUnsound();
+    return std::string(reason == nullptr ? "" : reason);
+  };
+  EXPECT_EQ(why({}), "");
+  EXPECT_NE(why({.processForce = -1.0}).find("negative variance"), std::string::npos);
+  EXPECT_NE(why({.processCovariance = 7.0}).find("indefinite"), std::string::npos);
+  EXPECT_NE(why({.interpolation = -0.1}).find("(R) is negative"), std::string::npos);
+  EXPECT_NE(why({.interpolation = std::nan("")}).find("not finite"), std::string::npos);
+  EXPECT_NE(
+      why({.processForce = 1e200, .processStiffness = 1e200}).find("finite"), std::string::npos);
+  const Noise nothing{
+      .processForce = 0, .processCovariance = 0, .processStiffness = 0, .finiteElements = 0};
+  EXPECT_NE(why(nothing).find("nothing to weigh"), std::string::npos);
 }
 
-TEST(KalmanFilter, StaysFiniteOnARestingHandForAMinute) {
-  Filter filter({});
-  for (int i = 0; i < 60'000; ++i) ASSERT_TRUE(std::isfinite(filter.step(0.0, 3.0, 2.0)));
+TEST(KalmanNoise, HasEveryReadingOfThePaperSound) {
+  for (const auto reading :
+       {ProcessReading::Symmetrised, ProcessReading::StateOrder, ProcessReading::Product}) {
+    EXPECT_EQ(Noise::published(reading).whyUnsound(), nullptr);
+  }
 }
 
 }  // namespace
