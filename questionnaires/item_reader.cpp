@@ -6,22 +6,12 @@
 #include <limits>
 #include <vector>
 
+#include "questionnaires/item_types.h"
 #include "questionnaires/scale_reader.h"
 
 namespace questionnaires {
 namespace {
 
-constexpr std::array kTypes{
-    Choice<ItemType>{"likert", ItemType::Likert},
-    Choice<ItemType>{"semantic_differential", ItemType::SemanticDifferential},
-    Choice<ItemType>{"slider", ItemType::Slider},
-    Choice<ItemType>{"single_choice", ItemType::SingleChoice},
-    Choice<ItemType>{"multiple_choice", ItemType::MultipleChoice},
-    Choice<ItemType>{"number", ItemType::Number},
-    Choice<ItemType>{"short_text", ItemType::ShortText},
-    Choice<ItemType>{"long_text", ItemType::LongText},
-    Choice<ItemType>{"pairwise_choice", ItemType::PairwiseChoice},
-};
 constexpr std::array kReferences{Choice<Reference>{"previous", Reference::Previous}};
 constexpr std::array kSources{Choice<OptionSource>{"alternatives", OptionSource::Alternatives}};
 
@@ -57,8 +47,9 @@ void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
   const auto own = keysOf(type.value);
   for (const auto& member : node.members()) {
     const std::string& key = member.first;
-    const bool isOfAType = std::any_of(
-        kTypes.begin(), kTypes.end(), [&](const auto& t) { return has(keysOf(t.value), key); });
+    const bool isOfAType = std::any_of(kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) {
+      return has(keysOf(t.value), key);
+    });
     if (!isOfAType || has(own, key)) continue;
     node.problem(
         key,
@@ -72,11 +63,11 @@ std::optional<Choice<ItemType>> typeOf(const Node& node) {
   const auto name = node.member("type");
   if (name && name->isText()) {
     const std::string word = name->asText();
-    const auto type =
-        std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& t) { return t.name == word; });
-    if (type != kTypes.end()) return *type;
+    const auto type = std::find_if(
+        kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) { return t.name == word; });
+    if (type != kItemTypes.end()) return *type;
   }
-  node.choice<ItemType>("type", kTypes);
+  node.choice<ItemType>("type", kItemTypes);
   return std::nullopt;
 }
 

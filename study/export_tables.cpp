@@ -3,6 +3,7 @@
 
 #include "protocols/random_stream.h"
 #include "questionnaires/answer.h"
+#include "questionnaires/item_types.h"
 #include "study/export.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/records.h"
@@ -108,7 +109,9 @@ class Tables {
             {{"instrument", "Questionnaire"},
              {"item_id", "Question"},
              {"item_order", "Where it stood on its page, from 1"},
-             {"item_type", "How it is answered"},
+             {"item_type",
+              "likert, semantic_differential, slider, single_choice, multiple_choice, "
+              "number, short_text, long_text or pairwise_choice"},
              {"key", "1: a high answer is good; -1: a low one is"},
              {"response", "As given: a point, a number, the id of an option, a text", true},
              {"response_keyed", "Points only: reversed where the key is -1"},
@@ -322,7 +325,7 @@ class Tables {
         cellOf(record.step.instrument),
         answer.item,
         std::int64_t{answer.itemOrder},
-        stored.kind,
+        item == nullptr ? Cell() : Cell(std::string(questionnaires::nameOf(item->type))),
         item == nullptr ? Cell() : Cell(std::int64_t{item->key}),
         response,
         keyed,

@@ -1,0 +1,194 @@
+// The synthetic study of shared/data/stats/study, answered step by step in the shipped protocol of
+// the published study: what comes out rounds to the paper's Table 2 and equals its Table 4.
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv_table.h"
+#include "study/export.h"
+#include "study/results.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/shared_data.h"
+
+namespace study {
+namespace {
+
+constexpr const char* kAnswers = "stats/study/study_answers.csv";
+
+analysis::CsvTable tableOf(const char* file) {
+  return analysis::readCsv(tests::contentOf(tests::sharedData(file)));
+}
+
+std::string conditionOf(const std::string& method) {
+  return method == "fem" ? "finite-elements" : method;
+}
+
+/// What everybody answered: by participant, and then by phase, condition and item.
+struct Synthetic {
+  std::map<std::string, std::string> cohorts;
+  std::map<std::string, std::map<std::string, std::int64_t>> points;
+  std::map<std::string, std::map<std::string, std::string>> preferred;  ///< by phase; may be empty
+
+  Synthetic() {
+    const auto answers = tableOf(kAnswers);
+    for (const auto& row : answers.rows) {
+      const auto cell = [&](const char* name) { return row.cells[answers.columnIndex(name)]; };
+      cohorts[cell("participant")] = cell("cohort");
+      points[cell("participant")]
+            ["round-" + cell("round") + " " + conditionOf(cell("method")) + " " +
+             cell("statement")] = std::stoi(cell("answer"));
+    }
+    const auto votes = tableOf("stats/study/study_preferences.csv");
+    for (const auto& row : votes.rows) {
+      const auto cell = [&](const char* name) { return row.cells[votes.columnIndex(name)]; };
+      preferred[cell("participant")]["preference-" + cell("round")] =
+          conditionOf(cell("preferred"));
+    }
+  }
+};
+
+/// "2": the label under which a condition is known in the session.
+std::string labelOf(const Session& session, const std::string& condition) {
+  for (const auto& step : session.plan()) {
+    if (step.condition == condition) return std::to_string(step.label);
+  }
+  return {};
+}
+
+class PublishedStudyTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    SKIP_WITHOUT_SHARED_DATA(kAnswers);
+    synthetic_ = std::make_unique<Synthetic>();
+    for (const auto& [participant, cohort] : synthetic_->cohorts) takePart(participant, cohort);
+  }
+
+  void takePart(const std::string& participant, const std::string& cohort) {
+    auto session = Session::enrol(*study_, {.cohort = cohort, .code = participant});
+    while (!session.isOver()) {
+      const auto& step = session.step();
+      if (step.kind == StepKind::Questionnaire) {
+        answer(session, participant);
+      } else if (step.kind == StepKind::Preference) {
+        vote(session, participant);
+      } else {
+        tests::passStep(session);
+      }
+    }
+  }
+
+  void answer(Session& session, const std::string& participant) {
+    const auto& step = session.step();
+    for (const auto& item : session.items()) {
+      auto given = tests::answerTo(session, item);
+      given.response =
+          synthetic_->points[participant].at(step.phase + " " + step.condition + " " + item.id);
+      session.record(given);
+    }
+    session.finishStep();
+  }
+
+  void vote(Session& session, const std::string& participant) {
+    const auto& condition = synthetic_->preferred[participant].at(session.step().phase);
+    if (condition.empty()) {
+      session.skipStep("would not say");
+      return;
+    }
+    auto given = tests::answerTo(session, session.items().front());
+    given.response = labelOf(session, condition);
+    session.record(given);
+    session.finishStep();
+  }
+
+  tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
+  std::unique_ptr<Synthetic> synthetic_;
+};
+
+double toOneDecimal(double number) {
+  return std::round(number * 10.0) / 10.0;
+}
+
+TEST_F(PublishedStudyTest, RoundsToThePapersTable2) {
+  const auto results = computeResults(*study_, RunMode::Live);
+  EXPECT_EQ(results.completed(), 11);
+  using Cell = std::pair<double, double>;
+  const std::map<std::string, std::vector<Cell>> printed{
+      {"professional", {{4.1, 1.3}, {2.6, 2.6}, {3.2, 2.4}}},
+      {"non-professional", {{4.1, 1.8}, {3.0, 1.9}, {3.3, 2.2}}}};
+  ASSERT_EQ(results.families.size(), 1U);
+  for (const auto& cohort : results.families[0].cohorts) {
+    std::vector<Cell> cells;
+    for (const auto& [name, counts] : cohort.conditions) {
+      cells.emplace_back(
+          toOneDecimal(counts.mean().value()), toOneDecimal(counts.variance().value()));
+    }
+    EXPECT_EQ(cells, printed.at(cohort.cohort)) << cohort.cohort;
+  }
+}
+
+TEST_F(PublishedStudyTest, ComparesAsThePipelineInRDoes) {
+  const auto golden = nlohmann::json::parse(
+      tests::contentOf(tests::sharedData("stats/study/study_golden.json")))["paper_welch"];
+  const auto results = computeResults(*study_, RunMode::Live);
+  std::size_t i = 0;
+  for (const auto& cohort : results.families.at(0).cohorts) {
+    for (const auto& row : cohort.comparisons.rows) {
+      const auto& truth = golden.at(i++);
+      ASSERT_EQ(cohort.cohort, truth["cohort"].get<std::string>());
+      ASSERT_EQ(row.group1, conditionOf(truth["group1"]));
+      ASSERT_EQ(row.group2, conditionOf(truth["group2"]));
+      const auto expectNear = [&](const char* quantity, double number) {
+        const double expected = std::stod(truth[quantity].get<std::string>());
+        EXPECT_NEAR(number / expected, 1.0, 1e-12) << row.group1 << " " << quantity;
+      };
+      expectNear("t", row.welch.t.value());
+      expectNear("df", row.welch.degreesOfFreedom.value());
+      expectNear("p", row.welch.p.value());
+      expectNear("p_bonferroni", row.adjustedP.value());
+      expectNear("cib_lo", row.adjustedInterval.value().low);
+      expectNear("cib_hi", row.adjustedInterval.value().high);
+    }
+  }
+  EXPECT_EQ(i, 6U);
+}
+
+TEST_F(PublishedStudyTest, VotesAsInThePapersTable4) {
+  std::map<std::string, std::vector<std::uint64_t>> counts;
+  for (const auto& result : computeResults(*study_, RunMode::Live).votes) {
+    for (const auto& share : result.votes.shares()) {
+      counts[result.cohort + " " + result.phase].push_back(share.votes);
+    }
+  }
+  const std::map<std::string, std::vector<std::uint64_t>> printed{
+      {"professional preference-1", {4, 0, 2}},
+      {"professional preference-2", {3, 0, 2}},
+      {"non-professional preference-1", {2, 1, 2}},
+      {"non-professional preference-2", {2, 0, 3}}};
+  EXPECT_EQ(counts, printed);
+}
+
+TEST_F(PublishedStudyTest, ExportsEveryAnswerAsItWasGivenAndAsItIsScored) {
+  exportStudy(*study_, study_.file("out"), {.isBlinded = false}, "a test");
+  const auto table = analysis::readCsv(tests::contentOf(study_.file("out/responses.csv")));
+  std::size_t found = 0;
+  for (const auto& row : table.rows) {
+    const auto cell = [&](const char* name) { return row.cells[table.columnIndex(name)]; };
+    if (cell("instrument") != "punch-face-validity") continue;
+    ++found;
+    const auto given = synthetic_->points[cell("participant_id")].at(
+        cell("block") + " " + cell("condition") + " " + cell("item_id"));
+    const std::int64_t keyed = cell("key") == "-1" ? 6 - given : given;
+    EXPECT_EQ(cell("response"), std::to_string(given));
+    EXPECT_EQ(cell("response_keyed"), std::to_string(keyed));
+    EXPECT_EQ(cell("item_type"), "likert");
+  }
+  EXPECT_EQ(found, 198U);
+}
+
+}  // namespace
+}  // namespace study
