@@ -8,11 +8,46 @@
 #include "study/app/commands.h"
 #include "study/study.h"
 
+namespace {
+
+constexpr int kTheWorldSaidNo = 1;
+constexpr int kTheCallIsWrong = 2;
+
+/// The command that was called, as far as it is one: "palpate study status".
+const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
+  const CLI::App* command = &program;
+  name = program.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  return *command;
+}
+
+/// What is wrong with a call, in words.
+std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
+  std::string name;
+  const auto& command = commandCalled(program, name);
+  const std::string explains = "'" + name + " --help' explains it.\n";
+  const auto unknown = program.remaining(true);
+  if (unknown.empty()) {
+    return "palpate: " + std::string(error.what()) + ". " + explains;
+  }
+  std::string known;
+  for (const auto* verb : command.get_subcommands({})) {
+    known += (known.empty() ? "" : ", ") + verb->get_name();
+  }
+  return "palpate: '" + unknown.front() + "' means nothing to '" + name + "'. " +
+         (known.empty() ? "" : "There are: " + known + ". ") + explains;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   CLI::App program(
       "Face-validity studies of haptic surgical simulators: write a protocol, run sessions, get "
-      "the "
-      "table.\nEvery command explains itself: palpate COMMAND --help. The windows: palpate-studio.",
+      "the table.\nEvery command explains itself: palpate COMMAND --help. The windows: "
+      "palpate-studio.",
       "palpate");
   program.set_version_flag("--version", "palpate " + std::string(study::appVersion()));
   program.require_subcommand(1);
@@ -31,13 +66,14 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    constexpr int kTheCallIsWrong = 2;
-    return program.exit(error) == 0 ? 0 : kTheCallIsWrong;
+    if (error.get_exit_code() == 0) return program.exit(error);  // help, version
+    std::fputs(whatIsWrong(program, error).c_str(), stderr);
+    return kTheCallIsWrong;
   }
   try {
     return action ? action() : 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "palpate: %s\n", error.what());
-    return 1;
+    return kTheWorldSaidNo;
   }
 }

@@ -11,6 +11,7 @@
 #include "haptics/recordings/recording_file.h"
 #include "haptics/recordings/recording_survey.h"
 #include "study/app/commands.h"
+#include "study/app/finite_range.h"
 #include "study/app/import_recording.h"
 #include "study/app/json_file.h"
 #include "study/new_file.h"
@@ -170,7 +171,7 @@ void addRecordingCommands(CLI::App& program, Action& action) {
           "--max-slope",
           command->options.maxSlope,
           "The curve is made gentler where it is steeper [N per travel unit]")
-      ->check(CLI::Range(0.01, 1e6))
+      ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
   import->add_option("--name", command->options.name, "Of the cut (default: the file's name)");
   import->add_flag("--json", command->json, "For programs, full precision");

@@ -6,10 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analysis/error.h"
 #include "analysis/grouped_values.h"
 #include "analysis/welch.h"
 #include "questionnaires/document.h"
 #include "study/app/commands.h"
+#include "study/app/finite_range.h"
 #include "study/app/json_file.h"
 #include "study/app/run_mode_option.h"
 #include "study/results_text.h"
@@ -29,9 +31,17 @@ std::string orMissing(const std::optional<double>& value) {
   return value ? fmt::format("{:.10g}", *value) : "–";
 }
 
+analysis::GroupedValues groupsOf(const TestOptions& options) {
+  const auto text = questionnaires::readTextFile(options.file);
+  try {
+    return analysis::readGroupedValues(text, options.group, options.value);
+  } catch (const analysis::Error& error) {
+    throw analysis::Error(options.file + " cannot be tested:\n" + error.what());
+  }
+}
+
 int welch(const TestOptions& options) {
-  const auto groups = analysis::readGroupedValues(
-      questionnaires::readTextFile(options.file), options.group, options.value);
+  const auto groups = groupsOf(options);
   const auto result = analysis::welchTTest(groups.group1.values, groups.group2.values);
   if (options.json) {
     std::fputs(welchAsJson(groups, result, options.level).c_str(), stdout);
@@ -114,7 +124,7 @@ void addStatsCommands(CLI::App& program, Action& action) {
       ->required();
   welch->add_option("--value", testing->value, "Column of numbers")->required();
   welch->add_option("--level", testing->level, "Of the confidence interval")
-      ->check(CLI::Range(1e-9, 1.0 - 1e-9))
+      ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();
   welch->add_flag("--json", testing->json, "For programs, full precision");
   welch->callback([&action, testing] { action = [testing] { return app::welch(*testing); }; });

@@ -1,0 +1,300 @@
+// Every command from outside, as somebody at a desk meets it.
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+using nlohmann::json;
+using tests::Finished;
+using Words = std::vector<std::string>;
+
+constexpr int kTheWorldSaidNo = 1;
+constexpr int kTheCallIsWrong = 2;
+
+Finished palpate(Words arguments) {
+  arguments.insert(arguments.begin(), PALPATE_PROGRAM);
+  return tests::run(arguments);
+}
+
+std::string inWords(const Words& arguments) {
+  std::string text = "palpate";
+  for (const auto& argument : arguments) text += " " + argument;
+  return text;
+}
+
+Words linesOf(const std::string& text) {
+  Words lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The verbs that a help text lists.
+Words subcommandsIn(const std::string& help) {
+  Words verbs;
+  bool isListed = false;
+  for (const auto& line : linesOf(help)) {
+    if (isListed && line.rfind("  ", 0) == 0 && line[2] != ' ') {
+      verbs.push_back(line.substr(2, line.find(' ', 2) - 2));
+    }
+    isListed = isListed || line == "Subcommands:";
+  }
+  return verbs;
+}
+
+/// Everything that @p help must have to be of use.
+void expectHelpful(const std::string& help, const std::string& command) {
+  constexpr std::size_t kWhereWordsBegin = 34;
+  const auto lines = linesOf(help);
+  ASSERT_GE(lines.size(), 3U);
+  EXPECT_FALSE(lines[0].empty());
+  EXPECT_NE(help.find("Usage: " + command), std::string::npos);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_LE(lines[i].size(), 130U) << lines[i];
+    const bool isOption = lines[i].rfind("  --", 0) == 0;
+    const bool isExplainedBelow = i + 1 < lines.size() && lines[i + 1].rfind("      ", 0) == 0;
+    const bool isExplainedHere = lines[i].size() > kWhereWordsBegin;
+    if (isOption) {
+      EXPECT_TRUE(isExplainedHere || isExplainedBelow) << lines[i];
+    }
+  }
+}
+
+void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
+  auto call = path;
+  call.emplace_back("--help");
+  SCOPED_TRACE(inWords(call));
+  const auto finished = palpate(call);
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_EQ(finished.error, "");
+  expectHelpful(finished.out, inWords(path));
+  const auto verbs = subcommandsIn(finished.out);
+  if (verbs.empty()) ++leaves;
+  for (const auto& verb : verbs) {
+    auto below = path;
+    below.push_back(verb);
+    expectEveryVerbToBeHelpful(below, leaves);
+  }
+}
+
+TEST(CommandLine, ExplainsEveryCommand) {
+  int leaves = 0;
+  expectEveryVerbToBeHelpful({}, leaves);
+  EXPECT_GE(leaves, 15);
+}
+
+void expectRefused(const Words& arguments, int status, const Words& phrases) {
+  SCOPED_TRACE(inWords(arguments));
+  const auto finished = palpate(arguments);
+  EXPECT_EQ(finished.status, status) << finished.error;
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(finished.error.rfind("palpate: ", 0), 0U) << finished.error;
+  for (const auto& phrase : phrases) {
+    EXPECT_NE(finished.error.find(phrase), std::string::npos) << finished.error;
+  }
+}
+
+TEST(CommandLine, SaysWhatIsWrongWithACall) {
+  expectRefused({}, kTheCallIsWrong, {"palpate --help"});
+  expectRefused({"frobnicate"}, kTheCallIsWrong, {"'frobnicate'", "There are: demo, protocol"});
+  expectRefused({"study", "frob"}, kTheCallIsWrong, {"'frob'", "create, run, simulate"});
+  expectRefused({"study", "status", "--jso"}, kTheCallIsWrong, {"'--jso'"});
+  expectRefused({"study", "create"}, kTheCallIsWrong, {"DIR is required"});
+  expectRefused(
+      {"protocol", "orders", "punch-face-validity", "--participants", "0"},
+      kTheCallIsWrong,
+      {"1 to 100000"});
+  expectRefused(
+      {"stats", "test", "welch", "x.csv", "--group", "g", "--value", "x", "--level", "nan"},
+      kTheCallIsWrong,
+      {"--level"});
+}
+
+class CommandLineTest : public testing::Test {
+ protected:
+  std::string made(const std::string& protocol, int participants = 0) {
+    const std::string folder = folder_ / "study";
+    EXPECT_EQ(
+        palpate({"study", "create", folder, "--protocol", protocol, "--seed", "7"}).status, 0);
+    if (participants > 0) {
+      EXPECT_EQ(
+          palpate({"study", "simulate", folder, "--participants", std::to_string(participants)})
+              .status,
+          0);
+    }
+    return folder;
+  }
+
+  Words welchOf(const std::string& table, bool isJson = true) {
+    const auto file = folder_.write("table.csv", table);
+    Words call{"stats", "test", "welch", file, "--group", "g", "--value", "x"};
+    if (isJson) call.emplace_back("--json");
+    return call;
+  }
+
+  tests::ScratchFolder folder_;
+};
+
+TEST_F(CommandLineTest, SaysWhatIsNotThereOrCannotBeUsed) {
+  const std::string nowhere = folder_ / "nowhere";
+  for (const Words& call :
+       {Words{"study", "status", nowhere},
+        Words{"study", "verify", nowhere},
+        Words{"study", "simulate", nowhere},
+        Words{"stats", "run", nowhere},
+        Words{"report", nowhere, "--out", folder_ / "r.html"},
+        Words{"export", nowhere, "--out", folder_ / "x"}}) {
+    expectRefused(call, kTheWorldSaidNo, {nowhere, "palpate study create"});
+  }
+  expectRefused({"protocol", "check", nowhere}, kTheWorldSaidNo, {nowhere});
+  expectRefused({"recording", "import", nowhere}, kTheWorldSaidNo, {nowhere});
+  expectRefused(
+      {"scene", "explain", "punch-face-validity", "--condition", "z"},
+      kTheWorldSaidNo,
+      {"'z'", "interpolation, finite-elements, kalman"});
+}
+
+TEST_F(CommandLineTest, TellsEveryProblemOfAProtocolAtOnceAndWhere) {
+  const auto file = folder_.write("bad.json", R"({"$schema": "protocol-1.schema.json",
+      "study": {"id": "a b", "title": "", "versoin": "1"}})");
+  const auto finished = palpate({"protocol", "check", file});
+  EXPECT_EQ(finished.status, kTheWorldSaidNo);
+  for (const auto* place : {"$.study.id", "$.study.title", "$.study.versoin", "'conditions'"}) {
+    EXPECT_NE((finished.out + finished.error).find(place), std::string::npos) << place;
+  }
+}
+
+TEST_F(CommandLineTest, NeverOverwrites) {
+  const auto study = made("punch-face-validity", 1);
+  expectRefused(
+      {"study", "create", study, "--protocol", "punch-face-validity"},
+      kTheWorldSaidNo,
+      {"is there already"});
+  const auto page = folder_.write("page.html", "mine");
+  expectRefused(
+      {"report", study, "--run-mode", "simulated", "--out", page},
+      kTheWorldSaidNo,
+      {page, "there already"});
+  EXPECT_EQ(tests::contentOf(page), "mine");
+  const std::string tables = folder_ / "tables";
+  std::filesystem::create_directory(tables);
+  expectRefused(
+      {"export", study, "--run-mode", "simulated", "--out", tables},
+      kTheWorldSaidNo,
+      {"is there already"});
+  EXPECT_TRUE(std::filesystem::is_empty(tables));
+}
+
+TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
+  const auto study = made("punch-face-validity", 2);
+  for (const Words& call :
+       {Words{"study", "status", study, "--json"},
+        Words{"stats", "run", study, "--run-mode", "simulated", "--json"},
+        Words{"scene", "explain", "punch-face-validity", "--condition", "kalman", "--json"}}) {
+    const auto finished = palpate(call);
+    EXPECT_EQ(finished.status, 0) << finished.error;
+    EXPECT_TRUE(json::accept(finished.out)) << inWords(call);
+  }
+}
+
+TEST_F(CommandLineTest, TestsAnyTableOfTwoGroups) {
+  const auto finished = palpate(welchOf("g,x\na,1\na,2\nb,5\nb,3\n"));
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto result = json::parse(finished.out);
+  // R: t.test(c(1, 2), c(5, 3))
+  EXPECT_EQ(result["n1"], 2);
+  EXPECT_EQ(result["n2"], 2);
+  EXPECT_DOUBLE_EQ(result["mean1"], 1.5);
+  EXPECT_DOUBLE_EQ(result["mean2"], 4.0);
+  EXPECT_DOUBLE_EQ(result["variance1"], 0.5);
+  EXPECT_DOUBLE_EQ(result["variance2"], 2.0);
+  EXPECT_DOUBLE_EQ(result["difference"], -2.5);
+  EXPECT_NEAR(result["t"], -2.23606797749979, 1e-14);
+  EXPECT_NEAR(result["df"], 1.470588235294118, 1e-14);
+  EXPECT_NEAR(result["p"], 0.1987273889345261, 1e-14);
+  EXPECT_NEAR(result["log10_p"], -0.7017422735876812, 1e-13);
+  EXPECT_NEAR(result["conf_low"], -9.418522830071065, 1e-11);
+  EXPECT_NEAR(result["conf_high"], 4.418522830071065, 1e-11);
+  EXPECT_TRUE(result["reason"].is_null());
+}
+
+TEST_F(CommandLineTest, SaysWhyATestIsNotDefined) {
+  const auto finished = palpate(welchOf("g,x\na,1\na,2\nb,5\n"));
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto result = json::parse(finished.out);
+  for (const auto* key : {"variance2", "t", "df", "p", "log10_p", "conf_low", "conf_high"}) {
+    ASSERT_TRUE(result.contains(key)) << key;
+    EXPECT_TRUE(result[key].is_null()) << key;
+  }
+  EXPECT_NE(result["reason"].get<std::string>().find("one value only"), std::string::npos);
+}
+
+TEST_F(CommandLineTest, ReadsTablesAsSpreadsheetsWriteThem) {
+  const auto plain = palpate(welchOf("g,x\na,1.5\na,2\nb,5\nb,3\n")).out;
+  EXPECT_EQ(
+      palpate(welchOf("\xEF\xBB\xBF\"g\",\"x\"\r\na,1.5\r\na,2\r\nb,5\r\nb,3\r\n")).out, plain);
+  EXPECT_EQ(palpate(welchOf("g;x\na;1,5\na;2\nb;5\nb;3\n")).out, plain);
+}
+
+TEST_F(CommandLineTest, SaysWhatIsWrongWithATable) {
+  expectRefused(
+      welchOf("g,x\na,1\na,2\nb,zwei\nb,3\n"), kTheWorldSaidNo, {"table.csv", "line 4", "'zwei'"});
+  expectRefused(welchOf("g,x\na,1\nb,2\nc,3\n"), kTheWorldSaidNo, {"3 groups", "two are compared"});
+  expectRefused(welchOf("g,y\na,1\nb,2\n"), kTheWorldSaidNo, {"'x'", "'y'"});
+  expectRefused(welchOf(""), kTheWorldSaidNo, {"table.csv"});
+}
+
+TEST_F(CommandLineTest, ImportsARealRecording) {
+  constexpr const char* kRecording = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
+  SKIP_WITHOUT_SHARED_DATA(kRecording);
+  const std::string cut = folder_ / "cut.json";
+  const auto finished = palpate(
+      {"recording", "import", tests::sharedData(kRecording).string(), "--out", cut, "--json"});
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto report = json::parse(finished.out);
+  for (const auto* key : {"rows", "sample_rate_hz", "saturated_rows", "max_force_n", "cuts"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  ASSERT_FALSE(report["cuts"].empty());
+  for (const auto* key :
+       {"first_row",
+        "last_row",
+        "peak_force_n",
+        "interception",
+        "yield",
+        "bottom_out",
+        "opening"}) {
+    EXPECT_TRUE(report["cuts"][0].contains(key)) << key;
+  }
+  EXPECT_TRUE(json::accept(tests::contentOf(cut)));
+}
+
+TEST_F(CommandLineTest, ShowsEverybodysOrder) {
+  const auto finished =
+      palpate({"protocol", "orders", "reaming-hardness", "--participants", "4", "--csv"});
+  EXPECT_EQ(finished.status, 0);
+  EXPECT_GE(linesOf(finished.out).size(), 1U + 3U * 4U * 4U);  // cohorts, people, levels
+  const auto words = palpate({"protocol", "orders", "reaming-hardness", "--participants", "5"});
+  EXPECT_NE(words.out.find("do NOT balance it"), std::string::npos);
+}
+
+TEST_F(CommandLineTest, WritesAReportThatNeedsNothingElse) {
+  const auto study = made("punch-face-validity", 3);
+  const std::string page = folder_ / "page.html";
+  const auto finished = palpate({"report", study, "--run-mode", "simulated", "--out", page});
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto html = tests::contentOf(page);
+  for (const auto* loads : {"src=\"http", "href=\"http", "<script", "@import", "url("}) {
+    EXPECT_EQ(html.find(loads), std::string::npos) << loads;
+  }
+  EXPECT_NE(html.find("Simulated"), std::string::npos);
+}
+
+}  // namespace
