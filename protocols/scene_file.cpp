@@ -28,9 +28,37 @@ constexpr std::array kBeyond{
     Choice<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
 };
 
-enum class KalmanVariant { AuthorsFirmware };
+constexpr std::array kBoundaries{
+    Choice<models::Boundary>{"A", models::Boundary::A},
+    Choice<models::Boundary>{"B", models::Boundary::B},
+};
+constexpr std::array kWeights{
+    Choice<models::ToolWeights>{"paper", models::ToolWeights::Paper},
+    Choice<models::ToolWeights>{"authors-firmware", models::ToolWeights::AuthorsFirmware},
+    Choice<models::ToolWeights>{"exact-kink", models::ToolWeights::ExactKink},
+};
+constexpr std::array kYieldings{
+    Choice<models::Yielding>{"clip", models::Yielding::Clip},
+    Choice<models::Yielding>{"return-map", models::Yielding::ReturnMap},
+};
+
 constexpr std::array kVariants{
-    Choice<KalmanVariant>{"authors-firmware", KalmanVariant::AuthorsFirmware},
+    Choice<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},
+    Choice<models::KalmanScheme>{"authors-firmware", models::KalmanScheme::AuthorsFirmware},
+    Choice<models::KalmanScheme>{"sequential", models::KalmanScheme::Sequential},
+    Choice<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
+};
+constexpr std::array kProcesses{
+    Choice<models::ProcessReading>{"as-printed", models::ProcessReading::AsPrinted},
+    Choice<models::ProcessReading>{"symmetrised", models::ProcessReading::Symmetrised},
+    Choice<models::ProcessReading>{"state-order", models::ProcessReading::StateOrder},
+    Choice<models::ProcessReading>{"product", models::ProcessReading::Product},
+};
+constexpr auto kUsualProcess = models::ProcessReading::StateOrder;
+constexpr std::array kSmoothings{
+    Choice<models::Smoothing>{"none", models::Smoothing::None},
+    Choice<models::Smoothing>{"two-point", models::Smoothing::TwoPoint},
+    Choice<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
 };
 
 engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
@@ -52,44 +80,82 @@ engine::FiniteElementsSpec readFiniteElements(const Node& node) {
            "end",
            "tool_position",
            "element_stiffness",
+           "element_stiffnesses",
            "contact_travel",
-           "yield_force_n"})) {
+           "yield_force_n",
+           "boundary",
+           "weights",
+           "yielding"})) {
     return spec;
   }
+  constexpr double kSoftest = 1e-6;
+  constexpr double kStiffest = 1e6;
   p.elements = static_cast<int>(node.wholeNumber("elements", 1, 100'000, p.elements));
   p.start = node.number("start", -1e6, 1e6, p.start);
   p.end = node.number("end", -1e6, 1e6, p.end);
   p.toolPosition = node.number("tool_position", -1e6, 1e6, p.toolPosition);
-  p.elementStiffness = node.number("element_stiffness", 1e-6, 1e6, p.elementStiffness);
+  p.elementStiffness = node.number("element_stiffness", kSoftest, kStiffest, p.elementStiffness);
+  if (node.has("element_stiffnesses")) {
+    node.requiredList("element_stiffnesses");
+    spec.elementStiffnesses = node.numbers("element_stiffnesses", kSoftest, kStiffest);
+    if (node.has("element_stiffness")) {
+      node.problem(
+          "element_stiffness",
+          "the elements have one stiffness and a list of their own as well",
+          "keep one of the two");
+    }
+  }
   p.contact = node.number("contact_travel", -1000.0, 1000.0, p.contact);
   p.yieldForce = node.number("yield_force_n", 0.0, 1000.0, p.yieldForce);
+  p.boundary = node.choice("boundary", kBoundaries, p.boundary);
+  p.weights = node.choice("weights", kWeights, p.weights);
+  p.yielding = node.choice("yielding", kYieldings, p.yielding);
   return spec;
 }
 
-models::KalmanNoise<double> readNoise(const Node& node) {
-  models::KalmanNoise<double> noise;
+/// What is printed stays as it is printed.
+void refuseNumbersBesideAsPrinted(const Node& node) {
+  for (const auto* key : {"process_force", "process_covariance", "process_stiffness"}) {
+    if (!node.has(key)) continue;
+    node.problem(key, "the process noise is as printed, and has its numbers", "remove it");
+  }
+}
+
+void readNoise(const Node& node, engine::KalmanSpec& spec) {
   if (!node.isObjectWith(
-          {"process_force",
+          {"process",
+           "process_force",
            "process_covariance",
            "process_stiffness",
            "finite_elements",
-           "interpolation"})) {
-    return noise;
+           "interpolation",
+           "wandering"})) {
+    return;
   }
   constexpr double kMost = 1e9;
+  const auto reading = node.choice("process", kProcesses, kUsualProcess);
+  auto noise = models::KalmanNoise<double>::published(reading);
+  spec.isProcessAsPrinted = reading == models::ProcessReading::AsPrinted;
+  if (spec.isProcessAsPrinted) refuseNumbersBesideAsPrinted(node);
   noise.processForce = node.number("process_force", 0.0, kMost, noise.processForce);
   noise.processCovariance =
       node.number("process_covariance", -kMost, kMost, noise.processCovariance);
   noise.processStiffness = node.number("process_stiffness", 0.0, kMost, noise.processStiffness);
   noise.finiteElements = node.number("finite_elements", 0.0, kMost, noise.finiteElements);
   noise.interpolation = node.number("interpolation", 0.0, kMost, noise.interpolation);
-  return noise;
+  noise.wandering = node.number("wandering", 0.0, kMost, noise.wandering);
+  spec.noise = noise;
 }
 
 engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
-  engine::KalmanSpec spec;
-  if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise"})) return spec;
-  node.choice("variant", kVariants, KalmanVariant::AuthorsFirmware);
+  engine::KalmanSpec spec{
+      .noise = models::KalmanNoise<double>::published(kUsualProcess),
+      .scheme = models::KalmanScheme::SpaceDomain};
+  if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {
+    return spec;
+  }
+  spec.scheme = node.choice("variant", kVariants, spec.scheme);
+  spec.smoothing = node.choice("smoothing", kSmoothings, spec.smoothing);
   condition.cut = CutReference{std::string(kParametricCut), node.pathOf("interpolation.cut")};
   if (const auto part = node.object("interpolation")) {
     spec.interpolation = readInterpolation(*part, condition);
@@ -97,7 +163,7 @@ engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
   if (const auto part = node.object("finite_elements")) {
     spec.finiteElements = readFiniteElements(*part);
   }
-  if (const auto part = node.object("noise")) spec.noise = readNoise(*part);
+  if (const auto part = node.object("noise")) readNoise(*part, spec);
   return spec;
 }
 

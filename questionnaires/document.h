@@ -115,6 +115,8 @@ class Node {
 
   /// Texts in a list: ["a", "b"].
   std::vector<std::string> texts(std::string_view key) const;
+  /// Numbers in a list: [1.5, 2].
+  std::vector<double> numbers(std::string_view key, double least, double most) const;
   /// Ids in a list, each once.
   std::vector<std::string> ids(std::string_view key) const;
 

@@ -68,6 +68,16 @@ std::vector<std::string> Node::texts(std::string_view key) const {
   return result;
 }
 
+std::vector<double> Node::numbers(std::string_view key, double least, double most) const {
+  std::vector<double> result;
+  const auto nodes = list(key);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const std::string place = std::string(key) + "[" + std::to_string(i) + "]";
+    result.push_back(numberIn(place, *nodes[i].value_, least, most).value_or(least));
+  }
+  return result;
+}
+
 std::vector<std::string> Node::ids(std::string_view key) const {
   std::vector<std::string> result;
   std::set<std::string> seen;

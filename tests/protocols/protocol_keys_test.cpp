@@ -73,6 +73,9 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_EQ(elastic.elementStiffness, 2.0);
   EXPECT_EQ(elastic.contact, 3.5);
   EXPECT_EQ(elastic.yieldForce, 6.5);
+  EXPECT_EQ(elastic.boundary, models::Boundary::B);
+  EXPECT_EQ(elastic.weights, models::ToolWeights::ExactKink);
+  EXPECT_EQ(elastic.yielding, models::Yielding::ReturnMap);
   EXPECT_FALSE(protocol.condition("elastic")->scene.isVisualised);
   EXPECT_FALSE(protocol.condition("elastic")->cut.has_value());
 }
@@ -83,7 +86,12 @@ TEST(ProtocolKeys, TellHowForcesAreFused) {
   EXPECT_EQ(
       protocol.condition("fused")->cut->path, "$.conditions[2].scene.parameters.interpolation.cut");
   EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Zero);
-  EXPECT_EQ(fused.finiteElements.parameters.elements, 7);
+  EXPECT_EQ(fused.scheme, models::KalmanScheme::Sequential);
+  EXPECT_EQ(fused.smoothing, models::Smoothing::TwoPoint);
+  EXPECT_FALSE(fused.isProcessAsPrinted);
+  EXPECT_EQ(fused.finiteElements.parameters.elements, 3);
+  EXPECT_EQ(fused.finiteElements.elementStiffnesses, (std::vector{1.0, 2.5, 1.0}));
+  EXPECT_EQ(fused.noise.wandering, 5.5);
   EXPECT_EQ(fused.noise.processForce, 6.1);
   EXPECT_EQ(fused.noise.processCovariance, 0.25);
   EXPECT_EQ(fused.noise.processStiffness, 7.0);
@@ -177,7 +185,7 @@ TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
   EXPECT_EQ(readGood("largest-seed").seed, std::uint64_t{1} << 53);
 }
 
-TEST(ProtocolKeys, LeaveModelsAsThePaperHasThem) {
+TEST(ProtocolKeys, LeaveModelsAsAreSound) {
   const auto interpolation = readGood("usual-interpolation");
   EXPECT_EQ(interpolation.conditions[0].cut->name, "parametric");
   const auto options = sceneOf<engine::InterpolationSpec>(interpolation, "soft").options;
@@ -190,9 +198,12 @@ TEST(ProtocolKeys, LeaveModelsAsThePaperHasThem) {
   EXPECT_EQ(fused.finiteElements.parameters.elements, 5);
   EXPECT_EQ(fused.finiteElements.parameters.yieldForce, 7.0);
   EXPECT_EQ(fused.finiteElements.parameters.contact, 4.0);
-  EXPECT_EQ(fused.noise.processForce, 7.0275);
+  EXPECT_EQ(fused.scheme, models::KalmanScheme::SpaceDomain);
+  EXPECT_EQ(fused.smoothing, models::Smoothing::None);
+  EXPECT_EQ(fused.noise.processForce, 6.1024);
   EXPECT_EQ(fused.noise.processCovariance, 0.2772);
-  EXPECT_EQ(fused.noise.processStiffness, 6.1024);
+  EXPECT_EQ(fused.noise.processStiffness, 7.0275);
+  EXPECT_EQ(fused.noise.wandering, 7.0275);
   EXPECT_EQ(fused.noise.finiteElements, 0.001);
   EXPECT_EQ(fused.noise.interpolation, 7.742);
 
