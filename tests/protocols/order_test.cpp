@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/random_stream.h"
+
 namespace protocols {
 namespace {
 
@@ -80,6 +82,23 @@ TEST(Orders, OfABalancedSquareFollowEachOtherEquallyOftenToo) {
   }
 }
 
+TEST(Orders, OfABalancedSquareOfFourAreThePublishedOnes) {
+  // Williams, "Experimental Designs Balanced for the Estimation of Residual Effects of Treatments"
+  // (1949): 0, 1, k − 1, 2, …, and every thing one further on from row to row.
+  const std::vector<Row> published{{0, 1, 3, 2}, {1, 2, 0, 3}, {2, 3, 1, 0}, {3, 0, 2, 1}};
+  EXPECT_EQ(rowsOf(OrderType::BalancedLatinSquare, 4), published);
+}
+
+TEST(Orders, OfAHundredAreBalancedAsThoseOfTen) {
+  const auto rows = rowsOf(OrderType::BalancedLatinSquare, kMostConditions);
+  expectAllEqual(atPositions(rows), square(kMostConditions), 1);
+  expectAllEqual(successions(rows), square(kMostConditions) - std::size_t{kMostConditions}, 1);
+}
+
+TEST(Orders, OfAPlainSquareFollowEachOtherUnequally) {
+  EXPECT_EQ(successions(rowsOf(OrderType::LatinSquare, 4)).size(), 4U);  // of 12 that there are
+}
+
 TEST(Orders, OfACompleteDesignAreAllThereAre) {
   std::size_t factorial = 1;
   for (int k = 1; k <= kMostForComplete; ++k) {
@@ -94,6 +113,27 @@ TEST(Orders, OfThreeAreTheSameBalancedOrComplete) {
   auto balanced = rowsOf(OrderType::BalancedLatinSquare, 3);
   std::sort(balanced.begin(), balanced.end());
   EXPECT_EQ(balanced, rowsOf(OrderType::Complete, 3));
+}
+
+TEST(Orders, AreAsWrittenForEverybodyWhereTheyAreFixed) {
+  for (std::uint64_t slot = 0; slot < 20; ++slot) {
+    EXPECT_EQ(orderFor(OrderType::Fixed, 5, 7, slot, "b/c"), (Row{0, 1, 2, 3, 4}));
+  }
+}
+
+TEST(Orders, HaveNoRowsWhereTheyAreDrawnOrTakenFromElsewhere) {
+  EXPECT_TRUE(rowsOf(OrderType::Random, 3).empty());
+  EXPECT_TRUE(rowsOf(OrderType::Reversed, 3).empty());
+}
+
+TEST(Orders, ThatAreDrawnHoldEverythingOnce) {
+  for (const int k : {1, 2, 7, kMostConditions}) {
+    for (std::uint64_t slot = 0; slot < 20; ++slot) {
+      const auto row = orderFor(OrderType::Random, k, 7, slot, "b/c");
+      EXPECT_EQ(row.size(), static_cast<std::size_t>(k));
+      EXPECT_TRUE(isPermutation(row)) << k;
+    }
+  }
 }
 
 TEST(Orders, AreUsedEquallyOftenInEveryFullCycle) {
@@ -154,6 +194,44 @@ TEST(Orders, NeverChangeOnceTheyWereDrawn) {
   EXPECT_EQ(draw(OrderType::BalancedLatinSquare, 4, 0), (Row{0, 1, 3, 2}));
   EXPECT_EQ(draw(OrderType::Random, 5, 0), (Row{1, 3, 0, 4, 2}));
   EXPECT_EQ(draw(OrderType::Complete, 4, 9), (Row{0, 2, 3, 1}));
+}
+
+/// The orders of the first participants of "round-1/surgeons" with seed 2026.
+std::vector<Row> first(int participants, OrderType type, int k) {
+  std::vector<Row> rows;
+  for (std::uint64_t slot = 0; static_cast<int>(rows.size()) < participants; ++slot) {
+    rows.push_back(orderFor(type, k, 2026, slot, "round-1/surgeons"));
+  }
+  return rows;
+}
+
+/// The values come from what the headers say about version 1, written out in another language
+/// (Python 3), and were there before our program was asked.
+TEST(Orders, AreThoseThatTheirDescriptionGives) {
+  ASSERT_EQ(kRandomVersion, 1);
+  EXPECT_EQ(
+      first(8, OrderType::BalancedLatinSquare, 4),
+      (std::vector<Row>{
+          {3, 0, 2, 1},
+          {2, 3, 1, 0},
+          {1, 2, 0, 3},
+          {0, 1, 3, 2},
+          {0, 1, 3, 2},
+          {2, 3, 1, 0},
+          {1, 2, 0, 3},
+          {3, 0, 2, 1}}));
+  EXPECT_EQ(
+      first(6, OrderType::BalancedLatinSquare, 3),
+      (std::vector<Row>{{2, 1, 0}, {0, 2, 1}, {0, 1, 2}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}}));
+  EXPECT_EQ(
+      first(6, OrderType::LatinSquare, 3),
+      (std::vector<Row>{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 1, 2}, {1, 2, 0}, {2, 0, 1}}));
+  EXPECT_EQ(
+      first(6, OrderType::Complete, 3),
+      (std::vector<Row>{{1, 2, 0}, {2, 0, 1}, {0, 1, 2}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}));
+  EXPECT_EQ(
+      first(4, OrderType::Random, 5),
+      (std::vector<Row>{{2, 4, 1, 0, 3}, {0, 4, 2, 1, 3}, {1, 3, 2, 4, 0}, {0, 1, 4, 3, 2}}));
 }
 
 }  // namespace
