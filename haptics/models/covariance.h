@@ -42,22 +42,23 @@ class FactoredCovariance {
 
   /// P ← A P Aᵀ + Q with A = [1 Δθ; 0 1]: eq. (15).
   constexpr void predict(Scalar travelled, const Noise& q) noexcept {
-    // Columns of u and v: (1 + Δ slope, slope), (Δ, 1), (1, slope of Q), (0, 1).
+    // Columns of u and v: (1 + Δ slope, slope), (Δ, 1), (1, slope of Q), (0, 1). In the sum over
+    // pairs all that hold the last one make q.rest · P'₁₁.
     const Scalar u = Scalar{1} + travelled * p_.slope;
-    const Scalar force = u * u * p_.force + travelled * travelled * p_.rest + q.force;
+    const Scalar ofForce = u * p_.force;
+    const Scalar ofRest = travelled * p_.rest;
+    const Scalar force = u * ofForce + travelled * ofRest + q.force;
     if (!(force > Scalar{0})) {
       p_ = {Scalar{0}, Scalar{0}, p_.rest + q.rest};
       return;
     }
     const Scalar inverse = Scalar{1} / force;
-    const Scalar a = p_.force * inverse;  // three parts of the new variance of the force
-    const Scalar b = p_.rest * inverse;
-    const Scalar c = q.force * inverse;
-    const Scalar ofOld = u * q.slope - p_.slope;
-    const Scalar ofStep = travelled * q.slope - Scalar{1};
-    p_.rest = a * (p_.rest + q.force * ofOld * ofOld + q.rest * u * u) +
-              b * (q.force * ofStep * ofStep + q.rest * travelled * travelled) + c * q.rest;
-    p_.slope = a * u * p_.slope + b * travelled + c * q.slope;
+    const Scalar o = u * q.slope - p_.slope;
+    const Scalar e = travelled * q.slope - Scalar{1};
+    const Scalar slope = (ofForce * p_.slope + ofRest + q.force * q.slope) * inverse;
+    p_.rest = q.rest + p_.force * inverse * (p_.rest + q.force * o * o) +
+              p_.rest * inverse * (q.force * e * e);
+    p_.slope = slope;
     p_.force = force;
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <stddef.h>
 
 #include "haptics/models/response.h"
 
@@ -27,12 +27,12 @@ class HermiteCurve {
   /// @param nodes  position strictly increasing, all finite, at least two: isSound() has been
   /// asked.
   ///               They outlive this object.
-  constexpr HermiteCurve(const HermiteNode<Scalar>* nodes, std::size_t count) noexcept
+  constexpr HermiteCurve(const HermiteNode<Scalar>* nodes, size_t count) noexcept
       : nodes_(nodes), count_(count) {}
 
-  static constexpr bool isSound(const HermiteNode<Scalar>* nodes, std::size_t count) noexcept {
+  static constexpr bool isSound(const HermiteNode<Scalar>* nodes, size_t count) noexcept {
     if (count < 2) return false;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (size_t i = 0; i < count; ++i) {
       const auto& n = nodes[i];
       const Scalar sum = n.position + n.force + n.slope;
       if (sum - sum != Scalar{0}) return false;
@@ -42,14 +42,14 @@ class HermiteCurve {
   }
 
   /// @param hint  of the interval; start with 0 and hand back what came out.
-  constexpr Response<Scalar> at(Scalar position, std::size_t& hint) const noexcept {
+  constexpr Response<Scalar> at(Scalar position, size_t& hint) const noexcept {
     const auto& last = nodes_[count_ - 1];
     if (!(position >= nodes_[0].position)) {
       return {Scalar{0}, Scalar{0}, position < nodes_[0].position};
     }
     if (position >= last.position) return {last.force, Scalar{0}, true};
 
-    const std::size_t k = interval(position, hint);
+    const size_t k = interval(position, hint);
     hint = k;
     const auto& a = nodes_[k];
     const auto& b = nodes_[k + 1];
@@ -66,22 +66,22 @@ class HermiteCurve {
   }
 
  private:
-  constexpr std::size_t interval(Scalar position, std::size_t hint) const noexcept {
+  constexpr size_t interval(Scalar position, size_t hint) const noexcept {
     if (hint + 1 < count_ && nodes_[hint].position <= position &&
         position <= nodes_[hint + 1].position) {
       return hint;
     }
-    std::size_t low = 0;
-    std::size_t high = count_ - 1;
+    size_t low = 0;
+    size_t high = count_ - 1;
     while (high - low > 1) {
-      const std::size_t middle = low + (high - low) / 2;
+      const size_t middle = low + (high - low) / 2;
       (nodes_[middle].position <= position ? low : high) = middle;
     }
     return low;
   }
 
   const HermiteNode<Scalar>* nodes_;
-  std::size_t count_;
+  size_t count_;
 };
 
 }  // namespace haptics::models

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <stddef.h>
 
 #include "haptics/models/response.h"
 
@@ -38,13 +38,13 @@ class Interpolation {
   /// @param nodes  travel strictly increasing, all finite, at least two: isSound() has been asked.
   ///               They outlive this object.
   constexpr Interpolation(
-      const CurveNode<Scalar>* nodes, std::size_t count, const Options& options) noexcept
+      const CurveNode<Scalar>* nodes, size_t count, const Options& options) noexcept
       : nodes_(nodes), count_(count), options_(options) {}
 
   static constexpr bool isSound(
-      const CurveNode<Scalar>* nodes, std::size_t count, const Options& options) noexcept {
+      const CurveNode<Scalar>* nodes, size_t count, const Options& options) noexcept {
     if (count < 2 || !isFinite(nodes[0]) || !(options.rampLength > Scalar{0})) return false;
-    for (std::size_t i = 1; i < count; ++i) {
+    for (size_t i = 1; i < count; ++i) {
       if (!isFinite(nodes[i]) || !(nodes[i].travel > nodes[i - 1].travel)) return false;
     }
     return true;
@@ -53,13 +53,13 @@ class Interpolation {
   /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is no
   /// number.
   /// @param hint  of the interval; start with 0 and hand back what came out.
-  constexpr Response<Scalar> at(Scalar travel, std::size_t& hint) const noexcept {
+  constexpr Response<Scalar> at(Scalar travel, size_t& hint) const noexcept {
     const auto& first = nodes_[0];
     const auto& last = nodes_[count_ - 1];
     if (!(travel >= first.travel)) return beyond(first.force, first.travel - travel, Scalar{-1});
     if (travel > last.travel) return beyond(last.force, travel - last.travel, Scalar{1});
 
-    const std::size_t k = interval(travel, hint);
+    const size_t k = interval(travel, hint);
     hint = k;
     const auto& a = nodes_[k];
     const auto& b = nodes_[k + 1];
@@ -83,27 +83,27 @@ class Interpolation {
     return {force + slope * direction * distance, slope, true};
   }
 
-  constexpr std::size_t interval(Scalar travel, std::size_t hint) const noexcept {
+  constexpr size_t interval(Scalar travel, size_t hint) const noexcept {
     if (hint + 1 < count_) {
       if (holds(hint, travel)) return hint;
       if (hint + 2 < count_ && holds(hint + 1, travel)) return hint + 1;
       if (hint > 0 && holds(hint - 1, travel)) return hint - 1;
     }
-    std::size_t low = 0;
-    std::size_t high = count_ - 1;
+    size_t low = 0;
+    size_t high = count_ - 1;
     while (high - low > 1) {
-      const std::size_t middle = low + (high - low) / 2;
+      const size_t middle = low + (high - low) / 2;
       (nodes_[middle].travel <= travel ? low : high) = middle;
     }
     return low;
   }
 
-  constexpr bool holds(std::size_t k, Scalar travel) const noexcept {
+  constexpr bool holds(size_t k, Scalar travel) const noexcept {
     return nodes_[k].travel <= travel && travel <= nodes_[k + 1].travel;
   }
 
   const CurveNode<Scalar>* nodes_;
-  std::size_t count_;
+  size_t count_;
   Options options_;
 };
 

@@ -1,0 +1,123 @@
+#include "haptics/firmware/board.h"
+
+#include <stddef.h>
+
+extern "C" {
+extern uint32_t stack_bottom[];
+extern uint32_t stack_top[];
+int main();
+[[noreturn]] void reset();
+[[noreturn]] void fault();
+
+// What a compiler may call even where there is no library.
+void* memcpy(void* to, const void* from, size_t count) {
+  auto* out = static_cast<volatile char*>(to);
+  const auto* in = static_cast<const char*>(from);
+  for (size_t i = 0; i < count; ++i) out[i] = in[i];
+  return to;
+}
+
+void* memset(void* to, int value, size_t count) {
+  auto* out = static_cast<volatile char*>(to);
+  for (size_t i = 0; i < count; ++i) out[i] = static_cast<char>(value);
+  return to;
+}
+}
+
+namespace haptics::firmware::board {
+namespace {
+
+constexpr uint32_t kUnused = 0xA5A5A5A5;
+
+volatile uint32_t& at(uint32_t address) {
+  return *reinterpret_cast<volatile uint32_t*>(address);
+}
+
+constexpr uint32_t kTimerControl = 0xE000E010;
+constexpr uint32_t kTimerReload = 0xE000E014;
+constexpr uint32_t kTimerValue = 0xE000E018;
+constexpr uint32_t kWhole = 0xFFFFFF;
+
+/// ARM semihosting: what the machine that runs this board does for it.
+uint32_t ask(uint32_t operation, const void* parameter) {
+  register uint32_t r0 asm("r0") = operation;
+  register const void* r1 asm("r1") = parameter;
+  asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+  return r0;
+}
+
+}  // namespace
+
+void print(const char* text) noexcept {
+  constexpr uint32_t kWrite0 = 0x04;
+  ask(kWrite0, text);
+}
+
+void printNumber(uint32_t number, bool isHexadecimal) noexcept {
+  char text[11] = {};
+  const uint32_t base = isHexadecimal ? 16 : 10;
+  char* digit = text + 10;
+  do {
+    *--digit = "0123456789abcdef"[number % base];
+    number /= base;
+  } while (number > 0);
+  print(digit);
+}
+
+void exit(int status) noexcept {
+  constexpr uint32_t kExitExtended = 0x20;
+  constexpr uint32_t kApplicationExit = 0x20026;
+  const uint32_t block[2] = {kApplicationExit, static_cast<uint32_t>(status)};
+  ask(kExitExtended, block);
+  for (;;) {
+  }
+}
+
+void startCounting() noexcept {
+  at(kTimerReload) = kWhole;
+  at(kTimerValue) = 0;
+  at(kTimerControl) = 5;  // the processor's clock, no interrupt
+}
+
+uint32_t instructions() noexcept {
+  const uint32_t ticks = kWhole - at(kTimerValue);
+  return ticks * 5 / 8;
+}
+
+uint32_t stackUsed() noexcept {
+  const uint32_t* word = stack_bottom;
+  while (word < stack_top && *word == kUnused) ++word;
+  return static_cast<uint32_t>(stack_top - word) * sizeof(uint32_t);
+}
+
+namespace {
+void paintStack() {
+  constexpr uintptr_t kInUse = 256;  // [bytes]: of this function and its caller
+  const uintptr_t end = reinterpret_cast<uintptr_t>(stack_top) - kInUse;
+  for (uint32_t* word = stack_bottom; reinterpret_cast<uintptr_t>(word) < end; ++word) {
+    *word = kUnused;
+  }
+}
+}  // namespace
+
+}  // namespace haptics::firmware::board
+
+void reset() {
+  haptics::firmware::board::paintStack();
+  haptics::firmware::board::exit(main());
+}
+
+void fault() {
+  haptics::firmware::board::print("fault\n");
+  haptics::firmware::board::exit(1);
+}
+
+/// Where the processor looks when it starts: the stack, and who handles what.
+[[gnu::section(".vectors"), gnu::used]] const void* const vectors[16] = {
+    stack_top,
+    reinterpret_cast<const void*>(&reset),
+    reinterpret_cast<const void*>(&fault),
+    reinterpret_cast<const void*>(&fault),
+    reinterpret_cast<const void*>(&fault),
+    reinterpret_cast<const void*>(&fault),
+    reinterpret_cast<const void*>(&fault)};

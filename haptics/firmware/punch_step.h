@@ -1,0 +1,96 @@
+#pragma once
+
+#include "haptics/firmware/cut_table.h"
+#include "haptics/models/finite_elements.h"
+#include "haptics/models/kalman_filter.h"
+#include "haptics/models/kalman_noise.h"
+#include "haptics/models/steady_filter.h"
+#include "haptics/models/uniform_curve.h"
+
+namespace haptics::firmware {
+
+/// One full step of the punch in single precision, as the published program makes it: finite
+/// elements with their mesh, interpolation, and two updates of the Kalman filter.
+template <int kElements>
+class FloatPunch {
+ public:
+  FloatPunch() noexcept {
+    elements_.writeMeshShape(shape_);
+    filter_.reset();
+  }
+
+  /// The fused force [N] at a travel [travel units].
+  float step(float travel) noexcept {
+    const float elastic = elements_.at(travel, state_).force;
+    for (int i = 0; i < kElements; ++i) mesh_[i] = shape_[i] * elastic;
+    const float recorded = curve_.at(travel, hint_).force;
+    const float travelled = hasTravel_ ? travel - last_ : 0.0F;
+    last_ = travel;
+    hasTravel_ = true;
+    return filter_.step(travelled, elastic, recorded);
+  }
+
+  /// How far the midpoints give way under the last force [travel units].
+  const float* mesh() const noexcept { return mesh_; }
+
+ private:
+  using Elements = models::FiniteElements<float>;
+
+  static constexpr Elements::Parameters parameters() noexcept {
+    Elements::Parameters p;
+    p.elements = kElements;
+    return p;
+  }
+
+  Elements elements_{parameters()};
+  Elements::State state_;
+  float shape_[kElements] = {};
+  float mesh_[kElements] = {};
+  models::Interpolation<float> curve_{kCut, kCutPoints, {}};
+  size_t hint_ = 0;
+  models::KalmanFilter<float> filter_{
+      models::KalmanNoise<float>().factored(), models::KalmanScheme::AuthorsFirmware};
+  float last_ = 0.0F;
+  bool hasTravel_ = false;
+};
+
+/// The force of that step in whole numbers: no mesh, and the gains that the filter settles to.
+class FixedPunch {
+ public:
+  using Fixed = models::Fixed;
+
+  FixedPunch() noexcept : filter_(models::SteadyFilter<Fixed>::gainsOf(noise())) {
+    models::Interpolation<float> curve{kCut, kCutPoints, {}};
+    size_t hint = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      const auto travel = static_cast<float>(curve_.travelAt(i).asDouble());
+      curve_.set(i, Fixed(static_cast<double>(curve.at(travel, hint).force)));
+    }
+  }
+
+  Fixed step(Fixed travel) noexcept {
+    const Fixed elastic = elements_.at(travel, state_).force;
+    const Fixed recorded = curve_.at(travel).force;
+    const Fixed travelled = hasTravel_ ? travel - last_ : Fixed();
+    last_ = travel;
+    hasTravel_ = true;
+    return filter_.step(travelled, elastic, recorded);
+  }
+
+ private:
+  static constexpr int kPoints = 74;  // from 2 to 11.1 travel units
+  static constexpr int kShift = 13;   // an eighth of a travel unit apart
+
+  static constexpr models::KalmanFilter<double>::Noise noise() noexcept {
+    return models::KalmanNoise<double>().factored();
+  }
+
+  models::FiniteElements<Fixed> elements_{models::FiniteElements<Fixed>::Parameters()};
+  models::FiniteElements<Fixed>::State state_;
+  models::UniformCurve<kPoints, kShift> curve_{Fixed(2)};
+  models::SteadyFilter<Fixed> filter_;
+  Fixed last_;
+  bool hasTravel_ = false;
+};
+
+}  // namespace haptics::firmware

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <stdint.h>
+
+#include "haptics/firmware/punch_step.h"
+
+namespace haptics::firmware {
+
+/// Travels of three cuts, from 0 to 11 travel units and back, in steps that Q16.16 holds exactly.
+inline constexpr int kSteps = 3 * 2 * 176;
+inline constexpr int32_t kTravelStep = 4096;  // 1/16 travel unit, in Q16.16
+
+constexpr int32_t travelAt(int step) noexcept {
+  constexpr int kWay = 176;
+  const int within = step % (2 * kWay);
+  return kTravelStep * (within < kWay ? within : 2 * kWay - within);
+}
+
+inline uint32_t bitsOf(float value) noexcept {
+  uint32_t bits = 0;
+  __builtin_memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+/// Runs the same steps wherever it is compiled. Say takes a name, a number of a step, and 32 bits;
+/// Start begins to count instructions, and Count says how many there have been since.
+template <typename Say, typename Start, typename Count>
+class Report {
+ public:
+  Report(Say say, Start start, Count count) : say_(say), start_(start), count_(count) {}
+
+  void run() {
+    floats<5>("float-5", "instructions-float-5");
+    floats<15>("float-15", "instructions-float-15");
+    fixed();
+  }
+
+ private:
+  template <int kElements>
+  void floats(const char* name, const char* cost) {
+    FloatPunch<kElements> punch;
+    uint32_t most = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const float travel = static_cast<float>(travelAt(i)) / 65536.0F;
+      start_();
+      const float force = punch.step(travel);
+      const uint32_t spent = count_();
+      if (spent > most) most = spent;
+      say_(name, i, bitsOf(force));
+    }
+    say_(cost, 0, most);
+  }
+
+  void fixed() {
+    FixedPunch punch;
+    uint32_t most = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const auto travel = models::Fixed::fromRaw(travelAt(i));
+      start_();
+      const auto force = punch.step(travel);
+      const uint32_t spent = count_();
+      if (spent > most) most = spent;
+      say_("fixed", i, static_cast<uint32_t>(force.raw()));
+    }
+    say_("instructions-fixed", 0, most);
+  }
+
+  Say say_;
+  Start start_;
+  Count count_;
+};
+
+}  // namespace haptics::firmware

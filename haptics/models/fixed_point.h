@@ -1,0 +1,84 @@
+#pragma once
+
+#include <stdint.h>
+
+namespace haptics::models {
+
+/// A number in Q16.16: 32 bits, of which 16 after the point; from −32768 to 32767.99998 in steps of
+/// 1/65536. For microcontrollers that count in whole numbers; the same bits on every computer.
+///
+/// What is too large stays at the largest number (saturates) and never turns round: a force that
+/// turns its sign would throw the hand.
+class Fixed {
+ public:
+  static constexpr int kFraction = 16;
+  static constexpr int32_t kLargest = INT32_MAX;
+  static constexpr int32_t kSmallest = INT32_MIN;
+
+  constexpr Fixed() noexcept = default;
+  constexpr explicit Fixed(int value) noexcept : raw_(saturated(int64_t{value} << kFraction)) {}
+  /// Rounded to the nearest step; no number becomes 0. For constants, before anything moves.
+  constexpr explicit Fixed(double value) noexcept : raw_(nearest(value)) {}
+  static constexpr Fixed fromRaw(int32_t raw) noexcept {
+    Fixed result;
+    result.raw_ = raw;
+    return result;
+  }
+
+  constexpr int32_t raw() const noexcept { return raw_; }
+  constexpr double asDouble() const noexcept { return raw_ / 65536.0; }
+
+  friend constexpr Fixed operator+(Fixed a, Fixed b) noexcept {
+    int32_t sum = 0;
+    const bool isTooMuch = __builtin_add_overflow(a.raw_, b.raw_, &sum);
+    return fromRaw(isTooMuch ? end(a.raw_) : sum);
+  }
+  friend constexpr Fixed operator-(Fixed a, Fixed b) noexcept {
+    int32_t difference = 0;
+    const bool isTooMuch = __builtin_sub_overflow(a.raw_, b.raw_, &difference);
+    return fromRaw(isTooMuch ? end(a.raw_) : difference);
+  }
+  constexpr Fixed operator-() const noexcept { return fromRaw(saturated(-int64_t{raw_})); }
+  /// Rounded to the nearest step.
+  friend constexpr Fixed operator*(Fixed a, Fixed b) noexcept {
+    constexpr int64_t kHalf = int64_t{1} << (kFraction - 1);
+    const int64_t product = int64_t{a.raw_} * b.raw_ + kHalf;
+    const auto high = static_cast<int32_t>(product >> 32);
+    const bool fits = static_cast<uint32_t>(high) + 0x8000U <= 0xFFFFU;
+    return fromRaw(fits ? static_cast<int32_t>(product >> kFraction) : end(high));
+  }
+  /// Towards zero. By zero: the largest number of that sign. Slow on a microcontroller.
+  friend constexpr Fixed operator/(Fixed a, Fixed b) noexcept {
+    if (b.raw_ == 0) return fromRaw(a.raw_ < 0 ? kSmallest : kLargest);
+    return fromRaw(saturated((int64_t{a.raw_} * (int64_t{1} << kFraction)) / b.raw_));
+  }
+  constexpr Fixed& operator+=(Fixed other) noexcept { return *this = *this + other; }
+  constexpr Fixed& operator-=(Fixed other) noexcept { return *this = *this - other; }
+  constexpr Fixed& operator*=(Fixed other) noexcept { return *this = *this * other; }
+
+  friend constexpr bool operator==(Fixed a, Fixed b) noexcept { return a.raw_ == b.raw_; }
+  friend constexpr bool operator!=(Fixed a, Fixed b) noexcept { return a.raw_ != b.raw_; }
+  friend constexpr bool operator<(Fixed a, Fixed b) noexcept { return a.raw_ < b.raw_; }
+  friend constexpr bool operator>(Fixed a, Fixed b) noexcept { return a.raw_ > b.raw_; }
+  friend constexpr bool operator<=(Fixed a, Fixed b) noexcept { return a.raw_ <= b.raw_; }
+  friend constexpr bool operator>=(Fixed a, Fixed b) noexcept { return a.raw_ >= b.raw_; }
+
+ private:
+  /// The largest number with the sign of @p value.
+  static constexpr int32_t end(int32_t value) noexcept { return value < 0 ? kSmallest : kLargest; }
+  static constexpr int32_t saturated(int64_t value) noexcept {
+    if (value > kLargest) return kLargest;
+    return value < kSmallest ? kSmallest : static_cast<int32_t>(value);
+  }
+  static constexpr int32_t nearest(double value) noexcept {
+    const double scaled = value * 65536.0;
+    if (!(scaled == scaled)) return 0;
+    if (scaled >= 2147483647.0) return kLargest;
+    if (scaled <= -2147483648.0) return kSmallest;
+    return static_cast<int32_t>(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
+  }
+
+  int32_t raw_ = 0;
+};
+
+}  // namespace haptics::models
