@@ -5,7 +5,7 @@
 
 namespace haptics::models {
 
-/// How the ends of the string are held: paper-discrepancies in docs/force-models.md.
+/// How the ends of the string are held: docs/force-models.md.
 enum class Boundary {
   A,  ///< eq. (6) as printed: each end joined to its nearest midpoint by 2k₃, half an element long
   B,  ///< every spring alike: each end joined by k₃, as the authors' firmware came to have it

@@ -22,7 +22,7 @@ enum class KalmanScheme {
 ///
 ///     K = P Hᵀ (H P Hᵀ + R)⁻¹,   x ← x + K (z − f),   P ← (I − K H) P,   H = [1 0].
 ///
-/// Which of the schemes runs decides what is felt (paper-discrepancies in docs/force-models.md):
+/// Which of the schemes runs decides what is felt (docs/force-models.md):
 /// with the published noise the interpolation weighs 0.24, 0.48 and nothing in the first three. In
 /// SpaceDomain only R decides.
 ///
