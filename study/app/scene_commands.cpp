@@ -11,6 +11,7 @@
 
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/passivity.h"
 #include "protocols/loaded_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
@@ -62,7 +63,7 @@ void print(
         pass.bytes > 0 ? fmt::format(" ({} bytes)", pass.bytes) : "");
   }
   const double stiffness = scene.largestStiffness();
-  const double needed = stiffness / (2.0 * device.rate);
+  const haptics::engine::Passivity passivity{.stiffness = stiffness, .period = 1.0 / device.rate};
   fmt::print("\n  one tick of all that is in: {:.0f} ns, median, on this computer\n", nanoseconds);
   fmt::print(
       "  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
@@ -71,7 +72,7 @@ void print(
       stiffness,
       device.travelUnit,
       device.rate,
-      needed,
+      passivity.neededDamping(),
       device.travelUnit,
       device.name,
       device.damping);

@@ -1,0 +1,34 @@
+#pragma once
+
+namespace haptics::engine {
+
+/// What a sampled force adds to the hand's energy, and what keeps it from that: eq. (25) of the
+/// punch paper, b > K T / 2 (Colgate & Schenkel 1997).
+///
+/// A force that is held for a period while the tool moves on is too small on the way in and too
+/// large on the way out. Damping of at least K T / 2, of the mechanism and the hand together, takes
+/// up what that gives.
+struct Passivity {
+  double stiffness = 0.0;    ///< K: the steepest slope that is rendered [N per travel unit]
+  double period = 0.001;     ///< of the loop [s]
+  double lateness = 0.0;     ///< how late the loop may wake up, 99.9 % of ticks [s]
+  double filterDelay = 0.0;  ///< of what is between the sensor and the force [s]
+
+  /// T: how old a force may be [s].
+  constexpr double effectivePeriod() const noexcept { return period + lateness + filterDelay; }
+
+  /// b: the damping that is needed [N·s per travel unit].
+  constexpr double neededDamping() const noexcept { return stiffness * effectivePeriod() / 2.0; }
+
+  /// How far the held force is off, on average, at a speed [travel units/s]: K v T / 2 [N].
+  constexpr double forceErrorAt(double speed) const noexcept {
+    return stiffness * speed * effectivePeriod() / 2.0;
+  }
+
+  /// The stiffness that a damping allows [N per travel unit].
+  constexpr double allowedStiffness(double damping) const noexcept {
+    return 2.0 * damping / effectivePeriod();
+  }
+};
+
+}  // namespace haptics::engine
