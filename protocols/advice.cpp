@@ -19,22 +19,16 @@ std::string at(const char* list, std::size_t index) {
   return "$." + std::string(list) + "[" + std::to_string(index) + "]";
 }
 
-/// The first "[[…]]" in an English text; empty where there is none.
-std::string placeholderIn(const LocalizedText& text) {
-  const std::string& words = text.in("en");
+/// The first "[[…]]" in a text; empty where there is none.
+std::string placeholderIn(const std::string& words) {
   const auto start = words.find("[[");
   const auto end = words.find("]]", start);
   const bool isThere = start != std::string::npos && end != std::string::npos;
   return isThere ? words.substr(start, end + 2 - start) : std::string();
 }
 
-std::string placeholderIn(const Instrument& instrument) {
-  std::vector<LocalizedText> texts{instrument.title, instrument.introduction};
-  for (const auto& item : instrument.items) texts.push_back(item.text);
-  for (const auto& text : texts) {
-    if (auto placeholder = placeholderIn(text); !placeholder.empty()) return placeholder;
-  }
-  return {};
+bool isAmong(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
 }
 
 bool isInLibrary(const std::string& instrument) {
@@ -64,7 +58,7 @@ class Advice {
       if (!told.insert(use.instrument).second) continue;
       const auto* instrument = loaded_.instrument(use.instrument);
       languagesOf(*instrument, use.path);
-      if (!isFromFile(*instrument)) blanksOf(*instrument, use.path);
+      if (!isFromFile(*instrument)) fromLibrary(*instrument);
     }
     for (std::size_t i = 0; i < protocol_.instrumentFiles.size(); ++i) {
       file(loaded_.instruments[i].id, at("instrument_files", i), told);
@@ -95,21 +89,25 @@ class Advice {
  private:
   void text(const std::string& path, const LocalizedText& words) {
     for (const auto& language : protocol_.languages) {
-      if (words.has(language)) continue;
+      if (!words.has(language)) {
+        problems_.warn(
+            path,
+            "there is no text in '" + language + "'",
+            "English will be shown instead; add \"" + language + "\": \"…\"");
+        continue;
+      }
+      const std::string placeholder = placeholderIn(words.in(language));
+      if (placeholder.empty()) continue;
       problems_.warn(
           path,
-          "there is no text in '" + language + "'",
-          "English will be shown instead; add \"" + language + "\": \"…\"");
+          "still to be filled in ('" + language + "'): " + placeholder,
+          "write what holds there");
     }
-    const std::string placeholder = placeholderIn(words);
-    if (placeholder.empty()) return;
-    problems_.warn(path, "still to be filled in: " + placeholder, "write what holds there");
   }
 
   void languagesOf(const Instrument& instrument, const std::string& path) {
     for (const auto& language : protocol_.languages) {
-      const auto& known = instrument.languages;
-      if (std::find(known.begin(), known.end(), language) != known.end()) continue;
+      if (isAmong(instrument.languages, language)) continue;
       problems_.warn(
           path,
           "'" + instrument.id + "' has no texts in '" + language + "'",
@@ -123,14 +121,27 @@ class Advice {
     return &instrument - loaded_.instruments.data() < files;
   }
 
-  void blanksOf(const Instrument& instrument, const std::string& path) {
-    const std::string placeholder = placeholderIn(instrument);
-    if (placeholder.empty()) return;
-    problems_.warn(
-        path,
-        "'" + instrument.id + "' is a template: " + placeholder + " and more is to be filled in",
-        "copy it beside the protocol, give it an id of its own, fill it in, and list it in "
-        "'instrument_files'");
+  /// What its own file would have been told, but for the statements that compare with the previous:
+  /// adviseOnBlocks() knows which of them may have none.
+  void fromLibrary(const Instrument& instrument) {
+    const auto found = questionnaires::problemsOf(instrument);
+    for (const auto& problem : found.all()) {
+      if (problem.path.ends_with(".relative_to") || isOfATranslation(problem, instrument)) continue;
+      problems_.warn(
+          instrument.id + " " + problem.path,
+          problem.what,
+          "copy it beside the protocol, give it an id of its own, write what holds there in every "
+          "language, and list it in 'instrument_files'");
+    }
+  }
+
+  /// A blank of the library is one in all languages; it is told once.
+  static bool isOfATranslation(
+      const questionnaires::Problem& problem, const Instrument& instrument) {
+    return std::any_of(
+        instrument.languages.begin(), instrument.languages.end(), [&](const auto& language) {
+          return language != "en" && problem.path.ends_with("." + language);
+        });
   }
 
   void file(const std::string& id, const std::string& path, const std::set<std::string>& used) {

@@ -69,7 +69,8 @@ void Companions::readInstrument(std::size_t index) {
 void Companions::addLibraryInstruments() {
   for (const auto& use : instrumentUses(draft_.loaded.protocol)) {
     const auto& id = use.instrument;
-    if (draft_.loaded.instrument(id) != nullptr) continue;
+    const bool isSchema = id.ends_with(".schema");  // lies in the library, and is no instrument
+    if (isSchema || draft_.loaded.instrument(id) != nullptr) continue;
     for (const auto& file : questionnaires::libraryFiles()) {
       if (file.name != id + ".json") continue;
       draft_.loaded.instruments.push_back(questionnaires::readSoundInstrument(file.content, id));

@@ -20,6 +20,7 @@ using questionnaires::Problems;
 using questionnaires::Value;
 
 constexpr std::string_view kFormat = "palpate-cut-1";
+constexpr std::string_view kUnit = "travel_unit";
 constexpr double kLargestTravel = 1e6;  // [travel units]
 constexpr double kLargestForce = 1e4;   // [N]
 
@@ -66,6 +67,18 @@ std::optional<ForceCurve> readCurve(const Node& root, Problems& problems) {
   return ForceCurve(std::move(points));
 }
 
+/// Whatever the travel is in, a punch would take it for its own units.
+std::string readUnit(const Node& root) {
+  const std::string unit = root.text("unit");
+  if (!unit.empty() && unit != kUnit) {
+    root.problem(
+        "unit",
+        "a punch's travel is in travel units, not in '" + questionnaires::shown(unit) + "'",
+        "convert every travel (0 is open, 10 is closed) and write \"travel_unit\"");
+  }
+  return unit;
+}
+
 std::optional<Cut> readRoot(const Value& value, Problems& problems) {
   const Node root(value, "$", problems);
   if (!root.isObjectWith(
@@ -83,7 +96,7 @@ std::optional<Cut> readRoot(const Value& value, Problems& problems) {
   Cut cut{
       .name = root.id("name"),
       .title = root.text("title"),
-      .unit = root.text("unit"),
+      .unit = readUnit(root),
       .curve = curve ? std::move(*curve) : ForceCurve({{0.0, 0.0}, {1.0, 0.0}}),
       .provenance = readProvenance(value, problems),
       .isSynthetic = root.flag("synthetic", false)};

@@ -1,4 +1,5 @@
 // docs/protocol-format.md promises that its examples work and that every key is explained.
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -47,15 +48,57 @@ TEST(ProtocolFormatPage, HasAWholeProtocolThatIsSound) {
   EXPECT_TRUE(loading.loaded) << loading.inWords();
 }
 
+/// The page's whole protocol, with a reamer besides.
+nlohmann::json wholeWithReamer() {
+  auto whole = nlohmann::json::parse(examples("").at(0));
+  whole["devices"].push_back(
+      {{"id", "reamer"},
+       {"kind", "reamer"},
+       {"max_force_n", 140},
+       {"max_force_rate_n_per_s", 5000}});
+  return whole;
+}
+
+/// Loads @p protocol with the page's cut beside it, under the name that the cut bears.
+tests::Loading loadWithCut(const nlohmann::json& protocol) {
+  const auto cut = examples(" cut").at(0);
+  const auto name = nlohmann::json::parse(cut)["name"].get<std::string>() + ".json";
+  return tests::load(protocol.dump(), [&](const std::string& file) {
+    return file == name ? std::optional(cut) : std::nullopt;
+  });
+}
+
 TEST(ProtocolFormatPage, HasConditionsThatFitIntoIt) {
   const auto conditions = examples(" fragment");
-  ASSERT_FALSE(conditions.empty());
-  auto whole = nlohmann::json::parse(examples("").at(0));
+  std::set<std::string> models;
   for (const auto& condition : conditions) {
+    auto whole = wholeWithReamer();
     whole["conditions"].push_back(nlohmann::json::parse(condition));
+    models.insert(whole["conditions"].back()["scene"]["model"].get<std::string>());
+    const auto loading = loadWithCut(whole);
+    EXPECT_TRUE(loading.loaded) << condition << loading.inWords();
   }
+  EXPECT_EQ(models, (std::set<std::string>{"interpolation", "kalman", "material"}));
+}
+
+TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {
+  const auto phases = examples(" phase");
+  EXPECT_GE(phases.size(), 4U);
+  auto whole = nlohmann::json::parse(examples("").at(0));
+  for (const auto& phase : phases) whole["phases"].push_back(nlohmann::json::parse(phase));
   const auto loading = tests::load(whole.dump());
   EXPECT_TRUE(loading.loaded) << loading.inWords();
+}
+
+TEST(ProtocolFormatPage, HasNoExampleThatIsNotRead) {
+  const std::string text = page();
+  std::size_t all = 0;
+  for (auto at = text.find("```json"); at != std::string::npos; at = text.find("```json", at + 1)) {
+    ++all;
+  }
+  std::size_t read = 0;
+  for (const auto* kind : {"", " fragment", " phase", " cut"}) read += examples(kind).size();
+  EXPECT_EQ(read, all);
 }
 
 TEST(ProtocolFormatPage, HasCutsThatCanBeRead) {
@@ -76,6 +119,34 @@ TEST(ProtocolFormatPage, ExplainsEveryKey) {
   const std::string text = page();
   for (const auto& key : keys) {
     EXPECT_NE(text.find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
+TEST(ProtocolFormatPage, ExplainsEveryKeyOfACut) {
+  // A key of each kind that the reader knows is named where another one is refused.
+  const std::string text = page();
+  auto cut = nlohmann::json::parse(examples(" cut").at(0));
+  for (const auto* place : {"", "/curve/0", "/landmarks", "/provenance"}) {
+    auto wrong = cut;
+    wrong[nlohmann::json::json_pointer(place)]["zzzzzzzzzzzzzzzz"] = 1;
+    questionnaires::Problems problems;
+    readCut(wrong.dump(), problems);
+    ASSERT_EQ(problems.all().size(), 1U) << questionnaires::inWords(problems.all());
+    const std::string opening = "known here: ";
+    std::string known = problems.all()[0].fix;
+    ASSERT_TRUE(known.starts_with(opening)) << known;
+    known = known.substr(opening.size()) + ", ";
+    for (auto end = known.find(", "); end != std::string::npos; end = known.find(", ")) {
+      const auto key = known.substr(0, end);
+      EXPECT_NE(text.find("`" + key + "`"), std::string::npos) << key;
+      known.erase(0, end + 2);
+    }
+  }
+}
+
+TEST(ProtocolFormatPage, HasTheSectionsThatMessagesReferTo) {
+  for (const auto* heading : {"\n## Scenes\n", "\n## Cut files\n"}) {
+    EXPECT_NE(page().find(heading), std::string::npos) << heading;
   }
 }
 

@@ -99,6 +99,13 @@ TEST(Orders, OfAPlainSquareFollowEachOtherUnequally) {
   EXPECT_EQ(successions(rowsOf(OrderType::LatinSquare, 4)).size(), 4U);  // of 12 that there are
 }
 
+TEST(Orders, OfOneThingAreOne) {
+  for (const auto type :
+       {OrderType::LatinSquare, OrderType::BalancedLatinSquare, OrderType::Complete}) {
+    EXPECT_EQ(rowsOf(type, 1), (std::vector<Row>{{0}}));
+  }
+}
+
 TEST(Orders, OfACompleteDesignAreAllThereAre) {
   std::size_t factorial = 1;
   for (int k = 1; k <= kMostForComplete; ++k) {

@@ -1,7 +1,11 @@
 #include "protocols/schedule.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -123,6 +127,147 @@ TEST(Schedule, CallsAConditionTheSameInEveryBlockOfASession) {
       }
     }
   }
+}
+
+/// usualProtocol() with a third condition, and with phases after its own.
+Protocol ofThree(const std::vector<std::string>& phases = {}, const char* labels = "random") {
+  auto text = tests::with(
+      tests::withPhases(phases),
+      "\"conditions\": [\n",
+      "\"conditions\": [\n{\"id\": \"third\", \"title\": \"Third\", \"scene\": {\"device\": "
+      "\"punch\", \"model\": \"interpolation\", \"parameters\": {}}},\n");
+  text = tests::with(text, R"(["soft", "firm"])", R"(["soft", "firm", "third"])");
+  text = tests::with(
+      text, R"({ "policy": "random" })", R"({ "policy": ")" + std::string(labels) + R"(" })");
+  return tests::soundProtocol(text);
+}
+
+/// A block of all three.
+std::string block(const std::string& id, const std::string& order) {
+  return R"({"id": ")" + id + R"(", "type": "block", "minimum_cuts": 1,
+             "conditions": ["soft", "firm"], "order": )" +
+         order + "}";
+}
+
+TEST(Schedule, TurnsABlockRoundForEachParticipantAndBackAgain) {
+  const auto protocol = ofThree(
+      {block("drawn", R"({"type": "random"})"),
+       block("back", R"({"type": "reversed", "of": "drawn"})"),
+       block("again", R"({"type": "reversed", "of": "back"})")});
+  std::set<Names> drawn;
+  for (std::uint64_t slot = 0; slot < 40; ++slot) {
+    const auto schedule = scheduleFor(protocol, 3, "anyone", slot);
+    auto order = conditionsOf(*schedule.block("drawn"));
+    drawn.insert(order);
+    EXPECT_EQ(conditionsOf(*schedule.block("again")), order);
+    std::reverse(order.begin(), order.end());
+    EXPECT_EQ(conditionsOf(*schedule.block("back")), order);
+  }
+  EXPECT_EQ(drawn.size(), 6U);
+}
+
+TEST(Schedule, DrawsBlocksAndCohortsIndependently) {
+  const auto protocol = ofThree({block("other", R"({"type": "balancedLatinSquare"})")});
+  int likeTheOtherBlock = 0;
+  int likeTheOtherCohort = 0;
+  constexpr int kPeople = 600;
+  for (std::uint64_t slot = 0; slot < kPeople; ++slot) {
+    const auto here = scheduleFor(protocol, 3, "anyone", slot);
+    const auto there = scheduleFor(protocol, 3, "others", slot);
+    const auto order = conditionsOf(*here.block("felt"));
+    if (conditionsOf(*here.block("other")) == order) ++likeTheOtherBlock;
+    if (conditionsOf(*there.block("felt")) == order) ++likeTheOtherCohort;
+  }
+  EXPECT_NEAR(likeTheOtherBlock, kPeople / 6.0, 37.0);  // four times √(600 · 1/6 · 5/6)
+  EXPECT_NEAR(likeTheOtherCohort, kPeople / 6.0, 37.0);
+}
+
+TEST(Schedule, CountsPositionsAndLabelsFromOneToTheNumberOfConditions) {
+  for (const auto* policy : {"condition", "position", "random"}) {
+    const auto protocol = ofThree({}, policy);
+    for (std::uint64_t slot = 0; slot < 20; ++slot) {
+      std::set<int> labelsSeen;
+      int position = 0;
+      const auto schedule = scheduleFor(protocol, 3, "anyone", slot);
+      for (const auto& trial : schedule.blocks.at(0).trials) {
+        EXPECT_EQ(trial.position, ++position);
+        labelsSeen.insert(trial.label);
+      }
+      EXPECT_EQ(labelsSeen, (std::set{1, 2, 3})) << policy;
+    }
+  }
+}
+
+TEST(Schedule, DrawsLabelsWithoutALookAtTheOrder) {
+  const auto protocol = ofThree();
+  int asFelt = 0;
+  constexpr int kPeople = 600;
+  for (std::uint64_t slot = 0; slot < kPeople; ++slot) {
+    const auto trials = scheduleFor(protocol, 3, "anyone", slot).blocks.at(0).trials;
+    if (trials[0].label == 1) ++asFelt;
+  }
+  EXPECT_NEAR(asFelt, kPeople / 3.0, 46.0);  // four times √(600 · 1/3 · 2/3)
+}
+
+TEST(Schedule, HasNoBlockOfAnotherName) {
+  const auto schedule = scheduleFor(ofThree(), 3, "anyone", 0);
+  EXPECT_EQ(schedule.block("consent"), nullptr);
+  EXPECT_EQ(schedule.block(""), nullptr);
+}
+
+/// The values come from what the headers say about version 1, written out in another language
+/// (Python 3). A study that was run is checked against them for ever.
+TEST(Schedule, IsTheOneThatItsDescriptionGives) {
+  const auto protocol = ofThree();
+  const std::vector<std::pair<Names, std::vector<int>>> described{
+      {{"firm", "soft", "third"}, {1, 3, 2}},
+      {{"soft", "firm", "third"}, {1, 2, 3}},
+      {{"third", "firm", "soft"}, {1, 3, 2}},
+      {{"soft", "third", "firm"}, {1, 3, 2}},
+  };
+  for (std::size_t slot = 0; slot < described.size(); ++slot) {
+    const auto schedule = scheduleFor(protocol, 7, "anyone", slot);
+    const auto& trials = schedule.blocks.at(0).trials;
+    EXPECT_EQ(conditionsOf(schedule.blocks.at(0)), described[slot].first) << slot;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      EXPECT_EQ(trials[i].label, described[slot].second[i]) << slot;
+    }
+  }
+}
+
+/// The balance of a block of three in some order, with so many participants.
+Balance balanceWith(const std::string& order, std::size_t participants) {
+  const auto protocol = ofThree({block("other", order)});
+  return balanceOf(protocol, *protocol.phase("other"), 3, "anyone", participants);
+}
+
+TEST(Balance, KnowsTheMultipleOfEveryDesign) {
+  EXPECT_EQ(balanceWith(R"({"type": "latinSquare"})", 0).multipleOf, 3U);
+  EXPECT_EQ(balanceWith(R"({"type": "balancedLatinSquare"})", 0).multipleOf, 6U);
+  EXPECT_EQ(balanceWith(R"({"type": "complete"})", 0).multipleOf, 6U);
+  EXPECT_EQ(balanceWith(R"({"type": "random"})", 0).multipleOf, 0U);
+  EXPECT_EQ(balanceWith(R"({"type": "reversed", "of": "felt"})", 0).multipleOf, 6U);
+}
+
+TEST(Balance, IsThereForNoNumberWhereTheOrderIsFixedOrDrawn) {
+  for (const std::size_t participants : {1U, 6U, 60U}) {
+    EXPECT_FALSE(balanceWith(R"({"type": "fixed"})", participants).isBalanced);
+    EXPECT_FALSE(balanceWith(R"({"type": "random"})", participants).isBalanced);
+  }
+}
+
+TEST(Balance, CountsWhatWasReallyDrawn) {
+  const auto balance = balanceWith(R"({"type": "fixed"})", 7);
+  EXPECT_EQ(balance.conditions, (Names{"soft", "firm", "third"}));
+  EXPECT_EQ(balance.atPosition, (std::vector<std::vector<int>>{{7, 0, 0}, {0, 7, 0}, {0, 0, 7}}));
+  EXPECT_EQ(balance.after, (std::vector<std::vector<int>>{{0, 0, 0}, {7, 0, 0}, {0, 7, 0}}));
+}
+
+TEST(Balance, OfPositionsIsExactInAPlainSquareAndThatOfNeighboursIsNot) {
+  const auto balance = balanceWith(R"({"type": "latinSquare"})", 9);
+  EXPECT_TRUE(balance.isBalanced);
+  EXPECT_EQ(balance.atPosition, (std::vector<std::vector<int>>{{3, 3, 3}, {3, 3, 3}, {3, 3, 3}}));
+  EXPECT_EQ(balance.after, (std::vector<std::vector<int>>{{0, 0, 6}, {6, 0, 0}, {0, 6, 0}}));
 }
 
 }  // namespace
