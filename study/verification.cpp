@@ -89,6 +89,16 @@ Problems answers(Study& study) {
   return problems;
 }
 
+Problems identities(Study& study) {
+  Problems problems;
+  for (const auto& row : study.identities().damaged()) {
+    problems.push_back(
+        study.identities().database().path() + ": what is kept of " + row +
+        " is not what was written");
+  }
+  return problems;
+}
+
 Problems protocolHashes(Study& study) {
   Problems problems;
   for (const auto id : study.protocols().all()) {
@@ -186,6 +196,7 @@ Verification verify(Study& study) {
   check("the audit trail is unbroken", auditTrail);
   check("everything is what the audit trail vouches for", contents);
   check("every answer is what the audit trail says", answers);
+  check("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);
   check("every trial has its trace, sample for sample", traces);

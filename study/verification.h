@@ -20,8 +20,8 @@ struct Verification {
 };
 
 /// Reads a study to its last byte: files and their relations, the audit trail, every answer against
-/// it, the protocols against their hashes, every order against the one that the seed draws, every
-/// trace against its trial. Changes nothing.
+/// it, the names and the protocols against their hashes, every order against the one that the seed
+/// draws, every trace against its trial. Changes nothing.
 Verification verify(Study& study);
 
 }  // namespace study

@@ -1,5 +1,6 @@
 #include "study/storage/database.h"
 
+#include <sys/statvfs.h>
 #include <sys/vfs.h>
 
 #include <cerrno>
@@ -29,6 +30,36 @@ bool isNetworkFileSystem(const std::string& path) {
   return info.f_type == kNfs || info.f_type == kSmb || info.f_type == kSmb2 || info.f_type == kCifs;
 }
 
+/// Whether nobody writes here any more: an archive, or a disk that is only read. A log beside the
+/// file would have to be read as well, and cannot without writing.
+bool isSealed(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr auto kAnybodyWrites =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  std::error_code error;
+  if (fs::exists(path + "-wal", error) || error) return false;
+  const auto mayWrite = [&](const fs::path& what) {
+    return (fs::status(what, error).permissions() & kAnybodyWrites) != fs::perms::none;
+  };
+  struct statvfs disk {};
+  const auto folder = fs::absolute(path).parent_path();
+  const bool isReadOnlyDisk = statvfs(folder.c_str(), &disk) == 0 && (disk.f_flag & ST_RDONLY) != 0;
+  return isReadOnlyDisk || (!mayWrite(path) && !mayWrite(folder) && !error);
+}
+
+/// The name under which SQLite takes no locks and looks for no log.
+std::string sealedName(const std::string& path) {
+  std::string name = "file:";
+  for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
+    constexpr std::string_view kOfUris = "%?#";
+    name += kOfUris.find(c) == std::string_view::npos ? std::string(1, c)
+            : c == '%'                                ? "%25"
+            : c == '?'                                ? "%3f"
+                                                      : "%23";
+  }
+  return name + "?immutable=1";
+}
+
 std::int64_t pragmaNumber(const Database& database, const std::string& name) {
   Statement statement(database, "PRAGMA " + name);
   return statement.step() ? statement.number(0) : 0;
@@ -37,7 +68,13 @@ std::int64_t pragmaNumber(const Database& database, const std::string& name) {
 }  // namespace
 
 Database::Database(std::string path, int flags) : path_(std::move(path)) {
-  const int code = sqlite3_open_v2(path_.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
+  const bool isAsSealed = isOnlyRead && isSealed(path_);
+  const int code = sqlite3_open_v2(
+      (isAsSealed ? sealedName(path_) : path_).c_str(),
+      &handle_,
+      flags | SQLITE_OPEN_EXRESCODE | (isAsSealed ? SQLITE_OPEN_URI : 0),
+      nullptr);
   if (code == SQLITE_OK) {
     sqlite3_busy_timeout(handle_, kBusyTimeout);
     return;

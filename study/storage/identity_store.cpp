@@ -1,5 +1,6 @@
 #include "study/storage/identity_store.h"
 
+#include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
 
@@ -14,6 +15,22 @@ void bindPlace(Statement& statement, const IdentityStore::Place& place, const st
       .bind(5, item);
 }
 
+Hash hashOfRow(
+    const IdentityStore::Place& place,
+    const std::string& item,
+    const std::string& text,
+    const std::string& utc) {
+  Hasher hasher;
+  hasher.add(place.participant);
+  for (const int number : {place.sessionNumber, place.step, place.attempt}) {
+    hasher.add(std::optional(std::int64_t{number}));
+  }
+  hasher.add(item);
+  hasher.add(text);
+  hasher.add(utc);
+  return hasher.finish();
+}
+
 }  // namespace
 
 void IdentityStore::put(
@@ -22,9 +39,11 @@ void IdentityStore::put(
   Statement insert(
       database_,
       "INSERT OR REPLACE INTO identifying_answer "
-      "(participant, session_number, step, attempt, item, text, saved_utc) VALUES (?,?,?,?,?,?,?)");
+      "(participant, session_number, step, attempt, item, text, saved_utc, hash) VALUES "
+      "(?,?,?,?,?,?,?,?)");
+  const Hash hash = hashOfRow(place, item, text, utc);
   bindPlace(insert, place, item);
-  insert.bind(6, text).bind(7, utc);
+  insert.bind(6, text).bind(7, utc).bind(8, std::span<const std::byte>(hash));
   insert.run();
   transaction.commit();
 }
@@ -47,6 +66,25 @@ bool IdentityStore::has(const Place& place, const std::string& item) const {
       "AND attempt = ? AND item = ? AND text <> ''");
   bindPlace(select, place, item);
   return select.step();
+}
+
+std::vector<std::string> IdentityStore::damaged() const {
+  Statement select(
+      database_,
+      "SELECT participant, session_number, step, attempt, item, text, saved_utc, hash "
+      "FROM identifying_answer WHERE hash IS NOT NULL ORDER BY rowid");
+  std::vector<std::string> damaged;
+  while (select.step()) {
+    const Place place{
+        .participant = select.text(0),
+        .sessionNumber = static_cast<int>(select.number(1)),
+        .step = static_cast<int>(select.number(2)),
+        .attempt = static_cast<int>(select.number(3))};
+    const auto hash = hashOfRow(place, select.text(4), select.text(5), select.text(6));
+    if (select.blob(7) != asBytes(hash))
+      damaged.push_back(place.participant + ", " + select.text(4));
+  }
+  return damaged;
 }
 
 }  // namespace study::storage

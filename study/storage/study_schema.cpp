@@ -252,7 +252,7 @@ constexpr std::array<std::string_view, 1> kTraceSteps{
     )sql",
 };
 
-constexpr std::array<std::string_view, 1> kIdentitySteps{
+constexpr std::array<std::string_view, 2> kIdentitySteps{
     R"sql(
       CREATE TABLE identifying_answer (
         participant TEXT NOT NULL,
@@ -264,6 +264,11 @@ constexpr std::array<std::string_view, 1> kIdentitySteps{
         saved_utc   TEXT NOT NULL,
         UNIQUE (participant, session_number, step, attempt, item)
       ) STRICT;
+    )sql",
+    R"sql(
+      -- Of the row itself: the audit trail knows nothing that would name a person.
+      ALTER TABLE identifying_answer
+        ADD COLUMN hash BLOB CHECK (hash IS NULL OR length(hash) = 32);
     )sql",
 };
 

@@ -1,6 +1,7 @@
 // An answer is acknowledged when it is on the disk, and not before: what the program asks of the
 // system, in its order, as strace sees it. reliability.md, D1, D2 and F5.
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <sstream>
 
@@ -70,7 +71,14 @@ class AcknowledgementTest : public testing::Test {
   /// Simulates one participant under strace.
   tests::Finished traced(const std::string& folder, const Lines& options) {
     Lines call{
-        "strace", "-y", "-s", "80", "-o", trace_, "-e", "trace=pwrite64,write,fdatasync,fsync"};
+        "strace",
+        "-y",
+        "-s",
+        "80",
+        "-o",
+        trace_,
+        "-e",
+        "trace=pwrite64,write,fdatasync,fsync,unlink,ftruncate"};
     call.insert(call.end(), options.begin(), options.end());
     for (const auto& word : tests::simulation(folder, 1)) call.push_back(word);
     return tests::run(call, kEnvironment);
@@ -116,41 +124,70 @@ TEST_F(AcknowledgementTest, IsFoundByThisTestWhereItComesTooEarly) {
   EXPECT_GE(lookThrough(late).tooEarly.size(), 30U);
 }
 
-class FlushFaultTest : public AcknowledgementTest,
-                       public testing::WithParamInterface<const char*> {};
+/// What happens at the n-th call of a kind.
+struct Mishap {
+  const char* name;
+  const char* calls;
+  const char* effect;  ///< as strace injects it
+  const char* when;    ///< "" for the n-th alone, "+" for all from there on
+  int stride;
+  int fewest;  ///< endings that there must be, lest nothing was tried at all
+};
 
-TEST_P(FlushFaultTest, IsAcknowledgedByNobodyAndLosesNothing) {
-  int points = 0;
-  int refused = 0;
-  for (bool hasFired = true; hasFired; ++points) {
-    const std::string when = std::to_string(points + 1) + GetParam();
-    SCOPED_TRACE("flush " + when);
-    const std::string folder = study_.scratch() / "copy";
+void PrintTo(const Mishap& mishap, std::ostream* out) {
+  *out << mishap.effect;
+}
+
+class MishapTest : public AcknowledgementTest, public testing::WithParamInterface<Mishap> {
+ protected:
+  static constexpr int kKilled = -9;
+
+  std::string copy() {
+    std::string folder = study_.scratch() / "copy";
     fs::remove_all(folder);
     fs::copy(study_.folder(), folder, fs::copy_options::recursive);
-    const auto finished = traced(folder, {"-e", "inject=fdatasync:error=EIO:when=" + when});
-    hasFired = tests::contentOf(trace_).find("(INJECTED)") != std::string::npos;
-    if (finished.status != 0) {
-      ++refused;
+    return folder;
+  }
+};
+
+TEST_P(MishapTest, LosesNothingThatWasAcknowledged) {
+  const Mishap mishap = GetParam();
+  int ended = 0;
+  bool hasFired = true;
+  for (int n = 1; hasFired; n += mishap.stride) {
+    const std::string what = std::string(mishap.calls) + mishap.effect + std::to_string(n);
+    SCOPED_TRACE(what);
+    const auto folder = copy();
+    const auto finished = traced(folder, {"-e", "inject=" + what + mishap.when});
+    hasFired = finished.status == kKilled ||
+               tests::contentOf(trace_).find("(INJECTED)") != std::string::npos;
+    ended += finished.status != 0 ? 1 : 0;
+    if (finished.status > 0) {
       EXPECT_NE(finished.error.find("the disk reports an error"), std::string::npos)
           << finished.error;
     }
     const auto acknowledged = tests::acknowledgedIn(finished.out);
     EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "");
     EXPECT_LE(tests::keptBeyond(folder, acknowledged), 1U);
-    ASSERT_EQ(tests::run(tests::simulation(folder, 1)).status, 0);  // when it is well again
+    ASSERT_EQ(tests::run(tests::simulation(folder, 1)).status, 0);  // somebody starts it again
     EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "");
+    if (HasFailure()) return;
   }
-  EXPECT_GE(refused, 30);
-  RecordProperty("points", points);
+  EXPECT_GE(ended, mishap.fewest);
+  std::cout << mishap.name << ": ended " << ended << " times\n";
 }
 
-INSTANTIATE_TEST_SUITE_P(OfOne, FlushFaultTest, testing::Values(""), [](const auto&) {
-  return "Flush";
-});
-INSTANTIATE_TEST_SUITE_P(OfAll, FlushFaultTest, testing::Values("+"), [](const auto&) {
-  return "FromThenOn";
-});
+INSTANTIATE_TEST_SUITE_P(
+    Of,
+    MishapTest,
+    testing::Values(
+        Mishap{"AFlushThatFails", "fdatasync", ":error=EIO:when=", "", 1, 30},
+        Mishap{"FlushesThatFailFromThenOn", "fdatasync", ":error=EIO:when=", "+", 1, 30},
+        Mishap{"AProgramKilledInAFlush", "fdatasync", ":signal=KILL:when=", "", 1, 40},
+        Mishap{"AProgramKilledInAWrite", "pwrite64", ":signal=KILL:when=", "", 11, 40},
+        Mishap{"AProgramKilledBeforeItSaysSo", "write", ":signal=KILL:when=", "", 1, 30},
+        Mishap{"AProgramKilledTidyingUp", "unlink,ftruncate", ":signal=KILL:when=", "", 1, 3}),
+    [](const auto& mishap) { return mishap.param.name; });
 
 }  // namespace
 }  // namespace study

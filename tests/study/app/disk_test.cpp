@@ -1,4 +1,4 @@
-// What happens when the disk has no room: reliability.md, F4.
+// What happens when the disk has no room, or is only read: reliability.md, F6 and F7.
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,12 +13,7 @@
 namespace study {
 namespace {
 
-/// Runs @p script where a disk of five megabytes can be mounted that nobody else sees.
-tests::Finished onASmallDisk(const std::string& folder, const std::string& script) {
-  const std::string mount = "mount -t tmpfs -o size=5m none '" + folder + "' || exit 99; ";
-  const std::string separate = geteuid() == 0 ? "-m" : "-rm";
-  return tests::run({"unshare", separate, "sh", "-c", mount + script});
-}
+namespace fs = std::filesystem;
 
 std::string asShell(const std::vector<std::string>& call) {
   std::string text;
@@ -26,26 +21,106 @@ std::string asShell(const std::vector<std::string>& call) {
   return text;
 }
 
-TEST(Disk, MayBeFullAndLosesNothingThatWasAcknowledged) {
-  tests::MadeStudy study;
-  study.close();
-  const std::string disk = study.scratch() / "disk";
-  const std::string after = study.scratch() / "after";
-  std::filesystem::create_directory(disk);
-  const auto finished = onASmallDisk(
-      disk,
-      "cp -r '" + study.folder() + "' '" + disk + "/study'; " +
-          asShell(tests::simulation(disk + "/study", 500)) + "; status=$?; cp -r '" + disk +
-          "/study' '" + after + "'; exit $status");
-  if (finished.status == 99 || finished.status == 127) {
-    GTEST_SKIP() << "no small disk can be mounted here";
+class DiskTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    study_.close();
+    fs::create_directory(disk_);
+    if (onItsOwn("mount -t tmpfs none '" + disk_ + "'").status != 0) {
+      GTEST_SKIP() << "no disk can be mounted here";
+    }
   }
+
+  /// Runs @p script where it may mount disks that nobody else sees.
+  static tests::Finished onItsOwn(const std::string& script) {
+    return tests::run({"unshare", geteuid() == 0 ? "-m" : "-rm", "sh", "-c", script});
+  }
+
+  tests::Finished onASmallDisk(const std::string& size, const std::string& script) const {
+    return onItsOwn("mount -t tmpfs -o size=" + size + " none '" + disk_ + "' && " + script);
+  }
+
+  tests::Finished onAReadOnlyDisk(const std::vector<std::string>& command) const {
+    std::vector<std::string> call{PALPATE_PROGRAM};
+    call.insert(call.end(), command.begin(), command.end());
+    return onItsOwn(
+        "mount --bind '" + study_.folder() + "' '" + disk_ + "' && mount -o remount,ro,bind '" +
+        disk_ + "' && " + asShell(call));
+  }
+
+  void simulateOne() { ASSERT_EQ(tests::run(tests::simulation(study_.folder(), 1)).status, 0); }
+
+  tests::MadeStudy study_;
+  std::string disk_ = study_.scratch() / "disk";
+};
+
+class FullDiskTest : public DiskTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(FullDiskTest, LosesNothingThatWasAcknowledgedAndGoesOnWhenThereIsRoomAgain) {
+  const std::string after = study_.scratch() / "after";
+  const auto finished = onASmallDisk(
+      GetParam(),
+      "cp -r '" + study_.folder() + "' '" + disk_ + "/study'; " +
+          asShell(tests::simulation(disk_ + "/study", 500)) + "; status=$?; cp -r '" + disk_ +
+          "/study' '" + after + "'; exit $status");
   EXPECT_EQ(finished.status, 1);
-  EXPECT_NE(finished.error.find("full"), std::string::npos) << finished.error;
+  EXPECT_NE(finished.error.find("the disk is full. Free some space"), std::string::npos)
+      << finished.error;
   const auto acknowledged = tests::acknowledgedIn(finished.out);
   EXPECT_GE(std::count_if(acknowledged.begin(), acknowledged.end(), tests::isAnswer), 20);
   EXPECT_EQ(tests::whatIsLost(after, acknowledged), "");
   EXPECT_LE(tests::keptBeyond(after, acknowledged), 1U);
+  ASSERT_EQ(tests::run(tests::simulation(after, 1)).status, 0);
+  EXPECT_EQ(tests::whatIsLost(after, acknowledged), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, FullDiskTest, testing::Values("4600k", "4900k", "5m", "5500k"), [](const auto& size) {
+      return std::string(size.param);
+    });
+
+TEST_F(DiskTest, ThatIsFullHoldsNoHalfOfAnExport) {
+  simulateOne();
+  const auto exported = [&](const std::string& size) {
+    return onASmallDisk(
+        size,
+        asShell(
+            {PALPATE_PROGRAM,
+             "export",
+             study_.folder(),
+             "--run-mode",
+             "simulated",
+             "--out",
+             disk_ + "/out"}) +
+            "; status=$?; ls -A '" + disk_ + "' >&2; exit $status");
+  };
+  const auto refused = exported("8k");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.error.find("the room on the disk"), std::string::npos) << refused.error;
+  EXPECT_EQ(refused.error.substr(refused.error.size() - 2), ".\n") << "something was left there";
+  const auto done = exported("1m");
+  EXPECT_EQ(done.status, 0);
+  EXPECT_EQ(done.error, "out\n");
+}
+
+TEST_F(DiskTest, ThatIsOnlyReadIsEnoughToVerifyAndExport) {
+  simulateOne();
+  const std::string out = study_.scratch() / "out";
+  EXPECT_EQ(onAReadOnlyDisk({"study", "verify", disk_}).status, 0);
+  EXPECT_EQ(onAReadOnlyDisk({"study", "status", disk_}).status, 0);
+  EXPECT_EQ(onAReadOnlyDisk({"export", disk_, "--run-mode", "simulated", "--out", out}).status, 0);
+  EXPECT_TRUE(fs::exists(out));
+}
+
+TEST_F(DiskTest, ThatIsOnlyReadIsRefusedBeforeAnybodyTakesPart) {
+  const auto refused = onAReadOnlyDisk({"study", "simulate", disk_, "--verbose"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_NE(refused.error.find("may not be written"), std::string::npos) << refused.error;
+  const auto unmade =
+      onAReadOnlyDisk({"study", "create", disk_ + "/new", "--protocol", "punch-face-validity"});
+  EXPECT_EQ(unmade.status, 1);
+  EXPECT_NE(unmade.error.find("cannot be made"), std::string::npos) << unmade.error;
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ TEST_F(OpeningTest, AStudyWhoseRandomNumbersNobodyKnows) {
 TEST(Transaction, UndoesWhatWasNotCommitted) {
   auto database = Database::inMemory(identitySchema());
   const std::string row =
-      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '')";
+      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '', NULL)";
   {
     Transaction transaction(database);
     database.execute(row);

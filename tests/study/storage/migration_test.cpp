@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "study/storage/content_hash.h"
+#include "study/storage/identity_store.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
 #include "study/verification.h"
@@ -96,6 +97,21 @@ TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {
   Database::create(folder / "new.db", studySchema());
   const char* all = "SELECT group_concat(type || name || sql) FROM sqlite_master";
   EXPECT_EQ(tests::Sql(folder / "old.db").text(all), tests::Sql(folder / "new.db").text(all));
+}
+
+TEST(Identities, OfFormatOneAreKeptAndThoseWrittenSinceVouchForThemselves) {
+  tests::ScratchFolder folder;
+  const auto file = folder / "identity.db";
+  const Schema now = identitySchema();
+  Database::create(file, {now.applicationId, now.name, now.steps.first(1)});
+  tests::Sql(file).run(
+      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'A. Name', 'earlier')");
+  IdentityStore store(Database::open(file, now, Access::ReadWrite));
+  EXPECT_TRUE(store.has({"P001", 1, 0, 1}, "name"));
+  store.put({"P002", 1, 0, 1}, "name", "Another", "later");
+  EXPECT_TRUE(store.damaged().empty());
+  tests::Sql(file).run("UPDATE identifying_answer SET text = 'X'");
+  EXPECT_EQ(store.damaged(), std::vector<std::string>{"P002, name"});
 }
 
 }  // namespace

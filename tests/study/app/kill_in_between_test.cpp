@@ -1,0 +1,160 @@
+// Killed while a study is made, brought up to date or exported: what is half done is never taken
+// for the whole. reliability.md, F6 and F10.
+#include <filesystem>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "study/storage/records.h"
+#include "study/storage/study_schema.h"
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
+#include "tests/support/child_process.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class KilledInBetweenTest : public testing::Test {
+ protected:
+  static constexpr int kKilled = -9;
+
+  void SetUp() override {
+    const auto tried = tests::run({"strace", "-o", folder_ / "tried", "true"});
+    if (tried.status != 0) GTEST_SKIP() << "strace is missing or not permitted: " << tried.error;
+  }
+
+  static tests::Finished palpate(const Words& command) {
+    Words call{PALPATE_PROGRAM};
+    call.insert(call.end(), command.begin(), command.end());
+    return tests::run(call);
+  }
+
+  /// Kills the program in every call that changes a file, one after the other, from a fresh start
+  /// each time. How often it was killed.
+  static int killEverywhere(
+      const Words& command,
+      const std::function<void()>& prepare,
+      const std::function<void()>& look,
+      int most = 100) {
+    int points = 0;
+    for (const std::string call :
+         {"pwrite64",
+          "write",
+          "ftruncate",
+          "fallocate",
+          "fsync",
+          "fdatasync",
+          "unlink",
+          "rename",
+          "mkdir"}) {
+      bool isKilled = true;
+      for (int n = 1; isKilled && n <= most; ++n) {
+        SCOPED_TRACE(call + " " + std::to_string(n));
+        prepare();
+        isKilled = isKilledAt(call, n, command);
+        points += isKilled ? 1 : 0;
+        look();
+        if (HasFailure()) return points;
+      }
+    }
+    return points;
+  }
+
+  static bool isKilledAt(const std::string& name, int n, const Words& command) {
+    const std::string what = name + ":signal=KILL:when=" + std::to_string(n);
+    Words call{"strace", "-o", "/dev/null", "-e", "inject=" + what, PALPATE_PROGRAM};
+    call.insert(call.end(), command.begin(), command.end());
+    const auto finished = tests::run(call, {"ASAN_OPTIONS=detect_leaks=0"});
+    EXPECT_TRUE(finished.status == kKilled || finished.status == 0) << finished.error;
+    return finished.status == kKilled;
+  }
+
+  /// Whether a study is there and sound; what is half made is refused in words.
+  static bool isThere(const std::string& folder) {
+    SimulatedClock clock;
+    try {
+      auto study = Study::open(folder, clock);
+      EXPECT_TRUE(verify(study).isSound());
+      EXPECT_EQ(study.protocols().all().size(), 1U);
+      return true;
+    } catch (const storage::StorageError& error) {
+      EXPECT_GT(std::string(error.what()).size(), 40U);
+      return false;
+    }
+  }
+
+  tests::ScratchFolder folder_;
+};
+
+TEST_F(KilledInBetweenTest, HasMadeAWholeStudyOrNoneThatOpens) {
+  const std::string made = folder_ / "study";
+  int whole = 0;
+  const int points = killEverywhere(
+      {"study", "create", made, "--protocol", "punch-face-validity"},
+      [&] { fs::remove_all(made); },
+      [&] { whole += isThere(made) ? 1 : 0; });
+  std::cout << points << " points; " << whole << " times with a whole study\n";
+  EXPECT_GE(points, 80);
+  EXPECT_GT(whole, 5);  // once for each kind of call it came to its end
+  EXPECT_LT(whole, points / 2);
+}
+
+TEST_F(KilledInBetweenTest, LosesNothingOfAnOlderFormat) {
+  const std::string old = folder_ / "old";
+  const std::string copy = folder_ / "copy";
+  fs::create_directory(old);
+  tests::Sql study(old + "/study.db");
+  study.run(
+      tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/tests/study/data/study-format-1.sql"));
+  study.run("PRAGMA application_id = 0x50616c53; PRAGMA user_version = 1");
+  storage::Database::create(old + "/traces.db", storage::traceSchema());
+  const auto identities = storage::identitySchema();
+  storage::Database::create(
+      old + "/identity.db", {identities.applicationId, identities.name, identities.steps.first(1)});
+  constexpr int kMost = 40;  // after the first few somebody takes part: that is tried elsewhere
+  const int points = killEverywhere(
+      {"study", "simulate", copy, "--participants", "1"},
+      [&] {
+        fs::remove_all(copy);
+        fs::copy(old, copy, fs::copy_options::recursive);
+      },
+      [&] {
+        ASSERT_TRUE(isThere(copy));
+        SimulatedClock clock;
+        auto present = Study::open(copy, clock);
+        EXPECT_GE(storage::Records(present.database()).answers().size(), 2U);
+      },
+      kMost);
+  std::cout << points << " points\n";
+  EXPECT_GE(points, kMost);
+}
+
+TEST_F(KilledInBetweenTest, LeavesNoHalfExportUnderItsName) {
+  const std::string made = folder_ / "study";
+  const std::string out = folder_ / "out";
+  ASSERT_EQ(palpate({"study", "create", made, "--protocol", "punch-face-validity"}).status, 0);
+  ASSERT_EQ(palpate({"study", "simulate", made, "--participants", "1"}).status, 0);
+  const auto files = [](const std::string& folder) {
+    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+  };
+  const Words exported{"export", made, "--run-mode", "simulated", "--out"};
+  Words first = exported;
+  first.push_back(folder_ / "first");
+  ASSERT_EQ(palpate(first).status, 0);
+  const auto all = files(folder_ / "first");
+  Words again = exported;
+  again.push_back(out);
+  const int points = killEverywhere(
+      again,
+      [&] { fs::remove_all(out); },
+      [&] { EXPECT_EQ(fs::exists(out) ? files(out) : all, all); });
+  std::cout << points << " points\n";
+  EXPECT_GE(points, 15);
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,68 @@
+// Several stations write into one study at the same time: reliability.md, F9.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <set>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace {
+
+constexpr int kStations = 3;
+constexpr int kSessions = 12;  // at each of them
+
+/// A process of its own that runs sessions one after the other; ends with 0 where all went well.
+pid_t startStation(const std::string& folder) {
+  const pid_t id = fork();
+  if (id != 0) return id;
+  try {
+    SimulatedClock clock;
+    auto study = Study::open(folder, clock);
+    for (int i = 0; i < kSessions; ++i) {
+      auto session = Session::enrol(study, {.cohort = i % 2 == 0 ? "surgeons" : "students"});
+      tests::walkToTheEnd(session);
+    }
+    _exit(0);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    _exit(1);
+  }
+}
+
+TEST(Stations, ShareAStudyAndTakeNobodysPlaceOrName) {
+  tests::MadeStudy study;
+  study.close();  // no connection may be taken along into another process
+  std::vector<pid_t> stations;
+  for (int i = 0; i < kStations; ++i) stations.push_back(startStation(study.folder()));
+  for (const pid_t id : stations) {
+    int status = -1;
+    EXPECT_EQ(waitpid(id, &status, 0), id);
+    EXPECT_EQ(status, 0);
+  }
+  study.reopen();
+  const auto rows = study->sessions().all();
+  std::set<std::string> names;
+  std::set<std::tuple<std::string, std::int64_t>> places;
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.state, SessionState::Completed);
+    names.insert(row.participant);
+    places.emplace(row.cohort, row.slot);
+  }
+  const std::size_t all = std::size_t{kStations} * kSessions;
+  EXPECT_EQ(rows.size(), all);
+  EXPECT_EQ(names.size(), all);
+  EXPECT_EQ(places.size(), all);
+  EXPECT_LT(
+      std::get<1>(*places.rbegin()), static_cast<std::int64_t>(all) / 2);  // and none is left out
+  EXPECT_TRUE(verify(*study).isSound());
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,186 @@
+// What was felt, a thousand times a second, comes back as it was; what is missing shows.
+#include "study/storage/trace_store.h"
+
+#include <cstring>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "study/rig.h"
+#include "study/storage/records.h"
+#include "study/storage/study_schema.h"
+#include "study/trial_setup.h"
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+using Samples = std::vector<TraceSample>;
+
+/// Samples of any bits at all: no number, infinities, −0.
+Samples anySamples(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<std::uint32_t> words(count * sizeof(TraceSample) / sizeof(std::uint32_t));
+  for (auto& word : words) word = static_cast<std::uint32_t>(random());
+  Samples samples(count);
+  std::memcpy(static_cast<void*>(samples.data()), words.data(), count * sizeof(TraceSample));
+  return samples;
+}
+
+bool areSameBits(const Samples& a, const Samples& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), a.size() * sizeof(TraceSample)) == 0;
+}
+
+Samples joined(const std::vector<Samples>& chunks) {
+  Samples all;
+  for (const auto& chunk : chunks) all.insert(all.end(), chunk.begin(), chunk.end());
+  return all;
+}
+
+constexpr VisitKey kVisit{SessionId{1}, 2, 1};
+
+TEST(TraceStore, GivesBackEveryBit) {
+  TraceStore store(Database::inMemory(traceSchema()));
+  const std::vector<Samples> chunks{anySamples(1000, 1), anySamples(1000, 2), anySamples(1, 3)};
+  for (std::size_t i = 0; i < chunks.size(); ++i) {
+    store.add(kVisit, static_cast<int>(i), chunks[i]);
+  }
+  EXPECT_TRUE(areSameBits(store.read(kVisit), joined(chunks)));
+  EXPECT_EQ(store.sampleCount(kVisit), 2001);
+  EXPECT_FALSE(areSameBits(store.read(kVisit), anySamples(2001, 1)));  // the control
+}
+
+TEST(TraceStore, KeepsTheAttemptsOfAStepApart) {
+  TraceStore store(Database::inMemory(traceSchema()));
+  const VisitKey again{kVisit.session, kVisit.step, 2};
+  store.add(kVisit, 0, anySamples(10, 1));
+  store.add(again, 0, anySamples(20, 2));
+  EXPECT_EQ(store.read(kVisit).size(), 10U);
+  EXPECT_EQ(store.read(again).size(), 20U);
+  EXPECT_EQ(store.visits(), (std::vector<VisitKey>{kVisit, again}));
+  EXPECT_TRUE(store.read({kVisit.session, 7, 1}).empty());
+  EXPECT_NE(store.digest(kVisit), store.digest(again));
+}
+
+TEST(TraceStore, WritesNoChunkOverAnother) {
+  TraceStore store(Database::inMemory(traceSchema()));
+  const auto first = anySamples(10, 1);
+  store.add(kVisit, 0, first);
+  store.add(kVisit, 0, first);  // arrived already: a commit of which nobody knew
+  EXPECT_THROW(store.add(kVisit, 0, anySamples(10, 2)), StorageError);
+  EXPECT_TRUE(areSameBits(store.read(kVisit), first));
+}
+
+/// A session with a trial of several seconds, felt by a simulated hand and kept.
+class KeptTrialTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    tests::walkTo(session_, StepKind::Trial);
+    visit_ = session_.visit();
+    Trial trial(device(), setup());
+    session_.beginTrial();
+    const auto record = feelInVirtualTime(trial, 3, 60.0);
+    ticks_ = record.ticks;
+    session_.finishTrial(record);
+  }
+
+  haptics::devices::Device& device() { return rig_.device(deviceFor(session_)); }
+
+  Trial::Setup setup() {
+    const auto visit = session_.visit();
+    return setupFor(session_, [this, visit](int number, const Samples& samples) {
+      study_->traces().add(visit, number, samples);
+    });
+  }
+
+  /// What the verification says about traces, after somebody did @p mischief.
+  std::string problemsAfter(const std::string& mischief) {
+    tests::Sql(study_.file("traces.db")).run(mischief);
+    const auto traces = verify(*study_).checks.back();
+    std::string problems;
+    for (const auto& problem : traces.problems) problems += problem;
+    return problems;
+  }
+
+  tests::MadeStudy study_{
+      tests::protocolFrom(tests::shortProtocol({.labels = "position", .minimumCuts = 3}))};
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+  SimulatedRig rig_{
+      [](const protocols::DeviceNeed& need) { return simulatedHandFor(need, 7, "surgeons", 0); }};
+  VisitKey visit_;
+  std::int64_t ticks_ = 0;
+};
+
+TEST_F(KeptTrialTest, LiesThereSecondBySecond) {
+  tests::Sql traces(study_.file("traces.db"));
+  EXPECT_EQ(traces.number("SELECT sum(samples) FROM chunk"), ticks_);
+  EXPECT_EQ(traces.number("SELECT count(*) FROM chunk"), (ticks_ + 999) / 1000);
+  EXPECT_EQ(
+      traces.number("SELECT count(*) FROM chunk WHERE samples <> 1000"), ticks_ % 1000 ? 1 : 0);
+  const auto samples = study_->traces().read(visit_);
+  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(samples[i].tick, i);
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(KeptTrialTest, IsMissedWhereASecondIsTakenOutOfTheMiddle) {
+  EXPECT_NE(
+      problemsAfter("DELETE FROM chunk WHERE number = 1").find("second 2"), std::string::npos);
+}
+
+TEST_F(KeptTrialTest, IsMissedWhereItsEndIsTakenAway) {
+  const auto problems =
+      problemsAfter("DELETE FROM chunk WHERE number = (SELECT max(number) FROM chunk)");
+  EXPECT_NE(problems.find(" of " + std::to_string(ticks_) + " samples"), std::string::npos)
+      << problems;
+}
+
+TEST_F(KeptTrialTest, IsMissedWhereAllOfItIsGone) {
+  EXPECT_NE(problemsAfter("DELETE FROM chunk").find("0 of "), std::string::npos);
+}
+
+TEST_F(KeptTrialTest, IsNotTakenForAnother) {
+  const auto problems = problemsAfter("UPDATE chunk SET attempt = 2");
+  EXPECT_NE(problems.find("a trace without a trial"), std::string::npos) << problems;
+}
+
+TEST_F(KeptTrialTest, ShowsSecondsThatChangedPlaces) {
+  EXPECT_NE(
+      problemsAfter("UPDATE chunk SET number = number + 100 WHERE number < 2;"
+                    "UPDATE chunk SET number = 101 - number WHERE number >= 100"),
+      "");
+}
+
+TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
+  tests::walkTo(session_, StepKind::Trial);
+  const auto first = session_.visit();
+  Trial trial(device(), setup());
+  session_.beginTrial();
+  for (int i = 0; i < 1500; ++i) trial.keep(trial.step(1e-3));
+  rig_.unplug(deviceFor(session_).id);
+  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
+  EXPECT_EQ(record.ticks, 1501);  // found in the first tick
+  EXPECT_EQ(study_->traces().read(first).size(), 1501U);
+  session_.breakOffTrial(record);
+
+  EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));  // the operator decides first
+  EXPECT_TRUE(session_.allows(SessionEvent::RepeatedStep));
+  rig_.plugIn(deviceFor(session_).id);
+  session_.repeatStep("the plug is in again");
+  Trial again(device(), setup());
+  session_.beginTrial();
+  session_.finishTrial(feelInVirtualTime(again, 3, 60.0));
+  const auto trials = Records(study_->database()).trials();
+  ASSERT_EQ(trials.size(), 3U);
+  EXPECT_EQ(trials[1].ending + " " + trials[1].verdict, "device_gone FAIL");
+  EXPECT_EQ(trials[2].ending + " " + trials[2].verdict, "finished PASS");
+  EXPECT_EQ(trials[2].step.visit, (VisitKey{first.session, first.step, 2}));
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+}  // namespace
+}  // namespace study::storage
