@@ -5,8 +5,7 @@
 
 namespace study {
 
-/// The files of a study. Answers, traces and names lie apart, so that one can be shared, or
-/// destroyed, without the others.
+/// The files of a study. Answers, traces and names lie apart.
 struct StudyFiles {
   std::filesystem::path folder;
 

@@ -41,6 +41,16 @@ std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
          (known.empty() ? "" : "There are: " + known + ". ") + explains;
 }
 
+/// Whether everything that was printed has been written: a table on a full disk is half a table.
+bool isPrinted() {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  std::fputs(
+      "palpate: what was to be printed could not be written. Free some space, or print "
+      "elsewhere.\n",
+      stderr);
+  return false;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -71,7 +81,8 @@ int main(int argc, char** argv) {
     return kTheCallIsWrong;
   }
   try {
-    return action ? action() : 0;
+    const int status = action ? action() : 0;
+    return isPrinted() ? status : kTheWorldSaidNo;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "palpate: %s\n", error.what());
     return kTheWorldSaidNo;

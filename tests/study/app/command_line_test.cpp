@@ -204,6 +204,14 @@ TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
   }
 }
 
+TEST_F(CommandLineTest, SaysThatItCouldNotPrint) {
+  const std::string call = std::string(PALPATE_PROGRAM) + " protocol check punch-face-validity";
+  EXPECT_EQ(tests::run({"sh", "-c", call}).status, 0);
+  const auto finished = tests::run({"sh", "-c", call + " > /dev/full"});
+  EXPECT_EQ(finished.status, kTheWorldSaidNo);
+  EXPECT_NE(finished.error.find("could not be written"), std::string::npos) << finished.error;
+}
+
 TEST_F(CommandLineTest, TestsAnyTableOfTwoGroups) {
   const auto finished = palpate(welchOf("g,x\na,1\na,2\nb,5\nb,3\n"));
   ASSERT_EQ(finished.status, 0) << finished.error;
