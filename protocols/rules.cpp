@@ -8,6 +8,7 @@
 #include "protocols/block_rules.h"
 #include "protocols/instrument_use.h"
 #include "questionnaires/document.h"
+#include "questionnaires/library.h"
 
 namespace protocols {
 namespace {
@@ -128,12 +129,25 @@ void checkSuits(
   }
 }
 
+/// "background, consent-punch, …"
+std::string namesOfTheLibrary() {
+  constexpr std::string_view kEnding = ".json";
+  std::string names;
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name.ends_with(".schema.json")) continue;
+    names += names.empty() ? "" : ", ";
+    names += file.name.substr(0, file.name.size() - kEnding.size());
+  }
+  return names;
+}
+
 void checkInstrument(const Draft& draft, const InstrumentUse& use, Problems& problems) {
   if (draft.lacksInstrument(use.instrument)) {
     problems.add(
         use.path,
         "there is no instrument '" + shown(use.instrument) + "'",
-        "name one of the library, or list its file in 'instrument_files'");
+        "name one of the library (" + namesOfTheLibrary() +
+            "), or list its file in 'instrument_files'");
   }
   const auto* instrument = draft.loaded.instrument(use.instrument);
   if (instrument != nullptr) checkSuits(*instrument, use.phase, use.path, problems);
