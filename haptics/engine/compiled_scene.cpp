@@ -1,5 +1,6 @@
 #include "haptics/engine/compiled_scene.h"
 
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -14,6 +15,23 @@ constexpr const char* kFiniteElements = "finite elements: force";
 constexpr const char* kMesh = "finite elements: mesh";
 constexpr const char* kFilter = "Kalman filter";
 constexpr const char* kMaterial = "bone material";
+
+/// The reading of the paper that is rendered, by the names that protocols use.
+std::string inWords(const models::FiniteElements<double>::Parameters& p) {
+  constexpr std::array kWeights{"paper", "authors-firmware", "exact-kink"};
+  const std::string boundary = p.boundary == models::Boundary::A ? "A" : "B";
+  const std::string yielding = p.yielding == models::Yielding::Clip ? "clip" : "return-map";
+  return "boundary " + boundary + ", weights " + kWeights[static_cast<std::size_t>(p.weights)] +
+         ", yielding " + yielding;
+}
+
+std::string inWords(const KalmanSpec& spec) {
+  constexpr std::array kVariants{"paper-text", "authors-firmware", "sequential", "space-domain"};
+  constexpr std::array kSmoothings{"none", "two-point", "authors-firmware"};
+  return std::string("variant ") + kVariants[static_cast<std::size_t>(spec.scheme)] +
+         (spec.isProcessAsPrinted ? ", process as-printed" : "") + ", smoothing " +
+         kSmoothings[static_cast<std::size_t>(spec.smoothing)];
+}
 
 /// What each model needs: built here, and nowhere else.
 struct Builder {
@@ -42,7 +60,9 @@ struct Builder {
   void operator()(const FiniteElementsSpec& spec) {
     model = std::make_unique<FiniteElementModel>(spec);
     out(kInterpolation, "the force comes from the finite elements alone");
-    in(kFiniteElements, "this is the force", sizeof(FiniteElementModel));
+    in(kFiniteElements,
+       "this is the force: " + inWords(spec.parameters),
+       sizeof(FiniteElementModel));
     out(kFilter, "there is one force, so nothing to fuse");
     out(kMaterial, "no bone is reamed");
   }
@@ -54,8 +74,10 @@ struct Builder {
       model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
     }
     in(kInterpolation, "the filter corrects with it", bytesOf(spec.interpolation));
-    in(kFiniteElements, "the filter corrects with it", sizeof(FiniteElementModel));
-    in(kFilter, "this is the force", sizeof(models::KalmanFilter<double>));
+    in(kFiniteElements,
+       "the filter corrects with it: " + inWords(spec.finiteElements.parameters),
+       sizeof(FiniteElementModel));
+    in(kFilter, "this is the force: " + inWords(spec), sizeof(models::KalmanFilter<double>));
     out(kMaterial, "no bone is reamed");
   }
 

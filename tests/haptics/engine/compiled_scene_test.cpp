@@ -59,8 +59,8 @@ TEST(CompiledScene, RefusesWhatIsUnsoundInWords) {
 
 TEST(CompiledScene, KnowsItsStiffestSlope) {
   EXPECT_DOUBLE_EQ(CompiledScene({.model = FiniteElementsSpec{}}).largestStiffness(), 12.0 / 7.0);
-  const InterpolationSpec steep{.curve = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 3.0}},
-                                .options = {.rampLength = 3.0}};
+  const InterpolationSpec steep{
+      .curve = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 3.0}}, .options = {.rampLength = 3.0}};
   EXPECT_DOUBLE_EQ(CompiledScene({.model = steep}).largestStiffness(), 4.0);
 }
 
@@ -101,6 +101,31 @@ TEST(MaterialModel, NeverOvershootsItsNodes) {
   }
 }
 
+TEST(CompiledScene, SaysWhichReadingOfThePaperItRenders) {
+  FiniteElementsSpec elements;
+  elements.parameters.boundary = models::Boundary::B;
+  elements.parameters.weights = models::ToolWeights::AuthorsFirmware;
+  elements.parameters.yielding = models::Yielding::ReturnMap;
+  const KalmanSpec fused{
+      .interpolation = {.curve = {{0.0, 0.0}, {10.0, 4.0}}},
+      .finiteElements = elements,
+      .scheme = models::KalmanScheme::Sequential,
+      .isProcessAsPrinted = true,
+      .smoothing = models::Smoothing::TwoPoint};
+  std::string said;
+  const CompiledScene scene(SceneSpec{.model = fused});
+  for (const auto& pass : scene.passes()) said += pass.why + "\n";
+  for (const auto* name :
+       {"boundary B",
+        "weights authors-firmware",
+        "yielding return-map",
+        "variant sequential",
+        "process as-printed",
+        "smoothing two-point"}) {
+    EXPECT_NE(said.find(name), std::string::npos) << name << "\n" << said;
+  }
+}
+
 TEST(MaterialModel, StiffestSlopeIsThatOfTheCurve) {
   MaterialModel model(bone(0.7));
   double steepest = 0.0;
@@ -116,7 +141,8 @@ TEST(MaterialModel, TakesTheForceScale) {
   scaled.forceScale = 0.15;
   EXPECT_NEAR(
       MaterialModel(scaled).respond({.travel = 0.01}).force,
-      0.15 * MaterialModel(bone(0.5)).respond({.travel = 0.01}).force, 1e-12);
+      0.15 * MaterialModel(bone(0.5)).respond({.travel = 0.01}).force,
+      1e-12);
 }
 
 TEST(MonotoneSlopes, EqualThoseOfAnIndependentImplementation) {
