@@ -7,6 +7,7 @@
 
 #include "protocols/block_advice.h"
 #include "protocols/instrument_use.h"
+#include "protocols/scene_advice.h"
 #include "questionnaires/library.h"
 
 namespace protocols {
@@ -167,6 +168,7 @@ void advise(const LoadedProtocol& loaded, Problems& problems) {
   Advice advice(loaded, problems);
   advice.onTexts();
   advice.onInstruments();
+  adviseOnScenes(loaded.protocol, problems);
   adviseOnBlocks(loaded, problems);
   adviseOnAnalysis(loaded.protocol, problems);
   advice.onWhatNobodyUses();

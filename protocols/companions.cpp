@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/slope_limit.h"
 #include "protocols/cut_file.h"
 #include "protocols/instrument_use.h"
 #include "questionnaires/document.h"
@@ -83,11 +84,24 @@ void Companions::readCut(Condition& condition) {
   const auto cut = cutOf(*condition.cut);
   if (!cut) return;
   auto& model = condition.scene.model;
-  if (auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&model)) {
-    kalman->interpolation.curve = nodesOf(*cut);
-  } else if (auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&model)) {
-    spec->curve = nodesOf(*cut);
-  }
+  auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&model);
+  auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&model);
+  if (kalman != nullptr) spec = &kalman->interpolation;
+  if (spec == nullptr) return;
+  fill(*spec, *cut);
+}
+
+/// The branches that are felt, no steeper than the protocol asks for.
+void Companions::fill(
+    haptics::engine::InterpolationSpec& spec, const haptics::recordings::Cut& cut) {
+  const auto curveOf = [&](const haptics::recordings::ForceCurve& recorded) {
+    return nodesOf(
+        spec.slopeLimit ? haptics::recordings::limitSlope(recorded, *spec.slopeLimit).curve
+                        : recorded);
+  };
+  spec.curve = curveOf(cut.curve);
+  const bool isBothWays = spec.branches == haptics::engine::Branches::Hysteresis;
+  if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
 Companions::CutFile Companions::cutOf(const CutReference& reference) {

@@ -29,6 +29,7 @@ class Companions {
 
   void readInstrument(std::size_t index);
   void addLibraryInstruments();
+  static void fill(haptics::engine::InterpolationSpec& spec, const haptics::recordings::Cut& cut);
   CutFile cutOf(const CutReference& reference);
   std::optional<std::string> textOf(const std::string& name, const std::string& path);
   std::optional<std::string> found(const std::string& name, const std::string& path);

@@ -45,10 +45,10 @@ void readLandmarks(const Node& node, Cut& cut) {
 }
 
 /// Travel rises from point to point, or there is no curve.
-std::optional<ForceCurve> readCurve(const Node& root, Problems& problems) {
+std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems& problems) {
   std::vector<CurvePoint> points;
   bool isSound = true;
-  for (const auto& node : root.requiredList("curve")) {
+  for (const auto& node : root.requiredList(key)) {
     const auto point = readPoint(node);
     const bool rises = !point || points.empty() || point->travel > points.back().travel;
     if (!rises) {
@@ -61,7 +61,7 @@ std::optional<ForceCurve> readCurve(const Node& root, Problems& problems) {
     if (point) points.push_back(*point);
   }
   if (isSound && points.size() == 1) {
-    root.problem("curve", "one point is no curve", "list two or more");
+    root.problem(key, "one point is no curve", "list two or more");
   }
   if (!isSound || points.size() < 2 || problems.hasErrors()) return std::nullopt;
   return ForceCurve(std::move(points));
@@ -82,7 +82,15 @@ std::string readUnit(const Node& root) {
 std::optional<Cut> readRoot(const Value& value, Problems& problems) {
   const Node root(value, "$", problems);
   if (!root.isObjectWith(
-          {"format", "name", "title", "unit", "synthetic", "curve", "landmarks", "provenance"})) {
+          {"format",
+           "name",
+           "title",
+           "unit",
+           "synthetic",
+           "curve",
+           "opening_curve",
+           "landmarks",
+           "provenance"})) {
     return std::nullopt;
   }
   const std::string format = root.text("format");
@@ -92,12 +100,15 @@ std::optional<Cut> readRoot(const Value& value, Problems& problems) {
         "this is no cut file of the kind that this program reads",
         "write one with 'palpate recording import'");
   }
-  auto curve = readCurve(root, problems);
+  auto curve = readCurve(root, "curve", problems);
+  std::optional<ForceCurve> opening;
+  if (root.has("opening_curve")) opening = readCurve(root, "opening_curve", problems);
   Cut cut{
       .name = root.id("name"),
       .title = root.text("title"),
       .unit = readUnit(root),
       .curve = curve ? std::move(*curve) : ForceCurve({{0.0, 0.0}, {1.0, 0.0}}),
+      .opening = std::move(opening),
       .provenance = readProvenance(value, problems),
       .isSynthetic = root.flag("synthetic", false)};
   if (const auto landmarks = root.object("landmarks")) readLandmarks(*landmarks, cut);
@@ -106,6 +117,12 @@ std::optional<Cut> readRoot(const Value& value, Problems& problems) {
 
 Json pointAsJson(const CurvePoint& point) {
   return {{"travel", point.travel}, {"force_n", point.force}};
+}
+
+Json pointsAsJson(const ForceCurve& curve) {
+  Json points = Json::array();
+  for (const auto& point : curve.nodes()) points.push_back(pointAsJson(point));
+  return points;
 }
 
 Json provenanceAsJson(const haptics::recordings::Provenance& p, std::string_view sha256) {
@@ -149,15 +166,15 @@ std::string cutAsJson(const Cut& cut, std::string_view sha256) {
   add("bottom_out", cut.landmarks.bottomOut);
   add("opening", cut.landmarks.opening);
   json["provenance"] = provenanceAsJson(cut.provenance, sha256);
-  json["curve"] = Json::array();
-  for (const auto& point : cut.curve.nodes()) json["curve"].push_back(pointAsJson(point));
+  json["curve"] = pointsAsJson(cut.curve);
+  if (cut.opening) json["opening_curve"] = pointsAsJson(*cut.opening);
   // Names of files are bytes; what is no UTF-8 in them is replaced.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<haptics::models::CurveNode<double>> nodesOf(const Cut& cut) {
+std::vector<haptics::models::CurveNode<double>> nodesOf(const ForceCurve& curve) {
   std::vector<haptics::models::CurveNode<double>> nodes;
-  for (const auto& point : cut.curve.nodes()) nodes.push_back({point.travel, point.force});
+  for (const auto& point : curve.nodes()) nodes.push_back({point.travel, point.force});
   return nodes;
 }
 

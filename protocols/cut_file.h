@@ -20,7 +20,8 @@ std::optional<haptics::recordings::Cut> readCut(
 /// recording's bytes, in hexadecimal; empty where there was none.
 std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha256);
 
-/// The curve as the force engine wants it.
-std::vector<haptics::models::CurveNode<double>> nodesOf(const haptics::recordings::Cut& cut);
+/// A curve as the force engine wants it.
+std::vector<haptics::models::CurveNode<double>> nodesOf(
+    const haptics::recordings::ForceCurve& curve);
 
 }  // namespace protocols

@@ -26,6 +26,11 @@ constexpr std::array kBeyond{
     Choice<models::BeyondCurve>{"ramp-out", models::BeyondCurve::RampOut},
     Choice<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
     Choice<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
+    Choice<models::BeyondCurve>{"authors-clamp", models::BeyondCurve::AuthorsClamp},
+};
+constexpr std::array kBranches{
+    Choice<engine::Branches>{"closing-only", engine::Branches::ClosingOnly},
+    Choice<engine::Branches>{"hysteresis", engine::Branches::Hysteresis},
 };
 
 constexpr std::array kBoundaries{
@@ -63,11 +68,17 @@ constexpr std::array kSmoothings{
 
 engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
   engine::InterpolationSpec spec;
-  if (!node.isObjectWith({"cut", "beyond", "ramp_length"})) return spec;
+  if (!node.isObjectWith(
+          {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
+    return spec;
+  }
   const std::string cut = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
   condition.cut = CutReference{cut, node.pathOf("cut")};
   spec.options.beyond = node.choice("beyond", kBeyond, spec.options.beyond);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
+  spec.branches = node.choice("branches", kBranches, spec.branches);
+  spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
+  if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
   return spec;
 }
 

@@ -11,6 +11,7 @@ namespace haptics::engine {
 namespace {
 
 constexpr const char* kInterpolation = "interpolation of the recorded cut";
+constexpr const char* kOpening = "opening branch of the recorded cut";
 constexpr const char* kFiniteElements = "finite elements: force";
 constexpr const char* kMesh = "finite elements: mesh";
 constexpr const char* kFilter = "Kalman filter";
@@ -45,13 +46,20 @@ struct Builder {
     passes.push_back({name, false, std::move(why), 0});
   }
 
-  static std::size_t bytesOf(const InterpolationSpec& spec) {
-    return sizeof(InterpolationModel) + spec.curve.size() * sizeof(spec.curve[0]);
+  void interpolation(const InterpolationSpec& spec, const char* why, std::size_t bytes) {
+    const bool isBothWays = spec.branches == Branches::Hysteresis;
+    in(kInterpolation, why, bytes);
+    if (isBothWays) {
+      in(kOpening, "opening is felt as it was recorded", 0);
+    } else {
+      out(kOpening, "opening goes back along the closing branch");
+    }
   }
 
   void operator()(const InterpolationSpec& spec) {
-    model = std::make_unique<InterpolationModel>(spec);
-    in(kInterpolation, "this is the force", bytesOf(spec));
+    auto recorded = std::make_unique<InterpolationModel>(spec);
+    interpolation(spec, "this is the force", recorded->bytes());
+    model = std::move(recorded);
     out(kFiniteElements, "the force comes from the recording alone");
     out(kFilter, "there is one force, so nothing to fuse");
     out(kMaterial, "no bone is reamed");
@@ -73,7 +81,10 @@ struct Builder {
     } else {
       model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
     }
-    in(kInterpolation, "the filter corrects with it", bytesOf(spec.interpolation));
+    interpolation(
+        spec.interpolation,
+        "the filter corrects with it",
+        InterpolationModel(spec.interpolation).bytes());
     in(kFiniteElements,
        "the filter corrects with it: " + inWords(spec.finiteElements.parameters),
        sizeof(FiniteElementModel));
@@ -83,7 +94,7 @@ struct Builder {
 
   void operator()(const MaterialSpec& spec) {
     auto material = std::make_unique<MaterialModel>(spec);
-    const std::size_t bytes = material->nodes().size() * sizeof(material->nodes()[0]);
+    const std::size_t bytes = material->segments().size() * sizeof(material->segments()[0]);
     model = std::move(material);
     out(kInterpolation, "no cut is replayed");
     out(kFiniteElements, "no meniscus is pressed");

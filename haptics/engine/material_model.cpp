@@ -14,7 +14,7 @@ double endSlope(double h0, double h1, double rise0, double rise1) {
   return slope;
 }
 
-std::vector<models::HermiteNode<double>> blend(const MaterialSpec& spec) {
+std::vector<models::CubicSegment<double>> blend(const MaterialSpec& spec) {
   std::vector<double> depths;
   std::vector<double> lower;
   std::vector<double> upper;
@@ -33,7 +33,18 @@ std::vector<models::HermiteNode<double>> blend(const MaterialSpec& spec) {
          spec.forceScale * ((1.0 - h) * lower[i] + h * upper[i]),
          spec.forceScale * ((1.0 - h) * lowerSlopes[i] + h * upperSlopes[i])});
   }
-  return nodes;
+  std::vector<models::CubicSegment<double>> segments;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    segments.push_back(models::CubicSegment<double>::between(nodes[i], nodes[i + 1]));
+  }
+  return segments;
+}
+
+std::vector<double> knotsOf(const std::vector<models::CubicSegment<double>>& segments) {
+  std::vector<double> knots;
+  for (const auto& segment : segments) knots.push_back(segment.begin);
+  knots.push_back(segments.back().end);
+  return knots;
 }
 
 }  // namespace
@@ -62,21 +73,18 @@ std::vector<double> monotoneSlopes(
 }
 
 MaterialModel::MaterialModel(const MaterialSpec& spec)
-    : nodes_(blend(spec)), curve_(nodes_.data(), nodes_.size()) {}
+    : segments_(blend(spec)),
+      table_(knotsOf(segments_)),
+      curve_(segments_.data(), segments_.size(), table_.index()) {}
 
 double MaterialModel::largestStiffness() const noexcept {
   // The slope of a cubic is a parabola: largest at an end of its interval or at its apex.
   double largest = 0.0;
-  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-    const auto& a = nodes_[i];
-    const auto& b = nodes_[i + 1];
-    const double rise = (b.force - a.force) / (b.position - a.position);
-    const double r = a.slope + b.slope - 2.0 * rise;
-    const double q = rise - a.slope - r;
-    largest = std::max({largest, std::abs(a.slope), std::abs(b.slope)});
-    const double apex = r != 0.0 ? -q / (3.0 * r) : -1.0;
-    if (apex > 0.0 && apex < 1.0) {
-      largest = std::max(largest, std::abs(a.slope + apex * (2.0 * q + 3.0 * apex * r)));
+  for (const auto& segment : segments_) {
+    const double apex = segment.begin - segment.square / (3.0 * segment.cube);
+    const bool isInside = apex > segment.begin && apex < segment.end;  // not where cube is 0
+    for (const double x : {segment.begin, segment.end, isInside ? apex : segment.begin}) {
+      largest = std::max(largest, std::abs(segment.at(x).stiffness));
     }
   }
   return largest;

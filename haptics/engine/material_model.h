@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "haptics/engine/bucket_table.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
 #include "haptics/models/hermite_curve.h"
@@ -21,10 +22,11 @@ class MaterialModel final : public ForceModel {
   void reset() noexcept override { hint_ = 0; }
   double largestStiffness() const noexcept override;
 
-  const std::vector<models::HermiteNode<double>>& nodes() const noexcept { return nodes_; }
+  const std::vector<models::CubicSegment<double>>& segments() const noexcept { return segments_; }
 
  private:
-  std::vector<models::HermiteNode<double>> nodes_;
+  std::vector<models::CubicSegment<double>> segments_;
+  BucketTable table_;
   models::HermiteCurve<double> curve_;
   std::size_t hint_ = 0;
 };

@@ -5,27 +5,86 @@
 #include <utility>
 
 namespace haptics::engine {
+namespace {
 
-InterpolationModel::InterpolationModel(InterpolationSpec spec)
-    : spec_(std::move(spec)), curve_(spec_.curve.data(), spec_.curve.size(), spec_.options) {}
+std::vector<double> travelsOf(const std::vector<models::CurveNode<double>>& nodes) {
+  std::vector<double> travels;
+  for (const auto& node : nodes) travels.push_back(node.travel);
+  return travels;
+}
+
+/// How steep the way from one branch to the other may get: the widest gap over the width.
+double steepestTurn(const InterpolationSpec& spec) {
+  double widest = 0.0;
+  const models::Interpolation<double> closing(spec.curve.data(), spec.curve.size(), spec.options);
+  const models::Interpolation<double> opening(
+      spec.opening.data(), spec.opening.size(), spec.options);
+  for (const auto* nodes : {&spec.curve, &spec.opening}) {  // both straight in between
+    for (const auto& node : *nodes) {
+      std::size_t hint = 0;
+      std::size_t other = 0;
+      const double gap = closing.at(node.travel, hint).force - opening.at(node.travel, other).force;
+      widest = std::max(widest, std::abs(gap));
+    }
+  }
+  return widest / spec.turningWidth;
+}
+
+}  // namespace
+
+IndexedCurve::IndexedCurve(
+    std::vector<models::CurveNode<double>> nodes,
+    const models::Interpolation<double>::Options& options)
+    : nodes_(std::move(nodes)),
+      options_(options),
+      table_(travelsOf(nodes_)),
+      curve_(nodes_.data(), nodes_.size(), options_, table_.index()) {}
+
+std::size_t IndexedCurve::bytes() const noexcept {
+  return nodes_.size() * sizeof(nodes_[0]) + table_.bytes();
+}
+
+double IndexedCurve::largestSlope() const noexcept {
+  double largest = 0.0;
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    const auto& a = nodes_[i - 1];
+    const auto& b = nodes_[i];
+    largest = std::max(largest, std::abs((b.force - a.force) / (b.travel - a.travel)));
+  }
+  if (options_.beyond == models::BeyondCurve::RampOut) {
+    const double end = std::max(std::abs(nodes_.front().force), std::abs(nodes_.back().force));
+    largest = std::max(largest, end / options_.rampLength);
+  }
+  return largest;
+}
+
+InterpolationModel::InterpolationModel(const InterpolationSpec& spec)
+    : closing_(spec.curve, spec.options) {
+  if (spec.branches == Branches::ClosingOnly) return;
+  IndexedCurve opening(spec.opening, spec.options);
+  const models::Hysteresis<double> hysteresis(closing_.curve(), opening.curve(), spec.turningWidth);
+  opening_ = std::make_unique<Opening>(Opening{std::move(opening), hysteresis, steepestTurn(spec)});
+}
 
 models::Response<double> InterpolationModel::respond(const ToolState& tool) noexcept {
-  return curve_.at(tool.travel, hint_);
+  if (opening_ != nullptr) return opening_->hysteresis.at(tool.travel, state_);
+  return closing_.curve().at(tool.travel, hint_);
+}
+
+void InterpolationModel::reset() noexcept {
+  hint_ = 0;
+  state_ = {};
 }
 
 double InterpolationModel::largestStiffness() const noexcept {
-  double largest = 0.0;
-  for (std::size_t i = 1; i < spec_.curve.size(); ++i) {
-    const auto& a = spec_.curve[i - 1];
-    const auto& b = spec_.curve[i];
-    largest = std::max(largest, std::abs((b.force - a.force) / (b.travel - a.travel)));
-  }
-  if (spec_.options.beyond == models::BeyondCurve::RampOut) {
-    const double end =
-        std::max(std::abs(spec_.curve.front().force), std::abs(spec_.curve.back().force));
-    largest = std::max(largest, end / spec_.options.rampLength);
-  }
-  return largest;
+  const double closing = closing_.largestSlope();
+  if (opening_ == nullptr) return closing;
+  return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTurn;
+}
+
+std::size_t InterpolationModel::bytes() const noexcept {
+  return sizeof(*this) + closing_.bytes() +
+         (opening_ != nullptr ? sizeof(Opening) + opening_->curve.bytes() : 0);
 }
 
 template <typename Filter>

@@ -1,26 +1,60 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <utility>
+#include <vector>
 
+#include "haptics/engine/bucket_table.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
+#include "haptics/models/hysteresis.h"
 
 namespace haptics::engine {
 
-/// The recorded cut, replayed over travel.
+/// A curve that can be looked up: its nodes, and where to look among them.
+class IndexedCurve {
+ public:
+  /// @param nodes  sound.
+  IndexedCurve(
+      std::vector<models::CurveNode<double>> nodes,
+      const models::Interpolation<double>::Options& options);
+  IndexedCurve(IndexedCurve&&) noexcept = default;  // the nodes stay where they are
+  IndexedCurve& operator=(IndexedCurve&&) = delete;
+
+  const models::Interpolation<double>& curve() const noexcept { return curve_; }
+  double largestSlope() const noexcept;
+  std::size_t bytes() const noexcept;
+
+ private:
+  std::vector<models::CurveNode<double>> nodes_;
+  models::Interpolation<double>::Options options_;
+  BucketTable table_;
+  models::Interpolation<double> curve_;
+};
+
+/// The recorded cut, replayed over travel; the opening branch is there only where it is felt.
 class InterpolationModel final : public ForceModel {
  public:
   /// @param spec  sound.
-  explicit InterpolationModel(InterpolationSpec spec);
+  explicit InterpolationModel(const InterpolationSpec& spec);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
-  void reset() noexcept override { hint_ = 0; }
+  void reset() noexcept override;
   double largestStiffness() const noexcept override;
+  std::size_t bytes() const noexcept;
 
  private:
-  InterpolationSpec spec_;
-  models::Interpolation<double> curve_;
+  struct Opening {
+    IndexedCurve curve;
+    models::Hysteresis<double> hysteresis;
+    double steepestTurn = 0.0;  ///< [N per travel unit]
+  };
+
+  IndexedCurve closing_;
+  std::unique_ptr<Opening> opening_;
   std::size_t hint_ = 0;
+  models::Hysteresis<double>::State state_;
 };
 
 /// The elastic, ideally plastic reference.

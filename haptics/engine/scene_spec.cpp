@@ -8,11 +8,24 @@ namespace {
 using Words = std::vector<std::string>;
 
 void check(const InterpolationSpec& spec, Words& problems) {
-  if (!models::Interpolation<double>::isSound(spec.curve.data(), spec.curve.size(), spec.options)) {
+  using Model = models::Interpolation<double>;
+  if (!Model::isSound(spec.curve.data(), spec.curve.size(), spec.options)) {
     problems.push_back(
-        "the force curve needs two or more points with strictly increasing travel and finite "
-        "forces, "
-        "and a ramp longer than 0");
+        "the force curve needs two or more points with strictly increasing travel, finite forces "
+        "and finite slopes, and a ramp longer than 0");
+  }
+  if (spec.branches == Branches::ClosingOnly) return;
+  if (spec.opening.empty()) {
+    problems.push_back(
+        "hysteresis needs the opening branch of the cut, and this cut has none; import the "
+        "recording anew, or take closing-only");
+  } else if (!Model::isSound(spec.opening.data(), spec.opening.size(), spec.options)) {
+    problems.push_back(
+        "the opening branch needs two or more points with strictly increasing travel, finite "
+        "forces and finite slopes");
+  }
+  if (!(spec.turningWidth > 0.0) || !std::isfinite(spec.turningWidth)) {
+    problems.push_back("the width of travel between the branches must be a number above 0");
   }
 }
 

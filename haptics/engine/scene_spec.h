@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -13,10 +14,20 @@
 
 namespace haptics::engine {
 
+/// Which branches of a recorded cut are felt.
+enum class Branches {
+  ClosingOnly,  ///< opening goes back along the closing branch, as in the paper
+  Hysteresis,   ///< opening follows the recorded opening branch
+};
+
 /// Force by interpolation of a recorded cut: eq. (2) of the punch paper.
 struct InterpolationSpec {
   std::vector<models::CurveNode<double>> curve;
   models::Interpolation<double>::Options options;
+  Branches branches = Branches::ClosingOnly;
+  std::vector<models::CurveNode<double>> opening;  ///< the opening branch, for Hysteresis
+  std::optional<double> slopeLimit;  ///< that the curves were made to keep [N per travel unit]
+  double turningWidth = 0.5;         ///< of travel from one branch to the other [travel units], > 0
 };
 
 /// Force by one-dimensional finite elements: eq. (3)–(11).

@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "haptics/models/response.h"
+#include "haptics/models/segment_index.h"
 
 namespace haptics::models {
 
@@ -14,74 +15,88 @@ struct HermiteNode {
   Scalar slope{};     ///< [N/m]
 };
 
+/// The cubic between two nodes, solved beforehand: f(u) = force + u (slope + u (square + u cube))
+/// with u = position − begin. In double precision it fills one cache line.
+template <typename Scalar>
+struct alignas(8 * sizeof(Scalar)) CubicSegment {
+  Scalar begin{};   ///< [m]
+  Scalar end{};     ///< [m]
+  Scalar force{};   ///< [N]
+  Scalar slope{};   ///< [N/m]
+  Scalar square{};  ///< [N/m²]
+  Scalar cube{};    ///< [N/m³]
+
+  /// With the values and slopes of both nodes at its ends: eq. (3) of the reaming paper.
+  static constexpr CubicSegment between(
+      const HermiteNode<Scalar>& a, const HermiteNode<Scalar>& b) noexcept {
+    const Scalar h = b.position - a.position;
+    const Scalar rise = (b.force - a.force) / h;
+    const Scalar r = a.slope + b.slope - Scalar{2} * rise;
+    const Scalar q = rise - a.slope - r;
+    return {a.position, b.position, a.force, a.slope, q / h, r / h / h};
+  }
+
+  constexpr bool isFinite() const noexcept {
+    return begin - begin == Scalar{0} && end - end == Scalar{0} && force - force == Scalar{0} &&
+           slope - slope == Scalar{0} && square - square == Scalar{0} && cube - cube == Scalar{0};
+  }
+
+  constexpr Response<Scalar> at(Scalar position) const noexcept {
+    const Scalar u = position - begin;
+    return {
+        force + u * (slope + u * (square + u * cube)),
+        slope + u * (Scalar{2} * square + Scalar{3} * u * cube),
+        true};
+  }
+};
+
 /// Force over displacement by cubic Hermite splines, as the reaming paper models the acetabulum:
 /// on every interval the cubic that has the given forces and slopes at both ends (its eq. (1),
 /// (3)). Value and slope are continuous, the second derivative is not, whatever the paper's eq. (3)
 /// says.
 ///
 /// Before the first node there is no force: the reamer is not yet in contact. Beyond the last one
-/// the force stays.
+/// the force stays. The segment is found as Interpolation finds its interval.
 template <typename Scalar>
 class HermiteCurve {
  public:
-  /// @param nodes  position strictly increasing, all finite, at least two: isSound() has been
-  /// asked.
-  ///               They outlive this object.
-  constexpr HermiteCurve(const HermiteNode<Scalar>* nodes, size_t count) noexcept
-      : nodes_(nodes), count_(count) {}
+  using Segment = CubicSegment<Scalar>;
 
-  static constexpr bool isSound(const HermiteNode<Scalar>* nodes, size_t count) noexcept {
-    if (count < 2) return false;
+  /// @param segments  one or more, each beginning where the one before ends, all finite: isSound()
+  ///                  has been asked. They and what the index points to outlive this object.
+  constexpr HermiteCurve(
+      const Segment* segments, size_t count, const SegmentIndex<Scalar>& index = {}) noexcept
+      : segments_(segments), count_(count), index_(index) {}
+
+  static constexpr bool isSound(const Segment* segments, size_t count) noexcept {
+    if (count < 1) return false;
     for (size_t i = 0; i < count; ++i) {
-      const auto& n = nodes[i];
-      const Scalar sum = n.position + n.force + n.slope;
-      if (sum - sum != Scalar{0}) return false;
-      if (i > 0 && !(n.position > nodes[i - 1].position)) return false;
+      const auto& segment = segments[i];
+      if (!segment.isFinite() || !(segment.end > segment.begin)) return false;
+      if (i > 0 && segment.begin != segments[i - 1].end) return false;
     }
     return true;
   }
 
-  /// @param hint  of the interval; start with 0 and hand back what came out.
+  /// @param hint  of the segment; start with 0 and hand back what came out.
   constexpr Response<Scalar> at(Scalar position, size_t& hint) const noexcept {
-    const auto& last = nodes_[count_ - 1];
-    if (!(position >= nodes_[0].position)) {
-      return {Scalar{0}, Scalar{0}, position < nodes_[0].position};
+    const Segment* segment = segments_ + (hint < count_ ? hint : 0);
+    if (!(segment->begin <= position && position <= segment->end)) {
+      if (!(position >= segments_[0].begin)) {
+        return {Scalar{0}, Scalar{0}, position < segments_[0].begin};
+      }
+      const Segment& last = segments_[count_ - 1];
+      if (position > last.end) return {last.at(last.end).force, Scalar{0}, true};
+      hint = index_.find(position, count_, [this](size_t k) { return segments_[k].begin; });
+      segment = segments_ + hint;
     }
-    if (position >= last.position) return {last.force, Scalar{0}, true};
-
-    const size_t k = interval(position, hint);
-    hint = k;
-    const auto& a = nodes_[k];
-    const auto& b = nodes_[k + 1];
-    const Scalar h = b.position - a.position;
-    const Scalar t = (position - a.position) / h;
-    const Scalar rise = (b.force - a.force) / h;
-    // f = a + h t (a' + t (q + t r)), with q and r from the end values and slopes.
-    const Scalar r = a.slope + b.slope - Scalar{2} * rise;
-    const Scalar q = rise - a.slope - r;
-    return {
-        a.force + h * t * (a.slope + t * (q + t * r)),
-        a.slope + t * (Scalar{2} * q + Scalar{3} * t * r),
-        true};
+    return segment->at(position);
   }
 
  private:
-  constexpr size_t interval(Scalar position, size_t hint) const noexcept {
-    if (hint + 1 < count_ && nodes_[hint].position <= position &&
-        position <= nodes_[hint + 1].position) {
-      return hint;
-    }
-    size_t low = 0;
-    size_t high = count_ - 1;
-    while (high - low > 1) {
-      const size_t middle = low + (high - low) / 2;
-      (nodes_[middle].position <= position ? low : high) = middle;
-    }
-    return low;
-  }
-
-  const HermiteNode<Scalar>* nodes_;
+  const Segment* segments_;
   size_t count_;
+  SegmentIndex<Scalar> index_;
 };
 
 }  // namespace haptics::models

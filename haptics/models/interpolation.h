@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "haptics/models/response.h"
+#include "haptics/models/segment_index.h"
 
 namespace haptics::models {
 
@@ -15,18 +16,19 @@ struct CurveNode {
 
 /// What is felt beyond either end of a recorded curve, where the punch paper's eq. (2) is silent.
 enum class BeyondCurve {
-  RampOut,  ///< the force at the end fades to nothing over a length: "reduced to zero"
-  Hold,     ///< the force at the end stays
-  Zero,     ///< nothing, at once
+  RampOut,       ///< the force at the end fades to nothing over a length: "reduced to zero"
+  Hold,          ///< the force at the end stays
+  Zero,          ///< nothing, at once
+  AuthorsClamp,  ///< 0.01 N; and within the curve never less, nor more than 4.29 N
 };
 
 /// The force of a recorded cut, by straight lines between its points: eq. (2) of the punch paper,
 ///
 ///     f(θ) = f*ₖ + (f*ₖ₊₁ − f*ₖ) (θ − θ*ₖ) / (θ*ₖ₊₁ − θ*ₖ)   for θ*ₖ ≤ θ ≤ θ*ₖ₊₁.
 ///
-/// The interval k is looked up by position, not by time as the paper's index suggests. A hint that
-/// the caller keeps makes the look-up O(1) for a hand that moves on, and O(log n) for one that
-/// jumps.
+/// The interval k is looked up by position, not by time as the paper's index suggests: for a hand
+/// that moves on, by a hint that the caller keeps; for one that jumps, by an index, O(1), or where
+/// there is none by bisection.
 template <typename Scalar>
 class Interpolation {
  public:
@@ -35,17 +37,27 @@ class Interpolation {
     Scalar rampLength{1.5};  ///< RampOut: over which the force fades [travel units], > 0
   };
 
+  /// What the authors' program lets through [N].
+  static constexpr Scalar kAuthorsLeast = Scalar(0.01);
+  static constexpr Scalar kAuthorsMost = Scalar(4.29);
+
   /// @param nodes  travel strictly increasing, all finite, at least two: isSound() has been asked.
-  ///               They outlive this object.
+  ///               They and what the index points to outlive this object.
   constexpr Interpolation(
-      const CurveNode<Scalar>* nodes, size_t count, const Options& options) noexcept
-      : nodes_(nodes), count_(count), options_(options) {}
+      const CurveNode<Scalar>* nodes,
+      size_t count,
+      const Options& options,
+      const SegmentIndex<Scalar>& index = {}) noexcept
+      : nodes_(nodes), count_(count), options_(options), index_(index) {}
 
   static constexpr bool isSound(
       const CurveNode<Scalar>* nodes, size_t count, const Options& options) noexcept {
     if (count < 2 || !isFinite(nodes[0]) || !(options.rampLength > Scalar{0})) return false;
     for (size_t i = 1; i < count; ++i) {
       if (!isFinite(nodes[i]) || !(nodes[i].travel > nodes[i - 1].travel)) return false;
+      const Scalar slope =
+          (nodes[i].force - nodes[i - 1].force) / (nodes[i].travel - nodes[i - 1].travel);
+      if (slope - slope != Scalar{0}) return false;
     }
     return true;
   }
@@ -64,7 +76,8 @@ class Interpolation {
     const auto& a = nodes_[k];
     const auto& b = nodes_[k + 1];
     const Scalar slope = (b.force - a.force) / (b.travel - a.travel);
-    return {a.force + slope * (travel - a.travel), slope, true};
+    const Response<Scalar> response{a.force + slope * (travel - a.travel), slope, true};
+    return options_.beyond == BeyondCurve::AuthorsClamp ? clamped(response) : response;
   }
 
  private:
@@ -72,9 +85,16 @@ class Interpolation {
     return node.travel - node.travel == Scalar{0} && node.force - node.force == Scalar{0};
   }
 
+  static constexpr Response<Scalar> clamped(const Response<Scalar>& response) noexcept {
+    if (response.force < kAuthorsLeast) return {kAuthorsLeast, Scalar{0}, true};
+    if (response.force > kAuthorsMost) return {kAuthorsMost, Scalar{0}, true};
+    return response;
+  }
+
   constexpr Response<Scalar> beyond(
       Scalar force, Scalar distance, Scalar direction) const noexcept {
     if (!(distance > Scalar{0})) return {};  // no number
+    if (options_.beyond == BeyondCurve::AuthorsClamp) return {kAuthorsLeast, Scalar{0}, true};
     if (options_.beyond == BeyondCurve::Hold) return {force, Scalar{0}, true};
     if (options_.beyond == BeyondCurve::Zero || distance >= options_.rampLength) {
       return {Scalar{0}, Scalar{0}, true};
@@ -89,13 +109,7 @@ class Interpolation {
       if (hint + 2 < count_ && holds(hint + 1, travel)) return hint + 1;
       if (hint > 0 && holds(hint - 1, travel)) return hint - 1;
     }
-    size_t low = 0;
-    size_t high = count_ - 1;
-    while (high - low > 1) {
-      const size_t middle = low + (high - low) / 2;
-      (nodes_[middle].travel <= travel ? low : high) = middle;
-    }
-    return low;
+    return index_.find(travel, count_ - 1, [this](size_t k) { return nodes_[k].travel; });
   }
 
   constexpr bool holds(size_t k, Scalar travel) const noexcept {
@@ -105,6 +119,7 @@ class Interpolation {
   const CurveNode<Scalar>* nodes_;
   size_t count_;
   Options options_;
+  SegmentIndex<Scalar> index_;
 };
 
 }  // namespace haptics::models

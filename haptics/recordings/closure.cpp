@@ -47,6 +47,14 @@ RowRange closingBranch(const std::vector<double>& travel, const Span& closed, st
       static_cast<std::size_t>(furthest - travel.begin()) + 1};
 }
 
+/// From the furthest row of the closing branch to the least travel before @p until.
+RowRange openingBranch(
+    const std::vector<double>& travel, const RowRange& closing, std::size_t until) {
+  const auto first = travel.begin() + static_cast<std::ptrdiff_t>(closing.last) - 1;
+  const auto least = std::min_element(first, travel.begin() + static_cast<std::ptrdiff_t>(until));
+  return {closing.last, static_cast<std::size_t>(least - travel.begin()) + 1};
+}
+
 Closure measured(const Recording& recording, const Trace& trace, const Span& span) {
   constexpr double kSecondsPerMillisecond = 1e-3;
   const std::vector<Recording::Row>& rows = recording.rows;
@@ -74,6 +82,7 @@ std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace) 
     Closure closure = measured(recording, trace, span);
     closure.closing = closingBranch(trace.travel, span, from);
     const std::size_t next = i + 1 < spans.size() ? spans[i + 1].first : recording.rows.size();
+    closure.opening = openingBranch(trace.travel, closure.closing, next);
     const std::size_t count = next - from;
     closure.landmarks = landmarksAlong(
         std::span(trace.travel).subspan(from, count), std::span(trace.force).subspan(from, count));

@@ -28,6 +28,9 @@ struct Closure {
   /// row; a slow hand has tissue in the jaw long before the travel is 4) to the largest within.
   RowRange closing{};
 
+  /// The opening hand: from there to the smallest filtered travel before the next closure.
+  RowRange opening{};
+
   /// On filtered travel, from the end of the closure before on.
   CutLandmarks landmarks{};
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "haptics/recordings/cut_landmarks.h"
@@ -15,7 +16,8 @@ struct Cut {
   std::string unit =
       "travel_unit";  ///< of every travel in it, until a laboratory supplies a factor
   ForceCurve curve;
-  CutLandmarks landmarks{};  ///< as measured, before the slope was limited
+  std::optional<ForceCurve> opening{};  ///< what was recorded while the tool opened again
+  CutLandmarks landmarks{};             ///< as measured, before the slope was limited
   Provenance provenance{};
   bool isSynthetic = false;  ///< nobody recorded it
 };

@@ -51,6 +51,27 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   return mean->curve;
 }
 
+/// What was recorded while the tool opened after the chosen closures; nothing where rows were asked
+/// for, or the hand did not open.
+std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportReport& report) {
+  std::vector<ForceCurve> curves;
+  for (const std::size_t number : report.closures) {
+    auto branch = openingCurveOf(trace, report.survey.closures[number - 1].opening);
+    if (!branch) return std::nullopt;
+    curves.push_back(std::move(branch->curve));
+  }
+  const std::optional<MeanCurve> mean = meanCurve(curves);
+  if (!mean) return std::nullopt;
+  SlopeLimited gentle = limitSlope(curves.size() == 1 ? curves.front() : mean->curve, maxSlope);
+  report.changes.push_back(
+      "the opening branch is kept as well, from " + decimal(gentle.curve.end(), 3) + " down to " +
+      decimal(gentle.curve.start(), 3) +
+      (gentle.largestChange > 0.0
+           ? ", slope limited, which moves it by up to " + decimal(gentle.largestChange, 3) + " N"
+           : std::string()));
+  return std::move(gentle.curve);
+}
+
 ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& report) {
   report.slopeBefore = curve.largestSlope();
   SlopeLimited gentle = limitSlope(curve, maxSlope);
@@ -139,11 +160,13 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
 
   const ForceCurve recorded = drawn(trace, report);
   ForceCurve curve = limited(recorded, options.maxSlope, report);
+  auto opening = opened(trace, options.maxSlope, report);
   warnOfTheSensor(recording, report);
   Cut cut{
       .name = options.name,
       .title = options.title,
       .curve = std::move(curve),
+      .opening = std::move(opening),
       .landmarks = landmarksOf(report, trace, recorded),
       .provenance = provenanceOf(recording, options, report)};
   if (cut.name.empty()) cut.name = recording.source.substr(0, recording.source.rfind('.'));

@@ -63,6 +63,9 @@ void requireSound(const CutShape& shape) {
     throw std::invalid_argument("the force of a cut rises, falls, falls more slowly and rises");
   }
   const double whole = shape.end.travel - shape.start;
+  if (!(shape.openingShare >= 0.0 && shape.openingShare <= 1.0)) {
+    throw std::invalid_argument("opening gives back a share from 0 to 1 of the force of closing");
+  }
   if (!(shape.spacing >= 1e-4 * whole && shape.spacing <= 0.1 * whole)) {
     throw std::invalid_argument("the nodes of a cut are 0.0001 to 0.1 of its length apart");
   }
@@ -89,10 +92,15 @@ Cut parametricCut(const CutShape& shape) {
     provenance.changes.push_back(
         "slope limited to " + decimal(shape.maxSlope, 2) + " N per travel unit");
   }
+  std::vector<CurvePoint> opening;
+  for (const CurvePoint& node : gentle.curve.nodes()) {
+    opening.push_back({node.travel, shape.openingShare * node.force});
+  }
   return {
       .name = "parametric-cut",
       .title = "A cut of our own making, built from landmarks",
       .curve = std::move(gentle.curve),
+      .opening = ForceCurve(std::move(opening)),
       .landmarks =
           {.interception = shape.interception,
            .yield = shape.yield,

@@ -15,8 +15,9 @@ struct CutShape {
   CurvePoint through{8.4, 3.5};  ///< the fall after the yield is over
   CurvePoint bottomOut{10.3, 3.2};
   CurvePoint end{11.0, 5.0};
-  double spacing = 0.1;    ///< between nodes, at most [travel units]
-  double maxSlope = 4.39;  ///< as in ImportOptions [N/travel unit]
+  double spacing = 0.1;       ///< between nodes, at most [travel units]
+  double openingShare = 0.2;  ///< of the closing force that is left while opening, 0 to 1
+  double maxSlope = 4.39;     ///< as in ImportOptions [N/travel unit]
 };
 
 /// A cut that nobody recorded: smooth pieces between landmarks, monotone in each.
@@ -29,6 +30,8 @@ struct CutShape {
 /// (the load rises slowly at first, then stiffens), at the yield and at the bottom-out; the Δ of
 /// the slow fall where the fast one passes into it; and 1.5 Δ at the end, which is as steep as the
 /// last piece gets. Then the slope is limited as everywhere.
+///
+/// Opening meets the same curve at a share of its force: what is cut does not push back as it did.
 ///
 /// @throws std::invalid_argument  if the travels do not rise from landmark to landmark, the forces
 ///     do not rise, fall, fall more slowly and rise, a number is not finite or a force negative,

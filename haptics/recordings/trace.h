@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "haptics/recordings/force_calibration.h"
@@ -24,5 +25,8 @@ Trace traceOf(const Recording& recording, ForceCalibration calibration, TravelFi
 /// @param rows  within the trace.
 /// @throws Error  if they give fewer than two different travels.
 MonotoneCurve curveOf(const Trace& trace, const RowRange& rows);
+
+/// The same of an opening hand, whose travel falls: read backwards. Nothing where it does not fall.
+std::optional<MonotoneCurve> openingCurveOf(const Trace& trace, const RowRange& rows);
 
 }  // namespace haptics::recordings

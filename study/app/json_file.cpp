@@ -251,6 +251,13 @@ std::string importAsJson(
   return printed(json);
 }
 
+std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise) {
+  return printed(
+      {{"process_force", noise.force},
+       {"process_covariance", noise.covariance},
+       {"process_stiffness", noise.stiffness}});
+}
+
 std::string passesAsJson(
     const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds) {
   Json json{

@@ -7,6 +7,7 @@
 #include "analysis/welch.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/process_noise.h"
 #include "questionnaires/problem.h"
 #include "study/results.h"
 #include "study/verification.h"
@@ -36,6 +37,9 @@ std::string importAsJson(
     const haptics::recordings::Trace& trace,
     const std::optional<haptics::recordings::ImportedCut>& imported,
     const std::string& whyNot);
+
+/// The keys that a protocol's `noise` has.
+std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
 std::string passesAsJson(
     const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds);

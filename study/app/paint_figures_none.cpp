@@ -4,4 +4,6 @@ namespace study::app {
 
 void paintFigures(std::vector<report::ReportSection>& /*sections*/) {}
 
+void paintFigures(report::Document& /*document*/) {}
+
 }  // namespace study::app

@@ -6,6 +6,7 @@
 #include <QString>
 
 #include "study/app/paint_figures.h"
+#include "study/report/chart_painter.h"
 #include "study/report/figures.h"
 
 namespace study::app {
@@ -17,20 +18,29 @@ void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QStrin
   std::fprintf(stderr, "%s\n", words.toUtf8().constData());
 }
 
-}  // namespace
-
-void paintFigures(std::vector<report::ReportSection>& sections) {
-  // Fonts need an application; a display they do not need.
+/// Fonts need an application; a display they do not need. Nothing where there is one already.
+std::unique_ptr<QGuiApplication> applicationForFonts() {
   static int argc = 1;
   static char name[] = "palpate";
   static char* argv[] = {name, nullptr};
-  std::unique_ptr<QGuiApplication> application;
-  if (QCoreApplication::instance() == nullptr) {
-    setenv("QT_QPA_PLATFORM", "offscreen", 0);
-    qInstallMessageHandler(say);
-    application = std::make_unique<QGuiApplication>(argc, argv);
-  }
+  if (QCoreApplication::instance() != nullptr) return nullptr;
+  setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  qInstallMessageHandler(say);
+  return std::make_unique<QGuiApplication>(argc, argv);
+}
+
+}  // namespace
+
+void paintFigures(std::vector<report::ReportSection>& sections) {
+  const auto application = applicationForFonts();
   for (auto& section : sections) report::paintFigures(section);
+}
+
+void paintFigures(report::Document& document) {
+  const auto application = applicationForFonts();
+  for (auto& part : document.parts) {
+    for (auto& figure : part.figures) figure.svg = report::chartAsSvg(figure.chart);
+  }
 }
 
 }  // namespace study::app

@@ -2,12 +2,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/error.h"
+#include "haptics/recordings/process_noise.h"
 #include "haptics/recordings/recording_file.h"
 #include "haptics/recordings/recording_survey.h"
 #include "study/app/commands.h"
@@ -22,12 +24,32 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
+/// How readings become forces, and the travel smooth.
+struct Reading {
+  std::string calibration = "paper-eq1";
+  std::string filter = "authors-fir";
+
+  recordings::Trace traceOf(const recordings::Recording& recording) const {
+    return recordings::traceOf(
+        recording,
+        *recordings::forceCalibrationNamed(calibration),
+        *recordings::travelFilterNamed(filter));
+  }
+};
+
+struct NoiseCommand {
+  std::string file;
+  std::vector<std::string> rows;
+  double leastStep = recordings::kLeastStep;
+  Reading reading;
+  bool json = false;
+};
+
 struct ImportCommand {
   std::string file;
   std::string out;
   std::string rows;
-  std::string calibration = "paper-eq1";
-  std::string filter = "authors-fir";
+  Reading reading;
   recordings::ImportOptions options;
   bool json = false;
 };
@@ -118,12 +140,11 @@ void printChoice(const ImportCommand& command, const recordings::ImportReport& r
 }
 
 int import(ImportCommand& command) {
-  command.options.calibration = *recordings::forceCalibrationNamed(command.calibration);
-  command.options.filter = *recordings::travelFilterNamed(command.filter);
+  command.options.calibration = *recordings::forceCalibrationNamed(command.reading.calibration);
+  command.options.filter = *recordings::travelFilterNamed(command.reading.filter);
   if (!command.rows.empty()) command.options.rows = rowRange(command.rows);
   const auto recording = recordings::readRecordingFile(command.file);
-  const auto trace =
-      recordings::traceOf(recording, command.options.calibration, command.options.filter);
+  const auto trace = command.reading.traceOf(recording);
   const auto survey = recordings::surveyOf(recording, trace);
   std::string whyNot;
   const auto imported = cutFrom(recording, command, whyNot);
@@ -143,14 +164,56 @@ int import(ImportCommand& command) {
   return 0;
 }
 
-}  // namespace
+int noise(const NoiseCommand& command) {
+  const auto recording = recordings::readRecordingFile(command.file);
+  const auto trace = command.reading.traceOf(recording);
+  std::vector<recordings::RowRange> rows;
+  for (const auto& text : command.rows) rows.push_back(rowRange(text));
+  if (rows.empty()) {
+    for (const auto& closure : recordings::closuresOf(recording, trace)) {
+      if (closure.isComplete) rows.push_back(closure.closing);
+    }
+  }
+  for (const auto& range : rows) {
+    if (range.last <= recording.rows.size()) continue;
+    throw NotNow(fmt::format(
+        "Rows {} to {} do not lie in '{}', which has {} rows.",
+        range.first,
+        range.last,
+        recording.source,
+        recording.rows.size()));
+  }
+  const auto found = recordings::processNoiseOf(trace, rows, command.leastStep);
+  if (command.json) {
+    std::fputs(processNoiseAsJson(found).c_str(), stdout);
+    return 0;
+  }
+  fmt::print("{}\n  {} rows of {} cuts", recording.source, found.samples, rows.size());
+  if (found.resting > 0)
+    fmt::print("; {} left out, where the travel hardly changes", found.resting);
+  fmt::print(
+      "\n\n  variance of the force       {:.5g} N²\n  covariance                  {:.5g} "
+      "N²/travel unit\n  variance of the stiffness   {:.5g} N²/travel unit²\n\n"
+      "As \"process_force\", \"process_covariance\" and \"process_stiffness\" they go into the "
+      "\"noise\" of a Kalman condition (--json writes them so).\n",
+      found.force,
+      found.covariance,
+      found.stiffness);
+  return 0;
+}
 
-void addRecordingCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("recording", "Measured cuts to something that can be felt");
-  noun->require_subcommand(1);
+void addReading(CLI::App& command, Reading& reading) {
+  command.add_option("--calibration", reading.calibration, "Raw readings to newtons")
+      ->check(CLI::IsMember({"paper-eq1", "recorder-2021"}))
+      ->capture_default_str();
+  command.add_option("--filter", reading.filter, "Low-pass of the travel")
+      ->check(CLI::IsMember({"authors-fir", "none"}))
+      ->capture_default_str();
+}
 
+void addImport(CLI::App& noun, Action& action) {
   auto command = std::make_shared<ImportCommand>();
-  auto* import = noun->add_subcommand(
+  auto* import = noun.add_subcommand(
       "import", "Read a recording of a real punch, find its cuts, write one as a cut file");
   import->add_option("FILE", command->file, "A recording as text, five columns")->required();
   import->add_option("--out", command->out, "The cut file to write; nothing is overwritten");
@@ -160,12 +223,7 @@ void addRecordingCommands(CLI::App& program, Action& action) {
       "Which cut, numbered from 1; several become their mean (default: the most typical one)");
   import->add_option("--rows", command->rows, "Rows FIRST:LAST instead, numbered from 1")
       ->excludes(cuts);
-  import->add_option("--calibration", command->calibration, "Raw readings to newtons")
-      ->check(CLI::IsMember({"paper-eq1", "recorder-2021"}))
-      ->capture_default_str();
-  import->add_option("--filter", command->filter, "Low-pass of the travel")
-      ->check(CLI::IsMember({"authors-fir", "none"}))
-      ->capture_default_str();
+  addReading(*import, command->reading);
   import
       ->add_option(
           "--max-slope",
@@ -177,8 +235,40 @@ void addRecordingCommands(CLI::App& program, Action& action) {
   import->add_flag("--json", command->json, "For programs, full precision");
   import->callback([&action, command] { action = [command] { return app::import(*command);
 };
-}  // namespace study::app
+}  // namespace
 );
+}  // namespace study::app
+
+void addNoise(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<NoiseCommand>();
+  auto* noise = noun.add_subcommand(
+      "noise", "How force and stiffness vary in recorded cuts: the process noise of a filter");
+  noise->add_option("FILE", command->file, "A recording as text, five columns")->required();
+  noise
+      ->add_option(
+          "--rows",
+          command->rows,
+          "Ranges FIRST:LAST, numbered from 1 (default: the closing hand of every complete cut)")
+      ->delimiter(',');
+  noise
+      ->add_option(
+          "--least-step",
+          command->leastStep,
+          "Rows that moved on by less are left out [travel units]; 0 as in the paper's eq. (22)")
+      ->check(finiteRange(0.0, 1.0))
+      ->capture_default_str();
+  addReading(*noise, command->reading);
+  noise->add_flag("--json", command->json, "As the 'noise' of a protocol, full precision");
+  noise->callback([&action, command] { action = [command] { return app::noise(*command); }; });
+}
+
+}  // namespace
+
+void addRecordingCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("recording", "Measured cuts to something that can be felt");
+  noun->require_subcommand(1);
+  addImport(*noun, action);
+  addNoise(*noun, action);
 }
 
 }  // namespace study::app

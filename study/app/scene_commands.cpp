@@ -2,7 +2,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +16,28 @@
 #include "haptics/engine/passivity.h"
 #include "protocols/loaded_protocol.h"
 #include "study/app/commands.h"
+#include "study/app/finite_range.h"
 #include "study/app/json_file.h"
+#include "study/app/paint_figures.h"
+#include "study/app/scene_play.h"
+#include "study/new_file.h"
 #include "study/session.h"
 
 namespace study::app {
 namespace {
+
+struct PlayOptions {
+  std::string file;
+  std::vector<std::string> conditions;
+  std::string profile = "closing";
+  std::string out;
+  std::string over = "travel";
+  std::optional<double> speed;
+  std::optional<double> rate;
+  double quantum = 0.0;
+  std::vector<double> interpolationNoise;
+  std::optional<std::string> smoothing;
+};
 
 struct ExplainOptions {
   std::string file;
@@ -78,26 +97,42 @@ void print(
       device.damping);
 }
 
-int explain(const ExplainOptions& options) {
+/// The protocol, or nothing, and then its problems have been told.
+std::optional<protocols::LoadedProtocol> loaded(const std::string& file) {
   questionnaires::Problems problems;
-  const auto loaded = protocols::loadProtocolFile(options.file, problems);
-  if (!loaded) {
-    std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
-    return 1;
-  }
-  const auto* condition = loaded->protocol.condition(options.condition);
-  if (condition == nullptr) {
-    std::string known;
-    for (const auto& c : loaded->protocol.conditions) known += (known.empty() ? "" : ", ") + c.id;
-    throw NotNow("There is no condition '" + options.condition + "'. There are: " + known + ".");
-  }
-  auto spec = condition->scene;
-  spec.device = loaded->protocol.device(condition->device)->kind;
+  auto protocol = protocols::loadProtocolFile(file, problems);
+  if (!protocol) std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+  return protocol;
+}
+
+const protocols::Condition& conditionOf(
+    const protocols::Protocol& protocol, const std::string& id) {
+  if (const auto* condition = protocol.condition(id)) return *condition;
+  std::string known;
+  for (const auto& c : protocol.conditions) known += (known.empty() ? "" : ", ") + c.id;
+  throw NotNow("There is no condition '" + id + "'. There are: " + known + ".");
+}
+
+haptics::engine::SceneSpec sceneOf(
+    const protocols::Protocol& protocol, const protocols::Condition& condition) {
+  auto spec = condition.scene;
+  spec.device = protocol.device(condition.device)->kind;
+  return spec;
+}
+
+haptics::devices::Capabilities standInFor(haptics::devices::DeviceKind kind) {
+  return kind == haptics::devices::DeviceKind::Punch ? haptics::devices::simulatedPunch()
+                                                     : haptics::devices::simulatedReamer();
+}
+
+int explain(const ExplainOptions& options) {
+  const auto file = loaded(options.file);
+  if (!file) return 1;
+  const auto* condition = &conditionOf(file->protocol, options.condition);
+  auto spec = sceneOf(file->protocol, *condition);
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = spec.device == haptics::devices::DeviceKind::Punch
-                          ? haptics::devices::simulatedPunch()
-                          : haptics::devices::simulatedReamer();
+  const auto device = standInFor(spec.device);
   const double nanoseconds = tickTime(scene, device.mostTravel);
   if (options.json) {
     std::fputs(passesAsJson(condition->id, scene, nanoseconds).c_str(), stdout);
@@ -107,11 +142,135 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
+Motion motionFor(const PlayOptions& options, const haptics::devices::Capabilities& device) {
+  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
+  Motion motion{.least = device.leastTravel, .most = device.mostTravel, .quantum = options.quantum};
+  if (options.profile == "cut") motion.shape = Motion::Shape::Cut;
+  if (options.profile == "sine") motion.shape = Motion::Shape::Sine;
+  motion.speed = options.speed.value_or(isPunch ? 57.0 : 0.005);  // the paper's speed of a cut
+  motion.rate = options.rate.value_or(device.rate);
+  return motion;
+}
+
+/// The curves of one condition: as it is written, or once for each noise that was asked for.
+void playCondition(
+    const PlayOptions& options,
+    const protocols::Condition& condition,
+    haptics::engine::SceneSpec spec,
+    const TravelProfile& profile,
+    std::vector<PlayedCurve>& curves) {
+  auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&spec.model);
+  const bool isAlone = options.conditions.size() == 1;
+  const auto add = [&](const std::string& title, bool withIngredients) {
+    for (auto& curve : play(condition.id, title, spec, profile, withIngredients)) {
+      curves.push_back(std::move(curve));
+    }
+  };
+  if (kalman == nullptr) {
+    add(condition.title, false);
+    return;
+  }
+  if (options.smoothing) {
+    kalman->smoothing = *options.smoothing == "none" ? haptics::models::Smoothing::None
+                        : *options.smoothing == "two-point"
+                            ? haptics::models::Smoothing::TwoPoint
+                            : haptics::models::Smoothing::AuthorsFirmware;
+  }
+  if (options.interpolationNoise.empty()) {
+    add(condition.title, isAlone);
+    return;
+  }
+  bool isFirst = true;
+  for (const double noise : options.interpolationNoise) {
+    kalman->noise.interpolation = noise;
+    add(fmt::format("{} (R {:g} N²)", condition.title, noise), isAlone && isFirst);
+    isFirst = false;
+  }
+}
+
+/// "out.csv" and "out.svg" for "out", "out.csv" or "out.svg".
+std::string beside(const std::string& out, const char* extension) {
+  std::filesystem::path path(out);
+  const auto own = path.extension();
+  if (own == ".csv" || own == ".svg") path.replace_extension();
+  return path.string() + extension;
+}
+
+int playScene(const PlayOptions& options) {
+  const auto file = loaded(options.file);
+  if (!file) return 1;
+  std::vector<PlayedCurve> curves;
+  std::optional<haptics::devices::Capabilities> device;
+  TravelProfile profile;
+  for (const auto& id : options.conditions) {
+    const auto& condition = conditionOf(file->protocol, id);
+    const auto spec = sceneOf(file->protocol, condition);
+    const auto own = standInFor(spec.device);
+    if (device && device->kind != own.kind) {
+      throw NotNow("These conditions are felt on different devices; play them one by one.");
+    }
+    device = own;
+    profile = profileOf(motionFor(options, own));
+    playCondition(options, condition, spec, profile, curves);
+  }
+  report::Document document{
+      .parts = {
+          {.figures = {
+               {.chart = asChart(profile, curves, device->travelUnit, options.over == "time")}}}}};
+  paintFigures(document);
+  const auto& svg = document.parts.front().figures.front().svg;
+  const std::string csv = beside(options.out, ".csv");
+  writeNewFile(csv, asCsv(asTable(profile, curves)));
+  fmt::print("{} holds {} curves of {} steps", csv, curves.size(), profile.travel.size());
+  if (!svg.empty()) {
+    const std::string picture = beside(options.out, ".svg");
+    writeNewFile(picture, svg);
+    fmt::print("; {} shows them", picture);
+  }
+  fmt::print(".\n");
+  return 0;
+}
+
+void addPlay(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<PlayOptions>();
+  auto* play = noun.add_subcommand(
+      "play", "What conditions feel like, drawn: force over travel, before any limit");
+  play->add_option("FILE", options->file, "A protocol file, or one of the library by name")
+      ->required();
+  play->add_option(
+          "--condition",
+          options->conditions,
+          "Its id; several are drawn together, a filter alone with the forces that it fuses")
+      ->required();
+  play->add_option("--profile", options->profile, "How the tool moves; cut closes and opens again")
+      ->check(CLI::IsMember({"closing", "cut", "sine"}))
+      ->capture_default_str();
+  play->add_option("--speed", options->speed, "[travel units/s, or m/s] (default: 57, or 0.005)")
+      ->check(finiteRange(1e-6, 1e6));
+  play->add_option("--rate", options->rate, "Of the steps [Hz] (default: the device's)")
+      ->check(finiteRange(1.0, 10'000.0));
+  play->add_option("--encoder", options->quantum, "What the tool's encoder resolves [travel units]")
+      ->check(finiteRange(0.0, 1.0));
+  play->add_option(
+          "--interpolation-noise",
+          options->interpolationNoise,
+          "A filter once for each R of the interpolation [N²], as in the paper's Fig. 11")
+      ->check(finiteRange(0.0, 1e9));
+  play->add_option("--smoothing", options->smoothing, "Of a filter, instead of the protocol's")
+      ->check(CLI::IsMember({"none", "two-point", "authors-firmware"}));
+  play->add_option("--over", options->over, "What the figure's abscissa is")
+      ->check(CLI::IsMember({"travel", "time"}))
+      ->capture_default_str();
+  play->add_option("--out", options->out, "OUT.csv is written, and OUT.svg beside it")->required();
+  play->callback([&action, options] { action = [options] { return playScene(*options); }; });
+}
+
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("scene", "What a condition consists of");
+  auto* noun = program.add_subcommand("scene", "What a condition consists of, and feels like");
   noun->require_subcommand(1);
+  addPlay(*noun, action);
   auto options = std::make_shared<ExplainOptions>();
   auto* explain = noun->add_subcommand(
       "explain", "What a condition needs, what is left out and why, and what it costs");

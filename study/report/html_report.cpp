@@ -3,51 +3,11 @@
 #include <fmt/format.h>
 
 #include "study/data_table.h"
+#include "study/report/html_text.h"
 #include "study/results_text.h"
 
 namespace study::report {
 namespace {
-
-constexpr const char* kStyle = R"css(
-body { font: 16px/1.5 "Source Sans 3", "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff;
-       max-width: 60rem; margin: 2rem auto; padding: 0 1.5rem; }
-h1 { font-size: 1.7rem; line-height: 1.25; } h2 { font-size: 1.35rem; margin-top: 3rem;
-     border-bottom: 2px solid #1f4e79; padding-bottom: .2rem; } h3 { font-size: 1.05rem; margin-top: 1.8rem; }
-table { border-collapse: collapse; margin: .6rem 0 1.2rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
-th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #555; }
-td.words { text-align: left; } tr.yes td { font-weight: 600; }
-.banner { background: #8a1c1c; color: #fff; padding: .6rem 1rem; border-radius: .3rem; font-weight: 600; }
-.pilot { background: #7a5200; }
-.note { color: #444; font-size: .92rem; } li { margin: .25rem 0; }
-figure { margin: 1rem 0 1.6rem; } figure svg { max-width: 100%; height: auto; }
-figcaption { color: #333; font-size: .92rem; } code { font-size: .85em; word-break: break-all; }
-@media print { body { margin: 0; max-width: none; } h2 { break-before: page; } }
-)css";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string interval(const std::optional<analysis::Interval>& i) {
   return i ? fmt::format("[{:.2f}, {:.2f}]", i->low, i->high) : "–";
@@ -313,18 +273,12 @@ class SectionWriter {
 }  // namespace
 
 std::string asHtml(const std::vector<ReportSection>& sections) {
-  const std::string title = sections.size() == 1 ? escaped(sections.front().protocol.study.title)
-                                                 : "Face-validity studies";
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>{}</title><style>{}</style></head>"
-      "<body>\n<h1>{}</h1>\n",
-      title,
-      kStyle,
-      sections.size() == 1 ? "Results of a face-validity study" : title);
-  for (const auto& section : sections) html += SectionWriter(section).all();
-  return html + "</body></html>\n";
+  const bool isOne = sections.size() == 1;
+  const std::string title = isOne ? sections.front().protocol.study.title : "Face-validity studies";
+  std::string body =
+      "<h1>" + (isOne ? "Results of a face-validity study" : escaped(title)) + "</h1>\n";
+  for (const auto& section : sections) body += SectionWriter(section).all();
+  return htmlPage(title, body);
 }
 
 }  // namespace study::report

@@ -111,7 +111,7 @@ TEST(CutFile, NeedsNeitherLandmarksNorProvenance) {
   EXPECT_FALSE(cut.landmarks.interception);
   EXPECT_TRUE(cut.provenance.statement.empty());
   EXPECT_FALSE(cut.provenance.slopeLimit);
-  EXPECT_EQ(nodesOf(cut).at(1).force, 2.0);
+  EXPECT_EQ(nodesOf(cut.curve).at(1).force, 2.0);
 }
 
 TEST(CutFile, RefusesWhatIsNoCurve) {

@@ -94,7 +94,12 @@ TEST(CutImport, LimitsTheSlopeAndSaysWhere) {
   const ForceCurve steep = importCut(made(), {.closures = {2}, .maxSlope = 1e6}).cut.curve;
   const double change = std::abs(steep.forceAt(at) - imported.cut.curve.forceAt(at));
   EXPECT_DOUBLE_EQ(change, imported.report.largestChange);
-  expectMentions(imported.report.changes.back(), "to 1.00 N per travel unit");
+  const auto& changes = imported.report.changes;
+  ASSERT_GE(changes.size(), 2U);
+  expectMentions(changes[changes.size() - 2], "to 1.00 N per travel unit");
+  expectMentions(changes.back(), "opening branch");
+  ASSERT_TRUE(imported.cut.opening.has_value());
+  EXPECT_LE(imported.cut.opening->largestSlope(), 1.0 + 1e-9);
 }
 
 TEST(CutImport, KeepsWhereItCameFrom) {

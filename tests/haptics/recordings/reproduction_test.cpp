@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/kaiser_low_pass.h"
+#include "haptics/recordings/process_noise.h"
 #include "haptics/recordings/recording_file.h"
 #include "tests/support/shared_data.h"
 
@@ -144,24 +144,8 @@ TEST(Reproduction, R6SlopesOfTheTable) {
   EXPECT_NO_THROW(ForceCurve{table});  // strictly increasing
 }
 
-/// What the ten cuts have in common: variances with n − 1.
-struct Statistics {
-  double varianceOfForce = 0.0;
-  double varianceOfStiffness = 0.0;
-  double covariance = 0.0;
-};
-
-double covarianceOf(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<double>(a.size());
-  const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double meanB = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - meanA) * (b[i] - meanB);
-  return sum / (n - 1.0);
-}
-
-/// Ten ranges of rows in a row; stiffness by difference quotients, the first one 0.
-Statistics ofTenCuts(const Recording& recording, const std::vector<double>& travel) {
+/// The ten ranges of rows that eq. (22) was worked out from.
+ProcessNoise ofTenCuts(const Trace& trace) {
   const std::vector<RowRange> cuts{
       {90, 170},
       {870, 910},
@@ -173,45 +157,31 @@ Statistics ofTenCuts(const Recording& recording, const std::vector<double>& trav
       {5100, 5150},
       {5900, 5970},
       {6800, 6840}};
-  std::vector<double> force;
-  std::vector<double> stiffness;
-  std::size_t before = 0;
-  for (const RowRange& rows : cuts) {
-    for (std::size_t i = rows.first - 1; i < rows.last; ++i) {
-      const double f = forceOf(recording.rows[i].reading, ForceCalibration::PaperEq1);
-      stiffness.push_back(force.empty() ? 0.0 : (f - force.back()) / (travel[i] - travel[before]));
-      force.push_back(f);
-      before = i;
-    }
-  }
-  return {
-      covarianceOf(force, force),
-      covarianceOf(stiffness, stiffness),
-      covarianceOf(force, stiffness)};
+  return processNoiseOf(trace, cuts, 0.0);
 }
 
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
   SKIP_WITHOUT_SHARED_DATA(kCopy);
   const Recording recording = copy();
-  const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
-  const Statistics found = ofTenCuts(recording, trace.travel);
+  const ProcessNoise found =
+      ofTenCuts(traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir));
 
-  EXPECT_NEAR(found.varianceOfForce, 6.1024, 5e-5);      // eq. (22)
-  EXPECT_NEAR(found.varianceOfStiffness, 7.0275, 5e-5);  // eq. (22)
-  EXPECT_NEAR(found.covariance, 0.2772, 5e-5);           // eq. (22), its lower left
+  EXPECT_NEAR(found.force, 6.1024, 5e-5);       // eq. (22)
+  EXPECT_NEAR(found.stiffness, 7.0275, 5e-5);   // eq. (22)
+  EXPECT_NEAR(found.covariance, 0.2772, 5e-5);  // eq. (22), its lower left
 }
 
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
   SKIP_WITHOUT_SHARED_DATA(kCopy);
   const Recording recording = copy();
-  std::vector<double> travel;
-  for (const Recording::Row& row : recording.rows) travel.push_back(row.travel);
+  Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::None);
   // A hair higher, and still 17.69 Hz: the best fit to the 76 printed angles.
   const KaiserLowPass filter({.cutoff = 17.6925});
-  const Statistics found = ofTenCuts(recording, filter.filtered(travel));
+  trace.travel = filter.filtered(trace.travel);
+  const ProcessNoise found = ofTenCuts(trace);
 
-  EXPECT_NEAR(found.varianceOfForce, 6.1024, 1e-4);
-  EXPECT_NEAR(found.varianceOfStiffness, 7.038, 1e-3);
+  EXPECT_NEAR(found.force, 6.1024, 1e-4);
+  EXPECT_NEAR(found.stiffness, 7.038, 1e-3);
   EXPECT_NEAR(found.covariance, 0.2779, 1e-3);
 }
 

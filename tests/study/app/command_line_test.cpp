@@ -284,6 +284,60 @@ TEST_F(CommandLineTest, ImportsARealRecording) {
   EXPECT_TRUE(json::accept(tests::contentOf(cut)));
 }
 
+TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
+  const std::string out = folder_ / "fused";
+  const Words call{
+      "scene",
+      "play",
+      "punch-face-validity",
+      "--condition",
+      "kalman",
+      "--interpolation-noise",
+      "0.1",
+      "50",
+      "--out",
+      out};
+  const auto played = palpate(call);
+  ASSERT_EQ(played.status, 0) << played.error;
+  const auto lines = linesOf(tests::contentOf(out + ".csv"));
+  EXPECT_EQ(lines.front(), "condition,curve,time_s,travel,force_n,stiffness");
+  // Both forces that are fused, and two filters; 11 travel units at 57 a second and 1 kHz.
+  constexpr std::size_t kSteps = 194;
+  ASSERT_EQ(lines.size(), 1 + 4 * kSteps);
+  const auto lastForceOf = [&](std::size_t curve) {
+    std::istringstream cells(lines[(curve + 1) * kSteps]);
+    std::string cell;
+    for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
+    return std::stod(cell);
+  };
+  EXPECT_NEAR(lastForceOf(0), 5.0, 1e-9);            // the recording
+  EXPECT_NEAR(lastForceOf(1), 7.0, 1e-9);            // the finite elements, yielding
+  EXPECT_NEAR(lastForceOf(2), 5.0, 0.1);             // trusts the recording
+  EXPECT_NEAR(lastForceOf(3), 7.0, 0.4);             // does not
+  EXPECT_EQ(palpate(call).status, kTheWorldSaidNo);  // nothing is overwritten
+}
+
+TEST_F(CommandLineTest, WorksOutTheProcessNoiseOfARecording) {
+  constexpr const char* kRecording = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
+  SKIP_WITHOUT_SHARED_DATA(kRecording);
+  const std::string path = tests::sharedData(kRecording).string();
+  const Words call{
+      "recording",
+      "noise",
+      path,
+      "--rows",
+      "90:170,870:910,1440:1480,2300:2400,3000:3050,3700:3800,4300:4370,5100:5150,5900:5970,"
+      "6800:6840",
+      "--least-step",
+      "0",
+      "--json"};
+  const auto found = json::parse(palpate(call).out);
+  EXPECT_NEAR(found["process_force"].get<double>(), 6.1024, 5e-5);  // eq. (22)
+  EXPECT_NEAR(found["process_stiffness"].get<double>(), 7.0275, 5e-5);
+  EXPECT_NEAR(found["process_covariance"].get<double>(), 0.2772, 5e-5);
+  EXPECT_EQ(palpate({"recording", "noise", path, "--rows", "1:999999"}).status, kTheWorldSaidNo);
+}
+
 TEST_F(CommandLineTest, ShowsEverybodysOrder) {
   const auto finished =
       palpate({"protocol", "orders", "reaming-hardness", "--participants", "4", "--csv"});

@@ -1,0 +1,61 @@
+#include "haptics/engine/bucket_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace haptics::engine {
+namespace {
+
+constexpr std::uint32_t kMostBuckets = 1U << 18;
+constexpr std::uint32_t kPerPiece = 4;
+constexpr std::uint32_t kCrowd = 4;
+
+}  // namespace
+
+BucketTable::BucketTable(std::span<const double> knots) {
+  constexpr std::size_t kTooFewToSearch = 4;
+  if (knots.size() < kTooFewToSearch) return;
+  const auto pieces = static_cast<std::uint32_t>(knots.size() - 1);
+  std::uint32_t buckets = std::min(std::bit_ceil(kPerPiece * pieces), kMostBuckets);
+  while (!fill(knots, buckets) && buckets < kMostBuckets) buckets *= 2;
+}
+
+/// False where more than a few nodes share a bucket, or the span defies a table.
+bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
+  const double perUnit = buckets / (knots.back() - knots.front());
+  if (!std::isfinite(perUnit) || !(perUnit > 0.0)) {
+    first_.clear();
+    return true;
+  }
+  shape_ = {.buckets = buckets, .origin = knots.front(), .perUnit = perUnit};
+  // A bucket's first piece is the last one that begins in a bucket before it.
+  first_.assign(buckets + 1U, 0);
+  const auto pieces = static_cast<std::uint32_t>(knots.size() - 1);
+  for (std::uint32_t piece = 1; piece < pieces; ++piece) {
+    first_[shape_.bucketOf(knots[piece]) + 1U] = piece;
+  }
+  std::uint32_t crowd = 0;
+  for (std::uint32_t bucket = 1; bucket <= buckets; ++bucket) {
+    first_[bucket] = std::max(first_[bucket], first_[bucket - 1]);
+    crowd = std::max(crowd, first_[bucket] - first_[bucket - 1]);
+  }
+  return crowd <= kCrowd;
+}
+
+models::SegmentIndex<double> BucketTable::index() const noexcept {
+  if (first_.empty()) return {};
+  auto index = shape_;
+  index.first = first_.data();
+  return index;
+}
+
+int BucketTable::worstComparisons() const noexcept {
+  std::uint32_t crowd = 0;
+  for (std::size_t i = 1; i < first_.size(); ++i) {
+    crowd = std::max(crowd, first_[i] - first_[i - 1]);
+  }
+  return std::bit_width(crowd);
+}
+
+}  // namespace haptics::engine

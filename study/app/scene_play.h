@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/engine/scene_spec.h"
+#include "study/data_table.h"
+#include "study/report/chart.h"
+
+namespace study::app {
+
+/// Where the tool is at each step, at a fixed rate.
+struct TravelProfile {
+  double rate = 1000.0;        ///< [Hz], > 0
+  std::vector<double> travel;  ///< [device's travel unit]
+};
+
+/// How a hand moves that nobody has.
+struct Motion {
+  enum class Shape { Closing, Cut, Sine };
+  Shape shape = Shape::Closing;
+  double least = 0.0;    ///< [device's travel unit]
+  double most = 10.0;    ///< [device's travel unit]
+  double speed = 57.0;   ///< Closing: all the way; Cut, Sine: at most [travel unit/s], > 0
+  double rate = 1000.0;  ///< of the steps [Hz], > 0
+  double quantum = 0.0;  ///< of the encoder [travel unit]; 0: none
+};
+
+/// Closing goes from the least to the most travel at an even speed; Cut closes and opens again as
+/// people move (minimum jerk); Sine goes to and fro twice.
+TravelProfile profileOf(const Motion& motion);
+
+/// One curve of a played scene.
+struct PlayedCurve {
+  std::string condition;          ///< its id
+  std::string title;              ///< for the legend
+  std::vector<double> force;      ///< what the scene asks for at each step [N]
+  std::vector<double> stiffness;  ///< [N per travel unit]
+  bool isIngredient = false;      ///< one of the forces that a filter fuses
+};
+
+/// What @p spec asks for along @p profile; of a filter also the two forces that it fuses, where
+/// @p withIngredients.
+std::vector<PlayedCurve> play(
+    const std::string& condition,
+    const std::string& title,
+    const haptics::engine::SceneSpec& spec,
+    const TravelProfile& profile,
+    bool withIngredients);
+
+/// `condition, curve, time_s, travel, force_n, stiffness`, a row for each step of each curve.
+DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& curves);
+
+/// Force over travel, or over time.
+report::Chart asChart(
+    const TravelProfile& profile,
+    const std::vector<PlayedCurve>& curves,
+    const std::string& travelUnit,
+    bool isOverTime);
+
+}  // namespace study::app

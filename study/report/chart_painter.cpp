@@ -1,0 +1,275 @@
+#include "study/report/chart_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QPainterPath>
+
+#include "study/report/palette.h"
+#include "study/report/svg_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kWidth = 860.0;
+constexpr double kHeight = 440.0;
+constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};
+constexpr double kMarker = 4.0;
+
+/// An axis with its ends, and where a value lies between them.
+class Scale {
+ public:
+  Scale(const ChartAxis& axis, double least, double most) : isLog_(axis.isLogarithmic) {
+    least_ = forward(axis.least.value_or(least));
+    most_ = forward(axis.most.value_or(most));
+    const double margin = 0.03 * (most_ - least_);
+    if (!axis.least && (isLog_ || least < 0.0)) least_ -= margin;
+    if (!axis.most) most_ += margin;
+    if (!(most_ > least_)) {
+      least_ -= 0.5;
+      most_ += 0.5;
+    }
+  }
+
+  bool shows(double value) const { return std::isfinite(value) && (!isLog_ || value > 0.0); }
+  /// From 0 to 1 within the ends.
+  double place(double value) const { return (forward(value) - least_) / (most_ - least_); }
+
+  struct Tick {
+    double value = 0.0;
+    QString text;
+  };
+  std::vector<Tick> ticks() const { return isLog_ ? decades() : steps(); }
+
+ private:
+  double forward(double value) const { return isLog_ ? std::log10(value) : value; }
+
+  std::vector<Tick> decades() const {
+    std::vector<Tick> ticks;
+    const int first = static_cast<int>(std::ceil(least_ - 1e-9));
+    const int last = static_cast<int>(std::floor(most_ + 1e-9));
+    const int stride = std::max(1, (last - first + 7) / 8);
+    for (int decade = first; decade <= last; decade += stride) {
+      ticks.push_back({std::pow(10.0, decade), powerOfTen(decade)});
+    }
+    return ticks;
+  }
+
+  static QString powerOfTen(int decade) {
+    if (decade >= 0 && decade <= 3) return QString::number(static_cast<int>(std::pow(10, decade)));
+    if (decade == -1) return QStringLiteral("0.1");
+    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
+    QString raised = decade < 0 ? QStringLiteral("⁻") : QString();
+    for (const QChar digit : QString::number(std::abs(decade))) {
+      raised += kDigits[digit.digitValue()];
+    }
+    return QStringLiteral("10") + raised;
+  }
+
+  std::vector<Tick> steps() const {
+    std::vector<Tick> ticks;
+    const double rough = (most_ - least_) / 7.0;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    double step = 10.0 * power;
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      if (factor * power >= rough) {
+        step = factor * power;
+        break;
+      }
+    }
+    for (double at = std::ceil(least_ / step - 1e-9) * step; at <= most_ + 1e-9 * step;
+         at += step) {
+      const double value = std::abs(at) < 1e-9 * step ? 0.0 : at;
+      ticks.push_back({value, QString::number(value)});
+    }
+    return ticks;
+  }
+
+  bool isLog_;
+  double least_ = 0.0;
+  double most_ = 1.0;
+};
+
+struct Range {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  void take(double value, bool isLogarithmic) {
+    if (!std::isfinite(value) || (isLogarithmic && !(value > 0.0))) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+Scale scaleOf(const Chart& chart, bool isX) {
+  const ChartAxis& axis = isX ? chart.x : chart.y;
+  Range range;
+  for (const auto& series : chart.series) {
+    for (const auto& point : series.points) {
+      range.take(isX ? point.x : point.y, axis.isLogarithmic);
+      if (isX && point.xHigh) range.take(*point.xHigh, axis.isLogarithmic);
+    }
+  }
+  if (!(range.least <= range.most)) return {axis, 1.0, 10.0};
+  if (range.least == range.most && axis.isLogarithmic)
+    return {axis, range.least / 2, range.most * 2};
+  return {axis, range.least, range.most};
+}
+
+class ChartPainter {
+ public:
+  ChartPainter(QPainter& painter, const Chart& chart)
+      : painter_(painter), chart_(chart), x_(scaleOf(chart, true)), y_(scaleOf(chart, false)) {}
+
+  void paint() {
+    axes();
+    painter_.save();
+    painter_.setClipRect(kPlot.adjusted(-6, -6, 6, 6));
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) series(chart_.series[i], colourOf(i));
+    painter_.restore();
+    legend();
+  }
+
+ private:
+  QColor colourOf(std::size_t index) const {
+    return categoryColour(chart_.series[index].colour.value_or(static_cast<int>(index)));
+  }
+
+  QPointF at(double x, double y) const {
+    return {
+        kPlot.left() + kPlot.width() * x_.place(x), kPlot.bottom() - kPlot.height() * y_.place(y)};
+  }
+  bool shows(const ChartPoint& point) const { return x_.shows(point.x) && y_.shows(point.y); }
+
+  void axes() {
+    const QPen grid(QColor(226, 226, 226), 1);
+    for (const auto& tick : x_.ticks()) {
+      const double x = kPlot.left() + kPlot.width() * x_.place(tick.value);
+      painter_.setPen(grid);
+      painter_.drawLine(QPointF(x, kPlot.top()), QPointF(x, kPlot.bottom()));
+      painter_.setPen(Qt::black);
+      drawText(painter_, {x - 36, kPlot.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text, 12);
+    }
+    for (const auto& tick : y_.ticks()) {
+      const double y = kPlot.bottom() - kPlot.height() * y_.place(tick.value);
+      painter_.setPen(grid);
+      painter_.drawLine(QPointF(kPlot.left(), y), QPointF(kPlot.right(), y));
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {22, y - 9, kPlot.left() - 30, 18},
+          Qt::AlignRight | Qt::AlignVCenter,
+          tick.text,
+          12);
+    }
+    drawText(
+        painter_,
+        {kPlot.left(), kPlot.bottom() + 28, kPlot.width(), 20},
+        Qt::AlignCenter,
+        QString::fromStdString(chart_.x.title),
+        13);
+    painter_.save();
+    painter_.translate(14, kPlot.center().y());
+    painter_.rotate(-90);
+    drawText(
+        painter_,
+        {-kPlot.height() / 2 - 20, -10, kPlot.height() + 40, 20},
+        Qt::AlignCenter,
+        QString::fromStdString(chart_.y.title),
+        13);
+    painter_.restore();
+  }
+
+  void series(const ChartSeries& series, const QColor& colour) {
+    using Style = ChartSeries::Style;
+    const bool isJoined = series.style != Style::Markers;
+    const bool isMarked = series.style == Style::Markers || series.style == Style::LineAndMarkers;
+    if (isJoined) {
+      painter_.setBrush(Qt::NoBrush);
+      const bool isDashed = series.style == Style::Dashed;
+      painter_.setPen(QPen(colour, isDashed ? 1.6 : 2.0, isDashed ? Qt::DashLine : Qt::SolidLine));
+      line(series);
+    }
+    for (const auto& point : series.points) {
+      if (shows(point)) mark(point, colour, isMarked);
+    }
+  }
+
+  void line(const ChartSeries& series) {
+    QPainterPath path;
+    bool isDrawing = false;
+    for (const auto& point : series.points) {
+      if (!shows(point)) {
+        isDrawing = false;
+        continue;
+      }
+      const QPointF here = at(point.x, point.y);
+      isDrawing ? path.lineTo(here) : path.moveTo(here);
+      isDrawing = true;
+    }
+    painter_.drawPath(path);
+  }
+
+  void mark(const ChartPoint& point, const QColor& colour, bool isMarked) {
+    const QPointF here = at(point.x, point.y);
+    if (point.xHigh && x_.shows(*point.xHigh)) {
+      const QPointF end = at(*point.xHigh, point.y);
+      painter_.setPen(QPen(colour, 1));
+      painter_.drawLine(here, end);
+      painter_.drawLine(end - QPointF(0, 3), end + QPointF(0, 3));
+    }
+    if (isMarked) {
+      painter_.setPen(Qt::NoPen);
+      painter_.setBrush(colour);
+      painter_.drawEllipse(here, kMarker, kMarker);
+    }
+    if (point.label.empty()) return;
+    painter_.setPen(colour.darker(120));
+    drawText(
+        painter_,
+        {here.x() + 6, here.y() - 17, 120, 14},
+        Qt::AlignLeft | Qt::AlignVCenter,
+        QString::fromStdString(point.label),
+        10);
+  }
+
+  void legend() {
+    double y = kPlot.top() + 2;
+    for (std::size_t i = 0; i < chart_.series.size(); ++i) {
+      const auto& series = chart_.series[i];
+      if (series.title.empty()) continue;
+      const double x = kPlot.right() + 20;
+      const bool isDashed = series.style == ChartSeries::Style::Dashed;
+      if (series.style == ChartSeries::Style::Markers) {
+        painter_.setPen(Qt::NoPen);
+        painter_.setBrush(colourOf(i));
+        painter_.drawEllipse(QPointF(x + 12, y + 10), kMarker, kMarker);
+      } else {
+        painter_.setPen(QPen(colourOf(i), 2.4, isDashed ? Qt::DashLine : Qt::SolidLine));
+        painter_.drawLine(QPointF(x, y + 10), QPointF(x + 24, y + 10));
+      }
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {x + 32, y + 1, kWidth - x - 34, 34},
+          Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+          QString::fromStdString(series.title),
+          12);
+      y += series.title.size() > 26 ? 38 : 24;
+    }
+  }
+
+  QPainter& painter_;
+  const Chart& chart_;
+  Scale x_;
+  Scale y_;
+};
+
+}  // namespace
+
+std::string chartAsSvg(const Chart& chart) {
+  return asSvg({kWidth, kHeight}, [&](QPainter& painter) { ChartPainter(painter, chart).paint(); });
+}
+
+}  // namespace study::report

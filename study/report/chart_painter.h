@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "study/report/chart.h"
+
+namespace study::report {
+
+/// A chart as an SVG element that can stand in a page. Needs a QGuiApplication.
+std::string chartAsSvg(const Chart& chart);
+
+}  // namespace study::report
