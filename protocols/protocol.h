@@ -37,8 +37,10 @@ struct Cohort {
 struct DeviceNeed {
   std::string id;
   haptics::devices::DeviceKind kind = haptics::devices::DeviceKind::Punch;
-  double maxForce = 0.0;      ///< [N]
-  double maxForceRate = 0.0;  ///< [N/s]
+  double maxForce = 0.0;               ///< [N]
+  double maxForceRate = 0.0;           ///< [N/s]
+  double maxVelocity = 300.0;          ///< beyond it nobody holds the tool [device's travel unit/s]
+  bool isPassivityControlled = false;  ///< damped where a scene gives more energy than it took
 };
 
 /// The name of the cut that ships.

@@ -121,15 +121,31 @@ Cohort readCohort(const Node& node) {
   return cohort;
 }
 
+// A hand closes a punch at 60 travel units a second when it hurries, and reams slower than 0.1 m/s.
+constexpr double kFastestPunch = 300.0;  // [travel units/s]
+constexpr double kFastestReamer = 1.0;   // [m/s]
+
 DeviceNeed readDevice(const Node& node) {
   DeviceNeed device;
-  if (!node.isObjectWith({"id", "kind", "max_force_n", "max_force_rate_n_per_s"})) return device;
+  if (!node.isObjectWith(
+          {"id",
+           "kind",
+           "max_force_n",
+           "max_force_rate_n_per_s",
+           "max_velocity",
+           "passivity_control"})) {
+    return device;
+  }
   const std::string id = node.id("id");
   const auto kind = readChoice(node, "kind", kDeviceKinds);
   if (kind) device.id = id;  // without a kind it is as good as unread
   device.kind = kind.value_or(device.kind);
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
   device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
+  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
+  device.maxVelocity =
+      node.number("max_velocity", 1e-3, 1e6, isPunch ? kFastestPunch : kFastestReamer);
+  device.isPassivityControlled = node.flag("passivity_control", false);
   return device;
 }
 

@@ -15,7 +15,9 @@ constexpr std::chrono::milliseconds kDrainEvery{10};
 
 LiveTrial::LiveTrial(Trial& trial) : trial_(trial) {
   recorder_ = std::jthread([this](const std::stop_token& stop) { record(stop); });
-  loop_.emplace(trial.rate(), [this](double dt, double lateness) { tick(dt, lateness); });
+  loop_.emplace(
+      haptics::engine::RealtimeLoop::Options{.rate = trial.rate()},
+      [this](double dt, double lateness) { tick(dt, lateness); });
 }
 
 LiveTrial::~LiveTrial() {
@@ -26,7 +28,7 @@ LiveTrial::~LiveTrial() {
 }
 
 void LiveTrial::tick(double dt, double lateness) noexcept {
-  TickSample sample = trial_.step(dt);
+  TickSample sample = trial_.step(dt, static_cast<int>(lateness * 1e-6 / dt));
   sample.lateness = static_cast<float>(lateness);
   cuts_.store(static_cast<int>(sample.cuts), std::memory_order_relaxed);
   travel_.store(sample.travel, std::memory_order_relaxed);
@@ -87,7 +89,10 @@ TrialRecord LiveTrial::finish(TrialEnding ending) {
   record.latenessMedian = report.lateness.quantile(0.5);
   record.latenessP99 = report.lateness.quantile(0.99);
   record.latenessLargest = report.lateness.largest();
+  constexpr double kSecondsPerMicrosecond = 1e-6;
+  record.passivity.lateness = kSecondsPerMicrosecond * report.lateness.quantile(0.999);
   record.lateTicks = static_cast<std::int64_t>(report.lateTicks);
+  record.holes = static_cast<std::int64_t>(report.holes);
   return record;
 }
 

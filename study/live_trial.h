@@ -50,7 +50,8 @@ class LiveTrial {
   TrialRecord finish(TrialEnding ending);
 
  private:
-  using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 8192>;
+  /// A minute at 1 kHz, eight seconds at 8 kHz: longer than a disk holds its breath.
+  using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
   void tick(double dt, double lateness) noexcept;
   void record(const std::stop_token& stop);

@@ -1,6 +1,8 @@
 // How a session goes on: steps, trials, and what the operator may decide.
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "study/session.h"
 #include "study/storage/trial_repository.h"
 
@@ -70,6 +72,21 @@ void Session::breakOffTrial(const TrialRecord& record) {
 void Session::keepTrial(const TrialRecord& record) {
   storage::TrialRepository(study_.database()).add(visit(), record);
   say(Actor::Program, "kept_trace", study_.traces().digest(visit()));
+  const auto& passivity = record.passivity;
+  say(Actor::Program,
+      "passivity",
+      fmt::format(
+          "K {:.4g}, T {:.4g} s, needs b {:.3g}, device has {:.3g}, least energy {:.3g}",
+          passivity.stiffness,
+          passivity.effectivePeriod(),
+          passivity.neededDamping(),
+          record.deviceDamping,
+          record.leastEnergy));
+  for (const auto& event : record.safety) {
+    say(Actor::Program,
+        "safety_" + std::string(nameOf(event.kind)),
+        fmt::format("{} times, {:.3f} s in all", event.times, event.duration));
+  }
 }
 
 /// What is known of a trial that nobody is there to tell about.

@@ -58,7 +58,12 @@ TrialRecord Trial::finish(TrialEnding ending) {
   TrialRecord record{
       .device = device_.capabilities().name,
       .travelUnit = device_.capabilities().travelUnit,
-      .ending = ending};
+      .ending = ending,
+      .passivity =
+          {.stiffness = scene_.largestStiffness(),
+           .period = 1.0 / rate(),
+           .filterDelay = scene_.delay() / rate()},
+      .deviceDamping = device_.capabilities().damping};
   try {
     keepChunk();
   } catch (const std::exception&) {

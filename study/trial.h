@@ -21,7 +21,7 @@ class Trial {
 
   struct Setup {
     haptics::engine::SceneSpec scene;
-    haptics::engine::ForceLimiter::Limits limits;
+    haptics::engine::SafetyLimits limits;
     Keep keep;
   };
 
@@ -37,8 +37,11 @@ class Trial {
   double rate() const noexcept { return device_.capabilities().rate; }
   const haptics::engine::CompiledScene& scene() const noexcept { return scene_; }
 
-  /// One tick of @p dt [s]. Never allocates, waits or throws.
-  haptics::engine::TickSample step(double dt) noexcept { return engine_.tick(dt); }
+  /// One tick of @p dt [s], after @p lostBeats that the clock let pass. Never allocates, waits or
+  /// throws.
+  haptics::engine::TickSample step(double dt, int lostBeats = 0) noexcept {
+    return engine_.tick(dt, lostBeats);
+  }
 
   /// Any thread: no force at once.
   void stop() noexcept { engine_.stop(); }

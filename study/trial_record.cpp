@@ -9,6 +9,17 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kEndings{
     "finished", "stopped", "device_gone", "trace_lost", "timed_out", "program_ended"};
+constexpr std::array<std::string_view, 10> kSafetyKinds{
+    "too_fast",
+    "released",
+    "no_sample",
+    "lost_beats",
+    "soft_start",
+    "saturated",
+    "slewed",
+    "not_finite",
+    "active",
+    "damped"};
 constexpr std::array<std::string_view, 3> kVerdicts{"PASS", "WARN", "FAIL"};
 
 // libfranka warns below a success rate of 0.95 and calls 0.90 "not sufficient"; we ask for the
@@ -18,10 +29,45 @@ constexpr double kFailRate = 0.90;
 constexpr double kWarnLateShare = 0.01;
 constexpr double kWarnSaturatedShare = 0.05;
 
+struct Finding {
+  Verdict verdict = Verdict::Pass;
+  const char* what = "";
+};
+
+/// What a participant may have noticed. A force comes on softly in every trial; where that takes
+/// half of it, it hardly came.
+Finding verdictOf(const SafetyEvent& event, double duration) {
+  switch (event.kind) {
+    case SafetyKind::TooFast:
+      return {Verdict::Warn, "the tool was too fast, and the force faded"};
+    case SafetyKind::Released:
+      return {Verdict::Warn, "the dead-man switch was released"};
+    case SafetyKind::LostBeats:
+      return {Verdict::Warn, "the loop lost beats, and the force faded"};
+    case SafetyKind::NotFinite:
+      return {Verdict::Fail, "the scene asked for a force that is no number"};
+    case SafetyKind::Active:
+      return {Verdict::Warn, "the scene gave more energy than it was given: it may have vibrated"};
+    case SafetyKind::SoftStart:
+      if (event.duration <= 0.5 * duration) return {};
+      return {Verdict::Fail, "the force never came on: the scene asked for too much all along"};
+    case SafetyKind::NoSample:
+    case SafetyKind::Saturated:
+    case SafetyKind::Slewed:
+    case SafetyKind::Damped:
+      return {};  // said elsewhere, or as asked for
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view nameOf(TrialEnding ending) noexcept {
   return kEndings[static_cast<std::size_t>(ending)];
+}
+
+std::string_view nameOf(SafetyKind kind) noexcept {
+  return kSafetyKinds[static_cast<std::size_t>(kind)];
 }
 
 std::string_view nameOf(Verdict verdict) noexcept {
@@ -52,7 +98,12 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   }
   const auto all = static_cast<double>(ticks);
   if (lateTicks && static_cast<double>(*lateTicks) > kWarnLateShare * all) {
-    found(Verdict::Warn, fmt::format("{} of {} ticks were late", *lateTicks, ticks));
+    found(
+        Verdict::Warn,
+        fmt::format("{} of {} ticks were late", *lateTicks, ticks) +
+            (holes.value_or(0) > 0
+                 ? fmt::format(", {} of them because the machine itself stood still", *holes)
+                 : ""));
   }
   if (contact > 0.0 && saturated > kWarnSaturatedShare * contact) {
     found(
@@ -61,6 +112,22 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   }
   if (undefined > 0.0) {
     found(Verdict::Warn, fmt::format("the scene had no force for {:.3f} s", undefined));
+  }
+  const double needed = passivity.neededDamping();
+  if (needed > deviceDamping) {
+    found(
+        Verdict::Warn,
+        fmt::format(
+            "passivity (b > KT/2) needs {:.3g} N·s/{} of damping, the device has {:.3g}, the rest "
+            "is the hand's",
+            needed,
+            travelUnit,
+            deviceDamping));
+  }
+  for (const auto& event : safety) {
+    if (const auto [verdict, what] = verdictOf(event, duration); verdict != Verdict::Pass) {
+      found(verdict, fmt::format("{} ({}×, {:.3f} s)", what, event.times, event.duration));
+    }
   }
   return judgement;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/engine/passivity.h"
 #include "haptics/models/cut_detector.h"
 
 namespace study {
@@ -20,6 +21,29 @@ enum class TrialEnding {
 };
 
 std::string_view nameOf(TrialEnding ending) noexcept;
+
+/// What kept a force from the hand, or was wrong with it.
+enum class SafetyKind {
+  TooFast,    ///< the tool exceeded the limit of velocity
+  Released,   ///< nobody held the dead-man switch
+  NoSample,   ///< the device gave no measurement
+  LostBeats,  ///< the clock lost more than one beat
+  SoftStart,  ///< the force waited for a small one, or came on
+  Saturated,  ///< the scene asked for more than the limit
+  Slewed,     ///< … or faster than it
+  NotFinite,  ///< … or for what is no number
+  Active,     ///< it gave more energy than it was given
+  Damped,     ///< and was damped
+};
+
+std::string_view nameOf(SafetyKind kind) noexcept;
+
+/// How often one of these happened in a trial, and for how long.
+struct SafetyEvent {
+  SafetyKind kind = SafetyKind::TooFast;
+  std::int64_t times = 0;
+  double duration = 0.0;  ///< in all [s]
+};
 
 enum class Verdict { Pass, Warn, Fail };
 
@@ -40,6 +64,7 @@ struct TrialRecord {
   std::optional<double> latenessP99;      ///< [µs]
   std::optional<double> latenessLargest;  ///< [µs]
   std::optional<std::int64_t> lateTicks;  ///< by more than a period
+  std::optional<std::int64_t> holes;      ///< of these, what the machine below us caused
   std::int64_t lostSamples = 0;           ///< the recorder could not keep up
   std::int64_t invalidTicks = 0;          ///< the device gave no measurement
   double saturated = 0.0;                 ///< the scene asked for more than the limit [s]
@@ -49,6 +74,10 @@ struct TrialRecord {
   double largestForce = 0.0;              ///< commanded [N]
   std::int64_t traceSamples = 0;          ///< kept in traces.db
   std::vector<Cut> cuts;
+  std::vector<SafetyEvent> safety;       ///< what happened, and nothing else
+  haptics::engine::Passivity passivity;  ///< as it was rendered: eq. (25)
+  double deviceDamping = 0.0;            ///< of the mechanism itself [N·s/travel unit]
+  double leastEnergy = 0.0;              ///< that a contact ever came down to [N·travel unit]
 
   /// Whether what the participant felt may be relied on, and why (not).
   struct Judgement {

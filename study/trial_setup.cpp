@@ -16,7 +16,11 @@ Trial::Setup setupFor(const Session& session, Trial::Keep keep) {
   scene.isVisualised = session.step().isVisualised;
   return {
       .scene = std::move(scene),
-      .limits = {.maxForce = need.maxForce, .maxRate = need.maxForceRate},
+      .limits =
+          {.maxForce = need.maxForce,
+           .maxRate = need.maxForceRate,
+           .maxVelocity = need.maxVelocity,
+           .isPassivityControlled = need.isPassivityControlled},
       .keep = std::move(keep)};
 }
 

@@ -16,7 +16,29 @@ constexpr double kFelt = 0.05;  // [N]: less is no contact
 TrialStatistics::TrialStatistics(haptics::devices::DeviceKind device, double rate)
     : rate_(rate), detector_(haptics::engine::cutParametersFor(device)) {}
 
+void TrialStatistics::count(SafetyKind kind, bool isNow) {
+  auto& tally = tallies_[static_cast<std::size_t>(kind)];
+  if (isNow) ++tally.ticks;
+  if (isNow && !tally.wasBefore) ++tally.times;
+  tally.wasBefore = isNow;
+}
+
 void TrialStatistics::add(const TickSample& sample) {
+  const auto isMarked = [&](TickSample::Mark mark) { return (sample.marks & mark) != 0; };
+  const auto intervened = [&](ForceLimiter::Intervention what) {
+    return (sample.interventions & what) != 0;
+  };
+  count(SafetyKind::TooFast, isMarked(TickSample::TooFast));
+  count(SafetyKind::Released, isMarked(TickSample::Released));
+  count(SafetyKind::NoSample, isMarked(TickSample::Invalid));
+  count(SafetyKind::LostBeats, isMarked(TickSample::LostBeats));
+  count(SafetyKind::SoftStart, isMarked(TickSample::SoftStart));
+  count(SafetyKind::Saturated, intervened(ForceLimiter::Saturated));
+  count(SafetyKind::Slewed, intervened(ForceLimiter::Slewed));
+  count(SafetyKind::NotFinite, intervened(ForceLimiter::NotFinite));
+  count(SafetyKind::Active, intervened(ForceLimiter::Active));
+  count(SafetyKind::Damped, intervened(ForceLimiter::Damped));
+  leastEnergy_ = std::min(leastEnergy_, sample.energy);
   ++ticks_;
   if ((sample.marks & TickSample::Invalid) != 0) ++invalid_;
   if ((sample.marks & TickSample::Undefined) != 0) ++undefined_;
@@ -43,6 +65,12 @@ void TrialStatistics::fillIn(TrialRecord& record) const {
   record.contact = seconds(contact_);
   record.largestForce = largestForce_;
   record.cuts = cuts_;
+  record.leastEnergy = leastEnergy_;
+  for (std::size_t i = 0; i < tallies_.size(); ++i) {
+    if (tallies_[i].times == 0) continue;
+    record.safety.push_back(
+        {static_cast<SafetyKind>(i), tallies_[i].times, seconds(tallies_[i].ticks)});
+  }
 }
 
 }  // namespace study

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,17 @@ class TrialStatistics {
   std::int64_t slewed_ = 0;
   std::int64_t undefined_ = 0;
   std::int64_t contact_ = 0;
+  void count(SafetyKind kind, bool isNow);
+
+  struct Tally {
+    std::int64_t times = 0;
+    std::int64_t ticks = 0;
+    bool wasBefore = false;
+  };
+
   double largestForce_ = 0.0;
+  double leastEnergy_ = 0.0;
+  std::array<Tally, 10> tallies_{};  ///< by SafetyKind
 };
 
 }  // namespace study

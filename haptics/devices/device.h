@@ -37,6 +37,7 @@ struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
+  bool isHeld = true;     ///< somebody holds the dead-man switch, or there is none
 };
 
 /// An instrument in somebody's hand. read() and command() are called in turn from one thread, the

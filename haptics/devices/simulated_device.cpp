@@ -39,7 +39,11 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
 
   const double grain = mechanism_.resolution;
   const double seen = grain > 0.0 ? grain * std::round(travel_ / grain) : travel_;
-  return {.status = DeviceStatus::Ok, .travel = seen, .velocity = velocity_};
+  return {
+      .status = DeviceStatus::Ok,
+      .travel = seen,
+      .velocity = velocity_,
+      .isHeld = isHeld_.load(std::memory_order_relaxed)};
 }
 
 Capabilities simulatedPunch() {

@@ -35,6 +35,9 @@ class SimulatedDevice final : public Device {
   void unplug() noexcept { isGone_.store(true, std::memory_order_relaxed); }
   void plugIn() noexcept { isGone_.store(false, std::memory_order_relaxed); }
 
+  /// Any thread: takes the hand off the dead-man switch, or puts it back.
+  void hold(bool isHeld) noexcept { isHeld_.store(isHeld, std::memory_order_relaxed); }
+
   /// What it pushes back with at present [N].
   double commandedForce() const noexcept { return force_; }
 
@@ -45,6 +48,7 @@ class SimulatedDevice final : public Device {
   Mechanism mechanism_;
   Hand& hand_;
   std::atomic<bool> isGone_{false};
+  std::atomic<bool> isHeld_{true};
   double travel_ = 0.0;
   double velocity_ = 0.0;
   double force_ = 0.0;

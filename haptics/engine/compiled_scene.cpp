@@ -1,9 +1,11 @@
 #include "haptics/engine/compiled_scene.h"
 
 #include <array>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
+#include "haptics/engine/kalman_weight.h"
 #include "haptics/engine/material_model.h"
 #include "haptics/engine/punch_models.h"
 
@@ -26,12 +28,19 @@ std::string inWords(const models::FiniteElements<double>::Parameters& p) {
          ", yielding " + yielding;
 }
 
+std::string inHundredths(double share) {
+  char text[8];
+  std::snprintf(text, sizeof text, "%.2f", share);
+  return text;
+}
+
 std::string inWords(const KalmanSpec& spec) {
   constexpr std::array kVariants{"paper-text", "authors-firmware", "sequential", "space-domain"};
   constexpr std::array kSmoothings{"none", "two-point", "authors-firmware"};
   return std::string("variant ") + kVariants[static_cast<std::size_t>(spec.scheme)] +
          (spec.isProcessAsPrinted ? ", process as-printed" : "") + ", smoothing " +
-         kSmoothings[static_cast<std::size_t>(spec.smoothing)];
+         kSmoothings[static_cast<std::size_t>(spec.smoothing)] + ", the interpolation weighs " +
+         inHundredths(interpolationWeight(spec));
 }
 
 /// What each model needs: built here, and nowhere else.

@@ -48,6 +48,7 @@ class CompiledScene {
   models::Response<double> respond(const ToolState& tool) noexcept { return model_->respond(tool); }
   void reset() noexcept { model_->reset(); }
   double largestStiffness() const noexcept { return model_->largestStiffness(); }
+  double delay() const noexcept { return model_->delay(); }  ///< [ticks]
 
   /// Nothing, where the condition is felt without being seen.
   const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }

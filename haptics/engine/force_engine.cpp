@@ -1,8 +1,41 @@
 #include "haptics/engine/force_engine.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace haptics::engine {
+namespace {
+
+const SafetyLimits& checked(const SafetyLimits& limits) {
+  const bool isSound = limits.maxVelocity > 0.0 && limits.rampTime > 0.0 &&
+                       std::isfinite(limits.rampTime) && limits.quietShare > 0.0 &&
+                       limits.quietShare <= 1.0 && limits.patience > 0.0;
+  if (!isSound) throw std::invalid_argument("a limit of velocity or time must be above 0");
+  return limits;
+}
+
+/// What goes wrong is told from rounding by a ten-thousandth of the work that the device can do;
+/// the controller adds no more than four times the damping that the mechanism has.
+EnergyObserver::Settings energySettings(
+    const devices::Capabilities& device, const SafetyLimits& limits) {
+  const double range = device.mostTravel - device.leastTravel;
+  return {
+      .deviceDamping = device.damping,
+      .tolerance = 1e-4 * limits.maxForce * range,
+      .mostDamping = limits.isPassivityControlled ? 4.0 * device.damping : 0.0,
+      .leastVelocity = 1e-6 * range};
+}
+
+std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
+  std::uint8_t marks = TickSample::None;
+  if ((reasons & ForceGate::TooFast) != 0) marks |= TickSample::TooFast;
+  if ((reasons & ForceGate::Released) != 0) marks |= TickSample::Released;
+  if ((reasons & ForceGate::LostBeats) != 0) marks |= TickSample::LostBeats;
+  if ((reasons & ForceGate::SoftStart) != 0 && hasScene) marks |= TickSample::SoftStart;
+  return marks;
+}
+
+}  // namespace
 
 CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept {
   if (kind == devices::DeviceKind::Punch) return {};
@@ -19,55 +52,98 @@ CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept {
   return stroke;
 }
 
-ForceEngine::ForceEngine(devices::Device& device, const ForceLimiter::Limits& limits)
-    : device_(device), limiter_(limits), cuts_(cutParametersFor(device.capabilities().kind)) {}
+ForceEngine::ForceEngine(devices::Device& device, const SafetyLimits& limits)
+    : device_(device),
+      limiter_(limits),
+      gate_(checked(limits)),
+      energy_(energySettings(device.capabilities(), limits)),
+      cuts_(cutParametersFor(device.capabilities().kind)) {}
 
 void ForceEngine::setScene(CompiledScene* scene) noexcept {
   scene_.store(scene, std::memory_order_release);
 }
 
-TickSample ForceEngine::tick(double dt) noexcept {
-  TickSample sample;
-  sample.tick = ticks_++;
+/// Whether there is a new measurement. What is not measured stays as it was, marked.
+bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const devices::DeviceSample seen = device_.read(dt);
   sample.status = seen.status;
   const bool isNumber = std::isfinite(seen.travel) && std::isfinite(seen.velocity);
-  if (seen.status == devices::DeviceStatus::Ok && isNumber) {
+  const bool isMeasured = seen.status == devices::DeviceStatus::Ok && isNumber;
+  moved_ = isMeasured && hasTool_ ? seen.travel - tool_.travel : 0.0;
+  if (isMeasured) {
     tool_ = {.travel = seen.travel, .velocity = seen.velocity};
+    hasTool_ = true;
+    isHeld_ = seen.isHeld;
   } else {
     sample.marks |= TickSample::Invalid;
-    const bool isFault = seen.status != devices::DeviceStatus::Ok &&
-                         seen.status != devices::DeviceStatus::Stale;
+    const bool isFault =
+        seen.status == devices::DeviceStatus::Gone || seen.status == devices::DeviceStatus::Faulted;
     if (isFault) stop();  // until the operator has decided
   }
   sample.travel = tool_.travel;
   sample.velocity = tool_.velocity;
+  return isMeasured;
+}
 
+void ForceEngine::takeScene() noexcept {
   CompiledScene* scene = scene_.load(std::memory_order_acquire);
-  if (scene != felt_) {
-    felt_ = scene;
-    cuts_.reset();
-    if (scene != nullptr) scene->reset();
-  }
-  if (scene == nullptr) sample.marks |= TickSample::Bare;
-  if (isStopped()) sample.marks |= TickSample::Stopped;
+  if (scene == felt_) return;
+  felt_ = scene;
+  cuts_.reset();
+  gate_.startSoftly();
+  energy_.reset();
+  if (scene != nullptr) scene->reset();
+}
 
-  constexpr int kLetGo = TickSample::Invalid | TickSample::Stopped;
-  if ((sample.marks & kLetGo) != 0) {
+TickSample ForceEngine::tick(double dt, int lostBeats) noexcept {
+  TickSample sample;
+  sample.tick = ticks_++;
+  const bool isMeasured = read(sample, dt);
+  takeScene();
+  if (felt_ == nullptr) sample.marks |= TickSample::Bare;
+  if (isStopped()) {
+    sample.marks |= TickSample::Stopped;
+    gate_.shut();
     limiter_.release();
+    energy_.reset();
   } else {
-    if (scene != nullptr) sample.desired = desiredForce(*scene, sample);
-    const auto limited = limiter_.limit(sample.desired, dt);
-    sample.force = limited.force;
-    sample.interventions = limited.interventions;
+    render(
+        sample,
+        {.isMeasured = isMeasured,
+         .isHeld = isHeld_,
+         .velocity = tool_.velocity,
+         .lostBeats = lostBeats},
+        dt);
   }
   device_.command(sample.force);
+  commanded_ = sample.force;
   followCuts(sample);
   return sample;
 }
 
-double ForceEngine::desiredForce(CompiledScene& scene, TickSample& sample) noexcept {
-  const auto response = scene.respond(tool_);
+void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept {
+  if (input.isMeasured) {
+    energy_.observe(commanded_, moved_, tool_.velocity, dt);
+    desired_ = felt_ != nullptr ? desiredForce(sample) : 0.0;
+  }
+  sample.desired = desired_;
+  sample.energy = energy_.energy();
+  const double passive = energy_.damped(desired_, tool_.velocity, dt);
+
+  auto gateInput = input;
+  gateInput.desired = desired_;
+  const auto gate = gate_.step(gateInput, dt);
+  const auto limited = limiter_.limit(passive * gate.gain, dt);
+  sample.force = limited.force;
+  sample.interventions = limited.interventions;
+  if (energy_.isActive()) sample.interventions |= ForceLimiter::Active;
+  if (passive != desired_) sample.interventions |= ForceLimiter::Damped;
+  sample.marks |= marksOf(gate.reasons, felt_ != nullptr);
+  if (gate.isPatienceOver) stop();
+}
+
+double ForceEngine::desiredForce(TickSample& sample) noexcept {
+  const auto response = felt_->respond(tool_);
   if (!response.isDefined) sample.marks |= TickSample::Undefined;
   return response.isDefined ? response.force : 0.0;
 }

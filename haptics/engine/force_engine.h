@@ -5,6 +5,8 @@
 
 #include "haptics/devices/device.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/energy_observer.h"
+#include "haptics/engine/force_gate.h"
 #include "haptics/engine/force_limiter.h"
 #include "haptics/engine/tick_sample.h"
 #include "haptics/models/cut_detector.h"
@@ -23,38 +25,52 @@ CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept;
 /// serves one device; two devices have two clocks, hence two engines.
 class ForceEngine {
  public:
-  /// The device outlives the engine. @throws std::invalid_argument  as ForceLimiter does.
-  ForceEngine(devices::Device& device, const ForceLimiter::Limits& limits);
+  /// The device outlives the engine.
+  /// @throws std::invalid_argument  if a limit is out of its range.
+  ForceEngine(devices::Device& device, const SafetyLimits& limits);
 
   /// Lets the hand feel @p scene from the next tick on; nullptr for nothing. Any thread may call
   /// it. The scene outlives its last tick: take it away and wait for a tick, or stop the loop
   /// first.
   void setScene(CompiledScene* scene) noexcept;
 
-  /// Any thread: no force at once, and none until arm(). A device that is gone or faulty stops the
-  /// engine by itself, and it stays stopped when the device comes back.
+  /// Any thread: no force at once, and none until arm(), after which it starts softly. A device
+  /// that is gone, faulty or silent for too long stops the engine by itself, and it stays stopped
+  /// when the device comes back.
   void stop() noexcept { isStopped_.store(true, std::memory_order_release); }
   void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
   bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }
 
-  /// One step of @p dt [s]. Never allocates, waits or throws.
+  /// One step of @p dt [s], after @p lostBeats that the clock let pass. Never allocates, waits or
+  /// throws.
   ///
-  /// Read device → check sample → scene → saturate → slew → check for finiteness → command. A
-  /// sample that is no measurement, a stop, or a scene without an answer lets go of the hand.
-  TickSample tick(double dt) noexcept;
+  /// Read device → check sample → scene → passivity → gate → saturate → slew → check for finiteness
+  /// → command. A stop, a device that is gone and a scene without an answer let go of the hand; a
+  /// missing sample is bridged for one tick, and then the force fades.
+  TickSample tick(double dt, int lostBeats = 0) noexcept;
 
  private:
-  double desiredForce(CompiledScene& scene, TickSample& sample) noexcept;
+  bool read(TickSample& sample, double dt) noexcept;
+  void takeScene() noexcept;
+  void render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept;
+  double desiredForce(TickSample& sample) noexcept;
   void followCuts(TickSample& sample) noexcept;
 
   devices::Device& device_;
   ForceLimiter limiter_;
+  ForceGate gate_;
+  EnergyObserver energy_;
   CutDetector cuts_;
   std::atomic<CompiledScene*> scene_{nullptr};
   CompiledScene* felt_ = nullptr;  ///< by the last tick
   std::atomic<bool> isStopped_{false};
   std::uint64_t ticks_ = 0;
   ToolState tool_;
+  bool hasTool_ = false;  ///< it has been measured
+  bool isHeld_ = true;
+  double moved_ = 0.0;      ///< in the last tick [device's travel unit]
+  double desired_ = 0.0;    ///< by the last answer of the scene [N]
+  double commanded_ = 0.0;  ///< [N]
 };
 
 }  // namespace haptics::engine

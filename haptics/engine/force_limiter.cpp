@@ -6,7 +6,7 @@
 
 namespace haptics::engine {
 
-ForceLimiter::ForceLimiter(const Limits& limits) : limits_(limits) {
+ForceLimiter::ForceLimiter(const SafetyLimits& limits) : limits_(limits) {
   const auto isSound = [](double value) { return std::isfinite(value) && value > 0.0; };
   if (!isSound(limits.maxForce) || !isSound(limits.maxRate)) {
     throw std::invalid_argument("a force limit must be a positive number");

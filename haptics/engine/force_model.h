@@ -21,6 +21,9 @@ class ForceModel {
 
   /// The steepest slope that it can render [N per travel unit]: K of eq. (25) of the punch paper.
   virtual double largestStiffness() const noexcept = 0;
+
+  /// How old the force is that it answers with, beyond the tick itself [ticks].
+  virtual double delay() const noexcept { return 0.0; }
 };
 
 }  // namespace haptics::engine

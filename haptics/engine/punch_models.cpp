@@ -13,6 +13,13 @@ std::vector<double> travelsOf(const std::vector<models::CurveNode<double>>& node
   return travels;
 }
 
+/// Of a slow change [ticks]: half a tick of the mean of two; one and a half of the authors' two old
+/// samples, and another half of their feedback.
+double delayOf(models::Smoothing smoothing) {
+  if (smoothing == models::Smoothing::TwoPoint) return 0.5;
+  return smoothing == models::Smoothing::AuthorsFirmware ? 2.0 : 0.0;
+}
+
 /// How steep the way from one branch to the other may get: the widest gap over the width.
 double steepestTurn(const InterpolationSpec& spec) {
   double widest = 0.0;
@@ -92,7 +99,8 @@ KalmanModel<Filter>::KalmanModel(const KalmanSpec& spec, const typename Filter::
     : interpolation_(spec.interpolation),
       finiteElements_(spec.finiteElements),
       filter_(noise, spec.scheme),
-      average_(spec.smoothing) {}
+      average_(spec.smoothing),
+      delay_(delayOf(spec.smoothing)) {}
 
 template <typename Filter>
 models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noexcept {

@@ -86,12 +86,14 @@ class KalmanModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
+  double delay() const noexcept override { return delay_; }
 
  private:
   InterpolationModel interpolation_;
   FiniteElementModel finiteElements_;
   Filter filter_;
   models::MovingAverage<double> average_;
+  double delay_;
   bool hasTravel_ = false;
   double lastTravel_ = 0.0;
 };

@@ -6,8 +6,11 @@
 #include <sys/prctl.h>
 #include <time.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
+
+#include "haptics/engine/hole_detector.h"
 
 namespace haptics::engine {
 namespace {
@@ -26,20 +29,68 @@ void sleepUntil(std::int64_t due) noexcept {
   }
 }
 
+double microseconds(std::int64_t nanoseconds) noexcept {
+  return static_cast<double>(nanoseconds) / 1000.0;
+}
+
+/// So that no tick is the first to touch its stack.
+void touchStack() noexcept {
+  constexpr std::size_t kEnough = std::size_t{64} * 1024;
+  [[maybe_unused]] volatile char stack[kEnough];
+  for (std::size_t i = 0; i < kEnough; i += 1024) stack[i] = 0;
+}
+
 /// Asks for what helps. Timer slack needs no privilege; the rest may be refused.
 bool requestRealtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
   const sched_param priority{.sched_priority = 80};
   if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) != 0) return false;
   mlockall(MCL_CURRENT | MCL_ONFAULT);
+  touchStack();
   return true;
 }
 
 }  // namespace
 
-RealtimeLoop::RealtimeLoop(double rate, Tick tick) : rate_(rate), tick_(std::move(tick)) {
-  if (!(rate >= 1.0 && rate <= 10'000.0)) {
+/// When the next tick is due, and waiting for it.
+class RealtimeLoop::Pace {
+ public:
+  Pace(const Options& options, std::int64_t period) noexcept
+      : period_(period),
+        spin_(static_cast<std::int64_t>(options.spinning * static_cast<double>(period))),
+        beat_(options.beat),
+        due_(now()) {}
+
+  /// Waits for the next tick; how late it is [ns]. What was lost is not made up for.
+  std::int64_t wait() noexcept {
+    if (beat_ != nullptr) {
+      beat_->wait(due_ + period_);  // a device that is silent is noticed by the tick
+    } else {
+      if (spin_ < due_ - now()) sleepUntil(due_ - spin_);
+      while (now() < due_) {
+      }
+    }
+    const std::int64_t woken = now();
+    const std::int64_t late = std::max<std::int64_t>(woken - due_, 0);
+    const bool isPacedByDevice = beat_ != nullptr;
+    due_ = (isPacedByDevice || late > period_ ? woken : due_) + period_;
+    return late;
+  }
+
+ private:
+  std::int64_t period_;
+  std::int64_t spin_;
+  Beat* beat_;
+  std::int64_t due_;
+};
+
+RealtimeLoop::RealtimeLoop(const Options& options, Tick tick)
+    : options_(options), tick_(std::move(tick)) {
+  if (!(options.rate >= 1.0 && options.rate <= 10'000.0)) {
     throw std::invalid_argument("the loop's rate must lie between 1 and 10,000 Hz");
+  }
+  if (!(options.spinning >= 0.0 && options.spinning <= kMostSpinning)) {
+    throw std::invalid_argument("the loop may spin for at most a tenth of a period");
   }
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -56,25 +107,50 @@ const RealtimeLoop::Report& RealtimeLoop::finish() {
   return report_;
 }
 
+void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period) noexcept {
+  report_.lateness.add(microseconds(late));
+  report_.ownLateness.add(microseconds(own));
+  ticks_.store(++report_.ticks, std::memory_order_relaxed);
+  if (late <= period) return;
+  lateTicks_.store(++report_.lateTicks, std::memory_order_relaxed);
+  report_.lostBeats += static_cast<std::uint64_t>(late / period);
+  if (own > period) {
+    ++report_.lateTicksOfOurs;
+  } else {
+    ++report_.holes;
+    report_.longestHole = std::max(report_.longestHole, microseconds(late - own));
+  }
+}
+
 void RealtimeLoop::run(const std::stop_token& stop) {
-  isRealtime_ = requestRealtime();
-  const double dt = 1.0 / rate_;
+  // Timer slack and priority are asked for together, so that a comparison can do without both.
+  isRealtime_ = options_.asksForRealtime && requestRealtime();
+  HoleDetector holes;
+  report_.knowsHoles = holes.isAvailable();
+  const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
+  // Waiting as long as this is worth asking why; the kernel is asked for its count every so often.
+  const std::int64_t suspicious = period / 4;
+  constexpr std::uint64_t kRestartEvery = 8;
+  Pace pace(options_, period);
   const std::int64_t start = now();
-  std::int64_t due = start;
   std::int64_t last = start;
+  std::int64_t overrun = 0;
   while (!stop.stop_requested()) {
-    last = now();
-    const std::int64_t late = last - due;
-    report_.lateness.add(static_cast<double>(late) / 1000.0);
-    ticks_.store(++report_.ticks, std::memory_order_relaxed);
-    if (late > period) {
-      lateTicks_.store(++report_.lateTicks, std::memory_order_relaxed);
-      due = last;
+    const std::int64_t late = pace.wait();
+    std::int64_t own = late;
+    if (late > suspicious) {
+      own = std::min(late, std::max(holes.ours(late), overrun));
+    } else if (report_.ticks % kRestartEvery == 0) {
+      holes.restart();
     }
-    tick_(dt, static_cast<double>(late) / 1000.0);
-    due += period;
-    sleepUntil(due);
+    note(late, own, period);
+    last = now();
+    tick_(dt, microseconds(late));
+    const std::int64_t took = now() - last;
+    report_.compute.add(microseconds(took));
+    const std::int64_t room = late > period ? period : period - late;
+    overrun = std::max<std::int64_t>(took - room, 0);
   }
   report_.seconds = static_cast<double>(last - start) / static_cast<double>(kSecond);
 }

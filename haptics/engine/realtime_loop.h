@@ -6,31 +6,51 @@
 #include <stop_token>
 #include <thread>
 
+#include "haptics/engine/beat.h"
 #include "haptics/engine/lateness_histogram.h"
 
 namespace haptics::engine {
 
 /// The only clock of the engine: a thread that calls a tick at a fixed rate, as nearly as the
-/// machine lets it.
+/// machine lets it, or at the pace that a device sets.
 ///
-/// Sleeps to absolute times on CLOCK_MONOTONIC with a timer slack of 1 ns. Real-time priority and
-/// locked memory are asked for and done without where they are not granted: isRealtime() says
+/// Sleeps to absolute times on CLOCK_MONOTONIC with a timer slack of 1 ns, and spins over the last
+/// small part of a period, which hides most of the time that waking up takes. Real-time priority
+/// and locked memory are asked for and done without where they are not granted: isRealtime() says
 /// which. Lost time is never chased: a burst of ticks would feel like a knock.
 class RealtimeLoop {
  public:
-  /// One step: @p dt is the nominal period [s], @p lateness how long after its due time [µs].
+  /// One step: @p dt is the nominal period [s], @p lateness how long after its due time [µs]. A
+  /// whole period of lateness is a beat that was lost.
   using Tick = std::function<void(double dt, double lateness)>;
+
+  /// Longer spinning would run into the kernel's brake on real-time threads (950 ms of a second).
+  static constexpr double kMostSpinning = 0.1;
+
+  struct Options {
+    double rate = 1000.0;    ///< [Hz], 1 to 10,000
+    double spinning = 0.05;  ///< share of a period that is spun at its end, 0 to kMostSpinning
+    bool asksForRealtime = true;
+    Beat* beat = nullptr;  ///< outlives the loop; sets the pace where it is given
+  };
 
   struct Report {
     std::uint64_t ticks = 0;
-    std::uint64_t lateTicks = 0;  ///< later than a whole period: at least one beat was lost
-    double seconds = 0.0;         ///< from the first tick to the last
-    LatenessHistogram lateness;
+    std::uint64_t lateTicks = 0;        ///< later than a whole period: at least one beat was lost
+    std::uint64_t lateTicksOfOurs = 0;  ///< … which this machine answers for, not a hole
+    std::uint64_t lostBeats = 0;
+    std::uint64_t holes = 0;        ///< late ticks that the machine below us caused
+    double longestHole = 0.0;       ///< [µs]
+    bool knowsHoles = false;        ///< the kernel tells them apart
+    double seconds = 0.0;           ///< from the first tick to the last
+    LatenessHistogram lateness;     ///< of every tick
+    LatenessHistogram ownLateness;  ///< without holes
+    LatenessHistogram compute;      ///< how long the ticks took
   };
 
   /// Starts ticking. @p tick neither allocates, waits nor throws.
-  /// @throws std::invalid_argument  if @p rate [Hz] is not from 1 to 10,000.
-  RealtimeLoop(double rate, Tick tick);
+  /// @throws std::invalid_argument  if the rate or the share of spinning is out of range.
+  RealtimeLoop(const Options& options, Tick tick);
 
   /// Stops, and waits until the last tick is over.
   ~RealtimeLoop();
@@ -46,9 +66,11 @@ class RealtimeLoop {
   bool isRealtime() const noexcept { return isRealtime_.load(std::memory_order_relaxed); }
 
  private:
+  class Pace;
   void run(const std::stop_token& stop);
+  void note(std::int64_t late, std::int64_t own, std::int64_t period) noexcept;
 
-  double rate_;
+  Options options_;
   Tick tick_;
   Report report_;
   std::atomic<std::uint64_t> ticks_{0};

@@ -12,10 +12,14 @@ struct TickSample {
   /// What the engine itself had to say, beside the limiter's interventions, as bits.
   enum Mark : std::uint8_t {
     None = 0,
-    Invalid = 1,    ///< the device gave no measurement; travel and velocity are the last ones
-    Undefined = 2,  ///< the scene has no force here
-    Stopped = 4,    ///< somebody pressed stop
-    Bare = 8,       ///< no scene: the hand feels nothing
+    Invalid = 1,      ///< the device gave no measurement; travel and velocity are the last ones
+    Undefined = 2,    ///< the scene has no force here
+    Stopped = 4,      ///< somebody pressed stop
+    Bare = 8,         ///< no scene: the hand feels nothing
+    TooFast = 16,     ///< the tool exceeds the limit of velocity; the force fades
+    Released = 32,    ///< nobody holds the dead-man switch; the force fades
+    SoftStart = 64,   ///< the force waits for a small one, or comes on
+    LostBeats = 128,  ///< the clock lost more than one beat; the force fades
   };
 
   std::uint64_t tick = 0;
@@ -23,6 +27,7 @@ struct TickSample {
   double velocity = 0.0;  ///< [device's travel unit / s]
   double desired = 0.0;   ///< what the scene asked for [N]
   double force = 0.0;     ///< what the device was told [N]
+  double energy = 0.0;    ///< that this contact has taken up [N·device's travel unit]
   float lateness = 0.0F;  ///< of this tick against its due time [µs]; 0 where nobody has a clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention

@@ -82,19 +82,25 @@ void print(
         pass.bytes > 0 ? fmt::format(" ({} bytes)", pass.bytes) : "");
   }
   const double stiffness = scene.largestStiffness();
-  const haptics::engine::Passivity passivity{.stiffness = stiffness, .period = 1.0 / device.rate};
+  const haptics::engine::Passivity passivity{
+      .stiffness = stiffness,
+      .period = 1.0 / device.rate,
+      .filterDelay = scene.delay() / device.rate};
+  const bool isPassive = passivity.neededDamping() <= device.damping;
   fmt::print("\n  one tick of all that is in: {:.0f} ns, median, on this computer\n", nanoseconds);
   fmt::print(
       "  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
-      "N·s/{} of "
-      "damping;\n  the {} has {:.3g} of its own, the hand adds more\n",
+      "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
       stiffness,
       device.travelUnit,
       device.rate,
       passivity.neededDamping(),
       device.travelUnit,
       device.name,
-      device.damping);
+      device.damping,
+      isPassive ? "PASS, whatever the hand does"
+                : "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler, "
+                  "\"force_scale\" a bone");
 }
 
 /// The protocol, or nothing, and then its problems have been told.

@@ -57,6 +57,36 @@ TEST_F(TrialTest, IsKeptWholeInChunksOfASecond) {
   EXPECT_EQ(record.judgement().verdict, Verdict::Pass) << record.judgement().reason;
 }
 
+TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
+  Trial trial(device_, setup());
+  for (int i = 0; i < 3000; ++i) {
+    if (i == 1500) device_.hold(false);
+    if (i == 1600) device_.hold(true);
+    trial.keep(trial.step(1e-3, i == 2500 ? 5 : 0));
+  }
+  const auto record = trial.finish(TrialEnding::Finished);
+  const auto timesOf = [&](SafetyKind kind) {
+    for (const auto& event : record.safety) {
+      if (event.kind == kind) return event;
+    }
+    return SafetyEvent{.kind = kind};
+  };
+  EXPECT_EQ(timesOf(SafetyKind::Released).times, 1);
+  EXPECT_NEAR(timesOf(SafetyKind::Released).duration, 0.1, 1e-9);
+  EXPECT_EQ(timesOf(SafetyKind::LostBeats).times, 1);
+  EXPECT_GE(timesOf(SafetyKind::SoftStart).times, 2);  // at the beginning, and after the release
+  EXPECT_EQ(timesOf(SafetyKind::TooFast).times, 0);
+  const auto judgement = record.judgement();
+  EXPECT_EQ(judgement.verdict, Verdict::Warn);
+  EXPECT_NE(judgement.reason.find("dead-man"), std::string::npos) << judgement.reason;
+  EXPECT_NE(judgement.reason.find("lost beats"), std::string::npos) << judgement.reason;
+  int released = 0;
+  for (const auto& sample : samples()) {
+    released += (sample.marks & haptics::engine::TickSample::Released) != 0 ? 1 : 0;
+  }
+  EXPECT_EQ(released, 100);
+}
+
 TEST_F(TrialTest, CountsWhatItsTraceShows) {
   Trial trial(device_, setup(3.0));  // less than the scene asks for
   const auto record = feelInVirtualTime(trial, 3, 60.0);

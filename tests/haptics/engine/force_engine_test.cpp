@@ -28,15 +28,23 @@ class HeldDevice final : public devices::Device {
   devices::Capabilities capabilities_ = devices::simulatedPunch();
 };
 
-SceneSpec finiteElements() { return {.model = FiniteElementsSpec{}}; }
+SceneSpec finiteElements() {
+  return {.model = FiniteElementsSpec{}};
+}
 
 class ForceEngineTest : public testing::Test {
  protected:
-  double feelAt(double travel) {
+  TickSample stayAt(double travel, int ticks) {
     device_.sample.travel = travel;
     TickSample sample;
-    for (int i = 0; i < 100; ++i) sample = engine_.tick(kDt);
-    return sample.force;
+    for (int i = 0; i < ticks; ++i) sample = engine_.tick(kDt);
+    return sample;
+  }
+
+  /// Opens, so that the force comes on, and goes there.
+  double feelAt(double travel) {
+    stayAt(0.0, 150);
+    return stayAt(travel, 100).force;
   }
 
   HeldDevice device_;
@@ -69,8 +77,132 @@ TEST_F(ForceEngineTest, LetsGoInTheSameTickWhenStopped) {
   engine_.stop();
   EXPECT_EQ(engine_.tick(kDt).force, 0.0);
   EXPECT_EQ(device_.commanded, 0.0);
+}
+
+TEST_F(ForceEngineTest, StartsSoftlyAfterItIsArmedAgain) {
+  engine_.setScene(&scene_);
+  feelAt(6.0);
+  engine_.stop();
+  engine_.tick(kDt);
   engine_.arm();
-  EXPECT_LE(engine_.tick(kDt).force, 0.3 + 1e-12);  // comes back no faster than 300 N/s
+  // The hand still presses: nothing, however long, until it asks for little.
+  const auto pressed = stayAt(6.0, 1000);
+  EXPECT_EQ(pressed.force, 0.0);
+  EXPECT_NEAR(pressed.desired, 3.43, 0.01);
+  EXPECT_TRUE((pressed.marks & TickSample::SoftStart) != 0);
+  stayAt(4.1, 1);
+  for (int i = 0; i < 99; ++i) {
+    const auto coming = stayAt(5.0, 1);
+    EXPECT_LE(coming.force, 1.7142858 * (i + 2) / 100.0 + 1e-9);
+  }
+  EXPECT_NEAR(stayAt(5.0, 2).force, 1.714, 5e-4);
+  EXPECT_EQ(engine_.tick(kDt).marks, TickSample::None);
+}
+
+TEST_F(ForceEngineTest, StartsSoftlyInAnotherScene) {
+  engine_.setScene(&scene_);
+  feelAt(6.0);
+  CompiledScene other(finiteElements());
+  engine_.setScene(&other);
+  const double before = device_.commanded;
+  const auto first = engine_.tick(kDt);
+  EXPECT_LT(first.force, before);
+  EXPECT_TRUE((first.marks & TickSample::SoftStart) != 0);
+  EXPECT_EQ(stayAt(6.0, 200).force, 0.0);
+  EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);
+}
+
+TEST_F(ForceEngineTest, FadesWhileNobodyHoldsTheSwitch) {
+  engine_.setScene(&scene_);
+  feelAt(6.0);
+  device_.sample.isHeld = false;
+  const auto fading = stayAt(6.0, 50);
+  EXPECT_NEAR(fading.force, 0.5 * 3.428, 0.05);
+  EXPECT_TRUE((fading.marks & TickSample::Released) != 0);
+  EXPECT_EQ(stayAt(6.0, 60).force, 0.0);
+  device_.sample.isHeld = true;
+  EXPECT_EQ(stayAt(6.0, 100).force, 0.0);  // and comes back softly
+  EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);
+}
+
+TEST_F(ForceEngineTest, FadesWhereTheToolIsTooFastForAHand) {
+  ForceEngine engine(device_, {.maxForce = 6.0, .maxRate = 300.0, .maxVelocity = 50.0});
+  engine.setScene(&scene_);
+  for (int i = 0; i < 150; ++i) engine.tick(kDt);
+  device_.sample.travel = 5.0;
+  for (int i = 0; i < 50; ++i) engine.tick(kDt);
+  for (const double velocity : {51.0, -51.0, 1e300}) {
+    device_.sample.velocity = velocity;
+    EXPECT_TRUE((engine.tick(kDt).marks & TickSample::TooFast) != 0) << velocity;
+  }
+  for (int i = 0; i < 100; ++i) engine.tick(kDt);
+  EXPECT_EQ(device_.commanded, 0.0);
+}
+
+TEST_F(ForceEngineTest, FadesWhereTheClockLosesMoreThanABeat) {
+  engine_.setScene(&scene_);
+  const double full = feelAt(5.0);
+  EXPECT_EQ(engine_.tick(kDt, 1).force, full);  // one beat is bridged
+  const auto sample = engine_.tick(kDt, 21);    // twenty more should have faded it by a fifth
+  EXPECT_NEAR(sample.force, 0.81 * full, 0.32);
+  EXPECT_LT(sample.force, full);
+  EXPECT_TRUE((sample.marks & TickSample::LostBeats) != 0);
+  stayAt(5.0, 30);
+  EXPECT_EQ(engine_.tick(kDt).force, full);  // and it is back
+}
+
+TEST_F(ForceEngineTest, WatchesTheEnergyOfASceneThatGivesMoreThanItGets) {
+  // A wall that is felt on the way out only: every contact gives what it never took.
+  engine_.setScene(&scene_);
+  stayAt(0.0, 150);
+  double energy = 0.0;
+  bool wasActive = false;
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    device_.sample.travel = 8.0;  // at once: the force comes after the way in
+    for (double travel = 8.0; travel > 0.0; travel -= 0.05) {
+      device_.sample.travel = travel;
+      const auto sample = engine_.tick(kDt);
+      energy = std::min(energy, sample.energy);
+      wasActive = wasActive || (sample.interventions & ForceLimiter::Active) != 0;
+    }
+  }
+  EXPECT_LT(energy, -5.0);  // about half of 7 N over 4 units
+  EXPECT_TRUE(wasActive);
+}
+
+TEST_F(ForceEngineTest, DampsSuchASceneWhereItIsAskedTo) {
+  const auto given = [&](bool isControlled) {
+    ForceEngine engine(
+        device_, {.maxForce = 9.0, .maxRate = 1e6, .isPassivityControlled = isControlled});
+    engine.setScene(&scene_);
+    device_.sample = {.status = devices::DeviceStatus::Ok};
+    for (int i = 0; i < 150; ++i) engine.tick(kDt);
+    double least = 0.0;
+    for (double travel = 8.0; travel > 0.0; travel -= 0.02) {
+      device_.sample.travel = travel;
+      device_.sample.velocity = -20.0;
+      least = std::min(least, engine.tick(kDt).energy);
+    }
+    return least;
+  };
+  EXPECT_LT(given(false), -2.0);
+  EXPECT_GT(given(true), 0.8 * given(false));  // bounded damping takes up some of it
+  EXPECT_GT(given(true), given(false) + 1.0);
+}
+
+TEST(SafetyLimits, AreRefusedWhereTheyMakeNoSense) {
+  HeldDevice device;
+  for (const SafetyLimits& limits :
+       {SafetyLimits{.maxForce = 0.0},
+        SafetyLimits{.maxRate = -1.0},
+        SafetyLimits{.maxVelocity = 0.0},
+        SafetyLimits{.rampTime = 0.0},
+        SafetyLimits{.quietShare = 0.0},
+        SafetyLimits{.quietShare = 1.5},
+        SafetyLimits{.patience = -1.0},
+        SafetyLimits{.maxForce = std::nan("")}}) {
+    EXPECT_THROW(ForceEngine(device, limits), std::invalid_argument);
+  }
 }
 
 TEST_F(ForceEngineTest, LetsGoOfADeviceThatIsGoneAndStaysStoppedWhenItIsBack) {
@@ -86,13 +218,22 @@ TEST_F(ForceEngineTest, LetsGoOfADeviceThatIsGoneAndStaysStoppedWhenItIsBack) {
   EXPECT_TRUE(engine_.isStopped());
 }
 
-TEST_F(ForceEngineTest, LetsGoOfAStaleSampleAndGoesOnAfterIt) {
+TEST_F(ForceEngineTest, BridgesOneMissingSampleAndThenFades) {
   engine_.setScene(&scene_);
-  feelAt(6.0);
+  const double full = feelAt(5.0);
   device_.sample.status = devices::DeviceStatus::Stale;
-  EXPECT_EQ(engine_.tick(kDt).force, 0.0);
+  EXPECT_EQ(engine_.tick(kDt).force, full);
   device_.sample.status = devices::DeviceStatus::Ok;
-  EXPECT_GT(engine_.tick(kDt).force, 0.0);
+  EXPECT_EQ(engine_.tick(kDt).force, full);  // nobody has noticed
+  device_.sample.status = devices::DeviceStatus::Stale;
+  engine_.tick(kDt);
+  EXPECT_NEAR(stayAt(5.0, 50).force, 0.5 * full, 0.02 * full);
+  EXPECT_FALSE(engine_.isStopped());
+  stayAt(5.0, 60);  // more than a tenth of a second of silence
+  EXPECT_EQ(device_.commanded, 0.0);
+  EXPECT_TRUE(engine_.isStopped());
+  device_.sample.status = devices::DeviceStatus::Ok;
+  EXPECT_EQ(stayAt(0.0, 200).force, 0.0);  // until the operator has decided
 }
 
 TEST_F(ForceEngineTest, NeverCommandsWhatIsNoNumber) {
@@ -125,7 +266,8 @@ TEST_F(ForceEngineTest, AllocatesNothingInATickWhateverTheScene) {
   both.interpolation.curve = {{3.0, 0.0}, {7.0, 4.0}, {9.0, 2.0}};
   CompiledScene kalman({.model = both, .isVisualised = true});
   CompiledScene material(
-      {.device = devices::DeviceKind::Reamer, .model = MaterialSpec{.nodes = parametricMaterial()}});
+      {.device = devices::DeviceKind::Reamer,
+       .model = MaterialSpec{.nodes = parametricMaterial()}});
   for (auto* scene : {&interpolation, &scene_, &kalman, &material}) {
     engine_.setScene(scene);
     const tests::AllocationCounter allocations;

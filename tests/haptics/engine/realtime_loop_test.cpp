@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
@@ -12,7 +14,7 @@ namespace {
 
 TEST(RealtimeLoop, TicksAndReportsWhatItDid) {
   std::atomic<int> calls{0};
-  RealtimeLoop loop(1000.0, [&](double dt, double lateness) {
+  RealtimeLoop loop({.rate = 1000.0}, [&](double dt, double lateness) {
     EXPECT_EQ(dt, 0.001);
     EXPECT_GE(lateness, 0.0);
     ++calls;
@@ -31,7 +33,7 @@ TEST(RealtimeLoop, DoesNotChaseLostTime) {
   std::chrono::steady_clock::time_point stalled;
   std::atomic<bool> isDone{false};
   double nextGap = 0.0;
-  RealtimeLoop loop(1000.0, [&](double, double) {
+  RealtimeLoop loop({.rate = 1000.0}, [&](double, double) {
     const auto now = std::chrono::steady_clock::now();
     if (calls == 20) {
       while (std::chrono::steady_clock::now() - now < std::chrono::milliseconds(50)) {
@@ -50,10 +52,87 @@ TEST(RealtimeLoop, DoesNotChaseLostTime) {
   EXPECT_GE(nextGap, 0.0015);  // two periods between three ticks, not none
 }
 
+TEST(RealtimeLoop, CountsBeatsThatItLostItselfAsItsOwn) {
+  // A tick of 20 ms at 1 kHz is nobody else's fault.
+  int calls = 0;
+  std::atomic<bool> isDone{false};
+  RealtimeLoop loop({.rate = 1000.0}, [&](double, double) {
+    if (++calls == 30) {
+      const auto start = std::chrono::steady_clock::now();
+      while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(20)) {
+      }
+    }
+    isDone = calls > 40;
+  });
+  while (!isDone) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto& report = loop.finish();
+  EXPECT_GE(report.lateTicksOfOurs, 1U);
+  EXPECT_GE(report.lostBeats, 15U);
+  EXPECT_EQ(report.lateTicks, report.lateTicksOfOurs + report.holes);
+  EXPECT_GE(report.compute.largest(), 20'000.0);
+  EXPECT_EQ(report.ownLateness.count(), report.lateness.count());
+  EXPECT_LE(report.ownLateness.largest(), report.lateness.largest());
+}
+
+/// Beats every two milliseconds from another thread, as a device's datagrams would.
+class ThreadBeat final : public Beat {
+ public:
+  bool wait(std::int64_t deadline) noexcept override {
+    std::unique_lock lock(mutex_);
+    const auto until = std::chrono::steady_clock::time_point(std::chrono::nanoseconds(deadline));
+    const bool came = condition_.wait_until(lock, until, [&] { return pending_ > 0; });
+    if (came) --pending_;
+    return came;
+  }
+  void beat() {
+    const std::lock_guard lock(mutex_);
+    ++pending_;
+    condition_.notify_one();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable condition_;
+  int pending_ = 0;
+};
+
+TEST(RealtimeLoop, GoesAtThePaceOfADeviceThatSetsIt) {
+  ThreadBeat beat;
+  std::atomic<std::uint64_t> calls{0};
+  RealtimeLoop loop({.rate = 20.0, .beat = &beat}, [&](double dt, double) {
+    EXPECT_EQ(dt, 0.05);
+    ++calls;
+  });
+  // Far faster than the timer would: one tick for each beat.
+  for (int i = 0; i < 50; ++i) {
+    beat.beat();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  while (calls < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_LE(loop.finish().seconds, 2.0);
+}
+
+TEST(RealtimeLoop, TicksOnWhereTheDeviceFallsSilentSoThatSomebodyNotices) {
+  ThreadBeat silent;
+  std::atomic<int> late{0};
+  RealtimeLoop loop({.rate = 200.0, .beat = &silent}, [&](double dt, double lateness) {
+    if (lateness >= 0.9e6 * dt) ++late;
+  });
+  while (late < 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_GE(loop.finish().ticks, 10U);
+}
+
+TEST(RealtimeLoop, RefusesToSpinForLongerThanTheKernelLets) {
+  const auto nothing = [](double, double) {};
+  EXPECT_THROW(RealtimeLoop({.spinning = 0.11}, nothing), std::invalid_argument);
+  EXPECT_THROW(RealtimeLoop({.spinning = -0.1}, nothing), std::invalid_argument);
+  EXPECT_NO_THROW(RealtimeLoop({.spinning = 0.1}, nothing));
+}
+
 TEST(RealtimeLoop, RefusesAnImpossibleRate) {
   const auto nothing = [](double, double) {};
-  EXPECT_THROW(RealtimeLoop(0.0, nothing), std::invalid_argument);
-  EXPECT_THROW(RealtimeLoop(1e6, nothing), std::invalid_argument);
+  EXPECT_THROW(RealtimeLoop({.rate = 0.0}, nothing), std::invalid_argument);
+  EXPECT_THROW(RealtimeLoop({.rate = 1e6}, nothing), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,26 @@
+#include "haptics/engine/energy_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haptics::engine {
+
+void EnergyObserver::observe(double held, double moved, double velocity, double dt) noexcept {
+  const double taken = held * moved + settings_.deviceDamping * velocity * velocity * dt;
+  if (!std::isfinite(taken)) return;
+  if (std::abs(held) < settings_.noForce) {
+    energy_ = 0.0;
+    return;
+  }
+  energy_ += taken;
+  least_ = std::min(least_, energy_);
+}
+
+double EnergyObserver::damped(double desired, double velocity, double dt) const noexcept {
+  if (!isActive() || !(settings_.mostDamping > 0.0)) return desired;
+  if (!(std::abs(velocity) > settings_.leastVelocity) || !(dt > 0.0)) return desired;
+  const double wanted = -energy_ / (velocity * velocity * dt);
+  return desired + std::min(wanted, settings_.mostDamping) * velocity;
+}
+
+}  // namespace haptics::engine
