@@ -8,7 +8,7 @@ namespace haptics::engine {
 namespace {
 
 constexpr std::uint32_t kMostBuckets = 1U << 18;
-constexpr std::uint32_t kPerPiece = 4;
+constexpr std::uint32_t kPerPiece = 2;  // more would leave the cache sooner
 constexpr std::uint32_t kCrowd = 4;
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace haptics::engine {
 
 /// The memory behind a models::SegmentIndex: built once, before the hand is on the tool.
 ///
-/// It takes four buckets a piece, and goes on doubling them while more than four nodes share one,
+/// It takes two buckets a piece, and goes on doubling them while more than four nodes share one,
 /// up to 2^18 (1 MiB): crowded nodes beyond that are bisected, in at most log2 of their number.
 class BucketTable {
  public:

@@ -14,32 +14,6 @@ double endSlope(double h0, double h1, double rise0, double rise1) {
   return slope;
 }
 
-std::vector<models::CubicSegment<double>> blend(const MaterialSpec& spec) {
-  std::vector<double> depths;
-  std::vector<double> lower;
-  std::vector<double> upper;
-  for (const auto& node : spec.nodes) {
-    depths.push_back(node.depth);
-    lower.push_back(node.lower);
-    upper.push_back(node.upper);
-  }
-  const auto lowerSlopes = monotoneSlopes(depths, lower);
-  const auto upperSlopes = monotoneSlopes(depths, upper);
-  const double h = spec.hardness;
-  std::vector<models::HermiteNode<double>> nodes;
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    nodes.push_back(
-        {depths[i],
-         spec.forceScale * ((1.0 - h) * lower[i] + h * upper[i]),
-         spec.forceScale * ((1.0 - h) * lowerSlopes[i] + h * upperSlopes[i])});
-  }
-  std::vector<models::CubicSegment<double>> segments;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    segments.push_back(models::CubicSegment<double>::between(nodes[i], nodes[i + 1]));
-  }
-  return segments;
-}
-
 std::vector<double> knotsOf(const std::vector<models::CubicSegment<double>>& segments) {
   std::vector<double> knots;
   for (const auto& segment : segments) knots.push_back(segment.begin);
@@ -72,8 +46,34 @@ std::vector<double> monotoneSlopes(
   return slopes;
 }
 
+std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec) {
+  std::vector<double> depths;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const auto& node : spec.nodes) {
+    depths.push_back(node.depth);
+    lower.push_back(node.lower);
+    upper.push_back(node.upper);
+  }
+  const auto lowerSlopes = monotoneSlopes(depths, lower);
+  const auto upperSlopes = monotoneSlopes(depths, upper);
+  const double h = spec.hardness;
+  std::vector<models::HermiteNode<double>> nodes;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    nodes.push_back(
+        {depths[i],
+         spec.forceScale * ((1.0 - h) * lower[i] + h * upper[i]),
+         spec.forceScale * ((1.0 - h) * lowerSlopes[i] + h * upperSlopes[i])});
+  }
+  std::vector<models::CubicSegment<double>> segments;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    segments.push_back(models::CubicSegment<double>::between(nodes[i], nodes[i + 1]));
+  }
+  return segments;
+}
+
 MaterialModel::MaterialModel(const MaterialSpec& spec)
-    : segments_(blend(spec)),
+    : segments_(blendedSegments(spec)),
       table_(knotsOf(segments_)),
       curve_(segments_.data(), segments_.size(), table_.index()) {}
 

@@ -31,6 +31,10 @@ class MaterialModel final : public ForceModel {
   std::size_t hint_ = 0;
 };
 
+/// Both measured curves at the material's hardness, scaled: the segments of a material whose nodes
+/// are in order.
+std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec);
+
 /// Slopes at the nodes of a curve that keep its cubic Hermite spline from overshooting: weighted
 /// harmonic means inside, one-sided at the ends (Fritsch & Butland 1984, "PCHIP").
 std::vector<double> monotoneSlopes(

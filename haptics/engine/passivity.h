@@ -14,8 +14,11 @@ struct Passivity {
   double lateness = 0.0;     ///< how late the loop may wake up, 99.9 % of ticks [s]
   double filterDelay = 0.0;  ///< of what is between the sensor and the force [s]
 
-  /// T: how old a force may be [s].
-  constexpr double effectivePeriod() const noexcept { return period + lateness + filterDelay; }
+  /// T: a tick that is late holds the old force for longer; a delay counts twice, because the force
+  /// is that much too old all along, not on average: b > K (T/2 + τ) (Gil, Sánchez, Hulin, Preusche & Hirzinger 2009). `palpate bench stability` shows walls that vibrate where it is counted once [s].
+  constexpr double effectivePeriod() const noexcept {
+    return period + lateness + 2.0 * filterDelay;
+  }
 
   /// b: the damping that is needed [N·s per travel unit].
   constexpr double neededDamping() const noexcept { return stiffness * effectivePeriod() / 2.0; }

@@ -129,8 +129,10 @@ void RealtimeLoop::run(const std::stop_token& stop) {
   report_.knowsHoles = holes.isAvailable();
   const double dt = 1.0 / options_.rate;
   const auto period = static_cast<std::int64_t>(dt * static_cast<double>(kSecond));
-  // Waiting as long as this is worth asking why; the kernel is asked for its count every so often.
-  const std::int64_t suspicious = period / 4;
+  // Waiting as long as this is worth asking why; less is the timer's slack and waking up. The
+  // kernel is asked for its count every so often.
+  constexpr std::int64_t kLeastHole = 200'000;  // [ns]
+  const std::int64_t suspicious = std::max(period / 4, kLeastHole);
   constexpr std::uint64_t kRestartEvery = 8;
   Pace pace(options_, period);
   const std::int64_t start = now();

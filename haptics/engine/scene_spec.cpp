@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "haptics/engine/material_model.h"
+
 namespace haptics::engine {
 namespace {
 
@@ -80,6 +82,11 @@ void check(const MaterialSpec& spec, Words& problems) {
     if (i > 0 && !(node.depth > spec.nodes[i - 1].depth)) {
       problems.push_back(name + " does not lie deeper than the one before it");
     }
+  }
+  if (!problems.empty()) return;
+  const auto segments = blendedSegments(spec);
+  if (!models::HermiteCurve<double>::isSound(segments.data(), segments.size())) {
+    problems.push_back("the material's nodes lie too close together, or too far apart, to be felt");
   }
 }
 

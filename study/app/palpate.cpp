@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   study::app::addExportCommand(program, action);
   study::app::addRecordingCommands(program, action);
   study::app::addSceneCommands(program, action);
+  study::app::addBenchCommands(program, action);
 
   try {
     program.parse(argc, argv);

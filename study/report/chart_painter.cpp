@@ -16,6 +16,7 @@ constexpr double kWidth = 860.0;
 constexpr double kHeight = 440.0;
 constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};
 constexpr double kMarker = 4.0;
+constexpr std::size_t kColours = 7;  // that the palette has
 
 /// An axis with its ends, and where a value lies between them.
 class Scale {
@@ -50,8 +51,16 @@ class Scale {
     const int first = static_cast<int>(std::ceil(least_ - 1e-9));
     const int last = static_cast<int>(std::floor(most_ + 1e-9));
     const int stride = std::max(1, (last - first + 7) / 8);
-    for (int decade = first; decade <= last; decade += stride) {
-      ticks.push_back({std::pow(10.0, decade), powerOfTen(decade)});
+    const bool isShort = most_ - least_ < 1.6;
+    for (int decade = first - 1; decade <= last; decade += stride) {
+      const double power = std::pow(10.0, decade);
+      if (decade >= first) ticks.push_back({power, powerOfTen(decade)});
+      if (!isShort) continue;
+      for (const double factor : {2.0, 5.0}) {
+        const double place = std::log10(factor * power);
+        const bool isWithin = place >= least_ && place <= most_;
+        if (isWithin) ticks.push_back({factor * power, QString::number(factor * power)});
+      }
     }
     return ticks;
   }
@@ -126,7 +135,8 @@ class ChartPainter {
     axes();
     painter_.save();
     painter_.setClipRect(kPlot.adjusted(-6, -6, 6, 6));
-    for (std::size_t i = 0; i < chart_.series.size(); ++i) series(chart_.series[i], colourOf(i));
+    for (std::size_t i = 0; i < chart_.series.size(); ++i)
+      series(chart_.series[i], colourOf(i), i >= kColours);
     painter_.restore();
     legend();
   }
@@ -181,7 +191,7 @@ class ChartPainter {
     painter_.restore();
   }
 
-  void series(const ChartSeries& series, const QColor& colour) {
+  void series(const ChartSeries& series, const QColor& colour, bool isOfSecondRound) {
     using Style = ChartSeries::Style;
     const bool isJoined = series.style != Style::Markers;
     const bool isMarked = series.style == Style::Markers || series.style == Style::LineAndMarkers;
@@ -192,7 +202,7 @@ class ChartPainter {
       line(series);
     }
     for (const auto& point : series.points) {
-      if (shows(point)) mark(point, colour, isMarked);
+      if (shows(point)) mark(point, colour, isMarked, isOfSecondRound);
     }
   }
 
@@ -211,7 +221,7 @@ class ChartPainter {
     painter_.drawPath(path);
   }
 
-  void mark(const ChartPoint& point, const QColor& colour, bool isMarked) {
+  void mark(const ChartPoint& point, const QColor& colour, bool isMarked, bool isSquare) {
     const QPointF here = at(point.x, point.y);
     if (point.xHigh && x_.shows(*point.xHigh)) {
       const QPointF end = at(*point.xHigh, point.y);
@@ -222,7 +232,7 @@ class ChartPainter {
     if (isMarked) {
       painter_.setPen(Qt::NoPen);
       painter_.setBrush(colour);
-      painter_.drawEllipse(here, kMarker, kMarker);
+      symbol(here, isSquare);
     }
     if (point.label.empty()) return;
     painter_.setPen(colour.darker(120));
@@ -232,6 +242,15 @@ class ChartPainter {
         Qt::AlignLeft | Qt::AlignVCenter,
         QString::fromStdString(point.label),
         10);
+  }
+
+  /// Where colours come round again, squares tell the second round from the first.
+  void symbol(const QPointF& where, bool isSquare) {
+    if (isSquare) {
+      painter_.drawRect(QRectF(where.x() - kMarker, where.y() - kMarker, 2 * kMarker, 2 * kMarker));
+    } else {
+      painter_.drawEllipse(where, kMarker, kMarker);
+    }
   }
 
   void legend() {
@@ -244,10 +263,15 @@ class ChartPainter {
       if (series.style == ChartSeries::Style::Markers) {
         painter_.setPen(Qt::NoPen);
         painter_.setBrush(colourOf(i));
-        painter_.drawEllipse(QPointF(x + 12, y + 10), kMarker, kMarker);
+        symbol(QPointF(x + 12, y + 10), i >= kColours);
       } else {
         painter_.setPen(QPen(colourOf(i), 2.4, isDashed ? Qt::DashLine : Qt::SolidLine));
         painter_.drawLine(QPointF(x, y + 10), QPointF(x + 24, y + 10));
+        if (series.style == ChartSeries::Style::LineAndMarkers) {
+          painter_.setPen(Qt::NoPen);
+          painter_.setBrush(colourOf(i));
+          symbol(QPointF(x + 12, y + 10), i >= kColours);
+        }
       }
       painter_.setPen(Qt::black);
       drawText(

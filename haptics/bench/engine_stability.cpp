@@ -1,0 +1,232 @@
+// What the engine does at odd rates, with a clock that trembles, and with what is no number.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "haptics/bench/punch_conditions.h"
+#include "haptics/bench/stability.h"
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/force_engine.h"
+#include "haptics/engine/passivity.h"
+#include "haptics/recordings/parametric_cut.h"
+
+namespace haptics::bench {
+namespace {
+
+using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
+
+Scenes allScenes() {
+  using models::KalmanScheme;
+  auto hysteresis = publishedInterpolation();
+  hysteresis.branches = engine::Branches::Hysteresis;
+  const auto cut = recordings::parametricCut();
+  for (const auto& node : cut.opening->nodes()) {
+    hysteresis.opening.push_back({node.travel, node.force});
+  }
+  auto plastic = publishedElements(5);
+  plastic.parameters.yielding = models::Yielding::ReturnMap;
+  return {
+      {"interpolation", {.model = publishedInterpolation()}},
+      {"interpolation, hysteresis", {.model = hysteresis}},
+      {"finite elements", {.model = publishedElements(5)}},
+      {"finite elements, return-map", {.model = plastic}},
+      {"filter, paper-text", {.model = publishedFilter(KalmanScheme::PaperText, 5)}},
+      {"filter, authors-firmware", {.model = publishedFilter(KalmanScheme::AuthorsFirmware, 5)}},
+      {"filter, space-domain", {.model = publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
+}
+
+/// A device that says what it is told to say.
+class Mouthpiece final : public devices::Device {
+ public:
+  const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }
+  devices::DeviceSample read(double) noexcept override { return sample; }
+  void command(double force) noexcept override { commanded = force; }
+
+  devices::DeviceSample sample{.status = devices::DeviceStatus::Ok};
+  double commanded = 0.0;
+
+ private:
+  devices::Capabilities capabilities_ = devices::simulatedPunch();
+};
+
+/// How far a force that is held over each tick is off on average while the tool closes evenly
+/// through elastic tissue, against K v T / 2 of eq. (25): relative.
+double forceErrorAgainstEquation(double rate) {
+  constexpr double kSpeed = 57.0;
+  constexpr int kInside = 200;
+  engine::CompiledScene held({.model = publishedElements(5)});
+  engine::CompiledScene moving({.model = publishedElements(5)});
+  const double period = 1.0 / rate;
+  const auto ticks = std::max(1, static_cast<int>(3.5 / (kSpeed * period)));  // from 4.1 to 7.6
+  double sum = 0.0;
+  for (int i = 0; i < ticks; ++i) {
+    const double from = 4.1 + kSpeed * period * i;
+    const double force = held.respond({.travel = from}).force;
+    for (int k = 0; k < kInside; ++k) {
+      const double travel = from + kSpeed * period * (k + 0.5) / kInside;
+      sum += moving.respond({.travel = travel}).force - force;
+    }
+  }
+  const engine::Passivity passivity{.stiffness = held.largestStiffness(), .period = period};
+  return std::abs(sum / (ticks * kInside) / passivity.forceErrorAt(kSpeed) - 1.0);
+}
+
+/// What the space-domain filter has come to at 6 travel units, closing at 10 a second.
+double settledAtSix(double rate) {
+  engine::CompiledScene scene({.model = publishedFilter(models::KalmanScheme::SpaceDomain, 5)});
+  double force = 0.0;
+  const auto steps = static_cast<long>(std::lround(0.6 * rate));
+  for (long i = 0; i <= steps; ++i) {
+    force =
+        scene.respond({.travel = 6.0 * static_cast<double>(i) / static_cast<double>(steps)}).force;
+  }
+  return force;
+}
+
+}  // namespace
+
+void sweepRates(double effort, StabilityResult& result) {
+  const auto add = [&](const std::string& what, double parameter, double measured, double bound) {
+    result.checks.push_back({"rate", what, "", parameter, measured, bound});
+  };
+  for (const double rate : {25.0, 100.0, 375.0, 1000.0, 2000.0, 4000.0, 8000.0}) {
+    add("held force against K v T / 2, relative", rate, forceErrorAgainstEquation(rate), 1e-9);
+  }
+  const double reference = settledAtSix(64'000.0);
+  for (const double rate : {375.0, 1000.0, 4000.0, 8000.0}) {
+    add("space-domain: force at 6 units against 64 kHz [N]",
+        rate,
+        std::abs(settledAtSix(rate) - reference),
+        0.02);
+  }
+  // A clock that trembles between a fifth and five times its period.
+  for (const auto& [name, spec] : allScenes()) {
+    devices::SimulatedHand hand({.variation = 0.3, .seed = 3});
+    devices::SimulatedDevice device(devices::simulatedPunch(), devices::punchMechanism(), hand);
+    constexpr engine::SafetyLimits kLimits{.maxForce = 6.0, .maxRate = 300.0};
+    engine::ForceEngine engine(device, kLimits);
+    engine::CompiledScene scene(spec);
+    engine.setScene(&scene);
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> exponent(std::log(0.2e-3), std::log(5e-3));
+    double last = 0.0;
+    int wrong = 0;
+    for (int i = 0; i < static_cast<int>(effort * 30'000); ++i) {
+      const double dt = std::exp(exponent(random));
+      const auto sample = engine.tick(dt, static_cast<int>(dt / 1e-3));
+      const bool isSound = std::isfinite(sample.force) &&
+                           std::abs(sample.force) <= kLimits.maxForce &&
+                           std::abs(sample.force - last) <= kLimits.maxRate * dt * (1.0 + 1e-9);
+      wrong += isSound ? 0 : 1;
+      last = sample.force;
+    }
+    add("period × 0.2 to 5: forces beyond a limit, " + name, 0.0, wrong, 0.0);
+  }
+}
+
+void sweepBadInput(double effort, StabilityResult& result) {
+  constexpr double kTiny = std::numeric_limits<double>::denorm_min();
+  const double bad[]{
+      NAN,
+      -NAN,
+      INFINITY,
+      -INFINITY,
+      kTiny,
+      -kTiny,
+      1e-310,
+      0.0,
+      -0.0,
+      1e308,
+      -1e308,
+      1e155,
+      -1e155,
+      1e17,
+      4.0,
+      11.0};
+  const devices::DeviceStatus statuses[]{
+      devices::DeviceStatus::Ok,
+      devices::DeviceStatus::Ok,
+      devices::DeviceStatus::Ok,
+      devices::DeviceStatus::Stale,
+      devices::DeviceStatus::Faulted,
+      devices::DeviceStatus::Gone};
+  for (const auto& [name, spec] : allScenes()) {
+    Mouthpiece device;
+    constexpr engine::SafetyLimits kLimits{
+        .maxForce = 6.0, .maxRate = 300.0, .isPassivityControlled = true};
+    engine::ForceEngine engine(device, kLimits);
+    engine::CompiledScene scene(spec);
+    engine.setScene(&scene);
+    std::mt19937_64 random(13);
+    const auto any = [&](double usual) {
+      return random() % 3 == 0 ? bad[random() % std::size(bad)] : usual;
+    };
+    int wrong = 0;
+    for (int i = 0; i < static_cast<int>(effort * 200'000); ++i) {
+      device.sample = {
+          .status = random() % 4 == 0 ? statuses[random() % std::size(statuses)]
+                                      : devices::DeviceStatus::Ok,
+          .travel = any(5.0 + 5.0 * std::sin(0.01 * i)),
+          .velocity = any(10.0),
+          .isHeld = random() % 50 != 0};
+      engine.tick(any(1e-3), static_cast<int>(random() % 4));
+      if (random() % 20 == 0) engine.arm();
+      const bool isSound =
+          std::isfinite(device.commanded) && std::abs(device.commanded) <= kLimits.maxForce;
+      wrong += isSound ? 0 : 1;
+    }
+    // And afterwards it feels as ever: open, then five units into the cut.
+    const auto feelAtFive = [](engine::ForceEngine& what, Mouthpiece& through) {
+      what.arm();
+      through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};
+      for (int i = 0; i < 300; ++i) what.tick(1e-3);
+      for (int i = 0; i <= 500; ++i) {
+        through.sample.travel = 0.01 * i;
+        what.tick(1e-3);
+      }
+      return through.commanded;
+    };
+    const double after = feelAtFive(engine, device);
+    Mouthpiece fresh;
+    engine::ForceEngine unspoilt(fresh, kLimits);
+    engine::CompiledScene same(spec);
+    unspoilt.setScene(&same);
+    const double usual = feelAtFive(unspoilt, fresh);
+    result.checks.push_back(
+        {"bad input",
+         "forces that are no number or too large, " + name,
+         "",
+         0.0,
+         static_cast<double>(wrong),
+         0.0});
+    result.checks.push_back(
+        {"bad input",
+         "difference of the force afterwards [N], " + name,
+         "",
+         0.0,
+         std::isfinite(after) ? std::abs(after - usual) : INFINITY,
+         0.02});
+  }
+}
+
+StabilityResult runStability(
+    double effort, const std::function<void(const std::string&)>& progress) {
+  StabilityResult result;
+  const std::pair<const char*, void (*)(double, StabilityResult&)> sweeps[]{
+      {"finite elements over 24 decades", sweepFiniteElements},
+      {"Kalman filter over 24 decades", sweepFilter},
+      {"splines over 600 decades", sweepSplines},
+      {"virtual walls", sweepWalls},
+      {"rates and a clock that trembles", sweepRates},
+      {"numbers that are none", sweepBadInput}};
+  for (const auto& [name, sweep] : sweeps) {
+    progress(name);
+    sweep(effort, result);
+  }
+  return result;
+}
+
+}  // namespace haptics::bench

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "haptics/bench/measurement.h"
+#include "haptics/bench/peers/kalman_peers.h"
+#include "haptics/bench/string_reference.h"
+#include "haptics/models/kalman_filter.h"
+#include "haptics/models/kalman_noise.h"
+
+namespace haptics::bench {
+namespace {
+
+constexpr const char* kFamily = "Kalman filter";
+using models::KalmanScheme;
+using peers::KalmanNumbers;
+
+template <typename Scalar>
+models::KalmanNoise<Scalar> noiseOf(const KalmanNumbers& n) {
+  return {
+      .processForce = Scalar(n.q11),
+      .processCovariance = Scalar(n.q12),
+      .processStiffness = Scalar(n.q22),
+      .finiteElements = Scalar(n.rElastic),
+      .interpolation = Scalar(n.rRecorded),
+      .wandering = Scalar(n.q22)};
+}
+
+/// Ours in a scheme, with the face of the others.
+template <typename Scalar>
+struct OurFilter {
+  models::KalmanFilter<Scalar> filter;
+
+  explicit OurFilter(const KalmanNumbers& n, KalmanScheme scheme = KalmanScheme::Sequential)
+      : filter(noiseOf<Scalar>(n).factored(), scheme) {}
+  Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
+    return filter.step(d, elastic, recorded);
+  }
+};
+
+/// Its covariance, begun where the others begin.
+template <typename Scalar>
+struct OurCovariance {
+  models::FactoredCovariance<Scalar> p;
+  models::FactoredVariances<Scalar> q;
+  Scalar f{}, z{};
+  KalmanNumbers n;
+
+  explicit OurCovariance(const KalmanNumbers& numbers)
+      : q(noiseOf<Scalar>(numbers).factored().process), n(numbers) {
+    p.set(models::FactoredVariances<Scalar>::of(
+        Scalar(numbers.start11), Scalar(0), Scalar(numbers.start22)));
+  }
+  Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
+    f += z * d;
+    p.predict(d, q);
+    correct(elastic, Scalar(n.rElastic));
+    correct(recorded, Scalar(n.rRecorded));
+    return f;
+  }
+  bool hasNegativeVariance() const {
+    return p.variances().force < Scalar(0) || p.variances().rest < Scalar(0);
+  }
+
+ private:
+  void correct(Scalar measured, Scalar r) {
+    const auto gain = p.correct(r);
+    const Scalar innovation = measured - f;
+    f += gain.force * innovation;
+    z += gain.stiffness * innovation;
+  }
+};
+
+template <typename Filter, typename Scalar>
+Contestant contestant(std::string name, Filter filter) {
+  return {std::move(name), [filter](int steps) mutable {
+            Scalar force{};
+            for (int i = 0; i < steps; ++i) {
+              force =
+                  filter.step((i & 64) != 0 ? Scalar(0.02) : Scalar(-0.02), Scalar(3), Scalar(2));
+            }
+            return static_cast<double>(force);
+          }};
+}
+
+void raceSteps(const Report& report) {
+  const KalmanNumbers n;
+  std::vector<Contestant> contestants;
+  contestants.push_back(
+      contestant<OurFilter<double>, double>("palpate LDLᵀ", OurFilter<double>(n)));
+  contestants.push_back(
+      contestant<OurFilter<float>, float>("palpate LDLᵀ, float", OurFilter<float>(n)));
+  contestants.push_back(contestant<peers::StandardFilter<double>, double>(
+      "standard, scalar", peers::StandardFilter<double>(n)));
+  contestants.push_back(contestant<peers::JosephFilter<double>, double>(
+      "Joseph, scalar", peers::JosephFilter<double>(n)));
+  contestants.push_back(
+      {"Eigen, fixed size", [n](int steps) { return peers::eigenFixed(n, steps, 0.02); }});
+  contestants.push_back(
+      {"Eigen, dynamic size", [n](int steps) { return peers::eigenDynamic(n, steps, 0.02); }});
+  const std::pair<const char*, KalmanScheme> schemes[]{
+      {"palpate, paper-text", KalmanScheme::PaperText},
+      {"palpate, authors-firmware", KalmanScheme::AuthorsFirmware},
+      {"palpate, space-domain", KalmanScheme::SpaceDomain}};
+  for (const auto& [name, scheme] : schemes) {
+    contestants.push_back(
+        contestant<OurFilter<double>, double>(name, OurFilter<double>(n, scheme)));
+  }
+  const auto timings = race(contestants);
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    report(
+        {.family = kFamily,
+         .setting = "a step",
+         .method = contestants[i].method,
+         .parameter = 1.0,
+         .time = timings[i]});
+  }
+}
+
+/// What an adversary would choose: numbers all over the decades.
+struct Adversary {
+  std::mt19937_64 random;
+  double decades;
+
+  double magnitude() {
+    return std::pow(10.0, std::uniform_real_distribution<double>(-decades, decades)(random));
+  }
+  KalmanNumbers numbers() {
+    // No process noise is where forms differ.
+    return {0.0, 0.0, 0.0, magnitude(), magnitude(), magnitude(), magnitude()};
+  }
+  double travelled() { return magnitude() * (random() % 2 == 0 ? 1.0 : -1.0); }
+};
+
+struct Tally {
+  std::vector<double> errors;
+  std::int64_t negative = 0;
+  std::int64_t steps = 0;
+};
+
+template <typename Filter>
+void follow(
+    Filter filter,
+    const std::vector<double>& travelled,
+    const std::vector<double>& expected,
+    Tally& tally) {
+  for (std::size_t i = 0; i < travelled.size(); ++i) {
+    using Scalar = decltype(filter.step(1.0F, 1.0F, 1.0F));
+    const auto force =
+        static_cast<double>(filter.step(static_cast<Scalar>(travelled[i]), Scalar(3), Scalar(2)));
+    const double error = std::abs(force / expected[i] - 1.0);
+    tally.errors.push_back(std::isfinite(error) ? error : 1e300);
+    tally.negative += filter.hasNegativeVariance() ? 1 : 0;
+    ++tally.steps;
+  }
+}
+
+/// p99 of the relative error of the force, and how often a variance was negative.
+void attack(double decades, const Report& report) {
+  constexpr int kFilters = 60;
+  constexpr int kSteps = 40;
+  Adversary adversary{std::mt19937_64(7), decades};
+  const std::vector<std::string> names{
+      "palpate LDLᵀ",
+      "palpate LDLᵀ, float",
+      "standard, scalar",
+      "Joseph, scalar",
+      "standard, scalar, float",
+      "Joseph, scalar, float"};
+  std::vector<Tally> tallies(names.size());
+  for (int i = 0; i < kFilters; ++i) {
+    const auto n = adversary.numbers();
+    std::vector<double> travelled(kSteps);
+    for (auto& d : travelled) d = static_cast<double>(static_cast<float>(adversary.travelled()));
+    // In the form that all share, with digits to lose.
+    peers::StandardFilter<HundredDigits> reference(n);
+    std::vector<double> expected;
+    for (const double d : travelled) {
+      expected.push_back(static_cast<double>(reference.step(d, 3, 2)));
+    }
+    follow(OurCovariance<double>(n), travelled, expected, tallies[0]);
+    follow(OurCovariance<float>(n), travelled, expected, tallies[1]);
+    follow(peers::StandardFilter<double>(n), travelled, expected, tallies[2]);
+    follow(peers::JosephFilter<double>(n), travelled, expected, tallies[3]);
+    follow(peers::StandardFilter<float>(n), travelled, expected, tallies[4]);
+    follow(peers::JosephFilter<float>(n), travelled, expected, tallies[5]);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto& errors = tallies[i].errors;
+    std::sort(errors.begin(), errors.end());
+    const double p99 =
+        errors[static_cast<std::size_t>(0.99 * static_cast<double>(errors.size() - 1))];
+    report(
+        {.family = kFamily,
+         .setting = "Q = 0, relative error",
+         .method = names[i],
+         .parameter = decades,
+         .error = p99});
+    report(
+        {.family = kFamily,
+         .setting = "Q = 0, negative variances of 100 steps",
+         .method = names[i],
+         .parameter = decades,
+         .error = 100.0 * static_cast<double>(tallies[i].negative) /
+                  static_cast<double>(tallies[i].steps)});
+  }
+}
+
+}  // namespace
+
+void measureKalmanFilter(const Report& report) {
+  raceSteps(report);
+  for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0}) attack(decades, report);
+}
+
+}  // namespace haptics::bench

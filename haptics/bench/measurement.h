@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "haptics/bench/stopwatch.h"
+
+namespace haptics::bench {
+
+/// What a method came to in one setting.
+struct Measurement {
+  std::string family;   ///< "splines", "finite elements", "Kalman filter", "encoder", "refresh"
+  std::string setting;  ///< what was done: "random, 10,000 nodes"
+  std::string method;
+  double parameter = 0.0;       ///< what is swept: nodes, elements, decades …
+  std::optional<double> error;  ///< in the unit of the setting
+  std::optional<Timing> time;
+};
+
+using Report = std::function<void(const Measurement&)>;
+
+/// Splines over an analytic curve of reaming's shape, 4 to 10,000 nodes: largest error [N], time of
+/// an evaluation at random; and the settings of target T1: coherent, random, cold.
+void measureSplines(const Report& report);
+
+/// Force and mesh of the finite elements, N = 5 to 12,445; relative error against 100 digits, also
+/// where elements differ by up to 12 decades. Target T3.
+void measureFiniteElements(const Report& report);
+
+/// A step of the filter, its error against 100 digits, and how often a variance gets negative.
+/// Target T4.
+void measureKalmanFilter(const Report& report);
+
+/// What an encoder's grain does to each rendering: RMS error of the force against an ideal encoder
+/// [N].
+void measureEncoders(const Report& report);
+
+/// How often a second each of the punch's three renderings can be worked out with its mesh: the
+/// paper's Fig. 12.
+void measureRefresh(const Report& report);
+
+}  // namespace haptics::bench

@@ -1,0 +1,330 @@
+// Numbers over many decades: the models in both ways of compiling.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "haptics/bench/stability.h"
+#include "haptics/bench/stability_kernels.h"
+#include "haptics/bench/string_reference.h"
+#include "haptics/engine/material_model.h"
+
+namespace haptics::bench {
+namespace plain {
+extern const StabilityKernels kKernels;
+}
+#ifdef PALPATE_HAS_FUSED_KERNELS
+namespace fused {
+extern const StabilityKernels kKernels;
+}
+#endif
+
+const StabilityKernels& plainKernels() noexcept {
+  return plain::kKernels;
+}
+
+const StabilityKernels* fusedKernels() noexcept {
+#ifdef PALPATE_HAS_FUSED_KERNELS
+  return __builtin_cpu_supports("fma") != 0 ? &fused::kKernels : nullptr;
+#else
+  return nullptr;
+#endif
+}
+
+namespace {
+
+std::vector<const StabilityKernels*> bothWays() {
+  std::vector<const StabilityKernels*> kernels{&plainKernels()};
+  if (const auto* fused = fusedKernels()) kernels.push_back(fused);
+  return kernels;
+}
+
+int share(double effort, int whole) {
+  return std::max(1, static_cast<int>(std::lround(effort * whole)));
+}
+
+double relativeError(double value, const HundredDigits& expected) {
+  if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+  return static_cast<double>(abs(HundredDigits(value) / expected - 1));
+}
+
+/// The worst of several chains at one contrast, in double and single precision.
+struct ChainErrors {
+  double inDouble = 0.0;
+  double inFloat = 0.0;
+};
+
+/// For each way of compiling.
+std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(elements) * 101 + decades);
+  std::uniform_real_distribution<double> exponent(-decades, decades);
+  const auto ways = bothWays();
+  std::vector<ChainErrors> worst(ways.size());
+  for (int chain = 0; chain < chains; ++chain) {
+    std::vector<float> k32(static_cast<std::size_t>(elements));
+    for (auto& k : k32) k = static_cast<float>(std::pow(10.0, exponent(random)));
+    const std::vector<double> k(k32.begin(), k32.end());
+    const int element = std::uniform_int_distribution<int>(0, elements - 1)(random);
+    // Within half an element of an end the reference has one weight only: stay in the middle.
+    const double tool = std::clamp(element + 0.625, 0.5, elements - 0.5);
+    const StringReference reference(k, tool);
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+      worst[way].inDouble = std::max(
+          worst[way].inDouble,
+          relativeError(ways[way]->chainStiffness(k.data(), elements, tool), reference.stiffness));
+      worst[way].inFloat = std::max(
+          worst[way].inFloat,
+          relativeError(
+              static_cast<double>(
+                  ways[way]->chainStiffnessFloat(k32.data(), elements, static_cast<float>(tool))),
+              reference.stiffness));
+    }
+  }
+  return worst;
+}
+
+void sweepEnds(StabilityResult& result) {
+  // One element that is nothing, or without end: the tool feels nothing, or the other side alone.
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  for (const auto* way : bothWays()) {
+    int wrong = 0;
+    for (const double extreme : {0.0, 1e-308, 1e308, kEndless}) {
+      for (int where = 0; where < 5; ++where) {
+        std::vector<double> k(5, 1.0);
+        k[static_cast<std::size_t>(where)] = extreme;
+        const double stiffness = way->chainStiffness(k.data(), 5, 2.625);
+        wrong += std::isnan(stiffness) || stiffness < 0.0 ? 1 : 0;
+      }
+    }
+    result.checks.push_back(
+        {"finite elements",
+         "k → 0 and ∞: stiffnesses that are none",
+         way->name,
+         0.0,
+         static_cast<double>(wrong),
+         0.0});
+  }
+}
+
+}  // namespace
+
+void sweepFiniteElements(double effort, StabilityResult& result) {
+  const auto ways = bothWays();
+  for (const int elements : {1, 2, 5, 15, 100, 1000, 12'445}) {
+    const int chains = share(effort, elements > 1000 ? 1 : elements > 100 ? 4 : 40);
+    for (const int decades : {1, 2, 3, 4, 6, 8, 10, 12}) {
+      if (elements > 1000 && decades % 6 != 0) continue;
+      const auto worst = worstChains(elements, decades, chains);
+      for (std::size_t way = 0; way < ways.size(); ++way) {
+        const std::string n = "N = " + std::to_string(elements);
+        result.checks.push_back(
+            {"finite elements",
+             n + ": relative error, double",
+             ways[way]->name,
+             static_cast<double>(decades),
+             worst[way].inDouble,
+             4e-15});
+        result.checks.push_back(
+            {"finite elements",
+             n + ": relative error, float",
+             ways[way]->name,
+             static_cast<double>(decades),
+             worst[way].inFloat,
+             1e-6});
+      }
+    }
+  }
+  sweepEnds(result);
+}
+
+namespace {
+
+struct Tally {
+  long steps = 0;
+  long negative = 0;
+  long notFinite = 0;
+};
+
+/// Random noise and steps over 10^±decades, correlated up to 0.999, in all four schemes.
+Tally attackAll(
+    const StabilityKernels& way, double decades, bool hasProcess, bool isFloat, int filters) {
+  std::mt19937_64 random(20261121);
+  std::uniform_real_distribution<double> exponent(-decades, decades);
+  std::uniform_real_distribution<double> correlation(-0.999, 0.999);
+  const auto magnitude = [&] { return std::pow(10.0, exponent(random)); };
+  std::array<double, 200> travelled{};
+  Tally tally;
+  for (int i = 0; i < filters; ++i) {
+    FilterAttack a{.rElastic = magnitude(), .rRecorded = magnitude(), .scheme = i % 4};
+    a.q11 = hasProcess ? magnitude() : 0.0;
+    a.q22 = hasProcess ? magnitude() : 0.0;
+    a.q12 = correlation(random) * std::sqrt(a.q11) * std::sqrt(a.q22);
+    for (auto& d : travelled) d = magnitude() * (random() % 2 == 0 ? 1.0 : -1.0);
+    a.travelled = travelled.data();
+    a.steps = static_cast<long>(travelled.size());
+    const auto verdict = isFloat ? way.attackFloat(a) : way.attack(a);
+    if (verdict.isRefused) continue;
+    tally.steps += a.steps;
+    tally.negative += verdict.negative;
+    tally.notFinite += verdict.notFinite;
+  }
+  return tally;
+}
+
+/// An hour at 1 kHz on a hand that does not move: the worst distance from what was felt at once.
+double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
+  FilterAttack a{
+      .q11 = 6.1024,
+      .q12 = 0.2772,
+      .q22 = 7.0275,
+      .rElastic = 0.001,
+      .rRecorded = 7.742,
+      .scheme = scheme,
+      .steps = 1000,
+      .isResting = true};
+  const double soon = way.attack(a).force;
+  a.steps = steps;
+  const double late = way.attack(a).force;
+  return std::isfinite(late) ? std::abs(late - soon) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void sweepFilter(double effort, StabilityResult& result) {
+  const auto add = [&](const StabilityKernels& way,
+                       const std::string& what,
+                       double parameter,
+                       double measured,
+                       double bound) {
+    result.checks.push_back({"Kalman filter", what, way.name, parameter, measured, bound});
+  };
+  for (const auto* way : bothWays()) {
+    for (const double decades : {1.0, 3.0, 6.0, 9.0, 12.0}) {
+      for (const bool hasProcess : {true, false}) {
+        const std::string q = hasProcess ? "" : ", Q = 0";
+        const auto inDouble = attackAll(*way, decades, hasProcess, false, share(effort, 600));
+        const auto inFloat = attackAll(*way, decades, hasProcess, true, share(effort, 600));
+        add(*way,
+            "negative variances, double" + q,
+            decades,
+            static_cast<double>(inDouble.negative),
+            0.0);
+        add(*way,
+            "forces that are no number, double" + q,
+            decades,
+            static_cast<double>(inDouble.notFinite),
+            0.0);
+        add(*way,
+            "negative variances, float" + q,
+            decades,
+            static_cast<double>(inFloat.negative),
+            0.0);
+      }
+    }
+    for (int scheme = 0; scheme < 4; ++scheme) {
+      const auto steps = static_cast<long>(3.6e6 * std::min(1.0, effort * 4.0));
+      add(*way,
+          "Δθ = 0 for an hour: drift of the force [N], variant " + std::to_string(scheme + 1),
+          0.0,
+          driftAtRest(*way, scheme, steps),
+          scheme == 0 ? 1.0 : 1e-3);
+    }
+    // What nobody can weigh is refused at load: an indefinite Q, R < 0, Q = R = 0, no numbers.
+    int accepted = 0;
+    const FilterAttack unsound[]{
+        {.q11 = 1.0, .q12 = 2.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
+        {.q11 = 1.0, .q22 = 1.0, .rElastic = -1e-9, .rRecorded = 1.0},
+        {.q11 = 0.0, .q22 = 0.0, .rElastic = 0.0, .rRecorded = 0.0},
+        {.q11 = -1.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
+        {.q11 = NAN, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},
+        {.q11 = 1.0, .q22 = 1.0, .rElastic = INFINITY, .rRecorded = 1.0}};
+    for (const auto& attack : unsound) accepted += way->attack(attack).isRefused ? 0 : 1;
+    add(*way, "noise that is none, accepted", 0.0, accepted, 0.0);
+    // 1e155 squared is beyond every number: it may fail, but never silently with a sane face.
+    const double leap = 1e155;
+    FilterAttack far{
+        .q11 = 1.0,
+        .q22 = 1.0,
+        .rElastic = 1.0,
+        .rRecorded = 1.0,
+        .scheme = 2,
+        .travelled = &leap,
+        .steps = 1};
+    const auto verdict = way->attack(far);
+    const bool isSane = verdict.notFinite > 0 || (verdict.force >= 2.0 && verdict.force <= 3.0);
+    add(*way, "Δθ = 1e155: a wrong force that looks right", 155.0, isSane ? 0.0 : 1.0, 0.0);
+  }
+}
+
+void sweepSplines(double effort, StabilityResult& result) {
+  std::mt19937_64 random(5);
+  for (const auto* way : bothWays()) {
+    for (const double decades : {0.0, 3.0, 9.0, 15.0, 100.0, 300.0}) {
+      std::uniform_real_distribution<double> exponent(-decades, decades);
+      int wrong = 0;
+      const int cases = share(effort, 20'000);
+      for (int i = 0; i < cases; ++i) {
+        const double x = std::pow(10.0, exponent(random));
+        const double a[3]{0.0, std::pow(10.0, exponent(random)), 0.0};
+        const double b[3]{x, a[1] + std::pow(10.0, exponent(random)), 0.0};
+        double force = 0.0;
+        const double at = x * std::uniform_real_distribution<double>(0.0, 1.0)(random);
+        if (!way->cubic(a, b, at, force)) continue;  // refused at load
+        const double slack = 1e-12 * std::max(std::abs(a[1]), std::abs(b[1]));
+        const bool isBetween = force >= a[1] - slack && force <= b[1] + slack;
+        wrong += isBetween ? 0 : 1;
+      }
+      result.checks.push_back(
+          {"splines",
+           "forces outside of their two nodes, slopes 0",
+           way->name,
+           decades,
+           static_cast<double>(wrong),
+           0.0});
+    }
+    // Nodes in one place have no slope between them.
+    const double a[3]{1.0, 2.0, 0.0};
+    const double b[3]{1.0, 3.0, 0.0};
+    double force = 0.0;
+    result.checks.push_back(
+        {"splines",
+         "coincident nodes, accepted",
+         way->name,
+         0.0,
+         way->cubic(a, b, 1.0, force) ? 1.0 : 0.0,
+         0.0});
+  }
+  // Two, three and crowded nodes through the slopes that keep a curve monotone.
+  double worst = 0.0;
+  for (int i = 0; i < share(effort, 2000); ++i) {
+    const int count = 2 + i % 11;
+    std::vector<double> xs{0.0};
+    std::vector<double> ys{0.0};
+    for (int k = 1; k < count; ++k) {
+      xs.push_back(xs.back() + std::exp(std::uniform_real_distribution<double>(-25, 0)(random)));
+      ys.push_back(ys.back() + std::exp(std::uniform_real_distribution<double>(-9, 6)(random)));
+    }
+    const auto slopes = engine::monotoneSlopes(xs, ys);
+    for (int k = 0; k + 1 < count; ++k) {
+      const auto n = static_cast<std::size_t>(k);
+      const double a[3]{xs[n], ys[n], slopes[n]};
+      const double b[3]{xs[n + 1], ys[n + 1], slopes[n + 1]};
+      for (double t = 0.0; t <= 1.0; t += 0.05) {
+        double force = 0.0;
+        if (!plainKernels().cubic(a, b, a[0] + t * (b[0] - a[0]), force)) continue;
+        const double beyond = std::max({a[1] - force, force - b[1], 0.0});
+        worst = std::max(worst, beyond / ys.back());
+      }
+    }
+  }
+  result.checks.push_back(
+      {"splines",
+       "overshoot of 2 to 12 crowded nodes, of the largest force",
+       "",
+       0.0,
+       worst,
+       1e-12});
+}
+
+}  // namespace haptics::bench

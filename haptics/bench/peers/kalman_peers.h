@@ -1,0 +1,90 @@
+#pragma once
+
+namespace haptics::bench::peers {
+
+/// Noise of eq. (22)–(24), for everybody alike.
+struct KalmanNumbers {
+  double q11 = 6.1024, q12 = 0.2772, q22 = 7.0275;
+  double rElastic = 0.001, rRecorded = 7.742;
+  double start11 = 6.1024, start22 = 7.0275;  ///< P at the beginning, without a covariance
+};
+
+/// The `sequential` filter as textbooks write it; P has its three different entries.
+template <typename Scalar>
+struct StandardFilter {
+  Scalar f{}, z{}, p11{}, p12{}, p22{};
+  KalmanNumbers n;
+
+  explicit StandardFilter(const KalmanNumbers& numbers) : n(numbers) {
+    p11 = Scalar(n.start11);
+    p22 = Scalar(n.start22);
+  }
+  Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
+    f += z * d;
+    p11 += d * (Scalar(2) * p12 + d * p22) + Scalar(n.q11);
+    p12 += d * p22 + Scalar(n.q12);
+    p22 += Scalar(n.q22);
+    correct(elastic, Scalar(n.rElastic));
+    correct(recorded, Scalar(n.rRecorded));
+    return f;
+  }
+  bool hasNegativeVariance() const { return p11 < Scalar(0) || p22 < Scalar(0); }
+
+ private:
+  void correct(Scalar measured, Scalar r) {
+    const Scalar inverse = Scalar(1) / (p11 + r);
+    const Scalar k1 = p11 * inverse;
+    const Scalar k2 = p12 * inverse;
+    const Scalar innovation = measured - f;
+    f += k1 * innovation;
+    z += k2 * innovation;
+    p22 -= k2 * p12;
+    p12 -= k2 * p11;
+    p11 -= k1 * p11;
+  }
+};
+
+/// The same with Joseph's form of the correction, (I − K H) P (I − K H)ᵀ + K R Kᵀ.
+template <typename Scalar>
+struct JosephFilter {
+  Scalar f{}, z{}, p11{}, p12{}, p22{};
+  KalmanNumbers n;
+
+  explicit JosephFilter(const KalmanNumbers& numbers) : n(numbers) {
+    p11 = Scalar(n.start11);
+    p22 = Scalar(n.start22);
+  }
+  Scalar step(Scalar d, Scalar elastic, Scalar recorded) {
+    f += z * d;
+    p11 += d * (Scalar(2) * p12 + d * p22) + Scalar(n.q11);
+    p12 += d * p22 + Scalar(n.q12);
+    p22 += Scalar(n.q22);
+    correct(elastic, Scalar(n.rElastic));
+    correct(recorded, Scalar(n.rRecorded));
+    return f;
+  }
+  bool hasNegativeVariance() const { return p11 < Scalar(0) || p22 < Scalar(0); }
+
+ private:
+  void correct(Scalar measured, Scalar r) {
+    const Scalar inverse = Scalar(1) / (p11 + r);
+    const Scalar k1 = p11 * inverse;
+    const Scalar k2 = p12 * inverse;
+    const Scalar innovation = measured - f;
+    f += k1 * innovation;
+    z += k2 * innovation;
+    const Scalar a = Scalar(1) - k1;
+    const Scalar old11 = p11;
+    const Scalar old12 = p12;
+    p11 = a * a * old11 + k1 * k1 * r;
+    p12 = a * (old12 - k2 * old11) + k1 * k2 * r;
+    p22 = p22 - Scalar(2) * k2 * old12 + k2 * k2 * old11 + k2 * k2 * r;
+  }
+};
+
+/// Eigen's matrices of a fixed size, and of a size that is known at run time only: many @p steps of
+/// @p travelled between 3 N and 2 N; the last force.
+double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled);
+double eigenDynamic(const KalmanNumbers& numbers, int steps, double travelled);
+
+}  // namespace haptics::bench::peers

@@ -1,0 +1,74 @@
+// `palpate bench stability` in its short form: every bound holds, and a bound can be missed.
+#include "haptics/bench/stability.h"
+
+#include <gtest/gtest.h>
+
+#include "haptics/bench/stability_kernels.h"
+
+namespace haptics::bench {
+namespace {
+
+constexpr double kShort = 0.05;
+
+void expectAllPassed(void (*sweep)(double, StabilityResult&)) {
+  StabilityResult result;
+  sweep(kShort, result);
+  EXPECT_FALSE(result.checks.empty());
+  for (const auto& check : result.checks) {
+    EXPECT_TRUE(check.isPassed()) << check.sweep << ": " << check.what << " (" << check.build
+                                  << ", at " << check.parameter << "): " << check.measured
+                                  << ", at most " << check.bound;
+  }
+}
+
+TEST(Stability, OfFiniteElements) {
+  expectAllPassed(sweepFiniteElements);
+}
+TEST(Stability, OfTheFilter) {
+  expectAllPassed(sweepFilter);
+}
+TEST(Stability, OfSplines) {
+  expectAllPassed(sweepSplines);
+}
+TEST(Stability, OfWalls) {
+  expectAllPassed(sweepWalls);
+}
+TEST(Stability, AtOddRates) {
+  expectAllPassed(sweepRates);
+}
+TEST(Stability, WithBadInput) {
+  expectAllPassed(sweepBadInput);
+}
+
+TEST(Stability, IsTheSameEveryTime) {
+  StabilityResult once;
+  StabilityResult again;
+  sweepSplines(kShort, once);
+  sweepSplines(kShort, again);
+  ASSERT_EQ(once.checks.size(), again.checks.size());
+  for (std::size_t i = 0; i < once.checks.size(); ++i) {
+    EXPECT_EQ(once.checks[i].measured, again.checks[i].measured);
+  }
+}
+
+TEST(Stability, IsTriedInTwoKindsOfArithmetic) {
+  const auto* fused = fusedKernels();
+  if (fused == nullptr) GTEST_SKIP() << "this processor has no fused multiply-add";
+  EXPECT_STRNE(fused->name, plainKernels().name);
+  // 1 − 0.1 · 10 is rounded away in one and not in the other: the same sources, two results.
+  int different = 0;
+  for (int i = 1; i < 200; ++i) {
+    const double a[3]{0.0, 1.0 / i, 0.1 * i};
+    const double b[3]{1.0 / (i + 2), 3.0 / i, 0.7};
+    double plain = 0.0;
+    double other = 0.0;
+    ASSERT_TRUE(plainKernels().cubic(a, b, 0.3 / (i + 2), plain));
+    ASSERT_TRUE(fused->cubic(a, b, 0.3 / (i + 2), other));
+    EXPECT_NEAR(plain, other, 1e-13);
+    different += plain != other ? 1 : 0;
+  }
+  EXPECT_GT(different, 10);
+}
+
+}  // namespace
+}  // namespace haptics::bench
