@@ -330,165 +330,24 @@ report::DocumentPart refreshPart(const Measured& all) {
 
 }  // namespace
 
-std::vector<Target> accuracyTargets(const Measured& all) {
-  std::vector<Target> targets;
-  const auto ratio = [&](const char* id,
-                         const std::string& family,
-                         const std::string& setting,
-                         double parameter,
-                         const std::string& peer,
-                         const std::string& ours,
-                         double wanted,
-                         const std::string& what) {
-    const double measured = timeOf(all, family, setting, peer, parameter) /
-                            timeOf(all, family, setting, ours, parameter);
-    if (std::isfinite(measured)) targets.push_back({id, what, measured, wanted, false});
-  };
-  const std::string ours = "palpate Hermite";
-  ratio(
-      "T1",
-      "splines",
-      "coherent",
-      12,
-      "GSL natural cubic",
-      ours,
-      1.4,
-      "coherent, 12 nodes: times as fast as GSL");
-  ratio(
-      "T1",
-      "splines",
-      "coherent",
-      12,
-      "Boost PCHIP",
-      ours,
-      1.8,
-      "coherent, 12 nodes: times as fast as Boost");
-  ratio(
-      "T1",
-      "splines",
-      "random",
-      10'000,
-      "GSL natural cubic",
-      ours,
-      3.0,
-      "random, 10,000 nodes: times as fast as GSL");
-  ratio(
-      "T1",
-      "splines",
-      "random",
-      10'000,
-      "Boost PCHIP",
-      ours,
-      3.0,
-      "random, 10,000 nodes: times as fast as Boost");
-  for (const double nodes : {12.0, 100.0, 10'000.0}) {
-    ratio(
-        "T1",
-        "splines",
-        "cold",
-        nodes,
-        "Boost PCHIP",
-        ours,
-        1.0,
-        fmt::format("cold, {:g} nodes: times as fast as Boost", nodes));
-    ratio(
-        "T1",
-        "splines",
-        "cold",
-        nodes,
-        "GSL natural cubic",
-        ours,
-        1.8,
-        fmt::format("cold, {:g} nodes: times as fast as GSL", nodes));
-  }
-  const auto atMost = [&](const std::string& setting, double nodes, double wanted) {
-    const double measured = timeOf(all, "splines", setting, ours, nodes) /
-                            timeOf(all, "splines", setting, "floor: one Horner", nodes);
-    targets.push_back(
-        {"T1",
-         fmt::format("{}, {:g} nodes: times one cubic", setting, nodes),
-         measured,
-         wanted,
-         true});
-  };
-  atMost("coherent", 12, 1.4);
-  atMost("random", 10'000, 5.0);
-  const std::string mesh = "palpate, force and mesh";
-  ratio(
-      "T3",
-      "finite elements",
-      "elements alike",
-      5,
-      "Eigen dense LU, each step",
-      mesh,
-      12,
-      "N = 5: times as fast as dense LU");
-  ratio(
-      "T3",
-      "finite elements",
-      "elements alike",
-      15,
-      "Eigen dense LU, each step",
-      mesh,
-      45,
-      "N = 15: times as fast as dense LU");
-  ratio(
-      "T3",
-      "finite elements",
-      "elements alike",
-      12'445,
-      "Eigen sparse LDLᵀ, once",
-      mesh,
-      40,
-      "N = 12,445: times as fast as LDLᵀ factorised before");
-  double worst = 0.0;
-  double worstFloat = 0.0;
-  for (const auto& r : all) {
-    const auto& m = r.measurement;
-    if (m.family != "finite elements" || !m.error || m.parameter > 1000) continue;
-    if (m.method == mesh) worst = std::max(worst, *m.error);
-    if (m.method == mesh + ", float") worstFloat = std::max(worstFloat, *m.error);
-  }
-  targets.push_back({"T3", "largest relative error, double", worst, 4e-15, true});
-  targets.push_back({"T3", "largest relative error, float", worstFloat, 1e-6, true});
-  ratio(
-      "T4",
-      "Kalman filter",
-      "a step",
-      1,
-      "Eigen, fixed size",
-      "palpate LDLᵀ",
-      2.0,
-      "times as fast as Eigen, fixed size");
-  ratio(
-      "T4",
-      "Kalman filter",
-      "a step",
-      1,
-      "Eigen, dynamic size",
-      "palpate LDLᵀ",
-      25.0,
-      "times as fast as Eigen, dynamic size");
-  targets.push_back(
-      {"T4",
-       "times the standard scalar form",
-       timeOf(all, "Kalman filter", "a step", "palpate LDLᵀ", 1) /
-           timeOf(all, "Kalman filter", "a step", "standard, scalar", 1),
-       1.5,
-       true});
-  double negative = 0.0;
-  for (const auto& r : all) {
-    const auto& m = r.measurement;
-    const bool isCount = m.setting.find("negative variances") != std::string::npos;
-    if (isCount && m.method.find("palpate") == 0) negative += m.error.value_or(0.0);
-  }
-  targets.push_back({"T4", "negative variances", negative, 0.0, true});
-  return targets;
-}
-
 report::Document accuracyReport(const Measured& all) {
   int processes = 1;
   for (const auto& r : all) processes = std::max(processes, r.processes);
+  std::vector<report::DocumentPart> parts{
+      {.heading = "Machine and targets",
+       .tables = {machineTable(), targetTable(accuracyTargets(all))}}};
+  const std::pair<const char*, report::DocumentPart (*)(const Measured&)> families[]{
+      {"splines", splinePart},
+      {"finite elements", elementPart},
+      {"Kalman filter", kalmanPart},
+      {"encoder", encoderPart},
+      {"refresh", refreshPart}};
+  for (const auto& [family, part] : families) {
+    const bool isMeasured = std::any_of(all.begin(), all.end(), [&, name = family](const auto& r) {
+      return r.measurement.family == name;
+    });
+    if (isMeasured) parts.push_back(part(all));
+  }
   return {
       .title = "Error against run time",
       .lead =
@@ -500,14 +359,7 @@ report::Document accuracyReport(const Measured& all) {
                "Ratios are the result, absolute times are colour.",
                processes),
            "Errors are deterministic and the same in every process."},
-      .parts = {
-          {.heading = "Machine and targets",
-           .tables = {machineTable(), targetTable(accuracyTargets(all))}},
-          splinePart(all),
-          elementPart(all),
-          kalmanPart(all),
-          encoderPart(all),
-          refreshPart(all)}};
+      .parts = std::move(parts)};
 }
 
 }  // namespace study::app

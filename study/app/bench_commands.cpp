@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -19,20 +20,33 @@ namespace bench = haptics::bench;
 struct AccuracyOptions {
   std::string out;
   int processes = 5;
+  std::vector<std::string> families;
   bool isWorker = false;
 };
 
+struct Family {
+  const char* name;
+  void (*measure)(const bench::Report&);
+};
+constexpr Family kFamilies[]{
+    {"splines", bench::measureSplines},
+    {"finite-elements", bench::measureFiniteElements},
+    {"kalman", bench::measureKalmanFilter},
+    {"encoders", bench::measureEncoders},
+    {"refresh", bench::measureRefresh}};
+
 /// Measures once, and prints what comes out for whoever started this.
-int measureOnce() {
+int measureOnce(const AccuracyOptions& options) {
   const auto print = [](const bench::Measurement& m) {
     std::fputs((bench::asLine(m) + "\n").c_str(), stdout);
     std::fflush(stdout);
   };
-  bench::measureSplines(print);
-  bench::measureFiniteElements(print);
-  bench::measureKalmanFilter(print);
-  bench::measureEncoders(print);
-  bench::measureRefresh(print);
+  for (const auto& family : kFamilies) {
+    const auto& wanted = options.families;
+    const bool isWanted =
+        wanted.empty() || std::find(wanted.begin(), wanted.end(), family.name) != wanted.end();
+    if (isWanted) family.measure(print);
+  }
   return 0;
 }
 
@@ -51,11 +65,15 @@ void printTargets(const std::vector<Target>& targets) {
 }
 
 int accuracy(const AccuracyOptions& options) {
-  if (options.isWorker) return measureOnce();
+  if (options.isWorker) return measureOnce(options);
+  std::vector<std::string> call{"bench", "accuracy", "--worker"};
+  for (const auto& family : options.families) {
+    call.insert(call.end(), {"--family", family});
+  }
   std::vector<bench::Measurement> all;
   for (int process = 1; process <= options.processes; ++process) {
     std::string family;
-    runAnotherOfUs({"bench", "accuracy", "--worker"}, [&](const std::string& line) {
+    runAnotherOfUs(call, [&](const std::string& line) {
       const auto measurement = bench::fromLine(line);
       if (!measurement) return;
       if (measurement->family != family) {
@@ -84,6 +102,10 @@ void addAccuracy(CLI::App& noun, Action& action) {
   verb->add_option("--processes", options->processes, "How many processes measure, one by one")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& family : kFamilies) names.emplace_back(family.name);
+  verb->add_option("--family", options->families, "Only these families (default: all)")
+      ->check(CLI::IsMember(names));
   verb->add_flag("--worker", options->isWorker)->group("");  // not for people
   verb->callback([&action, options] { action = [options] { return accuracy(*options); }; });
 }

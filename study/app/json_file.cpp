@@ -259,12 +259,17 @@ std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise) {
 }
 
 std::string passesAsJson(
-    const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds) {
+    const std::string& condition,
+    const haptics::engine::CompiledScene& scene,
+    const std::vector<SceneCost>& costs) {
   Json json{
       {"condition", condition},
       {"largest_stiffness", scene.largestStiffness()},
-      {"tick_median_ns", nanoseconds},
       {"passes", Json::array()}};
+  for (const auto& cost : costs) {
+    json["costs"].push_back(
+        {{"what", cost.what}, {"median_ns", cost.time.median}, {"p99_ns", cost.time.p99}});
+  }
   for (const auto& pass : scene.passes()) {
     json["passes"].push_back(
         {{"name", pass.name}, {"in", pass.isIn}, {"why", pass.why}, {"bytes", pass.bytes}});

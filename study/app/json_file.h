@@ -9,6 +9,7 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/process_noise.h"
 #include "questionnaires/problem.h"
+#include "study/app/scene_cost.h"
 #include "study/results.h"
 #include "study/verification.h"
 
@@ -41,7 +42,10 @@ std::string importAsJson(
 /// The keys that a protocol's `noise` has.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
+/// The costs are left out where nobody measured them.
 std::string passesAsJson(
-    const std::string& condition, const haptics::engine::CompiledScene& scene, double nanoseconds);
+    const std::string& condition,
+    const haptics::engine::CompiledScene& scene,
+    const std::vector<SceneCost>& costs);
 
 }  // namespace study::app

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +16,7 @@
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"
 #include "study/app/paint_figures.h"
+#include "study/app/scene_cost.h"
 #include "study/app/scene_play.h"
 #include "study/new_file.h"
 #include "study/session.h"
@@ -43,35 +41,15 @@ struct ExplainOptions {
   std::string file;
   std::string condition;
   bool visualised = false;
+  bool cost = false;
   bool json = false;
 };
-
-/// What one tick of the scene takes on this computer, while the tool goes to and fro [ns]: a
-/// median, warm.
-double tickTime(haptics::engine::CompiledScene& scene, double mostTravel) {
-  using Clock = std::chrono::steady_clock;
-  constexpr int kRepeats = 41;
-  constexpr int kTicks = 2000;
-  std::vector<double> times;
-  double sum = 0.0;
-  for (int repeat = 0; repeat < kRepeats; ++repeat) {
-    const auto start = Clock::now();
-    for (int i = 0; i < kTicks; ++i) {
-      const double travel = mostTravel * 0.5 * (1.0 - std::cos(0.004 * i));
-      sum += scene.respond({.travel = travel}).force;
-    }
-    times.push_back(
-        std::chrono::duration<double, std::nano>(Clock::now() - start).count() / kTicks);
-  }
-  std::nth_element(times.begin(), times.begin() + kRepeats / 2, times.end());
-  return std::isfinite(sum) ? times[kRepeats / 2] : 0.0;
-}
 
 void print(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
     const haptics::devices::Capabilities& device,
-    double nanoseconds) {
+    const std::vector<SceneCost>& costs) {
   fmt::print("{} ({}) on a {}\n\n", condition.id, condition.title, condition.device);
   for (const auto& pass : scene.passes()) {
     fmt::print(
@@ -87,9 +65,14 @@ void print(
       .period = 1.0 / device.rate,
       .filterDelay = scene.delay() / device.rate};
   const bool isPassive = passivity.neededDamping() <= device.damping;
-  fmt::print("\n  one tick of all that is in: {:.0f} ns, median, on this computer\n", nanoseconds);
+  if (!costs.empty()) {
+    fmt::print("\n  what a tick takes on this computer [ns]              median      p99\n");
+    for (const auto& cost : costs) {
+      fmt::print("  {:<52} {:>6.1f}   {:>6.1f}\n", cost.what, cost.time.median, cost.time.p99);
+    }
+  }
   fmt::print(
-      "  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
+      "\n  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
       "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
       stiffness,
       device.travelUnit,
@@ -139,11 +122,12 @@ int explain(const ExplainOptions& options) {
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
   const auto device = standInFor(spec.device);
-  const double nanoseconds = tickTime(scene, device.mostTravel);
+  std::vector<SceneCost> costs;
+  if (options.cost) costs = costsOf(spec);
   if (options.json) {
-    std::fputs(passesAsJson(condition->id, scene, nanoseconds).c_str(), stdout);
+    std::fputs(passesAsJson(condition->id, scene, costs).c_str(), stdout);
   } else {
-    print(*condition, scene, device, nanoseconds);
+    print(*condition, scene, device, costs);
   }
   return 0;
 }
@@ -278,12 +262,14 @@ void addSceneCommands(CLI::App& program, Action& action) {
   noun->require_subcommand(1);
   addPlay(*noun, action);
   auto options = std::make_shared<ExplainOptions>();
-  auto* explain = noun->add_subcommand(
-      "explain", "What a condition needs, what is left out and why, and what it costs");
+  auto* explain =
+      noun->add_subcommand("explain", "What a condition needs, what is left out and why");
   explain->add_option("FILE", options->file, "A protocol file, or one of the library by name")
       ->required();
   explain->add_option("--condition", options->condition, "Its id in the protocol")->required();
   explain->add_flag("--visualised", options->visualised, "As in a block with visualisation");
+  explain->add_flag(
+      "--cost", options->cost, "Also what a tick takes, and what it would with more in it");
   explain->add_flag("--json", options->json, "For programs");
   explain->callback([&action, options] { action = [options] { return app::explain(*options); }; });
 }

@@ -28,8 +28,9 @@ TEST(Passivity, CountsEverythingThatMakesAForceOld) {
   auto late = at(1000.0);
   late.lateness = 0.0005;
   late.filterDelay = 0.0025;
-  EXPECT_DOUBLE_EQ(late.effectivePeriod(), 0.004);
-  EXPECT_NEAR(late.neededDamping(), at(250.0).neededDamping(), 1e-15);
+  // A delay as often as Gil et al. 2009 have it, b > K (T/2 + τ): twice the paper's.
+  EXPECT_DOUBLE_EQ(late.effectivePeriod(), 0.001 + 0.0005 + 2 * 0.0025);
+  EXPECT_NEAR(late.neededDamping(), late.stiffness * (0.0015 / 2 + 0.0025), 1e-12);
 }
 
 TEST(Passivity, AllowsTheStiffnessThatNeedsTheDampingThatThereIs) {

@@ -1,5 +1,6 @@
 // Every command from outside, as somebody at a desk meets it.
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -315,6 +316,60 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
   EXPECT_NEAR(lastForceOf(2), 5.0, 0.1);             // trusts the recording
   EXPECT_NEAR(lastForceOf(3), 7.0, 0.4);             // does not
   EXPECT_EQ(palpate(call).status, kTheWorldSaidNo);  // nothing is overwritten
+}
+
+TEST_F(CommandLineTest, WritesBenchmarksAsAPageTablesAndFigures) {
+  const std::string folder = folder_ / "bench";
+  const auto accuracy =
+      palpate({"bench", "accuracy", "--processes", "1", "--family", "encoders", "--out", folder});
+  ASSERT_EQ(accuracy.status, 0) << accuracy.error;
+  EXPECT_NE(accuracy.error.find("process 1 of 1: encoder"), std::string::npos);
+  const auto stability = palpate({"bench", "stability", "--effort", "0.01", "--out", folder});
+  ASSERT_EQ(stability.status, 0) << stability.out << stability.error;
+  EXPECT_NE(stability.out.find(", 0 failed."), std::string::npos) << stability.out;
+  for (const char* name : {"accuracy.html", "stability.html"}) {
+    const auto page = tests::contentOf(std::filesystem::path(folder) / name);
+    EXPECT_NE(page.find("processor"), std::string::npos) << name;
+    EXPECT_NE(page.find("<table>"), std::string::npos) << name;
+  }
+  const auto encoders =
+      linesOf(tests::contentOf(std::filesystem::path(folder) / "accuracy-encoders.csv"));
+  EXPECT_EQ(encoders.size(), 1U + 6U * 3U * 3U * 2U);  // scenes, speeds, grains, two errors
+  const auto walls =
+      linesOf(tests::contentOf(std::filesystem::path(folder) / "stability-walls.csv"));
+  EXPECT_GT(walls.size(), 100U);
+}
+
+TEST_F(CommandLineTest, MeasuresTheClockAndTheRecorder) {
+  const auto servo = palpate(
+      {"bench",
+       "servo",
+       "--rates",
+       "1000",
+       "--seconds",
+       "0.2",
+       "--recording",
+       "0.3",
+       "--disk",
+       folder_.path().string()});
+  ASSERT_EQ(servo.status, 0) << servo.error;
+  EXPECT_NE(servo.out.find("T10  bytes a sample"), std::string::npos) << servo.out;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // nothing is left behind
+}
+
+TEST_F(CommandLineTest, TellsWhatAConditionCostsWithMoreInIt) {
+  const auto explained = palpate(
+      {"scene",
+       "explain",
+       "punch-face-validity",
+       "--condition",
+       "interpolation",
+       "--cost",
+       "--json"});
+  const auto costs = json::parse(explained.out)["costs"];
+  ASSERT_GE(costs.size(), 4U);
+  EXPECT_EQ(costs[0]["what"], "as it is");
+  for (const auto& cost : costs) EXPECT_GT(cost["median_ns"].get<double>(), 0.0);
 }
 
 TEST_F(CommandLineTest, WorksOutTheProcessNoiseOfARecording) {

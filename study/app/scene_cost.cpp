@@ -1,0 +1,115 @@
+#include "study/app/scene_cost.h"
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+#include "haptics/bench/punch_conditions.h"
+#include "haptics/engine/compiled_scene.h"
+
+namespace study::app {
+namespace {
+
+namespace bench = haptics::bench;
+namespace engine = haptics::engine;
+
+constexpr int kTicksAPicture = 17;  // a display of 60 Hz in a loop of 1 kHz
+
+/// What is done besides, in every tick: a force in, anything out.
+using Besides = std::function<double(double travel, double force, int tick)>;
+
+bench::Contestant contestant(
+    const std::string& what, const engine::SceneSpec& spec, double middle, Besides besides) {
+  auto scene = std::make_shared<engine::CompiledScene>(spec);
+  return {what, [scene, middle, besides = std::move(besides)](int steps) {
+            double sum = 0.0;
+            for (int i = 0; i < steps; ++i) {
+              const double travel = middle * (1.0 - std::cos(0.004 * i));
+              const double force = scene->respond({.travel = travel}).force;
+              sum += force;
+              if (besides) sum += besides(travel, force, i);
+            }
+            return sum;
+          }};
+}
+
+Besides alsoFelt(const engine::SceneSpec& spec) {
+  auto scene = std::make_shared<engine::CompiledScene>(spec);
+  return [scene](double travel, double, int) { return scene->respond({.travel = travel}).force; };
+}
+
+/// The mesh, every so many ticks.
+Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
+  struct Mesh {
+    std::vector<double> shape;
+    std::vector<double> drawn;
+  };
+  const haptics::models::FiniteElements<double> elements(spec.asParameters());
+  auto mesh = std::make_shared<Mesh>();
+  mesh->shape.resize(static_cast<std::size_t>(elements.elements()));
+  mesh->drawn.resize(mesh->shape.size());
+  elements.writeMeshShape(mesh->shape.data());
+  return [mesh, every](double, double force, int tick) {
+    if (tick % every != 0) return 0.0;
+    for (std::size_t i = 0; i < mesh->shape.size(); ++i) mesh->drawn[i] = mesh->shape[i] * force;
+    return mesh->drawn.back();
+  };
+}
+
+void addPunch(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+  constexpr double kMiddle = 5.5;  // [travel units]
+  const auto add = [&](const char* what, Besides besides) {
+    contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
+  };
+  const auto* elements = std::get_if<engine::FiniteElementsSpec>(&spec.model);
+  const auto* kalman = std::get_if<engine::KalmanSpec>(&spec.model);
+  const auto shown = elements != nullptr ? *elements
+                     : kalman != nullptr ? kalman->finiteElements
+                                         : bench::publishedElements(5);
+  add("as it is", nullptr);
+  if (elements != nullptr) {
+    add("… and the recorded cut", alsoFelt({.model = bench::publishedInterpolation()}));
+  }
+  if (elements == nullptr && kalman == nullptr) {
+    add("… and finite elements", alsoFelt({.model = bench::publishedElements(5)}));
+  }
+  if (kalman == nullptr) {
+    const auto filter = bench::publishedFilter(haptics::models::KalmanScheme::SpaceDomain, 5);
+    add("… and both forces and the filter", alsoFelt({.model = filter}));
+  }
+  add("… and the mesh at 60 Hz", alsoDrawn(shown, kTicksAPicture));
+  add("… and the mesh in every tick", alsoDrawn(shown, 1));
+}
+
+void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+  constexpr double kMiddle = 0.01;  // [m]
+  contestants.push_back(contestant("as it is", spec, kMiddle, nullptr));
+  contestants.push_back(contestant("… and both measured curves in every tick", spec, kMiddle, [&] {
+    auto lower = spec;
+    auto upper = spec;
+    std::get<engine::MaterialSpec>(lower.model).hardness = 0.0;
+    std::get<engine::MaterialSpec>(upper.model).hardness = 1.0;
+    return [low = alsoFelt(lower), high = alsoFelt(upper)](double x, double f, int i) {
+      return low(x, f, i) + high(x, f, i);
+    };
+  }()));
+}
+
+}  // namespace
+
+std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
+  std::vector<bench::Contestant> contestants;
+  if (spec.device == haptics::devices::DeviceKind::Punch) {
+    addPunch(spec, contestants);
+  } else {
+    addReamer(spec, contestants);
+  }
+  const auto timings = bench::race(contestants);
+  std::vector<SceneCost> costs;
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    costs.push_back({contestants[i].method, timings[i]});
+  }
+  return costs;
+}
+
+}  // namespace study::app

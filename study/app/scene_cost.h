@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptics/bench/stopwatch.h"
+#include "haptics/engine/scene_spec.h"
+
+namespace study::app {
+
+/// What a tick of a scene takes, alone or with something that it leaves out.
+struct SceneCost {
+  std::string what;
+  haptics::bench::Timing time;  ///< [ns]
+};
+
+/// A tick of @p spec as it is, and then with each thing put in that this scene does without –
+/// worked out and thrown away –, all in turn on this computer. The first is the scene itself.
+std::vector<SceneCost> costsOf(const haptics::engine::SceneSpec& spec);
+
+}  // namespace study::app
