@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kDrainEvery{10};
 LiveTrial::LiveTrial(Trial& trial) : trial_(trial) {
   recorder_ = std::jthread([this](const std::stop_token& stop) { record(stop); });
   loop_.emplace(
-      haptics::engine::RealtimeLoop::Options{.rate = trial.rate()},
+      haptics::engine::RealtimeLoop::Options{.rate = trial.rate(), .beat = trial.beat()},
       [this](double dt, double lateness) { tick(dt, lateness); });
 }
 

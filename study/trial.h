@@ -35,6 +35,8 @@ class Trial {
   Trial& operator=(const Trial&) = delete;
 
   double rate() const noexcept { return device_.capabilities().rate; }
+  /// What sets the pace, where it is the device; otherwise nothing, and a timer does.
+  haptics::devices::Beat* beat() const noexcept { return device_.beat(); }
   const haptics::engine::CompiledScene& scene() const noexcept { return scene_; }
 
   /// One tick of @p dt [s], after @p lostBeats that the clock let pass. Never allocates, waits or

@@ -86,9 +86,47 @@ double settledAtSix(double rate) {
   return force;
 }
 
+/// The largest step of the force from tick to tick while the tool creeps through a cut, seen
+/// through an encoder.
+double largestStep(const engine::SceneSpec& spec, double quantum, double speed) {
+  engine::CompiledScene scene(spec);
+  double last = 0.0;
+  double largest = 0.0;
+  const int ticks = static_cast<int>(8.5 / speed * 1000.0);
+  for (int i = 0; i < ticks; ++i) {
+    const double travel = quantum * std::round((2.0 + speed * 1e-3 * i) / quantum);
+    const double force = scene.respond({.travel = travel}).force;
+    if (i > 0) largest = std::max(largest, std::abs(force - last));
+    last = force;
+  }
+  return largest;
+}
+
+/// A grain makes a step of K times itself, and nothing makes a larger one; but for paper-text,
+/// whose two forces take turns whatever the encoder.
+void sweepEncoders(StabilityResult& result) {
+  constexpr double kPublishedChatter = 4.0;  // [N], of paper-text with quantised travel
+  for (const auto& [name, spec] : allScenes()) {
+    const double stiffness = engine::CompiledScene(spec).largestStiffness();
+    for (const double quantum : {0.0439, 0.176}) {
+      for (const double speed : {0.5, 2.0}) {
+        const bool takesTurns = name == "filter, paper-text";
+        result.checks.push_back(
+            {"encoder",
+             "largest step [N] at " + std::string(speed < 1.0 ? "0.5" : "2") + " units/s, " + name,
+             "",
+             quantum,
+             largestStep(spec, quantum, speed),
+             takesTurns ? kPublishedChatter : stiffness * quantum * (1.0 + 1e-9)});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void sweepRates(double effort, StabilityResult& result) {
+  sweepEncoders(result);
   const auto add = [&](const std::string& what, double parameter, double measured, double bound) {
     result.checks.push_back({"rate", what, "", parameter, measured, bound});
   };
@@ -220,7 +258,7 @@ StabilityResult runStability(
       {"Kalman filter over 24 decades", sweepFilter},
       {"splines over 600 decades", sweepSplines},
       {"virtual walls", sweepWalls},
-      {"rates and a clock that trembles", sweepRates},
+      {"encoders, rates and a clock that trembles", sweepRates},
       {"numbers that are none", sweepBadInput}};
   for (const auto& [name, sweep] : sweeps) {
     progress(name);

@@ -114,6 +114,18 @@ void raceAt(int elements, const Report& report) {
          .error = forceError(*all[i], reference),
          .time = timings[i]});
   }
+  constexpr int kColdRounds = 31;
+  constexpr int kMostCold = 100;  // beyond, a dense solver streams its own matrix
+  if (elements > kMostCold) return;
+  const auto cold = raceCold(contestants, kColdRounds);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    report(
+        {.family = kFamily,
+         .setting = "elements alike, cold",
+         .method = all[i]->name(),
+         .parameter = static_cast<double>(elements),
+         .time = cold[i]});
+  }
 }
 
 /// The largest error over random chains whose stiffnesses span 10^±decades.

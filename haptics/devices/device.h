@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "haptics/devices/beat.h"
+
 namespace haptics::devices {
 
 /// Which instrument a device is.
@@ -50,6 +52,9 @@ class Device {
   Device& operator=(const Device&) = delete;
 
   virtual const Capabilities& capabilities() const noexcept = 0;
+
+  /// What sets the pace of the loop, if this device does; it lives as long as the device.
+  virtual Beat* beat() noexcept { return nullptr; }
 
   /// Where the tool is now, @p dt [s] after the last time it was asked.
   virtual DeviceSample read(double dt) noexcept = 0;

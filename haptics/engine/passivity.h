@@ -15,7 +15,9 @@ struct Passivity {
   double filterDelay = 0.0;  ///< of what is between the sensor and the force [s]
 
   /// T: a tick that is late holds the old force for longer; a delay counts twice, because the force
-  /// is that much too old all along, not on average: b > K (T/2 + τ) (Gil, Sánchez, Hulin, Preusche & Hirzinger 2009). `palpate bench stability` shows walls that vibrate where it is counted once [s].
+  /// is that much too old all along, not on average: b > K (T/2 + τ) (Gil, Sánchez, Hulin, Preusche
+  /// & Hirzinger 2009). `palpate bench stability` shows walls that vibrate where it is counted once
+  /// [s].
   constexpr double effectivePeriod() const noexcept {
     return period + lateness + 2.0 * filterDelay;
   }

@@ -80,7 +80,7 @@ class RealtimeLoop::Pace {
  private:
   std::int64_t period_;
   std::int64_t spin_;
-  Beat* beat_;
+  devices::Beat* beat_;
   std::int64_t due_;
 };
 

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "haptics/engine/beat.h"
+#include "haptics/devices/beat.h"
 #include "haptics/engine/lateness_histogram.h"
 
 namespace haptics::engine {
@@ -31,7 +31,7 @@ class RealtimeLoop {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
     double spinning = 0.05;  ///< share of a period that is spun at its end, 0 to kMostSpinning
     bool asksForRealtime = true;
-    Beat* beat = nullptr;  ///< outlives the loop; sets the pace where it is given
+    devices::Beat* beat = nullptr;  ///< outlives the loop; sets the pace where it is given
   };
 
   struct Report {

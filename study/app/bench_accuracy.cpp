@@ -319,7 +319,7 @@ report::DocumentPart refreshPart(const Measured& all) {
            "step; "
            "ours from the models alone, on this computer. The force costs the same for any N; what "
            "grows is drawing the mesh, and that is done at a display's rate, not in the tick. On a "
-           "Cortex-M3 the same models take 5,403 instructions a step at N = 5 and 5,776 at N = 15 "
+           "Cortex-M3 the same models take 5,410 instructions a step at N = 5 and 5,786 at N = 15 "
            "(haptics/firmware; the published code 28,400 and 143,900)."},
       .figures =
           {{.name = "refresh",

@@ -291,6 +291,27 @@ report::DocumentPart ratePart(const StabilityResult& result) {
       .tables = {tableOf(result, "rate", "rates", "Rate [Hz]")}};
 }
 
+report::DocumentPart encoderPart(const StabilityResult& result) {
+  return {
+      .heading = "Encoders in slow motion",
+      .paragraphs =
+          {"A tool that creeps through the cut at 0.5 and 2 units/s rests for many ticks and then "
+           "jumps by a grain of its encoder: 0.176 units (2048 increments) or 0.0439 (quadrature). "
+           "The force then steps by at most K times the grain. paper-text takes its two forces in "
+           "turn; it steps by up to their difference whatever the encoder, as published."},
+      .figures =
+          {{.name = "encoders",
+            .caption = "Largest step of the force from tick to tick at 0.5 units/s.",
+            .chart = chartOf(
+                result,
+                "encoder",
+                {"at 0.5"},
+                {.title = "grain of the encoder [travel units]", .least = 0.0},
+                {.title = "largest step [N]", .least = 0.0},
+                0.0)}},
+      .tables = {tableOf(result, "encoder", "encoders", "Grain")}};
+}
+
 report::DocumentPart inputPart(const StabilityResult& result) {
   Chart chart{
       .x = {.title = "scene, in the order of the table"},
@@ -328,7 +349,7 @@ report::Document stabilityReport(const StabilityResult& result) {
       .description = "Sweeps",
       .columns = {{"sweep", "Sweep"}, {"cases", "Cases"}, {"failed", "Failed"}}};
   for (const char* sweep :
-       {"finite elements", "Kalman filter", "splines", "wall", "rate", "bad input"}) {
+       {"finite elements", "Kalman filter", "splines", "wall", "encoder", "rate", "bad input"}) {
     std::int64_t cases = 0, wrong = 0;
     for (const auto& check : result.checks) {
       if (check.sweep != sweep) continue;
@@ -354,6 +375,7 @@ report::Document stabilityReport(const StabilityResult& result) {
           filterPart(result),
           splinePart(result),
           wallPart(result),
+          encoderPart(result),
           ratePart(result),
           inputPart(result)}};
 }

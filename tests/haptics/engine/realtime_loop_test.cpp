@@ -75,7 +75,7 @@ TEST(RealtimeLoop, CountsBeatsThatItLostItselfAsItsOwn) {
 }
 
 /// Beats every two milliseconds from another thread, as a device's datagrams would.
-class ThreadBeat final : public Beat {
+class ThreadBeat final : public devices::Beat {
  public:
   bool wait(std::int64_t deadline) noexcept override {
     std::unique_lock lock(mutex_);

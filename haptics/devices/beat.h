@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace haptics::engine {
+namespace haptics::devices {
 
 /// What sets the pace of a loop instead of a timer: a device that sends, and wants an answer.
 class Beat {
@@ -17,4 +17,4 @@ class Beat {
   virtual bool wait(std::int64_t deadline) noexcept = 0;
 };
 
-}  // namespace haptics::engine
+}  // namespace haptics::devices
