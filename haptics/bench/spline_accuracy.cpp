@@ -172,7 +172,7 @@ std::vector<double> coherentQueries() {
 /// Steps through @p xs again and again.
 Contestant contestant(const peers::SplinePeer& peer, const std::vector<double>& xs) {
   return {peer.name(), [&peer, &xs, next = std::size_t{0}](int steps) mutable {
-            double last = 0.0;
+            double last = xs[next];  // there, also where no step is made
             auto left = static_cast<std::size_t>(steps);
             while (left > 0) {
               const std::size_t count = std::min(left, xs.size() - next);

@@ -86,6 +86,7 @@ std::vector<Timing> raceCold(const std::vector<Contestant>& contestants, int rou
       std::uint64_t sum = 0;
       for (auto& word : other) sum += word++;
       want(static_cast<double>(sum));
+      batch(contestants[i], 0);  // the way to the contestant, which is not what is compared
       times[i].push_back(batch(contestants[i], 1));
     }
   }

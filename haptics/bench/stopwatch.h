@@ -26,7 +26,8 @@ struct Contestant {
 std::vector<Timing> race(const std::vector<Contestant>& contestants);
 
 /// One step at a time, each after as much other memory has been read as no cache holds (80 MB): how
-/// a servo's tick meets its data. Includes reading the clock, about 20 ns.
+/// a servo's tick meets its data. The way to the contestant is warmed by making no step; the clock
+/// is read once, about 20 ns.
 std::vector<Timing> raceCold(const std::vector<Contestant>& contestants, int rounds);
 
 }  // namespace haptics::bench
