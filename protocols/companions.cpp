@@ -8,6 +8,7 @@
 #include "haptics/recordings/slope_limit.h"
 #include "protocols/cut_file.h"
 #include "protocols/instrument_use.h"
+#include "protocols/material_file.h"
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
 #include "questionnaires/library.h"
@@ -77,6 +78,29 @@ void Companions::addLibraryInstruments() {
       draft_.loaded.instruments.push_back(questionnaires::readSoundInstrument(file.content, id));
     }
   }
+}
+
+void Companions::readMaterial(Condition& condition) {
+  if (!condition.material || condition.material->name.empty()) return;
+  const auto& reference = *condition.material;
+  const auto text = textOf(reference.name, reference.path);
+  if (!text) return;
+  Problems inFile;
+  const auto material = protocols::readMaterial(*text, inFile);
+  passOn(inFile, reference.name, problems_);
+  if (!material) return;
+  const auto* set = material->find(reference.set);
+  if (set == nullptr) {
+    problems_.add(
+        reference.path,
+        "'" + shown(reference.name) + "' has no test set '" + std::string(nameOf(reference.set)) +
+            "'",
+        "choose another 'test_set'");
+    return;
+  }
+  auto& spec = std::get<haptics::engine::MaterialSpec>(condition.scene.model);
+  spec.curves = set->force;
+  if (reference.hasJitter) spec.jitter = set->jitter;
 }
 
 void Companions::readCut(Condition& condition) {

@@ -21,6 +21,9 @@ class Companions {
   /// Those of 'instrument_files', and then those of the library that are used.
   void readInstruments();
 
+  /// Puts the material that @p condition names, if it names one, into its scene.
+  void readMaterial(Condition& condition);
+
   /// Puts the cut that @p condition names, if it names one, into its scene.
   void readCut(Condition& condition);
 

@@ -40,7 +40,10 @@ std::optional<LoadedProtocol> load(
           .files = {}}};
   Companions companions(draft, find, problems);
   companions.readInstruments();
-  for (auto& condition : draft.loaded.protocol.conditions) companions.readCut(condition);
+  for (auto& condition : draft.loaded.protocol.conditions) {
+    companions.readCut(condition);
+    companions.readMaterial(condition);
+  }
   checkRules(draft, problems);
   if (problems.hasErrors()) return std::nullopt;
   advise(draft.loaded, problems);

@@ -52,6 +52,14 @@ struct CutReference {
   std::string path;  ///< JSON path of the reference, for messages
 };
 
+/// Where a fitted reaming material comes from.
+struct MaterialReference {
+  std::string name;  ///< a material file beside the protocol
+  haptics::reaming::TestSet set = haptics::reaming::TestSet::Dynamic1;
+  bool hasJitter = false;  ///< what its low-pass took out is put back as noise
+  std::string path;  ///< JSON path of the reference, for messages
+};
+
 /// One rendering that may be felt: the device and a scene, complete but for what lies in other
 /// files.
 struct Condition {
@@ -59,7 +67,8 @@ struct Condition {
   std::string title;  ///< for researchers; participants see an alternative
   std::string device;
   haptics::engine::SceneSpec scene;
-  std::optional<CutReference> cut;  ///< where the scene's curve is taken from
+  std::optional<MaterialReference> material;  ///< where a bone's curves are taken from
+  std::optional<CutReference> cut;            ///< where the scene's curve is taken from
 };
 
 /// Which label an alternative bears.

@@ -66,6 +66,13 @@ constexpr std::array kSmoothings{
     Choice<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
 };
 
+using haptics::reaming::TestSet;
+constexpr std::array kTestSets{
+    Choice<TestSet>{"static", TestSet::Static},
+    Choice<TestSet>{"dynamic-1", TestSet::Dynamic1},
+    Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
+};
+
 engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
   engine::InterpolationSpec spec;
   if (!node.isObjectWith(
@@ -178,11 +185,39 @@ engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
   return spec;
 }
 
-engine::MaterialSpec readMaterial(const Node& node) {
+/// What only a fitted material has.
+void refuseWithoutMaterial(const Node& node) {
+  const std::pair<const char*, const char*> keys[]{
+      {"test_set", "only a fitted material has test sets"},
+      {"jitter", "only a fitted material has a measured jitter"},
+      {"jitter_seed", "only a fitted material has a measured jitter"}};
+  for (const auto& [key, why] : keys) {
+    if (node.has(key)) node.problem(key, why, "name a 'material', or remove it");
+  }
+}
+
+engine::MaterialSpec readMaterial(const Node& node, Condition& condition) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
-  if (!node.isObjectWith({"hardness", "force_scale", "nodes"})) return spec;
+  if (!node.isObjectWith(
+          {"hardness", "force_scale", "nodes", "material", "test_set", "jitter", "jitter_seed"})) {
+    return spec;
+  }
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
+  if (node.has("material")) {
+    condition.material = MaterialReference{
+        node.text("material"),
+        node.choice("test_set", kTestSets, haptics::reaming::TestSet::Dynamic1),
+        node.flag("jitter", false),
+        node.pathOf("material")};
+    spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
+    if (node.has("nodes")) {
+      node.problem(
+          "nodes", "the bone has a material and nodes of its own as well", "keep one of the two");
+    }
+  } else {
+    refuseWithoutMaterial(node);
+  }
   if (!node.has("nodes")) return spec;
   spec.nodes.clear();
   for (const auto& entry : node.requiredList("nodes")) {
@@ -215,7 +250,7 @@ void readScene(const Node& scene, Condition& condition) {
       condition.scene.model = readKalman(*parameters, condition);
       break;
     case Model::Material:
-      condition.scene.model = readMaterial(*parameters);
+      condition.scene.model = readMaterial(*parameters, condition);
       break;
   }
 }

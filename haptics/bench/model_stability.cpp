@@ -8,7 +8,7 @@
 #include "haptics/bench/stability.h"
 #include "haptics/bench/stability_kernels.h"
 #include "haptics/bench/string_reference.h"
-#include "haptics/engine/material_model.h"
+#include "haptics/reaming/monotone_slopes.h"
 
 namespace haptics::bench {
 namespace plain {
@@ -305,7 +305,7 @@ void sweepSplines(double effort, StabilityResult& result) {
       xs.push_back(xs.back() + std::exp(std::uniform_real_distribution<double>(-25, 0)(random)));
       ys.push_back(ys.back() + std::exp(std::uniform_real_distribution<double>(-9, 6)(random)));
     }
-    const auto slopes = engine::monotoneSlopes(xs, ys);
+    const auto slopes = reaming::monotoneSlopes(xs, ys);
     for (int k = 0; k + 1 < count; ++k) {
       const auto n = static_cast<std::size_t>(k);
       const double a[3]{xs[n], ys[n], slopes[n]};

@@ -6,9 +6,9 @@
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/peers/spline_peers.h"
 #include "haptics/engine/bucket_table.h"
-#include "haptics/engine/material_model.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/models/interpolation.h"
+#include "haptics/reaming/monotone_slopes.h"
 
 namespace haptics::bench {
 namespace {
@@ -49,7 +49,7 @@ class OurSpline final : public peers::SplinePeer {
 
   OurSpline(Kind kind, bool hasHint, const std::vector<double>& xs, const std::vector<double>& ys)
       : kind_(kind), hasHint_(hasHint), table_(xs) {
-    const auto slopes = kind == Kind::Monotone ? engine::monotoneSlopes(xs, ys) : slopesAt(xs);
+    const auto slopes = kind == Kind::Monotone ? reaming::monotoneSlopes(xs, ys) : slopesAt(xs);
     for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
       segments_.push_back(models::CubicSegment<double>::between(
           {xs[i], ys[i], slopes[i]}, {xs[i + 1], ys[i + 1], slopes[i + 1]}));

@@ -71,7 +71,7 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const bool isMeasured = seen.status == devices::DeviceStatus::Ok && isNumber;
   moved_ = isMeasured && hasTool_ ? seen.travel - tool_.travel : 0.0;
   if (isMeasured) {
-    tool_ = {.travel = seen.travel, .velocity = seen.velocity};
+    tool_ = {.travel = seen.travel, .velocity = seen.velocity, .dt = dt};
     hasTool_ = true;
     isHeld_ = seen.isHeld;
   } else {

@@ -3,15 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/reaming/monotone_slopes.h"
+
 namespace haptics::engine {
 namespace {
 
-/// The three-point slope at an end, limited so that it neither turns nor overshoots.
-double endSlope(double h0, double h1, double rise0, double rise1) {
-  const double slope = ((2.0 * h0 + h1) * rise0 - h0 * rise1) / (h0 + h1);
-  if (slope * rise0 <= 0.0) return 0.0;
-  if (rise0 * rise1 <= 0.0 && std::abs(slope) > 3.0 * std::abs(rise0)) return 3.0 * rise0;
-  return slope;
+/// The two measured curves at a hardness, with slopes that keep them from overshooting.
+reaming::CurveNodes blendedNodes(const MaterialSpec& spec) {
+  std::vector<double> depths;
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const auto& node : spec.nodes) {
+    depths.push_back(node.depth);
+    lower.push_back(node.lower);
+    upper.push_back(node.upper);
+  }
+  const auto lowerSlopes = reaming::monotoneSlopes(depths, lower);
+  const auto upperSlopes = reaming::monotoneSlopes(depths, upper);
+  const double h = spec.hardness;
+  reaming::CurveNodes nodes;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    nodes.push_back(
+        {depths[i],
+         (1.0 - h) * lower[i] + h * upper[i],
+         (1.0 - h) * lowerSlopes[i] + h * upperSlopes[i]});
+  }
+  return nodes;
 }
 
 std::vector<double> knotsOf(const std::vector<models::CubicSegment<double>>& segments) {
@@ -23,47 +40,12 @@ std::vector<double> knotsOf(const std::vector<models::CubicSegment<double>>& seg
 
 }  // namespace
 
-std::vector<double> monotoneSlopes(
-    const std::vector<double>& positions, const std::vector<double>& values) {
-  const std::size_t n = positions.size();
-  std::vector<double> h(n - 1);
-  std::vector<double> rise(n - 1);
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    h[i] = positions[i + 1] - positions[i];
-    rise[i] = (values[i + 1] - values[i]) / h[i];
-  }
-  if (n == 2) return {rise[0], rise[0]};
-
-  std::vector<double> slopes(n, 0.0);
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    if (rise[i - 1] * rise[i] <= 0.0) continue;
-    const double w1 = 2.0 * h[i] + h[i - 1];
-    const double w2 = h[i] + 2.0 * h[i - 1];
-    slopes[i] = (w1 + w2) / (w1 / rise[i - 1] + w2 / rise[i]);
-  }
-  slopes[0] = endSlope(h[0], h[1], rise[0], rise[1]);
-  slopes[n - 1] = endSlope(h[n - 2], h[n - 3], rise[n - 2], rise[n - 3]);
-  return slopes;
-}
-
 std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec) {
-  std::vector<double> depths;
-  std::vector<double> lower;
-  std::vector<double> upper;
-  for (const auto& node : spec.nodes) {
-    depths.push_back(node.depth);
-    lower.push_back(node.lower);
-    upper.push_back(node.upper);
-  }
-  const auto lowerSlopes = monotoneSlopes(depths, lower);
-  const auto upperSlopes = monotoneSlopes(depths, upper);
-  const double h = spec.hardness;
-  std::vector<models::HermiteNode<double>> nodes;
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    nodes.push_back(
-        {depths[i],
-         spec.forceScale * ((1.0 - h) * lower[i] + h * upper[i]),
-         spec.forceScale * ((1.0 - h) * lowerSlopes[i] + h * upperSlopes[i])});
+  auto nodes =
+      spec.curves.isEmpty() ? blendedNodes(spec) : reaming::curveOf(spec.curves, spec.hardness);
+  for (auto& node : nodes) {
+    node.force *= spec.forceScale;
+    node.slope *= spec.forceScale;
   }
   std::vector<models::CubicSegment<double>> segments;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
@@ -75,7 +57,8 @@ std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& sp
 MaterialModel::MaterialModel(const MaterialSpec& spec)
     : segments_(blendedSegments(spec)),
       table_(knotsOf(segments_)),
-      curve_(segments_.data(), segments_.size(), table_.index()) {}
+      curve_(segments_.data(), segments_.size(), table_.index()),
+      jitter_(spec.jitter, spec.forceScale, spec.jitterSeed) {}
 
 double MaterialModel::largestStiffness() const noexcept {
   // The slope of a cubic is a parabola: largest at an end of its interval or at its apex.

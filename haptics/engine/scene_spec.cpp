@@ -70,7 +70,12 @@ void check(const MaterialSpec& spec, Words& problems) {
   if (!(spec.forceScale > 0.0 && spec.forceScale <= 1.0)) {
     problems.push_back("the force scale must lie above 0 and not above 1");
   }
-  if (spec.nodes.size() < 2) problems.push_back("the material needs two or more nodes");
+  const bool isFitted = !spec.curves.isEmpty();
+  if (isFitted) {
+    if (const auto problem = reaming::problemOf(spec.curves)) problems.push_back(*problem);
+  } else if (spec.nodes.size() < 2) {
+    problems.push_back("the material needs two or more nodes");
+  }
   for (std::size_t i = 0; i < spec.nodes.size(); ++i) {
     const auto& node = spec.nodes[i];
     const std::string name = "material node " + std::to_string(i + 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "haptics/models/kalman_filter.h"
 #include "haptics/models/kalman_noise.h"
 #include "haptics/models/smoothing.h"
+#include "haptics/reaming/material.h"
 
 namespace haptics::engine {
 
@@ -57,12 +59,16 @@ struct MaterialNode {
 };
 
 /// Force over displacement of an acetabulum, between a lower and an upper measured curve:
-/// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes.
+/// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes; or between
+/// the three curves of a fitted material.
 struct MaterialSpec {
   std::vector<MaterialNode> nodes;
-  double hardness = 0.5;  ///< h, from 0 (lower curve) to 1 (upper curve)
-  double forceScale =
-      1.0;  ///< bone asks for more than an arm gives: everything times this, in (0, 1]
+  reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
+  double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
+  /// Bone asks for more than an arm gives: everything times this, in (0, 1].
+  double forceScale = 1.0;
+  reaming::Jitter jitter;        ///< added as noise while there is a force; rms 0: none
+  std::uint64_t jitterSeed = 1;  ///< the same seed, the same noise
 };
 
 /// All that a condition says about what is to be felt and seen.

@@ -7,6 +7,7 @@ namespace haptics::engine {
 struct ToolState {
   double travel = 0.0;    ///< [device's travel unit]
   double velocity = 0.0;  ///< [device's travel unit / s]
+  double dt = 0.001;      ///< since the tick before [s], > 0
 };
 
 }  // namespace haptics::engine

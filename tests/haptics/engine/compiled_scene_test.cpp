@@ -7,6 +7,7 @@
 
 #include "haptics/engine/material_model.h"
 #include "haptics/engine/parametric_material.h"
+#include "haptics/reaming/monotone_slopes.h"
 
 namespace haptics::engine {
 namespace {
@@ -148,7 +149,7 @@ TEST(MaterialModel, TakesTheForceScale) {
 TEST(MonotoneSlopes, EqualThoseOfAnIndependentImplementation) {
   // Python: scipy.interpolate.PchipInterpolator([0,1,3,4],[0,2,3,7]).derivative()([0,1,3,4]),
   // worked by hand from Fritsch & Butland: w = (5, 4) at x = 1, (4, 5) at x = 3.
-  const auto slopes = monotoneSlopes({0.0, 1.0, 3.0, 4.0}, {0.0, 2.0, 3.0, 7.0});
+  const auto slopes = reaming::monotoneSlopes({0.0, 1.0, 3.0, 4.0}, {0.0, 2.0, 3.0, 7.0});
   EXPECT_NEAR(slopes[1], 9.0 / (5.0 / 2.0 + 4.0 / 0.5), 1e-14);
   EXPECT_NEAR(slopes[2], 9.0 / (4.0 / 0.5 + 5.0 / 4.0), 1e-14);
   EXPECT_NEAR(slopes[0], (4.0 * 2.0 - 0.5) / 3.0, 1e-14);
