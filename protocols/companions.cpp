@@ -4,11 +4,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "haptics/engine/parametric_bone.h"
 #include "haptics/recordings/parametric_cut.h"
 #include "haptics/recordings/slope_limit.h"
 #include "protocols/cut_file.h"
 #include "protocols/instrument_use.h"
 #include "protocols/material_file.h"
+#include "protocols/packing_file.h"
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
 #include "questionnaires/library.h"
@@ -101,6 +103,33 @@ void Companions::readMaterial(Condition& condition) {
   auto& spec = std::get<haptics::engine::MaterialSpec>(condition.scene.model);
   spec.curves = set->force;
   if (reference.hasJitter) spec.jitter = set->jitter;
+}
+
+void Companions::readPacking(Condition& condition) {
+  if (!condition.packing || condition.packing->name.empty()) return;
+  auto& spec = std::get<haptics::engine::PackingSpec>(condition.scene.model);
+  spec.bone = packingOf(*condition.packing);
+}
+
+Companions::PackingFile Companions::packingOf(const PackingReference& reference) {
+  if (reference.name == kParametricBone) return haptics::engine::parametricBone();
+  const auto known = packings_.find(reference.name);
+  if (known != packings_.end()) return known->second;
+  const auto text = textOf(reference.name, reference.path);
+  if (!text) return nullptr;
+  if (!reference.name.ends_with(kPackingEnding)) {
+    problems_.add(
+        reference.path,
+        "'" + shown(reference.name) + "' does not end in '.packing'",
+        "name a file that 'palpate packing' has written");
+    return nullptr;
+  }
+  Problems inFile;
+  auto bone = protocols::readPacking(*text, inFile);
+  passOn(inFile, reference.name, problems_);
+  auto shared =
+      bone ? std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone)) : PackingFile();
+  return packings_.emplace(reference.name, std::move(shared)).first->second;
 }
 
 void Companions::readCut(Condition& condition) {

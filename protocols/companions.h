@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -24,15 +25,20 @@ class Companions {
   /// Puts the material that @p condition names, if it names one, into its scene.
   void readMaterial(Condition& condition);
 
+  /// Puts the bone that @p condition names, if it names one, into its scene.
+  void readPacking(Condition& condition);
+
   /// Puts the cut that @p condition names, if it names one, into its scene.
   void readCut(Condition& condition);
 
  private:
+  using PackingFile = std::shared_ptr<const haptics::reaming::PackedBone>;
   using CutFile = std::optional<haptics::recordings::Cut>;
 
   void readInstrument(std::size_t index);
   void addLibraryInstruments();
   static void fill(haptics::engine::InterpolationSpec& spec, const haptics::recordings::Cut& cut);
+  PackingFile packingOf(const PackingReference& reference);
   CutFile cutOf(const CutReference& reference);
   std::optional<std::string> textOf(const std::string& name, const std::string& path);
   std::optional<std::string> found(const std::string& name, const std::string& path);
@@ -40,7 +46,8 @@ class Companions {
   Draft& draft_;
   const FileFinder& find_;
   questionnaires::Problems& problems_;
-  std::map<std::string, CutFile> cuts_;  ///< by file: each is told about once
+  std::map<std::string, PackingFile> packings_;  ///< by file; conditions share them
+  std::map<std::string, CutFile> cuts_;          ///< by file: each is told about once
 };
 
 }  // namespace protocols

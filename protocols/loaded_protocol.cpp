@@ -8,6 +8,7 @@
 #include "protocols/companions.h"
 #include "protocols/draft.h"
 #include "protocols/library.h"
+#include "protocols/packing_file.h"
 #include "protocols/protocol_file.h"
 #include "protocols/rules.h"
 #include "questionnaires/document.h"
@@ -43,6 +44,7 @@ std::optional<LoadedProtocol> load(
   for (auto& condition : draft.loaded.protocol.conditions) {
     companions.readCut(condition);
     companions.readMaterial(condition);
+    companions.readPacking(condition);
   }
   checkRules(draft, problems);
   if (problems.hasErrors()) return std::nullopt;
@@ -81,7 +83,9 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
     const auto file = folder / name;
     std::error_code absent;
     if (!fs::exists(file, absent)) return std::nullopt;
-    return questionnaires::readTextFile(file.string());
+    const bool isPacking = name.ends_with(kPackingEnding);
+    return questionnaires::readTextFile(
+        file.string(), isPacking ? kLargestPacking : questionnaires::kLargestFile);
   };
   return loadProtocol(questionnaires::readTextFile(path), beside, problems);
 }

@@ -57,6 +57,15 @@ struct MaterialReference {
   std::string name;  ///< a material file beside the protocol
   haptics::reaming::TestSet set = haptics::reaming::TestSet::Dynamic1;
   bool hasJitter = false;  ///< what its low-pass took out is put back as noise
+  std::string path;        ///< JSON path of the reference, for messages
+};
+
+/// The name of the bone that ships.
+inline constexpr std::string_view kParametricBone = "parametric";
+
+/// Where a bone of spheres comes from.
+struct PackingReference {
+  std::string name;  ///< kParametricBone, or a packing file beside the protocol
   std::string path;  ///< JSON path of the reference, for messages
 };
 
@@ -68,6 +77,7 @@ struct Condition {
   std::string device;
   haptics::engine::SceneSpec scene;
   std::optional<MaterialReference> material;  ///< where a bone's curves are taken from
+  std::optional<PackingReference> packing;    ///< where a bone's spheres are taken from
   std::optional<CutReference> cut;            ///< where the scene's curve is taken from
 };
 

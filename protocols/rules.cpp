@@ -44,8 +44,11 @@ bool isToldAbout(const std::string& place, const Problems& problems) {
       all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(place); });
 }
 
-/// A curve that could not be read has no points.
+/// A curve or a bone that could not be read has no points, and no spheres.
 bool isCurveThere(const haptics::engine::SceneSpec& scene) {
+  if (const auto* spec = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
+    return spec->bone != nullptr;
+  }
   if (const auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&scene.model)) {
     return !spec->curve.empty();
   }
@@ -58,7 +61,7 @@ void checkParameters(
     DeviceKind device,
     const std::string& path,
     Problems& problems) {
-  const bool isMaterial = std::holds_alternative<haptics::engine::MaterialSpec>(scene.model);
+  const bool isMaterial = haptics::engine::isBone(scene);
   scene.device = isMaterial ? DeviceKind::Reamer : DeviceKind::Punch;
   if (scene.device != device) {
     problems.add(

@@ -13,13 +13,14 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-enum class Model { Interpolation, FiniteElements, Kalman, Material };
+enum class Model { Interpolation, FiniteElements, Kalman, Material, Packing };
 
 constexpr std::array kModels{
     Choice<Model>{"interpolation", Model::Interpolation},
     Choice<Model>{"finite-elements", Model::FiniteElements},
     Choice<Model>{"kalman", Model::Kalman},
     Choice<Model>{"material", Model::Material},
+    Choice<Model>{"packing", Model::Packing},
 };
 
 constexpr std::array kBeyond{
@@ -230,6 +231,35 @@ engine::MaterialSpec readMaterial(const Node& node, Condition& condition) {
   return spec;
 }
 
+engine::PackingSpec readPacking(const Node& node, Condition& condition) {
+  engine::PackingSpec spec;
+  if (!node.isObjectWith(
+          {"hardness",
+           "force_scale",
+           "packing",
+           "removal",
+           "coupling_n_per_m",
+           "cutting_damping",
+           "friction"})) {
+    return spec;
+  }
+  spec.hardness = node.number("hardness", 0.0, 1.0);
+  spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
+  condition.packing = PackingReference{
+      node.has("packing") ? node.text("packing") : std::string(kParametricBone),
+      node.pathOf("packing")};
+  spec.isRemoved = node.flag("removal", spec.isRemoved);
+  auto& options = spec.options;
+  for (const auto* key : {"coupling_n_per_m", "cutting_damping", "friction"}) {
+    if (spec.isRemoved || !node.has(key)) continue;
+    node.problem(key, "only a bone that is removed has it", "remove it, or set 'removal' to true");
+  }
+  options.coupling = node.number("coupling_n_per_m", 100.0, 1e6, options.coupling);
+  options.cuttingDamping = node.number("cutting_damping", 0.0, 1e6, options.cuttingDamping);
+  options.friction = node.number("friction", 0.0, 2.0, options.friction);
+  return spec;
+}
+
 }  // namespace
 
 void readScene(const Node& scene, Condition& condition) {
@@ -248,6 +278,9 @@ void readScene(const Node& scene, Condition& condition) {
       break;
     case Model::Kalman:
       condition.scene.model = readKalman(*parameters, condition);
+      break;
+    case Model::Packing:
+      condition.scene.model = readPacking(*parameters, condition);
       break;
     case Model::Material:
       condition.scene.model = readMaterial(*parameters, condition);

@@ -42,9 +42,9 @@ inline constexpr std::size_t kMostElements = 100'000;
 std::optional<Value> parseJson(std::string_view text, Problems& problems);
 
 /// The whole file as text.
-/// @throws Error  if it is missing, unreadable, no regular file, or larger than kLargestFile; in
-/// words.
-std::string readTextFile(const std::string& path);
+/// @param most  bytes.
+/// @throws Error  if it is missing, unreadable, no regular file, or larger than that; in words.
+std::string readTextFile(const std::string& path, std::size_t most = kLargestFile);
 
 /// A name of a choice in a file and what it stands for: {"latinSquare", OrderType::LatinSquare}.
 template <typename Enum>

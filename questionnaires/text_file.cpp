@@ -8,7 +8,7 @@
 
 namespace questionnaires {
 
-std::string readTextFile(const std::string& path) {
+std::string readTextFile(const std::string& path, std::size_t most) {
   namespace fs = std::filesystem;
   std::error_code error;
   const auto status = fs::status(path, error);
@@ -24,9 +24,9 @@ std::string readTextFile(const std::string& path) {
         path + " cannot be opened (" + std::generic_category().message(errno) +
         "). Check who may read it.");
   }
-  if (fs::file_size(path, error) > kLargestFile) {
+  if (fs::file_size(path, error) > most) {
     throw Error(
-        path + " is larger than " + std::to_string(kLargestFile / 1'000'000) +
+        path + " is larger than " + std::to_string(most / 1'000'000) +
         " MB. No researcher's file needs that; is it the right file?");
   }
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

@@ -7,6 +7,7 @@
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/engine/material_model.h"
+#include "haptics/engine/packing_model.h"
 #include "haptics/engine/punch_models.h"
 
 namespace haptics::engine {
@@ -18,6 +19,8 @@ constexpr const char* kFiniteElements = "finite elements: force";
 constexpr const char* kMesh = "finite elements: mesh";
 constexpr const char* kFilter = "Kalman filter";
 constexpr const char* kMaterial = "bone material";
+constexpr const char* kPacking = "sphere packing";
+constexpr const char* kRemoval = "removal of bone";
 
 /// The reading of the paper that is rendered, by the names that protocols use.
 std::string inWords(const models::FiniteElements<double>::Parameters& p) {
@@ -65,13 +68,22 @@ struct Builder {
     }
   }
 
+  void noBone() {
+    for (const auto* part : {kMaterial, kPacking, kRemoval}) out(part, "no bone is reamed");
+  }
+  void noPunch() {
+    out(kInterpolation, "no cut is replayed");
+    out(kFiniteElements, "no meniscus is pressed");
+    out(kFilter, "there is one force, so nothing to fuse");
+  }
+
   void operator()(const InterpolationSpec& spec) {
     auto recorded = std::make_unique<InterpolationModel>(spec);
     interpolation(spec, "this is the force", recorded->bytes());
     model = std::move(recorded);
     out(kFiniteElements, "the force comes from the recording alone");
     out(kFilter, "there is one force, so nothing to fuse");
-    out(kMaterial, "no bone is reamed");
+    noBone();
   }
 
   void operator()(const FiniteElementsSpec& spec) {
@@ -81,7 +93,7 @@ struct Builder {
        "this is the force: " + inWords(spec.parameters),
        sizeof(FiniteElementModel));
     out(kFilter, "there is one force, so nothing to fuse");
-    out(kMaterial, "no bone is reamed");
+    noBone();
   }
 
   void operator()(const KalmanSpec& spec) {
@@ -98,17 +110,35 @@ struct Builder {
        "the filter corrects with it: " + inWords(spec.finiteElements.parameters),
        sizeof(FiniteElementModel));
     in(kFilter, "this is the force: " + inWords(spec), sizeof(models::KalmanFilter<double>));
-    out(kMaterial, "no bone is reamed");
+    noBone();
   }
 
   void operator()(const MaterialSpec& spec) {
     auto material = std::make_unique<MaterialModel>(spec);
     const std::size_t bytes = material->segments().size() * sizeof(material->segments()[0]);
     model = std::move(material);
-    out(kInterpolation, "no cut is replayed");
-    out(kFiniteElements, "no meniscus is pressed");
-    out(kFilter, "there is one force, so nothing to fuse");
-    in(kMaterial, "this is the force; both measured curves were blended beforehand", bytes);
+    noPunch();
+    in(kMaterial, "this is the force; the measured curves were blended beforehand", bytes);
+    out(kPacking, "the force depends on depth alone");
+    out(kRemoval, "the bone stays as it is");
+  }
+
+  void operator()(const PackingSpec& spec) {
+    noPunch();
+    out(kMaterial, "the spheres have been fitted to it; the curve itself is not needed");
+    const std::string spheres =
+        "this is the force: " + std::to_string(spec.bone->packing.spheres.size()) + " spheres";
+    if (spec.isRemoved) {
+      auto removal = std::make_unique<RemovalModel>(spec);
+      in(kPacking, spheres, removal->bytes());
+      in(kRemoval, "what the reamer goes through is taken away", removal->bytes());
+      model = std::move(removal);
+    } else {
+      auto packing = std::make_unique<PackingModel>(spec);
+      in(kPacking, spheres, packing->bytes());
+      out(kRemoval, "the bone stays as it is");
+      model = std::move(packing);
+    }
   }
 };
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "haptics/engine/material_model.h"
+#include "haptics/reaming/packed_bone.h"
 
 namespace haptics::engine {
 namespace {
@@ -95,6 +96,25 @@ void check(const MaterialSpec& spec, Words& problems) {
   }
 }
 
+void check(const PackingSpec& spec, Words& problems) {
+  if (!(spec.hardness >= 0.0 && spec.hardness <= 1.0)) {
+    problems.push_back("the hardness must lie between 0 and 1");
+  }
+  if (!(spec.forceScale > 0.0 && spec.forceScale <= 1.0)) {
+    problems.push_back("the force scale must lie above 0 and not above 1");
+  }
+  if (spec.bone == nullptr || spec.bone->packing.spheres.empty()) {
+    problems.push_back("the bone has no spheres");
+    return;
+  }
+  const std::size_t spheres = spec.bone->packing.spheres.size();
+  for (const auto* densities : {&spec.bone->minimum, &spec.bone->average, &spec.bone->maximum}) {
+    if (densities->size() == spheres) continue;
+    problems.push_back("the bone's spheres have no densities: fit it with 'palpate packing fit'");
+    return;
+  }
+}
+
 }  // namespace
 
 models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() const noexcept {
@@ -103,10 +123,15 @@ models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() co
   return p;
 }
 
+bool isBone(const SceneSpec& spec) noexcept {
+  return std::holds_alternative<MaterialSpec>(spec.model) ||
+         std::holds_alternative<PackingSpec>(spec.model);
+}
+
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
   Words problems;
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
-  const bool isMaterial = std::holds_alternative<MaterialSpec>(spec.model);
+  const bool isMaterial = isBone(spec);
   if (isMaterial != (spec.device == devices::DeviceKind::Reamer)) {
     problems.push_back(
         isMaterial ? "a reaming material is felt on a reamer, not on a punch"

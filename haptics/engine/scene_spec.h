@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,7 +13,12 @@
 #include "haptics/models/kalman_filter.h"
 #include "haptics/models/kalman_noise.h"
 #include "haptics/models/smoothing.h"
+#include "haptics/reaming/bone_options.h"
 #include "haptics/reaming/material.h"
+
+namespace haptics::reaming {
+struct PackedBone;
+}
 
 namespace haptics::engine {
 
@@ -71,12 +77,24 @@ struct MaterialSpec {
   std::uint64_t jitterSeed = 1;  ///< the same seed, the same noise
 };
 
+/// A bone of spheres, felt along the axis of its plunge: as it is, or as the reamer leaves it.
+struct PackingSpec {
+  std::shared_ptr<const reaming::PackedBone> bone;
+  double hardness = 0.5;         ///< h, from 0 (minimum curve) to 1 (maximum curve)
+  double forceScale = 1.0;       ///< everything times this, in (0, 1]
+  bool isRemoved = true;         ///< the reamer takes away what it goes through
+  reaming::BoneOptions options;  ///< of a bone that is cut; the coverage is the bone's own
+};
+
 /// All that a condition says about what is to be felt and seen.
 struct SceneSpec {
   devices::DeviceKind device = devices::DeviceKind::Punch;
-  std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec> model;
+  std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec> model;
   bool isVisualised = false;
 };
+
+/// Whether it is bone, which is felt on a reamer; all else is felt on a punch.
+bool isBone(const SceneSpec& spec) noexcept;
 
 /// Everything that is wrong with @p spec, in words; empty where it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);

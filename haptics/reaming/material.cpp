@@ -47,6 +47,10 @@ CurveNodes blended(const CurveNodes& a, const CurveNodes& b, double share) {
 
 }  // namespace
 
+double forceOf(const CurveNodes& nodes, double depth) {
+  return nodeAt(nodes, depth).force;
+}
+
 CurveNodes curveOf(const HardnessCurves& curves, double h) {
   return h <= 0.5 ? blended(curves.minimum, curves.average, 2.0 * h)
                   : blended(curves.average, curves.maximum, 2.0 * h - 1.0);

@@ -27,6 +27,9 @@ struct HardnessCurves {
 /// @param curves  sound, not empty. @param h  in [0, 1].
 CurveNodes curveOf(const HardnessCurves& curves, double h);
 
+/// The force of a curve at @p depth [m]; beyond its ends, that of the end.
+double forceOf(const CurveNodes& nodes, double depth);
+
 /// Why @p curves are none; nothing where they are. Values are not checked against each other:
 /// single samples may cross.
 std::optional<std::string> problemOf(const HardnessCurves& curves);

@@ -21,6 +21,7 @@ void addExportCommand(CLI::App& program, Action& action);
 void addRecordingCommands(CLI::App& program, Action& action);
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
+void addPackingCommands(CLI::App& program, Action& action);
 void addBenchCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 

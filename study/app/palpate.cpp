@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   study::app::addExportCommand(program, action);
   study::app::addRecordingCommands(program, action);
   study::app::addMaterialCommands(program, action);
+  study::app::addPackingCommands(program, action);
   study::app::addSceneCommands(program, action);
   study::app::addBenchCommands(program, action);
 

@@ -1,0 +1,62 @@
+#include "haptics/engine/packing_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haptics::engine {
+namespace {
+
+constexpr double kDeepest = 0.02;  // of a plunge [m]
+
+reaming::BoneOptions optionsOf(const PackingSpec& spec) {
+  auto options = spec.options;
+  options.coverage = spec.bone->packing.coverage();
+  options.cuttingDamping *= spec.forceScale;
+  return options;
+}
+
+}  // namespace
+
+PackingModel::PackingModel(const PackingSpec& spec)
+    : field_(spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale)),
+      plunge_(reaming::plungeInto(field_, spec.bone->reamerRadius)),
+      coverage_(spec.bone->packing.coverage()) {
+  constexpr int kSteps = 1000;
+  const double step = kDeepest / kSteps;
+  double before = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double force = forceAt(step * i);
+    largestStiffness_ = std::max(largestStiffness_, std::abs(force - before) / step);
+    before = force;
+  }
+}
+
+double PackingModel::forceAt(double depth) const noexcept {
+  return -field_.touch(plunge_.at(depth), false).force.z / coverage_;
+}
+
+models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
+  if (!std::isfinite(tool.travel)) return {};
+  return {forceAt(tool.travel), 0.0, true};
+}
+
+RemovalModel::RemovalModel(const PackingSpec& spec)
+    : bone_(
+          spec.bone->packing,
+          spec.bone->densities(spec.hardness, spec.forceScale),
+          optionsOf(spec)),
+      plunge_(reaming::plungeInto(bone_.field(), spec.bone->reamerRadius)),
+      stiffness_(spec.options.coupling),
+      changes_(std::make_unique<SphereChanges>()) {}
+
+models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
+  const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
+  for (const auto slot : bone_.changed()) {
+    const auto& group = bone_.field().group(slot);
+    const std::size_t lane = slot % reaming::kLanes;
+    changes_->push({slot, {group.x[lane], group.y[lane], group.z[lane], group.radius[lane]}});
+  }
+  return {-felt.force.z, 0.0, felt.isDefined};
+}
+
+}  // namespace haptics::engine

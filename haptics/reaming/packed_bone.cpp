@@ -1,0 +1,59 @@
+#include "haptics/reaming/packed_bone.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "haptics/reaming/plunge.h"
+
+namespace haptics::reaming {
+
+std::vector<double> PackedBone::densities(double h, double scale) const {
+  const auto& softer = h <= 0.5 ? minimum : average;
+  const auto& harder = h <= 0.5 ? average : maximum;
+  const double share = h <= 0.5 ? 2.0 * h : 2.0 * h - 1.0;
+  std::vector<double> all;
+  all.reserve(softer.size());
+  for (std::size_t i = 0; i < softer.size(); ++i) {
+    all.push_back(scale * ((1.0 - share) * softer[i] + share * harder[i]));
+  }
+  return all;
+}
+
+BoneFitReport fitTo(
+    PackedBone& bone,
+    const HardnessCurves& curves,
+    std::size_t depths,
+    const std::function<void(const std::string&)>& goesOn) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
+  const Plunge plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius);
+  const double deepest = std::max(
+      {curves.minimum.back().position,
+       curves.average.back().position,
+       curves.maximum.back().position});
+  std::vector<double> places;
+  for (std::size_t i = 0; i < depths; ++i) {
+    places.push_back(deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths));
+  }
+  const auto matrix = contactMatrix(bone.packing, bone.packing.coverage(), plunge, places);
+  const std::pair<const char*, const CurveNodes*> all[]{
+      {"minimum", &curves.minimum}, {"average", &curves.average}, {"maximum", &curves.maximum}};
+  std::vector<float>* densities[]{&bone.minimum, &bone.average, &bone.maximum};
+  BoneFitReport report;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (goesOn) goesOn(all[k].first);
+    CurveFit curve{.curve = all[k].first, .depths = places, .wanted = {}, .felt = {}, .fit = {}};
+    for (const double depth : places) {
+      curve.wanted.push_back(std::max(0.0, forceOf(*all[k].second, depth)));
+    }
+    curve.fit = fitBone(matrix, curve.wanted);
+    curve.felt = matrix.times(curve.fit.densities);
+    densities[k]->assign(curve.fit.densities.begin(), curve.fit.densities.end());
+    report.curves.push_back(std::move(curve));
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  report.seconds = passed.count();
+  return report;
+}
+
+}  // namespace haptics::reaming

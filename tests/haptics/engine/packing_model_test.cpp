@@ -1,0 +1,98 @@
+#include "haptics/engine/packing_model.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/force_engine.h"
+#include "haptics/engine/parametric_bone.h"
+
+namespace haptics::engine {
+namespace {
+
+PackingSpec spec(bool isRemoved) {
+  return {.bone = parametricBone(), .hardness = 0.5, .forceScale = 0.15, .isRemoved = isRemoved};
+}
+
+TEST(PackingModel, FeelsLikeTheMaterialAndHeals) {
+  PackingModel model(spec(false));
+  const auto curve = reaming::curveOf(parametricCurves(), 0.5);
+  for (int round = 0; round < 2; ++round) {
+    for (double depth = 0.0; depth < 0.019; depth += 0.0005) {
+      const auto felt = model.respond({.travel = depth});
+      ASSERT_TRUE(felt.isDefined);
+      ASSERT_NEAR(felt.force, 0.15 * reaming::forceOf(curve, depth), 1.0) << depth;
+    }
+  }
+  EXPECT_GT(model.largestStiffness(), 1000.0);
+  EXPECT_FALSE(model.respond({.travel = std::nan("")}).isDefined);
+}
+
+TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
+  RemovalModel model(spec(true));
+  const auto curve = reaming::curveOf(parametricCurves(), 0.5);
+  while (!model.respond({.travel = 0.0}).isDefined) {
+  }
+  double worst = 0.0;
+  double travel = 0.0;
+  for (; travel < 0.012; travel += 1e-6) {
+    const auto felt = model.respond({.travel = travel});
+    const double tool = travel - felt.force / model.largestStiffness();
+    worst = std::max(worst, std::abs(felt.force - 0.15 * reaming::forceOf(curve, tool)));
+  }
+  EXPECT_LT(worst, 4.0);  // of up to 40 N, of which 2 N are the damping of a feed of 1 mm/s
+  SphereChange change;
+  int gone = 0;
+  while (model.changes().pop(change)) gone += change.sphere.radius == 0.0F ? 1 : 0;
+  EXPECT_GT(gone, 100);
+  EXPECT_EQ(model.changes().lost(), 0U);
+  for (; travel > 0.0; travel -= 1e-5) model.respond({.travel = travel});
+  EXPECT_LT(model.respond({.travel = 0.006}).force, 0.5);
+}
+
+TEST(RemovalModel, IsReamedByAHand) {
+  devices::SimulatedHand::Person person{
+      .open = 0.0, .closed = 0.02, .stiffness = 4000.0, .damping = 200.0};
+  devices::SimulatedHand hand(person);
+  auto capabilities = devices::simulatedReamer();
+  devices::SimulatedDevice device(capabilities, devices::reamerMechanism(), hand);
+  ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0, .maxVelocity = 1.0});
+  CompiledScene scene({.device = devices::DeviceKind::Reamer, .model = spec(true)});
+  engine.setScene(&scene);
+  engine.arm();
+  double deepest[3] = {};
+  double hardest = 0.0;
+  for (int i = 0; i < 6000; ++i) {
+    const auto sample = engine.tick(0.001);
+    ASSERT_TRUE(std::isfinite(sample.force));
+    deepest[i / 2000] = std::max(deepest[i / 2000], sample.travel);
+    hardest = std::max(hardest, sample.force);
+  }
+  EXPECT_GT(hardest, 5.0);
+  EXPECT_GT(deepest[2], deepest[0]);  // every stroke gets further
+}
+
+TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
+  const auto partsOf = [](const SceneSpec& scene) {
+    std::string in;
+    const CompiledScene compiled(scene);
+    for (const auto& pass : compiled.passes()) {
+      if (pass.isIn) in += pass.name + "; ";
+    }
+    return in;
+  };
+  const auto reamer = devices::DeviceKind::Reamer;
+  EXPECT_EQ(partsOf({.device = reamer, .model = spec(false)}), "sphere packing; ");
+  EXPECT_EQ(partsOf({.device = reamer, .model = spec(true)}), "sphere packing; removal of bone; ");
+  EXPECT_FALSE(problemsOf({.device = devices::DeviceKind::Punch, .model = spec(true)}).empty());
+  EXPECT_FALSE(problemsOf({.device = reamer, .model = PackingSpec{}}).empty());
+  auto hard = spec(true);
+  hard.hardness = 1.5;
+  EXPECT_FALSE(problemsOf({.device = reamer, .model = hard}).empty());
+}
+
+}  // namespace
+}  // namespace haptics::engine
