@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 using questionnaires::Node;
 using questionnaires::Problems;
 
-constexpr std::string_view kFormat = "palpate-material-1";
+constexpr std::string_view kMaterialFormat = "palpate-material-1";
 
 /// What a node of a curve is called, by what the curve holds.
 struct Keys {
@@ -72,7 +72,7 @@ std::optional<reaming::Material> readRoot(const questionnaires::Value& value, Pr
     return std::nullopt;
   }
   const std::string format = root.text("format");
-  if (!format.empty() && format != kFormat) {
+  if (!format.empty() && format != kMaterialFormat) {
     root.problem(
         "format",
         "this is no material file of the kind that this program reads",
@@ -179,7 +179,8 @@ std::string materialAsJson(
     const reaming::MaterialFit& fit,
     const reaming::FitOptions& options,
     const std::vector<MaterialSource>& sources) {
-  Json json{{"format", kFormat}, {"name", name}, {"title", title}, {"synthetic", isSynthetic}};
+  Json json{
+      {"format", kMaterialFormat}, {"name", name}, {"title", title}, {"synthetic", isSynthetic}};
   json["sets"] = Json::array();
   Json errors = Json::object();
   for (const auto& set : fit.sets) {

@@ -16,7 +16,7 @@ namespace reaming = haptics::reaming;
 using questionnaires::Node;
 using questionnaires::Problems;
 
-constexpr std::string_view kFormat = "palpate-packing-1";
+constexpr std::string_view kPackingFormat = "palpate-packing-1";
 constexpr std::size_t kDigits = 8;  // of a number in single precision
 constexpr double kMostSpheres = 50e6;
 
@@ -46,7 +46,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
     return std::nullopt;
   }
   const std::string format = root.text("format");
-  if (!format.empty() && format != kFormat) {
+  if (!format.empty() && format != kPackingFormat) {
     root.problem(
         "format",
         "this is no packing file of the kind that this program reads",
@@ -140,7 +140,7 @@ std::string packingAsText(const reaming::PackedBone& bone, const PackingOrigin& 
   const auto& spheres = bone.packing.spheres;
   const bool isFitted = bone.minimum.size() == spheres.size();
   nlohmann::ordered_json head{
-      {"format", kFormat},
+      {"format", kPackingFormat},
       {"name", bone.name},
       {"title", bone.title},
       {"synthetic", bone.isSynthetic},

@@ -259,7 +259,8 @@ StabilityResult runStability(
       {"splines over 600 decades", sweepSplines},
       {"virtual walls", sweepWalls},
       {"encoders, rates and a clock that trembles", sweepRates},
-      {"numbers that are none", sweepBadInput}};
+      {"numbers that are none", sweepBadInput},
+      {"reaming", sweepReaming}};
   for (const auto& [name, sweep] : sweeps) {
     progress(name);
     sweep(effort, result);

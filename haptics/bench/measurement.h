@@ -40,4 +40,16 @@ void measureEncoders(const Report& report);
 /// paper's Fig. 12.
 void measureRefresh(const Report& report);
 
+/// Bone of spheres: area ripple [%] and time of a contact, beside nanoflann, Embree and a loop over
+/// all spheres; single steps with removal, warm and cold. Targets T5, T6.
+void measurePacking(const Report& report);
+
+/// Densities: relative error of the force over the time of a fit; bounded least squares, MLEM,
+/// Eigen's LSCG, a swarm of 20 seeds. Target T7.
+void measureDensity(const Report& report);
+
+/// From a series to nodes: RMS error against the noiseless curve, counts of nodes, times. Targets
+/// T2, T11.
+void measureFilter(const Report& report);
+
 }  // namespace haptics::bench

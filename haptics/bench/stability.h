@@ -48,5 +48,6 @@ void sweepSplines(double effort, StabilityResult& result);
 void sweepWalls(double effort, StabilityResult& result);
 void sweepRates(double effort, StabilityResult& result);
 void sweepBadInput(double effort, StabilityResult& result);
+void sweepReaming(double effort, StabilityResult& result);
 
 }  // namespace haptics::bench

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostChanges = 4096;     // told in a step
 constexpr std::size_t kRestoredAtOnce = 2048;  // groups in a step
-constexpr std::size_t kTidiedAtOnce = 128;     // slots in a step
+constexpr std::size_t kTidiedAtOnce = 64;     // slots in a step
+constexpr std::size_t kParts = 8;              // of the surface, one cut in a step
 constexpr double kLeftShare = 0.1;  // of a radius: so far back the tool has left a sphere
 
 double ballOf(double radius) noexcept {
@@ -82,6 +83,8 @@ bool Bone::isWholeAgain() noexcept {
   field_.forgetMoves();
   partial_.clear();
   next_ = 0;
+  pending_ = 0;
+  part_ = 0;
   removed_ = 0.0;
   untold_ = 0;
   isTouched_ = false;
@@ -105,6 +108,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   }
   felt.contact = field_.touch(tool_, true);
   follow(device, felt.contact, dt);
+  cut();
   tidy();
   if (felt.contact.area <= 0.0) return felt;
   felt.force = options_.coupling * (tool_.centre - device.centre);
@@ -140,7 +144,7 @@ void Bone::follow(const Reamer& device, const ReamerContact& contact, double dt)
     const double share = (push - resistance) / push;
     const double brake = 1.0 + options_.cuttingDamping / (options_.coupling * dt);
     tool_.centre = tool_.centre + atMost((share / brake) * gap, options_.mostAdvance);
-    cut();
+    pending_ = kParts;
   } else {
     tool_.centre = tool_.centre + atMost(slideOf(gap, out, push), options_.mostAdvance);
   }
@@ -156,9 +160,13 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   return slip > 0.0 ? back + atMost(across, slip) : back;
 }
 
-/// Takes away what now lies behind the surface.
+/// Takes away what lies behind the surface, a part of it in each step: a sphere's turn comes every
+/// kParts steps, also after the tool has stopped or turned.
 void Bone::cut() noexcept {
-  const std::size_t count = field_.findDeeper(tool_, deeper_);
+  if (pending_ == 0) return;
+  --pending_;
+  const std::size_t count = field_.findDeeper(tool_, part_, kParts, deeper_);
+  part_ = (part_ + 1) % kParts;
   for (std::size_t i = 0; i < count; ++i) cutSlot(deeper_[i]);
 }
 

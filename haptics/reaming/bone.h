@@ -13,9 +13,10 @@ namespace haptics::reaming {
 ///
 /// The tool is held by the bone (a constrained tool, as in the reaming paper): it goes on only
 /// while the coupling to the device pushes harder than what it touches gives way at, F = Σ aρ /
-/// coverage, and takes the spheres behind its surface away. A sphere is cut slice by slice; when
-/// the tool has left it, what remains is shrunk, displaced and split into spheres that lie within
-/// it, with the mass (density × volume) that remained. Everything that leaves is counted.
+/// coverage, and takes the spheres behind its surface away, each within eight steps. A sphere is cut
+/// slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
+/// spheres that lie within it, with the mass (density × volume) that remained. Everything that
+/// leaves is counted.
 ///
 /// A step is bounded, allocates nothing and throws nothing.
 class Bone {
@@ -71,6 +72,8 @@ class Bone {
   std::vector<std::uint32_t> deeper_;  ///< room for what a step cuts
   std::vector<std::uint32_t> changed_;
   std::uint64_t untold_ = 0;
+  std::size_t pending_ = 0;   ///< steps until all that lies behind the surface is cut
+  std::size_t part_ = 0;      ///< whose turn it is
   std::size_t next_ = 0;      ///< of partial_, to be looked at
   std::size_t restored_ = 0;  ///< groups of the whole bone, while it is made whole
   std::size_t cleared_ = 0;   ///< groups that the device is known to be outside of

@@ -172,11 +172,19 @@ bool SphereField::holds(const Reamer& reamer, std::size_t from, std::size_t end)
 }
 
 std::size_t SphereField::findDeeper(
-    const Reamer& reamer, std::span<std::uint32_t> found) const noexcept {
+    const Reamer& reamer,
+    std::size_t part,
+    std::size_t parts,
+    std::span<std::uint32_t> found) const noexcept {
   const auto tool = inSinglePrecision(reamer);
   std::size_t count = 0;
+  std::size_t seen = 0;
   together(reamer, [&](std::span<const Stretch> stretches) {
-    count += reaming::findDeeper(groups_.data(), stretches, tool, found.subspan(count));
+    for (const auto& stretch : stretches) {
+      if (seen++ % parts != part) continue;
+      count +=
+          reaming::findDeeper(groups_.data(), std::span(&stretch, 1), tool, found.subspan(count));
+    }
   });
   return count;
 }

@@ -46,9 +46,14 @@ class SphereField {
   /// nowhere (NaN).
   ReamerContact touch(const Reamer& reamer, bool isCut) const noexcept;
 
-  /// Spheres into which the surface has gone deeper than they have been cut; as many slots as
-  /// @p found takes, and how many.
-  std::size_t findDeeper(const Reamer& reamer, std::span<std::uint32_t> found) const noexcept;
+  /// Spheres into which the surface has gone deeper than they have been cut, of every
+  /// @p parts-th stretch from @p part on.
+  /// @param found  takes their slots. @return how many.
+  std::size_t findDeeper(
+      const Reamer& reamer,
+      std::size_t part,
+      std::size_t parts,
+      std::span<std::uint32_t> found) const noexcept;
 
   /// Calls @p see with every stretch of groups, from and to, that together hold all spheres that
   /// the surface of @p reamer may cut.

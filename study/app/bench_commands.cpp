@@ -27,13 +27,17 @@ struct AccuracyOptions {
 struct Family {
   const char* name;
   void (*measure)(const bench::Report&);
+  bool isOnce = false;  ///< takes long, and one process is enough
 };
 constexpr Family kFamilies[]{
     {"splines", bench::measureSplines},
     {"finite-elements", bench::measureFiniteElements},
     {"kalman", bench::measureKalmanFilter},
     {"encoders", bench::measureEncoders},
-    {"refresh", bench::measureRefresh}};
+    {"refresh", bench::measureRefresh},
+    {"filter", bench::measureFilter, true},
+    {"packing", bench::measurePacking, true},
+    {"density", bench::measureDensity, true}};
 
 /// Measures once, and prints what comes out for whoever started this.
 int measureOnce(const AccuracyOptions& options) {
@@ -64,15 +68,27 @@ void printTargets(const std::vector<Target>& targets) {
   }
 }
 
+/// What the so-manieth process is to do; nothing where there is nothing left.
+std::vector<std::string> callOfWorker(const AccuracyOptions& options, int process) {
+  std::vector<std::string> call;
+  for (const auto& family : kFamilies) {
+    const auto& wanted = options.families;
+    const bool isWanted =
+        wanted.empty() || std::find(wanted.begin(), wanted.end(), family.name) != wanted.end();
+    if (!isWanted || (family.isOnce && process > 1)) continue;
+    if (call.empty()) call = {"bench", "accuracy", "--worker"};
+    call.insert(call.end(), {"--family", family.name});
+  }
+  return call;
+}
+
 int accuracy(const AccuracyOptions& options) {
   if (options.isWorker) return measureOnce(options);
-  std::vector<std::string> call{"bench", "accuracy", "--worker"};
-  for (const auto& family : options.families) {
-    call.insert(call.end(), {"--family", family});
-  }
   std::vector<bench::Measurement> all;
   for (int process = 1; process <= options.processes; ++process) {
     std::string family;
+    const auto call = callOfWorker(options, process);
+    if (call.empty()) break;
     runAnotherOfUs(call, [&](const std::string& line) {
       const auto measurement = bench::fromLine(line);
       if (!measurement) return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "study/app/bench_report.h"
 
@@ -123,7 +124,31 @@ constexpr RatioTarget kRatios[]{
      kFilter,
      "standard, scalar",
      1.5,
-     true}};
+     true},
+    {"T5",
+     "201,532 spheres: times as fast as nanoflann",
+     "packing",
+     "contact",
+     201'532,
+     "nanoflann",
+     "palpate",
+     5.0},
+    {"T5",
+     "201,532 spheres: times as fast as Embree",
+     "packing",
+     "contact",
+     201'532,
+     "Embree",
+     "palpate",
+     8.0},
+    {"T5",
+     "201,532 spheres: times as fast as all of them",
+     "packing",
+     "contact",
+     201'532,
+     "all of them, same loop",
+     "palpate",
+     2.5}};
 
 /// The median time [ns]; not a number where it was not measured.
 double timeOf(const Measured& all, const RatioTarget& target, const char* method) {
@@ -166,6 +191,97 @@ void addVarianceTarget(const Measured& all, std::vector<Target>& targets) {
   if (isMeasured) targets.push_back({"T4", "negative variances", negative, 0.0, true});
 }
 
+/// The largest of what @p valueOf makes of the measurements it makes something of.
+template <typename ValueOf>
+std::optional<double> worstOf(const Measured& all, ValueOf valueOf) {
+  std::optional<double> worst;
+  for (const auto& r : all) {
+    const std::optional<double> value = valueOf(r.measurement);
+    if (value) worst = std::max(worst.value_or(*value), *value);
+  }
+  return worst;
+}
+
+using haptics::bench::Measurement;
+
+/// What a method came to in a setting of a family.
+const Measurement* find(
+    const Measured& all,
+    const std::string& family,
+    const std::string& setting,
+    const std::string& method,
+    std::optional<double> parameter = std::nullopt) {
+  for (const auto& r : all) {
+    const auto& m = r.measurement;
+    if (m.family != family || m.setting != setting || m.method != method) continue;
+    if (!parameter || m.parameter == *parameter) return &m;
+  }
+  return nullptr;
+}
+
+void addPackingTargets(const Measured& all, std::vector<Target>& targets) {
+  constexpr double kMicrosecond = 1000.0;  // [ns]
+  constexpr double kTick = 1e6;            // [ns]
+  if (const auto* cold = find(all, "packing", "removal at 2 mm/s, cold", "palpate")) {
+    const double p99 = cold->time->p99 / kMicrosecond;
+    targets.push_back({"T5", "201,532 spheres, removal, cold: p99 [µs]", p99, 260.0, true});
+  }
+  const auto most = worstOf(all, [&](const Measurement& m) -> std::optional<double> {
+    const bool isIt = m.family == "packing" && m.setting == "removal at 0.5 mm/s";
+    return isIt && m.time->p99 < kTick ? std::optional(m.parameter) : std::nullopt;
+  });
+  if (most) targets.push_back({"T6", "spheres with removal, p99 below 1 ms", *most, 3e6});
+}
+
+void addDensityTargets(const Measured& all, std::vector<Target>& targets) {
+  const std::string ours = "palpate, bounded least squares";
+  const auto gap = worstOf(all, [](const Measurement& m) {
+    const bool isIt = m.family == "density" && m.setting == "above the optimum, at most";
+    return isIt ? m.error : std::nullopt;
+  });
+  if (gap)
+    targets.push_back({"T7", "densities: above the bounded optimum, a share", *gap, 0.01, true});
+  const auto* best = find(all, "density", "all spheres", ours, 1e-6);
+  const auto* swarm = find(all, "density", "all spheres", "swarm, median of 20 seeds", 8);
+  if (best == nullptr || swarm == nullptr) return;
+  targets.push_back(
+      {"T7",
+       "densities: error of the swarm, times ours, after " +
+           std::to_string(static_cast<int>(std::round(swarm->time->median / best->time->median))) +
+           " times the time",
+       *swarm->error / *best->error,
+       100.0});
+}
+
+void addFilterTargets(const Measured& all, std::vector<Target>& targets) {
+  constexpr double kMillisecond = 1e6;  // [ns]
+  const std::string nodes = "nodes for an error";
+  const std::string greedy = "greedy, 200,000 samples";
+  const auto share = worstOf(all, [&](const Measurement& m) -> std::optional<double> {
+    if (m.family != "filter" || m.setting != nodes || m.method != greedy) return std::nullopt;
+    const auto* best = find(all, "filter", nodes, "optimal, 1000 samples", m.parameter);
+    return best != nullptr ? std::optional(*m.error / *best->error) : std::nullopt;
+  });
+  const auto time = worstOf(all, [&](const Measurement& m) -> std::optional<double> {
+    const bool isIt = m.family == "filter" && m.setting == nodes && m.method == greedy;
+    return isIt ? std::optional(m.time->median / kMillisecond) : std::nullopt;
+  });
+  if (share) targets.push_back({"T2", "nodes: times as many as the optimum", *share, 2.0, true});
+  if (time) targets.push_back({"T2", "nodes of 200,000 samples [ms]", *time, 5.0, true});
+  const std::string cutoff = "cut-off and low-pass, RMS from the noiseless curve [N]";
+  const auto* found = find(all, "filter", cutoff, "detrended-hann");
+  const auto* oracle = find(all, "filter", cutoff, "the best of all cut-offs");
+  if (found != nullptr && oracle != nullptr) {
+    targets.push_back(
+        {"T11", "residual: times the best cut-off's", *found->error / *oracle->error, 4.0, true});
+  }
+  if (const auto* all200 =
+          find(all, "filter", "199,999 samples: cut-off, filter, nodes", "palpate")) {
+    targets.push_back(
+        {"T11", "2000 s at 100 Hz prepared [ms]", all200->time->median / kMillisecond, 25.0, true});
+  }
+}
+
 }  // namespace
 
 std::vector<Target> accuracyTargets(const Measured& all) {
@@ -180,6 +296,9 @@ std::vector<Target> accuracyTargets(const Measured& all) {
   addErrorTarget(
       all, std::string(kMesh) + ", float", "largest relative error, float", 1e-6, targets);
   addVarianceTarget(all, targets);
+  addFilterTargets(all, targets);
+  addPackingTargets(all, targets);
+  addDensityTargets(all, targets);
   return targets;
 }
 

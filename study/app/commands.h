@@ -25,4 +25,7 @@ void addPackingCommands(CLI::App& program, Action& action);
 void addBenchCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 
+/// Adds to a noun instead of to the program.
+void addSwarmCommands(CLI::App& packing, Action& action);
+
 }  // namespace study::app

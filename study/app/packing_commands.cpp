@@ -8,17 +8,16 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/engine/parametric_bone.h"
 #include "haptics/reaming/acetabulum.h"
 #include "haptics/reaming/mesh_solid.h"
 #include "haptics/reaming/packing_builder.h"
-#include "protocols/material_file.h"
 #include "protocols/packing_file.h"
 #include "questionnaires/document.h"
 #include "study/app/bench_report.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/mesh_file.h"
+#include "study/app/packing_inputs.h"
 #include "study/app/packing_report.h"
 #include "study/new_file.h"
 #include "study/session.h"
@@ -74,7 +73,7 @@ bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
   return true;
 }
 
-int build(BuildCommand& command) {
+int buildPacking(BuildCommand& command) {
   checkedEnding(command.out);
   auto& options = command.options;
   if (command.smallest) options.smallestRadius = kMillimetre * *command.smallest;
@@ -122,7 +121,7 @@ int build(BuildCommand& command) {
   return 0;
 }
 
-void addBuild(CLI::App& noun, Action& action) {
+void addBuildPacking(CLI::App& noun, Action& action) {
   auto command = std::make_shared<BuildCommand>();
   auto* verb = noun.add_subcommand("build", "A closed mesh, or a cup of our own, to spheres");
   verb->add_option(
@@ -151,51 +150,23 @@ void addBuild(CLI::App& noun, Action& action) {
       ->capture_default_str();
   verb->add_option("--name", command->name, "Of the bone")->capture_default_str();
   verb->add_option("--title", command->title, "For people")->capture_default_str();
-  verb->callback([&action, command] { action = [command] { return app::build(*command); }; });
+  verb->callback(
+      [&action, command] { action = [command] { return app::buildPacking(*command); }; });
 }
 
-struct FitCommand {
+struct DensityCommand {
   std::string packing;
-  std::string material;
-  std::string set = "dynamic-1";
+  MaterialChoice material;
   std::string out;
   std::string report;
   std::size_t depths = 400;
 };
 
-reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin) {
-  questionnaires::Problems problems;
-  auto bone = protocols::readPacking(
-      questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
-  if (!bone) throw NotNow(path + ":\n" + questionnaires::inWords(problems.all()));
-  return std::move(*bone);
-}
-
-/// The curves that are to be felt, and what they are called.
-reaming::HardnessCurves curvesOf(const FitCommand& command, protocols::PackingOrigin& origin) {
-  if (command.material == "parametric") {
-    origin.material = "parametric";
-    return haptics::engine::parametricCurves();
-  }
-  questionnaires::Problems problems;
-  const auto material =
-      protocols::readMaterial(questionnaires::readTextFile(command.material), problems);
-  if (!material) {
-    throw NotNow(command.material + ":\n" + questionnaires::inWords(problems.all()));
-  }
-  for (const auto& set : material->sets) {
-    if (nameOf(set.set) != command.set) continue;
-    origin.material = material->name + ", " + command.set;
-    return set.force;
-  }
-  throw NotNow("'" + command.material + "' has no test set '" + command.set + "'.");
-}
-
-int fit(const FitCommand& command) {
+int fitDensities(const DensityCommand& command) {
   checkedEnding(command.out);
   protocols::PackingOrigin origin;
   auto bone = readBone(command.packing, origin);
-  const auto curves = curvesOf(command, origin);
+  const auto curves = curvesOf(command.material, origin);
   reaming::BoneFitReport report;
   try {
     report = reaming::fitTo(bone, curves, command.depths, [](const std::string& curve) {
@@ -230,20 +201,18 @@ int fit(const FitCommand& command) {
   return 0;
 }
 
-void addFit(CLI::App& noun, Action& action) {
-  auto command = std::make_shared<FitCommand>();
+void addFitDensities(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<DensityCommand>();
   auto* verb = noun.add_subcommand("fit", "Densities that make spheres feel like a material");
   verb->add_option("PACKING", command->packing, "As 'palpate packing build' made it")->required();
-  verb->add_option("--material", command->material, "A material file, or parametric")->required();
-  verb->add_option("--test-set", command->set, "Which of the material's")
-      ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
-      ->capture_default_str();
+  addMaterialOptions(*verb, command->material);
   verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
   verb->add_option("--report", command->report, "A folder for tables, figures and a page");
   verb->add_option("--depths", command->depths, "Places of the curve that are to be met")
       ->check(CLI::Range(20, 2000))
       ->capture_default_str();
-  verb->callback([&action, command] { action = [command] { return app::fit(*command); }; });
+  verb->callback(
+      [&action, command] { action = [command] { return app::fitDensities(*command); }; });
 }
 
 }  // namespace
@@ -251,8 +220,9 @@ void addFit(CLI::App& noun, Action& action) {
 void addPackingCommands(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand("packing", "Bone as spheres that can be reamed away");
   noun->require_subcommand(1);
-  addBuild(*noun, action);
-  addFit(*noun, action);
+  addBuildPacking(*noun, action);
+  addFitDensities(*noun, action);
+  addSwarmCommands(*noun, action);
 }
 
 }  // namespace study::app

@@ -13,9 +13,9 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-constexpr double kMillimetres = 1000.0;
+constexpr double kInMillimetres = 1000.0;
 
-Chart forces(const reaming::BoneFitReport& fit) {
+Chart forceChart(const reaming::BoneFitReport& fit) {
   Chart chart{.x = {.title = "depth [mm]"}, .y = {.title = "force [N]"}, .series = {}};
   int colour = 0;
   for (const auto& curve : fit.curves) {
@@ -26,8 +26,8 @@ Chart forces(const reaming::BoneFitReport& fit) {
         .points = {},
         .colour = colour++};
     for (std::size_t i = 0; i < curve.depths.size(); ++i) {
-      wanted.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.wanted[i]});
-      felt.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.felt[i]});
+      wanted.points.push_back({.x = kInMillimetres * curve.depths[i], .y = curve.wanted[i]});
+      felt.points.push_back({.x = kInMillimetres * curve.depths[i], .y = curve.felt[i]});
     }
     chart.series.push_back(std::move(wanted));
     chart.series.push_back(std::move(felt));
@@ -36,7 +36,7 @@ Chart forces(const reaming::BoneFitReport& fit) {
 }
 
 /// How many spheres there are of each size.
-Chart sizes(const reaming::Packing& packing) {
+Chart sizeChart(const reaming::Packing& packing) {
   constexpr std::size_t kBins = 40;
   const double least = packing.spheres.back().radius;
   const double most = packing.spheres.front().radius;
@@ -52,12 +52,12 @@ Chart sizes(const reaming::Packing& packing) {
   for (std::size_t i = 0; i < kBins; ++i) {
     if (counts[i] == 0.0) continue;
     const double middle = least + (most - least) * (static_cast<double>(i) + 0.5) / kBins;
-    chart.series[0].points.push_back({.x = kMillimetres * middle, .y = counts[i]});
+    chart.series[0].points.push_back({.x = kInMillimetres * middle, .y = counts[i]});
   }
   return chart;
 }
 
-DataTable errors(const reaming::BoneFitReport& fit) {
+DataTable fitTable(const reaming::BoneFitReport& fit) {
   DataTable table{
       .name = "fit",
       .description = "How well the spheres feel like the curves",
@@ -86,7 +86,7 @@ DataTable errors(const reaming::BoneFitReport& fit) {
   return table;
 }
 
-DataTable points(const reaming::BoneFitReport& fit) {
+DataTable forceTable(const reaming::BoneFitReport& fit) {
   DataTable table{
       .name = "forces",
       .columns = {{"curve", "Curve"}, {"depth_m", ""}, {"wanted_n", ""}, {"felt_n", ""}}};
@@ -107,7 +107,7 @@ report::Document packingReport(const reaming::PackedBone& bone, const reaming::B
       bone.packing.spheres.size(),
       100.0 * bone.packing.coverage(),
       1e6 * bone.packing.volume,
-      kMillimetres * bone.reamerRadius));
+      kInMillimetres * bone.reamerRadius));
   if (bone.isSynthetic) document.lead.emplace_back("SYNTHETIC: this is nobody's bone.");
   document.parts.push_back(
       {.heading = "Forces",
@@ -120,16 +120,16 @@ report::Document packingReport(const reaming::PackedBone& bone, const reaming::B
        .figures =
            {{.name = "forces",
              .caption = "Curves of the material, and what the spheres make of them.",
-             .chart = forces(fit),
+             .chart = forceChart(fit),
              .svg = {}}},
-       .tables = {errors(fit), points(fit)}});
+       .tables = {fitTable(fit), forceTable(fit)}});
   document.parts.push_back(
       {.heading = "Spheres",
        .paragraphs = {},
        .figures =
            {{.name = "sizes",
              .caption = "How many spheres there are of each size.",
-             .chart = sizes(bone.packing),
+             .chart = sizeChart(bone.packing),
              .svg = {}}},
        .tables = {}});
   return document;

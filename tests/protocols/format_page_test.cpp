@@ -78,7 +78,7 @@ TEST(ProtocolFormatPage, HasConditionsThatFitIntoIt) {
     const auto loading = loadWithCut(whole);
     EXPECT_TRUE(loading.loaded) << condition << loading.inWords();
   }
-  EXPECT_EQ(models, (std::set<std::string>{"interpolation", "kalman", "material"}));
+  EXPECT_EQ(models, (std::set<std::string>{"interpolation", "kalman", "material", "packing"}));
 }
 
 TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {

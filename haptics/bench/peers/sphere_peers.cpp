@@ -1,0 +1,169 @@
+#include "haptics/bench/peers/sphere_peers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#ifdef PALPATE_HAS_NANOFLANN
+#include <nanoflann.hpp>
+#endif
+#ifdef PALPATE_HAS_EMBREE
+#include <embree3/rtcore.h>
+#endif
+
+namespace haptics::bench::peers {
+namespace {
+
+using reaming::Packing;
+using reaming::Reamer;
+using reaming::Vec3;
+
+/// What a sphere adds to Σ a ρ.
+double partOf(const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
+  const auto& s = packing.spheres[i];
+  const Vec3 away = s.centre() - r.centre;
+  const double d = length(away);
+  const double over = d - r.radius;
+  const double lens = double{s.radius} * s.radius - over * over;
+  if (lens <= 0.0 || dot(away, r.axis) < 0.0) return 0.0;
+  return std::numbers::pi * r.radius * lens / d * densities[i];
+}
+
+double largestRadius(const Packing& packing) {
+  double largest = 0.0;
+  for (const auto& s : packing.spheres) largest = std::max(largest, double{s.radius});
+  return largest;
+}
+
+#ifdef PALPATE_HAS_NANOFLANN
+/// All centres within the reamer's reach; those in its hollow are found as well, and sorted out.
+class Nanoflann final : public SpherePeer {
+ public:
+  Nanoflann(const Packing& packing, const std::vector<double>& densities)
+      : packing_(packing),
+        densities_(densities),
+        reach_(largestRadius(packing)),
+        tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
+
+  std::string name() const override { return "nanoflann"; }
+  double pressing(const Reamer& reamer) override {
+    const float centre[]{
+        static_cast<float>(reamer.centre.x),
+        static_cast<float>(reamer.centre.y),
+        static_cast<float>(reamer.centre.z)};
+    const auto reach = static_cast<float>(reamer.radius + reach_);
+    found_.clear();
+    nanoflann::SearchParams unsorted;
+    unsorted.sorted = false;
+    tree_.radiusSearch(centre, reach * reach, found_, unsorted);
+    double sum = 0.0;
+    for (const auto& [i, square] : found_) sum += partOf(packing_, densities_.data(), i, reamer);
+    return sum;
+  }
+
+ private:
+  struct Cloud {
+    const Packing& packing;
+    std::size_t kdtree_get_point_count() const { return packing.spheres.size(); }
+    float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+      const auto& s = packing.spheres[i];
+      return axis == 0 ? s.x : axis == 1 ? s.y : s.z;
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+      return false;
+    }
+  };
+  using Tree = nanoflann::
+      KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3, std::uint32_t>;
+
+  const Packing& packing_;
+  const std::vector<double>& densities_;
+  double reach_;
+  Cloud cloud_{packing_};
+  Tree tree_;
+  std::vector<std::pair<std::uint32_t, float>> found_;
+};
+#endif
+
+#ifdef PALPATE_HAS_EMBREE
+class Embree final : public SpherePeer {
+ public:
+  Embree(const Packing& packing, const std::vector<double>& densities)
+      : packing_(packing), densities_(densities), device_(rtcNewDevice("threads=1")) {
+    scene_ = rtcNewScene(device_);
+    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(packing_.spheres.size()));
+    rtcSetGeometryUserData(geometry, this);
+    rtcSetGeometryBoundsFunction(geometry, &Embree::bound, nullptr);
+    rtcSetGeometryPointQueryFunction(geometry, &Embree::visit);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene_);
+  }
+  ~Embree() override {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  Embree(const Embree&) = delete;
+  Embree& operator=(const Embree&) = delete;
+
+  std::string name() const override { return "Embree"; }
+  double pressing(const Reamer& reamer) override {
+    reamer_ = reamer;
+    sum_ = 0.0;
+    RTCPointQuery query{};
+    query.x = static_cast<float>(reamer.centre.x);
+    query.y = static_cast<float>(reamer.centre.y);
+    query.z = static_cast<float>(reamer.centre.z);
+    query.radius = static_cast<float>(reamer.radius);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_, &query, &context, nullptr, this);
+    return sum_;
+  }
+
+ private:
+  static void bound(const RTCBoundsFunctionArguments* arguments) {
+    const auto& self = *static_cast<const Embree*>(arguments->geometryUserPtr);
+    const auto& s = self.packing_.spheres[arguments->primID];
+    RTCBounds& box = *arguments->bounds_o;
+    box.lower_x = s.x - s.radius;
+    box.lower_y = s.y - s.radius;
+    box.lower_z = s.z - s.radius;
+    box.upper_x = s.x + s.radius;
+    box.upper_y = s.y + s.radius;
+    box.upper_z = s.z + s.radius;
+  }
+  static bool visit(RTCPointQueryFunctionArguments* arguments) {
+    auto& self = *static_cast<Embree*>(arguments->userPtr);
+    self.sum_ += partOf(self.packing_, self.densities_.data(), arguments->primID, self.reamer_);
+    return false;  // the radius of the query stays
+  }
+
+  const Packing& packing_;
+  const std::vector<double>& densities_;
+  RTCDevice device_;
+  RTCScene scene_ = nullptr;
+  Reamer reamer_;
+  double sum_ = 0.0;
+};
+#endif
+
+}  // namespace
+
+std::vector<std::unique_ptr<SpherePeer>> spherePeers(
+    [[maybe_unused]] const Packing& packing,
+    [[maybe_unused]] const std::vector<double>& densities) {
+  std::vector<std::unique_ptr<SpherePeer>> peers;
+#ifdef PALPATE_HAS_NANOFLANN
+  peers.push_back(std::make_unique<Nanoflann>(packing, densities));
+#endif
+#ifdef PALPATE_HAS_EMBREE
+  peers.push_back(std::make_unique<Embree>(packing, densities));
+#endif
+  return peers;
+}
+
+}  // namespace haptics::bench::peers

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/reaming/sphere_field.h"
+
+namespace haptics::bench::peers {
+
+/// Somebody who finds the spheres that a reamer's surface cuts in his own way, and adds up the same
+/// areas one by one.
+class SpherePeer {
+ public:
+  virtual ~SpherePeer() = default;
+  virtual std::string name() const = 0;
+
+  /// Σ a ρ [N].
+  virtual double pressing(const reaming::Reamer& reamer) = 0;
+};
+
+/// nanoflann (a k-d tree of centres) and Embree (point queries in its bounding volumes), where
+/// they were found when this was built.
+std::vector<std::unique_ptr<SpherePeer>> spherePeers(
+    const reaming::Packing& packing, const std::vector<double>& densities);
+
+}  // namespace haptics::bench::peers

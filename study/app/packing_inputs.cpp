@@ -1,0 +1,48 @@
+#include "study/app/packing_inputs.h"
+
+#include <CLI/CLI.hpp>
+
+#include "haptics/engine/parametric_bone.h"
+#include "protocols/material_file.h"
+#include "questionnaires/document.h"
+#include "study/session.h"
+
+namespace study::app {
+
+namespace reaming = haptics::reaming;
+
+void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
+  verb.add_option("--material", choice.file, "A material file, or parametric")->required();
+  verb.add_option("--test-set", choice.set, "Which of the material's")
+      ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
+      ->capture_default_str();
+}
+
+reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin) {
+  questionnaires::Problems problems;
+  auto bone = protocols::readPacking(
+      questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
+  if (!bone) throw NotNow(path + ":\n" + questionnaires::inWords(problems.all()));
+  return std::move(*bone);
+}
+
+reaming::HardnessCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin) {
+  if (choice.file == "parametric") {
+    origin.material = "parametric";
+    return haptics::engine::parametricCurves();
+  }
+  questionnaires::Problems problems;
+  const auto material =
+      protocols::readMaterial(questionnaires::readTextFile(choice.file), problems);
+  if (!material) {
+    throw NotNow(choice.file + ":\n" + questionnaires::inWords(problems.all()));
+  }
+  for (const auto& set : material->sets) {
+    if (nameOf(set.set) != choice.set) continue;
+    origin.material = material->name + ", " + choice.set;
+    return set.force;
+  }
+  throw NotNow("'" + choice.file + "' has no test set '" + choice.set + "'.");
+}
+
+}  // namespace study::app

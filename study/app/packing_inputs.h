@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "haptics/reaming/packed_bone.h"
+#include "protocols/packing_file.h"
+
+namespace CLI {
+class App;
+}
+
+namespace study::app {
+
+/// Which curves a bone is to feel like.
+struct MaterialChoice {
+  std::string file;  ///< or "parametric"
+  std::string set = "dynamic-1";
+};
+void addMaterialOptions(CLI::App& verb, MaterialChoice& choice);
+
+/// @throws NotNow  in words, where the file is missing or no packing.
+haptics::reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin);
+
+/// The curves, and into @p origin what they are called.
+/// @throws NotNow  in words, where the file is missing, no material, or has no such test set.
+haptics::reaming::HardnessCurves curvesOf(
+    const MaterialChoice& choice, protocols::PackingOrigin& origin);
+
+}  // namespace study::app

@@ -1,0 +1,175 @@
+// From measured series to a bone that a protocol names, by the commands that people use.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+class ReamingCommands : public testing::Test {
+ protected:
+  tests::Finished palpate(std::vector<std::string> call) const {
+    call.insert(call.begin(), PALPATE_PROGRAM);
+    return tests::run(call);
+  }
+  std::string output(const std::vector<std::string>& call) const {
+    const auto finished = palpate(call);
+    EXPECT_EQ(finished.status, 0) << finished.error;
+    return finished.out;
+  }
+  std::string refusal(const std::vector<std::string>& call) const {
+    const auto finished = palpate(call);
+    EXPECT_NE(finished.status, 0);
+    return finished.error;
+  }
+  static void expectIn(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+
+  /// A box of 60 × 60 × 20 in whatever unit, +z into it, as an OBJ file; perhaps with a hole.
+  std::string box(const std::string& name, double scale, bool isOpen) const {
+    std::string text;
+    for (int i = 0; i < 8; ++i) {
+      const double corner[]{
+          scale * ((i & 1) != 0 ? 30.0 : -30.0),
+          scale * ((i & 2) != 0 ? 30.0 : -30.0),
+          scale * ((i & 4) != 0 ? 20.0 : 0.0)};
+      text += "v";
+      for (const double x : corner) text += " " + std::to_string(x);
+      text += "\n";
+    }
+    text +=
+        "f 1 3 2\nf 2 3 4\nf 5 6 7\nf 6 8 7\nf 1 2 5\nf 2 6 5\n"
+        "f 3 7 4\nf 4 7 8\nf 1 5 3\nf 3 5 7\nf 2 4 6\n";
+    if (!isOpen) text += "f 4 8 6\n";
+    return folder_.write(name, text);
+  }
+
+  tests::ScratchFolder folder_;
+};
+
+TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
+  const std::string series = folder_ / "series";
+  expectIn(output({"material", "synthesise", series}), "synthetic");
+  const std::string material = folder_ / "bone.json";
+  const auto said = output(
+      {"material",
+       "fit",
+       "--synthetic",
+       "--dynamic-1",
+       series + "/synthetic-specimen-3--dynamic-1.csv",
+       series + "/synthetic-specimen-9--dynamic-1.csv",
+       "--out",
+       material});
+  expectIn(said, "dynamic-1   2 series");
+  const std::string built = folder_ / "cup.packing";
+  expectIn(output({"packing", "build", "--count", "1500", "--out", built}), "1500 spheres");
+  const std::string fitted = folder_ / "bone.packing";
+  const auto fit = output(
+      {"packing",
+       "fit",
+       built,
+       "--material",
+       material,
+       "--out",
+       fitted,
+       "--report",
+       folder_ / "report"});
+  expectIn(fit, "of the spheres are touched");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "report/packing.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "report/packing-forces.csv"));
+  const auto protocol = folder_.write("protocol.json", R"({
+    "$schema": "protocol-1.schema.json",
+    "study": {"id": "bone", "title": "Bone", "version": "1"},
+    "languages": ["en"], "cohorts": [{"id": "all", "title": "All", "planned": 2}],
+    "devices": [{"id": "arm", "kind": "reamer", "max_force_n": 140,
+                 "max_force_rate_n_per_s": 5000}],
+    "conditions": [
+      {"id": "curve", "title": "Curve", "scene": {"device": "arm", "model": "material",
+       "parameters": {"hardness": 0.5, "force_scale": 0.2, "material": "bone.json"}}},
+      {"id": "kept", "title": "Kept", "scene": {"device": "arm", "model": "packing", "parameters":
+       {"hardness": 0.5, "force_scale": 0.2, "packing": "bone.packing", "removal": false}}},
+      {"id": "reamed", "title": "Reamed", "scene": {"device": "arm", "model": "packing",
+       "parameters": {"hardness": 0.5, "force_scale": 0.2, "packing": "bone.packing"}}}],
+    "labels": {"policy": "random"},
+    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-reaming"},
+               {"id": "felt", "type": "block", "conditions": ["curve", "kept", "reamed"],
+                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})");
+  const std::string study = folder_ / "study";
+  output({"study", "create", study, "--protocol", protocol, "--seed", "1"});
+  expectIn(output({"study", "simulate", study, "--participants", "1"}), "1 simulated");
+  expectIn(output({"study", "verify", study}), "");
+}
+
+TEST_F(ReamingCommands, FillAMeshOrSayWhyNot) {
+  const std::string out = folder_ / "box.packing";
+  expectIn(
+      output({"packing", "build", box("box.obj", 1.0, false), "--count", "500", "--out", out}),
+      "72.0 cm³");
+  expectIn(
+      palpate({"packing",
+               "build",
+               box("m.obj", 0.001, false),
+               "--count",
+               "9",
+               "--out",
+               folder_ / "m.packing"})
+          .error,
+      "its numbers are metres");
+  expectIn(refusal({"packing", "build", "--count", "9", "--out", out}), "is there already");
+  expectIn(refusal({"packing", "build", "--count", "9", "--out", folder_ / "x"}), ".packing");
+  const std::string other = folder_ / "other.packing";
+  expectIn(refusal({"packing", "build", box("o.obj", 1.0, true), "--out", other}), "open: 3 edges");
+  expectIn(refusal({"packing", "build", box("h.obj", 1e4, false), "--out", other}), "--unit");
+  expectIn(refusal({"packing", "build", folder_ / "none.stl", "--out", other}), "no file");
+  expectIn(
+      refusal({"packing", "build", folder_.write("text.stl", "no mesh"), "--out", other}),
+      "no mesh");
+}
+
+TEST_F(ReamingCommands, ShareTheSeedsOfASwarmAndMissNone) {
+  const std::string built = folder_ / "cup.packing";
+  output({"packing", "build", "--count", "800", "--out", built});
+  const auto shard = [&](const std::string& which, const std::string& layers) {
+    const std::string out = folder_ / ("shard-" + which.substr(0, 1) + "-" + layers + ".json");
+    output(
+        {"packing",
+         "swarm",
+         built,
+         "--material",
+         "parametric",
+         "--layers",
+         layers,
+         "--iterations",
+         "30",
+         "--seeds",
+         "5",
+         "--shard",
+         which,
+         "--out",
+         out});
+    return out;
+  };
+  const auto one = shard("1/2", "6");
+  const auto two = shard("2/2", "6");
+  expectIn(output({"packing", "merge", one, two}), "5 seeds, 40 particles, 6 layers");
+  expectIn(refusal({"packing", "merge", one}), "seeds are missing: 2, 4");
+  expectIn(refusal({"packing", "merge", one, two, two}), "there twice");
+  expectIn(refusal({"packing", "merge", one, shard("2/2", "7")}), "another experiment");
+  expectIn(
+      refusal(
+          {"packing",
+           "swarm",
+           built,
+           "--material",
+           "parametric",
+           "--shard",
+           "3/2",
+           "--out",
+           folder_ / "x.json"}),
+      "is no shard");
+}
+
+}  // namespace
