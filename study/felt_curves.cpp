@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/tick_sample.h"
 #include "study/storage/records.h"
 
@@ -54,6 +55,24 @@ double mostTravelOf(haptics::devices::DeviceKind kind) {
   return kind == haptics::devices::DeviceKind::Punch ? 11.0 : 0.02;
 }
 
+/// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
+/// any is gone, without jitter. Nothing for what depends on more than travel.
+std::vector<double> meantForces(
+    haptics::engine::SceneSpec scene, const std::vector<FeltCurve::Point>& points) {
+  if (!haptics::engine::isBone(scene)) return {};
+  if (auto* packing = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
+    packing->isRemoved = false;
+  } else {
+    std::get<haptics::engine::MaterialSpec>(scene.model).jitter = {};
+  }
+  haptics::engine::CompiledScene compiled(scene);
+  std::vector<double> forces;
+  for (const auto& point : points) {
+    forces.push_back(compiled.respond({.travel = point.travel}).force);
+  }
+  return forces;
+}
+
 }  // namespace
 
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
@@ -79,9 +98,21 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
       ++curve.trials;
     }
     curve.points = bins.points();
+    auto scene = condition.scene;
+    scene.device = protocol.device(condition.device)->kind;
+    curve.meant = meantForces(std::move(scene), curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;
+}
+
+std::optional<double> rmsFromMeant(const FeltCurve& curve) {
+  if (curve.meant.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    sum += std::pow(curve.points[i].median - curve.meant[i], 2.0);
+  }
+  return std::sqrt(sum / static_cast<double>(curve.points.size()));
 }
 
 std::optional<double> rmsDifference(const FeltCurve& a, const FeltCurve& b) {

@@ -24,10 +24,16 @@ struct FeltCurve {
   std::string travelUnit;
   int trials = 0;
   std::vector<Point> points;
+  /// Of bone: what its material gives at the travel of each point, slowly [N]; else empty.
+  std::vector<double> meant = {};
 };
 
 /// One curve for every condition that was felt, in the protocol's order.
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
+
+/// How far the median is from what the material gives: the root of the mean squared difference [N];
+/// nothing where that is not known.
+std::optional<double> rmsFromMeant(const FeltCurve& curve);
 
 /// How much two curves differ where both were felt: the root of the mean squared difference of
 /// their medians [N]; nothing where they share no travel.

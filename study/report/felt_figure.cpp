@@ -38,6 +38,7 @@ class FeltPainter {
         mostTravel_ = std::max(mostTravel_, point.travel);
         mostForce_ = std::max(mostForce_, point.high);
       }
+      for (const double force : curve.meant) mostForce_ = std::max(mostForce_, force);
     }
     if (!curves_.empty() && curves_.front()->travelUnit == "m") scale_ = 1000.0;
   }
@@ -48,6 +49,8 @@ class FeltPainter {
       band(*curves_[i], categoryColour(static_cast<int>(i)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
       line(*curves_[i], categoryColour(static_cast<int>(i)));
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      meant(*curves_[i], categoryColour(static_cast<int>(i)));
     legend();
   }
 
@@ -119,6 +122,17 @@ class FeltPainter {
     for (const auto& point : curve.points) path.lineTo(at(point.travel, point.median));
     painter_.setBrush(Qt::NoBrush);
     painter_.setPen(QPen(colour, 2.2));
+    painter_.drawPath(path);
+  }
+
+  void meant(const FeltCurve& curve, const QColor& colour) {
+    if (curve.meant.empty()) return;
+    QPainterPath path(at(curve.points.front().travel, curve.meant.front()));
+    for (std::size_t i = 0; i < curve.meant.size(); ++i) {
+      path.lineTo(at(curve.points[i].travel, curve.meant[i]));
+    }
+    painter_.setBrush(Qt::NoBrush);
+    painter_.setPen(QPen(colour, 1.2, Qt::DashLine));
     painter_.drawPath(path);
   }
 

@@ -1,5 +1,7 @@
 #include "study/report/html_report.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "study/data_table.h"
@@ -190,8 +192,8 @@ class SectionWriter {
       figure(
           svg,
           "Force at the handle while the tool closed or advanced, over travel: median and the "
-          "middle "
-          "80 % of all samples of all trials.");
+          "middle 80 % of all samples of all trials. Dashed, for bone: what its material gives "
+          "where nothing has been reamed away.");
     }
     if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
     put("<table><caption>Manipulation check: root mean square difference of the median "
@@ -206,6 +208,23 @@ class SectionWriter {
             escaped(s_.conditionTitle(s_.curves[j].condition)),
             *difference);
       }
+    }
+    put("</tbody></table>");
+    feltAgainstMaterial();
+  }
+
+  void feltAgainstMaterial() {
+    const bool isBone = std::any_of(
+        s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return rmsFromMeant(curve); });
+    if (!isBone) return;
+    put("<table><caption>Felt against the material: root mean square difference of the median "
+        "force</caption><thead><tr><th>Alternative</th><th>[N]</th></tr></thead><tbody>");
+    for (const auto& curve : s_.curves) {
+      const auto difference = rmsFromMeant(curve);
+      if (!difference) continue;
+      put("<tr><td>{}</td><td>{:.2f}</td></tr>",
+          escaped(s_.conditionTitle(curve.condition)),
+          *difference);
     }
     put("</tbody></table>");
   }

@@ -100,7 +100,9 @@ TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
   const std::string study = folder_ / "study";
   output({"study", "create", study, "--protocol", protocol, "--seed", "1"});
   expectIn(output({"study", "simulate", study, "--participants", "1"}), "1 simulated");
-  expectIn(output({"study", "verify", study}), "");
+  const std::string report = folder_ / "report.html";
+  output({"report", study, "--run-mode", "simulated", "--out", report});
+  expectIn(tests::contentOf(report), "Felt against the material");
 }
 
 TEST_F(ReamingCommands, FillAMeshOrSayWhyNot) {

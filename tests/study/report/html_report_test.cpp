@@ -21,7 +21,8 @@ TEST(HtmlReport, HasTheMeansAndVariancesOfThePapersTable) {
 
 TEST(HtmlReport, HasWelchsTestsWithTheirAdjustedP) {
   const auto page = asHtml({tests::madeUpSection()});
-  // study_golden.txt: t 4.34, df 62.52, p 5.3e-5; 2.71, 63.80, .0087, adjusted .026; 1.50, 69.90, .139.
+  // study_golden.txt: t 4.34, df 62.52, p 5.3e-5; 2.71, 63.80, .0087, adjusted .026; 1.50, 69.90,
+  // .139.
   EXPECT_TRUE(has(page, "<td>4.34</td><td>62.52</td><td>&lt; .001</td><td>&lt; .001</td>"));
   EXPECT_TRUE(has(page, "<td>2.71</td><td>63.80</td><td>.009</td><td>.026</td>"));
   EXPECT_TRUE(has(page, "<td>1.50</td><td>69.90</td><td>.139</td><td>.418</td>"));
@@ -68,6 +69,17 @@ TEST(HtmlReport, TellsWhatTheDesignLeavesOpen) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "everybody feels this block in the same order"));
   EXPECT_TRUE(has(page, "3 of 4000 ticks were late"));
+}
+
+TEST(HtmlReport, HoldsFeltBoneAgainstItsMaterial) {
+  auto section = tests::madeUpSection();
+  EXPECT_FALSE(has(asHtml({section}), "Felt against the material"));
+  auto& curve = section.curves.front();
+  for (const auto& point : curve.points) curve.meant.push_back(point.median + 3.0);
+  EXPECT_NEAR(*rmsFromMeant(curve), 3.0, 1e-12);
+  const auto page = asHtml({section});
+  EXPECT_TRUE(has(page, "Felt against the material"));
+  EXPECT_TRUE(has(page, "<td>3.00</td>"));
 }
 
 }  // namespace
