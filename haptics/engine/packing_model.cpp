@@ -12,6 +12,7 @@ reaming::BoneOptions optionsOf(const PackingSpec& spec) {
   auto options = spec.options;
   options.coverage = spec.bone->packing.coverage();
   options.cuttingDamping *= spec.forceScale;
+  options.isGuided = true;  // the device has one axis
   return options;
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostChanges = 4096;     // told in a step
 constexpr std::size_t kRestoredAtOnce = 2048;  // groups in a step
-constexpr std::size_t kTidiedAtOnce = 64;     // slots in a step
+constexpr std::size_t kTidiedAtOnce = 64;      // slots in a step
 constexpr std::size_t kParts = 8;              // of the surface, one cut in a step
 constexpr double kLeftShare = 0.1;  // of a radius: so far back the tool has left a sphere
 
@@ -130,14 +130,17 @@ bool Bone::isClear() noexcept {
 
 /// Lets the tool go where the device pulls it and the bone lets it.
 void Bone::follow(const Reamer& device, const ReamerContact& contact, double dt) noexcept {
-  const Vec3 gap = device.centre - tool_.centre;
+  const Vec3 axis = tool_.axis;
+  Vec3 gap = device.centre - tool_.centre;
+  if (options_.isGuided) gap = dot(gap, axis) * axis;
   if (contact.area <= 0.0) {
     // Through air: no faster than the teeth can be stopped at the bone.
     tool_.centre = tool_.centre + atMost(gap, 4.0 * options_.mostAdvance);
     return;
   }
-  const Vec3 out = unitOr(contact.force, unitOr(contact.normal, -1.0 * tool_.axis));
-  const double resistance = length(contact.force) / options_.coverage;
+  const Vec3 out =
+      options_.isGuided ? -1.0 * axis : unitOr(contact.force, unitOr(contact.normal, -1.0 * axis));
+  const double resistance = dot(contact.force, out) / options_.coverage;
   const double push = -options_.coupling * dot(gap, out);
   if (push > resistance && options_.isSpinning) {
     // On towards the device, until the push has come down to what the bone gives way at.

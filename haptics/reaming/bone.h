@@ -13,8 +13,8 @@ namespace haptics::reaming {
 ///
 /// The tool is held by the bone (a constrained tool, as in the reaming paper): it goes on only
 /// while the coupling to the device pushes harder than what it touches gives way at, F = Σ aρ /
-/// coverage, and takes the spheres behind its surface away, each within eight steps. A sphere is cut
-/// slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
+/// coverage, and takes the spheres behind its surface away, each within eight steps. A sphere is
+/// cut slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
 /// spheres that lie within it, with the mass (density × volume) that remained. Everything that
 /// leaves is counted.
 ///

@@ -9,6 +9,7 @@ struct BoneOptions {
   double cuttingDamping = 2000.0;  ///< what the force grows by with the feed [N·s/m], >= 0
   double friction = 0.1;           ///< of the tool on what it touches, >= 0
   double mostAdvance = 5e-5;       ///< in one step, through bone [m], > 0
+  bool isGuided = false;           ///< held to a line along its axis, as by a testing machine
   bool isSpinning = true;          ///< forwards; teeth that stand still or go backwards do not cut
 };
 

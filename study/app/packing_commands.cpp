@@ -11,6 +11,7 @@
 #include "haptics/reaming/acetabulum.h"
 #include "haptics/reaming/mesh_solid.h"
 #include "haptics/reaming/packing_builder.h"
+#include "haptics/reaming/virtual_experiment.h"
 #include "protocols/packing_file.h"
 #include "questionnaires/document.h"
 #include "study/app/bench_report.h"
@@ -162,6 +163,22 @@ struct DensityCommand {
   std::size_t depths = 400;
 };
 
+/// Reams what was fitted, as the machine of the paper would.
+void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
+  double h = 0.0;
+  for (const auto& curve : report.curves) {
+    const auto result = reaming::ream(bone, h);
+    fmt::print(
+        "{:<8} reamed at 0.03 mm/s: {:.2g} of the force off the curve; {:.1f} % of the mass "
+        "removed; ended by {}\n",
+        curve.curve,
+        reaming::errorOf(result, curve.depths, curve.wanted),
+        100.0 * result.removedShare,
+        result.stop);
+    h += 0.5;
+  }
+}
+
 int fitDensities(const DensityCommand& command) {
   checkedEnding(command.out);
   protocols::PackingOrigin origin;
@@ -190,6 +207,7 @@ int fitDensities(const DensityCommand& command) {
       "that is. {:.1f} s.\n",
       100.0 * report.curves.front().fit.touchedShare,
       report.seconds);
+  printExperiments(bone, report);
   writeNewFile(command.out, protocols::packingAsText(bone, origin));
   fmt::print(
       "{0} holds the bone. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",

@@ -9,6 +9,7 @@
 #include "haptics/reaming/packed_bone.h"
 #include "haptics/reaming/packing_builder.h"
 #include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/virtual_experiment.h"
 
 namespace haptics::reaming {
 namespace {
@@ -142,6 +143,22 @@ TEST(PackedBone, FeelsLikeItsMaterialAtEveryHardness) {
       ASSERT_NEAR(felt, 0.5 * forceOf(wanted, depth), 0.5) << h << " " << depth;
     }
   }
+}
+
+TEST(VirtualExperiment, ReamsTheCurveThatWasFitted) {
+  PackedBone bone{.packing = problem().packing};
+  const auto curve = [](double scale) {
+    return CurveNodes{
+        {0.0, 0.0, 0.0}, {0.004, 50.0 * scale, 1e4 * scale}, {0.012, 300.0 * scale, 2e4}};
+  };
+  const auto report = fitTo(bone, {curve(0.2), curve(1.0), curve(4.0)}, 200);
+  const auto result = ream(bone, 0.5, {.mostDepth = 0.012});
+  EXPECT_EQ(result.stop, "the largest depth");
+  EXPECT_GT(result.removedShare, 0.01);
+  EXPECT_LT(errorOf(result, report.curves[1].depths, report.curves[1].wanted), 0.02);
+  const auto hard = ream(bone, 1.0, {.mostDepth = 0.012});
+  EXPECT_EQ(hard.stop, "the largest force");
+  EXPECT_NEAR(hard.force.back(), 800.0, 20.0);
 }
 
 }  // namespace
