@@ -107,11 +107,14 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
     return felt;
   }
   felt.contact = field_.touch(tool_, true);
-  follow(device, felt.contact, dt);
+  const Vec3 out = outOf(felt.contact);
+  follow(device, felt.contact, out, dt);
   cut();
   tidy();
   if (felt.contact.area <= 0.0) return felt;
-  felt.force = options_.coupling * (tool_.centre - device.centre);
+  // Bone pushes, and never pulls a hand that is faster than the tool.
+  const Vec3 held = tool_.centre - device.centre;
+  felt.force = options_.coupling * (held - std::min(dot(held, out), 0.0) * out);
   // Teeth rub against the spin: a torque around the axis.
   const double spin = options_.isSpinning ? options_.friction * felt.contact.lever : 0.0;
   felt.torque = (-spin / options_.coverage) * device.axis;
@@ -128,8 +131,15 @@ bool Bone::isClear() noexcept {
   return !isIn;
 }
 
+/// The direction in which the bone pushes.
+Vec3 Bone::outOf(const ReamerContact& contact) const noexcept {
+  const Vec3 back = -1.0 * tool_.axis;
+  return options_.isGuided ? back : unitOr(contact.force, unitOr(contact.normal, back));
+}
+
 /// Lets the tool go where the device pulls it and the bone lets it.
-void Bone::follow(const Reamer& device, const ReamerContact& contact, double dt) noexcept {
+void Bone::follow(
+    const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept {
   const Vec3 axis = tool_.axis;
   Vec3 gap = device.centre - tool_.centre;
   if (options_.isGuided) gap = dot(gap, axis) * axis;
@@ -138,8 +148,6 @@ void Bone::follow(const Reamer& device, const ReamerContact& contact, double dt)
     tool_.centre = tool_.centre + atMost(gap, 4.0 * options_.mostAdvance);
     return;
   }
-  const Vec3 out =
-      options_.isGuided ? -1.0 * axis : unitOr(contact.force, unitOr(contact.normal, -1.0 * axis));
   const double resistance = dot(contact.force, out) / options_.coverage;
   const double push = -options_.coupling * dot(gap, out);
   if (push > resistance && options_.isSpinning) {

@@ -52,7 +52,8 @@ class Bone {
  private:
   bool isWholeAgain() noexcept;
   bool isClear() noexcept;
-  void follow(const Reamer& device, const ReamerContact& contact, double dt) noexcept;
+  Vec3 outOf(const ReamerContact& contact) const noexcept;
+  void follow(const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept;
   Vec3 slideOf(Vec3 gap, Vec3 out, double push) const noexcept;
   void cut() noexcept;
   void cutSlot(std::uint32_t slot) noexcept;

@@ -154,6 +154,18 @@ TEST(Bone, HoldsTheToolWhenItsTeethStandStill) {
   EXPECT_EQ(e.bone.removedMass(), 0.0);
 }
 
+TEST(Bone, NeverPullsAHand) {
+  auto guided = options();
+  guided.isGuided = true;
+  Experiment e(guided);
+  e.to(0.006, 0.005);
+  while (e.depth > -0.005) {  // out, faster than the tool can follow
+    e.depth -= 0.0005;
+    const auto felt = e.bone.step(e.plunge.at(e.depth), kTick);
+    ASSERT_LE(felt.force.z, 1e-12) << e.depth;
+  }
+}
+
 TEST(Bone, RubsAgainstTheSpin) {
   Experiment e;
   const auto felt = e.to(0.006, 0.005);
