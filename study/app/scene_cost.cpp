@@ -6,6 +6,8 @@
 
 #include "haptics/bench/punch_conditions.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/parametric_material.h"
 
 namespace study::app {
 namespace {
@@ -81,18 +83,49 @@ void addPunch(const engine::SceneSpec& spec, std::vector<bench::Contestant>& con
   add("… and the mesh in every tick", alsoDrawn(shown, 1));
 }
 
+constexpr double kMiddle = 0.01;  // of a reamer's travel [m]
+
+/// A curve alone, and what spheres would cost besides.
+void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+  const auto add = [&](const char* what, Besides besides) {
+    contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
+  };
+  add("as it is", nullptr);
+  auto lower = spec;
+  auto upper = spec;
+  std::get<engine::MaterialSpec>(lower.model).hardness = 0.0;
+  std::get<engine::MaterialSpec>(upper.model).hardness = 1.0;
+  add("… and both measured curves in every tick",
+      [low = alsoFelt(lower), high = alsoFelt(upper)](double x, double f, int i) {
+        return low(x, f, i) + high(x, f, i);
+      });
+  for (const bool isRemoved : {false, true}) {
+    const engine::PackingSpec spheres{.bone = engine::parametricBone(), .isRemoved = isRemoved};
+    add(isRemoved ? "… and 20,000 spheres that are reamed away" : "… and 20,000 spheres that stay",
+        alsoFelt({.device = spec.device, .model = spheres}));
+  }
+}
+
+/// Spheres, and what it would be without some of it.
+void addPacking(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+  const auto& packing = std::get<engine::PackingSpec>(spec.model);
+  const auto add = [&](const char* what, const auto& model) {
+    contestants.push_back(
+        contestant(what, {.device = spec.device, .model = model}, kMiddle, nullptr));
+  };
+  add("as it is", packing);
+  auto other = packing;
+  other.isRemoved = !packing.isRemoved;
+  add(packing.isRemoved ? "spheres that stay" : "spheres that are reamed away", other);
+  add("the curve alone", engine::MaterialSpec{.nodes = engine::parametricMaterial()});
+}
+
 void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
-  constexpr double kMiddle = 0.01;  // [m]
-  contestants.push_back(contestant("as it is", spec, kMiddle, nullptr));
-  contestants.push_back(contestant("… and both measured curves in every tick", spec, kMiddle, [&] {
-    auto lower = spec;
-    auto upper = spec;
-    std::get<engine::MaterialSpec>(lower.model).hardness = 0.0;
-    std::get<engine::MaterialSpec>(upper.model).hardness = 1.0;
-    return [low = alsoFelt(lower), high = alsoFelt(upper)](double x, double f, int i) {
-      return low(x, f, i) + high(x, f, i);
-    };
-  }()));
+  if (std::holds_alternative<engine::PackingSpec>(spec.model)) {
+    addPacking(spec, contestants);
+  } else {
+    addMaterial(spec, contestants);
+  }
 }
 
 }  // namespace

@@ -97,6 +97,14 @@ TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
     "phases": [{"id": "consent", "type": "consent", "instrument": "consent-reaming"},
                {"id": "felt", "type": "block", "conditions": ["curve", "kept", "reamed"],
                 "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})");
+  for (const std::string condition : {"curve", "reamed"}) {
+    const auto cost = output({"scene", "explain", protocol, "--condition", condition, "--cost"});
+    expectIn(cost, "as it is");
+    expectIn(cost, condition == "curve" ? "20,000 spheres that are reamed" : "the curve alone");
+    const std::string played = folder_ / (condition + ".csv");
+    output({"scene", "play", protocol, "--condition", condition, "--out", played});
+    EXPECT_TRUE(std::filesystem::exists(played));
+  }
   const std::string study = folder_ / "study";
   output({"study", "create", study, "--protocol", protocol, "--seed", "1"});
   expectIn(output({"study", "simulate", study, "--participants", "1"}), "1 simulated");
