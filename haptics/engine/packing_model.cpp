@@ -52,6 +52,11 @@ RemovalModel::RemovalModel(const PackingSpec& spec)
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
+  if (bone_.restorations() != restorations_) {
+    restorations_ = bone_.restorations();
+    changes_->push({SphereChange::kAllAnew, {}});
+  }
+  untold_.store(bone_.untoldChanges(), std::memory_order_relaxed);
   for (const auto slot : bone_.changed()) {
     const auto& group = bone_.field().group(slot);
     const std::size_t lane = slot % reaming::kLanes;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,9 @@ namespace haptics::engine {
 
 /// A sphere that has changed, for whoever draws the bone. A radius of 0: it is gone.
 struct SphereChange {
+  /// A slot that is none: the bone is whole again, all spheres are as at the beginning.
+  static constexpr std::uint32_t kAllAnew = 0xffffffffU;
+
   std::uint32_t slot = 0;
   reaming::Sphere sphere;
 };
@@ -51,15 +55,20 @@ class RemovalModel final : public ForceModel {
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 
   const reaming::Bone& bone() const noexcept { return bone_; }
-  /// What changed since it was last asked: one reader on another thread. Changes for which there
-  /// was no room are counted as lost; then all spheres are to be looked at.
+  /// What changed since it was last asked: one reader on another thread, with a picture of its own
+  /// of all spheres. What found no room is counted in lostChanges().
   SphereChanges& changes() noexcept { return *changes_; }
+  std::uint64_t lostChanges() const noexcept {
+    return changes_->lost() + untold_.load(std::memory_order_relaxed);
+  }
 
  private:
   reaming::Bone bone_;
   reaming::Plunge plunge_;
   double stiffness_;
   std::unique_ptr<SphereChanges> changes_;
+  std::atomic<std::uint64_t> untold_{0};
+  std::uint64_t restorations_ = 0;  ///< of the bone, that the reader has been told of
 };
 
 }  // namespace haptics::engine

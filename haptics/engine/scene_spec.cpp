@@ -107,6 +107,9 @@ void check(const PackingSpec& spec, Words& problems) {
     problems.push_back("the bone has no spheres");
     return;
   }
+  if (const auto problem = reaming::problemOf(*spec.bone); !problem.empty()) {
+    problems.push_back(problem);
+  }
   const std::size_t spheres = spec.bone->packing.spheres.size();
   for (const auto* densities : {&spec.bone->minimum, &spec.bone->average, &spec.bone->maximum}) {
     if (densities->size() == spheres) continue;

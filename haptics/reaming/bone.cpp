@@ -21,7 +21,7 @@ double ballOf(double radius) noexcept {
 /// What a ball R takes of a ball r when it reaches @p depth into it [m³].
 double lensOf(double r, double depth, double R) noexcept {
   if (depth <= 0.0) return 0.0;
-  if (depth >= 2.0 * r) return ballOf(r);
+  if (depth >= 2.0 * std::min(r, R)) return ballOf(std::min(r, R));
   const double d = R + r - depth;
   return std::numbers::pi * depth * depth * (d * d + 2.0 * d * (r + R) - 3.0 * (r - R) * (r - R)) /
          (12.0 * d);
@@ -86,7 +86,7 @@ bool Bone::isWholeAgain() noexcept {
   pending_ = 0;
   part_ = 0;
   removed_ = 0.0;
-  untold_ = 0;
+  ++restorations_;
   isTouched_ = false;
   return true;
 }
@@ -171,8 +171,8 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   return slip > 0.0 ? back + atMost(across, slip) : back;
 }
 
-/// Takes away what lies behind the surface, a part of it in each step: a sphere's turn comes every
-/// kParts steps, also after the tool has stopped or turned.
+/// Takes away what lies behind the surface, a part of it in each step: a sphere's turn comes about
+/// every kParts steps, also after the tool has stopped or turned.
 void Bone::cut() noexcept {
   if (pending_ == 0) return;
   --pending_;

@@ -46,8 +46,10 @@ class Bone {
 
   /// Slots that the last step emptied, shrank, moved or filled, for the eye.
   std::span<const std::uint32_t> changed() const noexcept { return changed_; }
-  /// Changes that found no room in the list since the last reset.
+  /// Changes that found no room in the list.
   std::uint64_t untoldChanges() const noexcept { return untold_; }
+  /// How often it has been made whole again.
+  std::uint64_t restorations() const noexcept { return restorations_; }
 
  private:
   bool isWholeAgain() noexcept;
@@ -73,6 +75,7 @@ class Bone {
   std::vector<std::uint32_t> deeper_;  ///< room for what a step cuts
   std::vector<std::uint32_t> changed_;
   std::uint64_t untold_ = 0;
+  std::uint64_t restorations_ = 0;
   std::size_t pending_ = 0;   ///< steps until all that lies behind the surface is cut
   std::size_t part_ = 0;      ///< whose turn it is
   std::size_t next_ = 0;      ///< of partial_, to be looked at

@@ -74,7 +74,9 @@ double errorOf(
     std::span<const double> densities,
     std::span<const double> forces) {
   const auto felt = matrix.times(densities);
-  return (asVector(felt) - asVector(forces)).norm() / asVector(forces).norm();
+  const double wanted = asVector(forces).norm();
+  const double off = (asVector(felt) - asVector(forces)).norm();
+  return wanted > 0.0 ? off / wanted : (off > 0.0 ? 1.0 : 0.0);
 }
 
 double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces) {

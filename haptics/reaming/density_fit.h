@@ -54,7 +54,7 @@ DensityFit fitSwarm(
 /// The one density that fits best.
 double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces);
 
-/// |A ρ − F| / |F|.
+/// |A ρ − F| / |F|; where no force is wanted, 0 or 1.
 double errorOf(
     const ContactMatrix& matrix, std::span<const double> densities, std::span<const double> forces);
 

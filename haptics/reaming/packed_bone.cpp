@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <stdexcept>
 
 #include "haptics/reaming/plunge.h"
 
@@ -19,12 +21,31 @@ std::vector<double> PackedBone::densities(double h, double scale) const {
   return all;
 }
 
+std::string problemOf(const PackedBone& bone) {
+  const double coverage = bone.packing.coverage();
+  if (!(coverage > 0.0 && coverage <= 1.0)) {
+    return "the spheres hold more than the whole body, or nothing: the packing is damaged";
+  }
+  bool isInTheWay = false;
+  for (const auto& s : bone.packing.spheres) {
+    if (!std::isfinite(s.x + s.y + s.z + s.radius)) return "a sphere is nowhere";
+    if (s.radius >= bone.reamerRadius) {
+      return "a sphere is as large as the reamer: build it with more and smaller ones";
+    }
+    isInTheWay |= std::hypot(double{s.x}, double{s.y}) < bone.reamerRadius;
+  }
+  if (isInTheWay) return {};
+  return "the reamer passes beside the bone: turn and move the mesh so that +z through its origin "
+         "goes into the cup";
+}
+
 BoneFitReport fitTo(
     PackedBone& bone,
     const HardnessCurves& curves,
     std::size_t depths,
     const std::function<void(const std::string&)>& goesOn) {
   const auto begin = std::chrono::steady_clock::now();
+  if (const auto problem = problemOf(bone); !problem.empty()) throw std::invalid_argument(problem);
   const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
   const Plunge plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius);
   const double deepest = std::max(

@@ -28,6 +28,10 @@ struct PackedBone {
   std::vector<double> densities(double h, double scale) const;
 };
 
+/// What keeps a bone from being felt with its reamer, in words: more in its spheres than its body
+/// holds, spheres larger than the reamer, none in its way. Empty where nothing does.
+std::string problemOf(const PackedBone& bone);
+
 /// How well a bone was fitted to a curve.
 struct CurveFit {
   std::string curve;           ///< "minimum", "average", "maximum"
@@ -43,10 +47,11 @@ struct BoneFitReport {
 };
 
 /// Gives the spheres of @p bone densities that follow the curves of a material, at @p depths evenly
-/// over what the curves and the bone have in common. The virtual experiment of the reaming paper.
+/// over the longest of them (the others stay level beyond their ends). The virtual experiment of
+/// the reaming paper.
 ///
 /// @param goesOn  is told the curve under way; may be empty.
-/// @throws std::invalid_argument  if the reamer passes beside the bone.
+/// @throws std::invalid_argument  with problemOf(bone).
 BoneFitReport fitTo(
     PackedBone& bone,
     const HardnessCurves& curves,

@@ -26,8 +26,8 @@ std::string problemOf(const PackingOptions& options) {
                     static_cast<int>(options.coverage.has_value()) +
                     static_cast<int>(options.smallestRadius.has_value());
   if (wants != 1) return "say one of: a count, a coverage, a smallest radius";
-  if (options.count && (*options.count < 1 || *options.count > 50'000'000)) {
-    return "the count must lie between 1 and 50,000,000";
+  if (options.count && (*options.count < 1 || *options.count > 8'000'000)) {
+    return "the count must lie between 1 and 8,000,000";
   }
   if (options.coverage && !(*options.coverage > 0.0 && *options.coverage <= 0.8)) {
     return "the coverage must lie above 0 and not above 0.8";
@@ -78,15 +78,16 @@ class Builder {
       : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
     const Vec3 size = body.highest() - body.lowest();
     const auto blocksAlong = [&](double extent) {
-      return static_cast<int>(extent / (cell_ * kBlock)) + 1;
+      return std::floor(extent / (cell_ * kBlock)) + 1.0;
     };
-    blocks_ = {blocksAlong(size.x), blocksAlong(size.y), blocksAlong(size.z)};
-    const double cells = std::pow(kBlock, 3.0) * blocks_[0] * blocks_[1] * blocks_[2];
-    if (cells > 2e8) {
+    const double along[]{blocksAlong(size.x), blocksAlong(size.y), blocksAlong(size.z)};
+    const double cells = std::pow(kBlock, 3.0) * along[0] * along[1] * along[2];
+    if (!(cells <= 2e8)) {
       throw std::invalid_argument(
           "the spheres are so small beside the body that there is no memory for it: ask for fewer, "
           "or larger ones");
     }
+    for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = static_cast<int>(along[axis]);
     cells_.resize(static_cast<std::size_t>(cells));
     const Vec3 low = body.lowest();
     const Vec3 high = body.highest();
@@ -345,7 +346,7 @@ std::optional<Packing> pack(
     if (radius <= least) break;
     radius = std::max(kNextRadius * radius, least);
   }
-  if (options.smallestRadius) return packing;
+  if (options.smallestRadius && !packing.spheres.empty()) return packing;
   throw std::invalid_argument(
       "the body has no room for it: with spheres down to " + std::to_string(1e3 * least) +
       " mm there are " + std::to_string(packing.spheres.size()) + ", and " +

@@ -141,7 +141,7 @@ void SphereField::eachStretch(const Reamer& reamer, See see) const {
       const double most = std::max(reamer.axis.x * reachX, -reamer.axis.x * reachX) +
                           std::max(reamer.axis.y * y0, reamer.axis.y * y1) +
                           std::max(reamer.axis.z * z0, reamer.axis.z * z1);
-      if (most < -drift_) continue;
+      if (most < -2.0 * drift_) continue;
       const double farY = farthest(y0, y1);
       const double hollow = inner * inner - farY * farY - farZ * farZ;
       const std::size_t row = (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny_) +

@@ -62,6 +62,7 @@ DensityFit fitSwarm(
     particle.place.resize(matrix.columns());
     for (double& x : particle.place) x = most * particle.chance.uniform();
     particle.velocity.assign(matrix.columns(), 0.0);
+    particle.best = particle.place;
   }
   const auto judge = [&](Particle& particle) {
     const double error = errorOf(matrix, particle.place, forces);

@@ -18,6 +18,12 @@ std::string counted(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+bool isFinite(const TriangleMesh& mesh) noexcept {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
+}
+
 /// Vertices at the same place become one.
 std::size_t weld(TriangleMesh& mesh) {
   std::map<std::array<double, 3>, std::uint32_t> known;
@@ -54,17 +60,17 @@ std::size_t dropDegenerate(TriangleMesh& mesh) {
   return before - mesh.triangles.size();
 }
 
-/// Whether the segment p–q passes through the triangle, properly.
+/// Whether the segment p–q meets the triangle, without lying in its plane.
 bool pierces(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) noexcept {
   const auto side = [](Vec3 u, Vec3 v, Vec3 w, Vec3 x) { return dot(cross(v - u, w - u), x - u); };
   const double above = side(a, b, c, p);
   const double below = side(a, b, c, q);
-  if (!(above * below < 0.0)) return false;
+  if (above * below > 0.0 || (above == 0.0 && below == 0.0)) return false;
   const double first = side(p, q, a, b);
   const double second = side(p, q, b, c);
   const double third = side(p, q, c, a);
-  return (first > 0.0 && second > 0.0 && third > 0.0) ||
-         (first < 0.0 && second < 0.0 && third < 0.0);
+  return (first >= 0.0 && second >= 0.0 && third >= 0.0) ||
+         (first <= 0.0 && second <= 0.0 && third <= 0.0);
 }
 
 bool cut(
@@ -92,6 +98,66 @@ std::size_t pairsThatCut(const TriangleMesh& mesh) {
   return pairs;
 }
 
+/// Of each triangle the number of its connected part, and how many there are.
+std::pair<std::vector<std::size_t>, std::size_t> partsOf(const TriangleMesh& mesh) {
+  std::vector<std::size_t> root(mesh.vertices.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto rootOf = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const auto& t : mesh.triangles) {
+    root[rootOf(t[1])] = rootOf(t[0]);
+    root[rootOf(t[2])] = rootOf(t[0]);
+  }
+  std::map<std::size_t, std::size_t> numbers;
+  std::vector<std::size_t> parts;
+  for (const auto& t : mesh.triangles) {
+    parts.push_back(numbers.try_emplace(rootOf(t[0]), numbers.size()).first->second);
+  }
+  return {std::move(parts), numbers.size()};
+}
+
+/// The angle under which a triangle is seen from @p from (Van Oosterom & Strackee 1983); all of a
+/// closed part come to ±4π inside and to 0 outside.
+double angleOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& t, Vec3 from) {
+  const Vec3 a = mesh.vertices[t[0]] - from;
+  const Vec3 b = mesh.vertices[t[1]] - from;
+  const Vec3 c = mesh.vertices[t[2]] - from;
+  const double la = length(a);
+  const double lb = length(b);
+  const double lc = length(c);
+  return 2.0 *
+         std::atan2(
+             dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+}
+
+/// Whether every part faces outward as far out, and inward as a hollow of another: of many closed
+/// parts one inside is known only then.
+bool isOneBody(const TriangleMesh& mesh) {
+  const auto [parts, count] = partsOf(mesh);
+  if (count == 1) return true;
+  if (count > 100) return false;
+  std::vector<double> volumes(count, 0.0);
+  std::vector<Vec3> corners(count);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    volumes[parts[i]] +=
+        dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6.0;
+    corners[parts[i]] = mesh.vertices[t[0]];
+  }
+  for (std::size_t part = 0; part < count; ++part) {
+    std::vector<double> angles(count, 0.0);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (parts[i] != part) angles[parts[i]] += angleOf(mesh, mesh.triangles[i], corners[part]);
+    }
+    int around = 0;
+    for (const double angle : angles) around += std::abs(angle) > 6.0 ? 1 : 0;
+    if ((volumes[part] > 0.0) != (around % 2 == 0)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double TriangleMesh::volume() const noexcept {
@@ -104,6 +170,7 @@ double TriangleMesh::volume() const noexcept {
 
 Repairs repair(TriangleMesh& mesh) {
   Repairs repairs;
+  if (!isFinite(mesh)) return repairs;  // problemsOf says so
   if (const auto welded = weld(mesh); welded > 0) {
     repairs.push_back(counted(welded, "corner was", "corners were") + " joined with others there");
   }
@@ -120,9 +187,7 @@ Repairs repair(TriangleMesh& mesh) {
 
 std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
   if (mesh.triangles.size() < 4) return {"the mesh has fewer than four triangles"};
-  for (const Vec3& v : mesh.vertices) {
-    if (!std::isfinite(v.x + v.y + v.z)) return {"the mesh has a corner that is no number"};
-  }
+  if (!isFinite(mesh)) return {"the mesh has a corner that is no number"};
   std::map<Edge, std::pair<int, int>> edges;  // there, and back
   double area = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -168,6 +233,11 @@ std::vector<std::string> problemsOf(const TriangleMesh& mesh) {
     problems.push_back(
         "the mesh cuts itself: " + counted(pairs, "pair", "pairs") +
         " of triangles. Join its parts, or remesh it");
+  }
+  if (problems.empty() && !isOneBody(mesh)) {
+    problems.emplace_back(
+        "the mesh has parts that face the wrong way for where they lie: outer surfaces face "
+        "outward, hollows inward. Keep the outer surface alone, or turn the others");
   }
   return problems;
 }

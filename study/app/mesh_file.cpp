@@ -26,6 +26,10 @@ reaming::TriangleMesh trianglesOf(const aiScene& scene) {
     for (unsigned i = 0; i < from.mNumFaces; ++i) {
       const aiFace& face = from.mFaces[i];
       if (face.mNumIndices != 3) continue;
+      for (unsigned corner = 0; corner < 3; ++corner) {
+        if (face.mIndices[corner] < from.mNumVertices) continue;
+        throw NotNow("The mesh has a triangle with a corner that is not there: it is damaged.");
+      }
       mesh.triangles.push_back(
           {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
     }
@@ -58,7 +62,8 @@ BodyMesh readBody(const std::string& path, const std::string& unit) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(
       path,
-      aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices |
+          aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mNumMeshes == 0) {
     throw NotNow(
         path + " holds no mesh that can be read (" + importer.GetErrorString() +

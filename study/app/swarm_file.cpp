@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::string_view kSwarmFormat = "palpate-swarm-1";
 constexpr std::int64_t kMost = 1'000'000'000;
+constexpr std::int64_t kMostSeeds = 100'000;
 
 /// What all shards of an experiment have in common.
 auto settingsOf(const SwarmShard& s) {
@@ -73,11 +74,11 @@ std::optional<SwarmShard> readSwarmShard(
           .particles = root.wholeNumber("particles", 1, kMost),
           .iterations = root.wholeNumber("iterations", 1, kMost),
           .seconds = root.number("seconds", 0.0, 1e9),
-          .seeds = root.wholeNumber("seeds", 1, kMost),
+          .seeds = root.wholeNumber("seeds", 1, kMostSeeds),
           .shard = root.wholeNumber("shard", 1, kMost),
           .shards = root.wholeNumber("shards", 1, kMost),
           .results = {}};
-      for (const auto& node : root.requiredList("results")) {
+      for (const auto& node : root.list("results")) {
         if (!node.isObjectWith({"seed", "error", "iterations", "seconds"})) continue;
         shard->results.push_back(
             {node.wholeNumber("seed", 1, kMost),
@@ -105,7 +106,7 @@ std::vector<std::string> problemsOf(const std::vector<SwarmShard>& shards) {
   }
   std::string missing;
   for (std::int64_t seed = 1; seed <= shards.front().seeds; ++seed) {
-    if (seen[seed] == 0) missing += (missing.empty() ? "" : ", ") + std::to_string(seed);
+    if (seen.count(seed) == 0) missing += (missing.empty() ? "" : ", ") + std::to_string(seed);
   }
   if (!missing.empty()) problems.push_back("seeds are missing: " + missing);
   for (const auto& [seed, times] : seen) {

@@ -48,9 +48,14 @@ TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
   int gone = 0;
   while (model.changes().pop(change)) gone += change.sphere.radius == 0.0F ? 1 : 0;
   EXPECT_GT(gone, 100);
-  EXPECT_EQ(model.changes().lost(), 0U);
+  EXPECT_EQ(model.lostChanges(), 0U);
   for (; travel > 0.0; travel -= 1e-5) model.respond({.travel = travel});
   EXPECT_LT(model.respond({.travel = 0.006}).force, 0.5);
+  model.reset();
+  for (int i = 0; i < 50; ++i) model.respond({.travel = -0.001});
+  bool isToldAnew = false;
+  while (model.changes().pop(change)) isToldAnew |= change.slot == SphereChange::kAllAnew;
+  EXPECT_TRUE(isToldAnew);
 }
 
 TEST(RemovalModel, IsReamedByAHand) {
@@ -89,6 +94,20 @@ TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
   EXPECT_EQ(partsOf({.device = reamer, .model = spec(true)}), "sphere packing; removal of bone; ");
   EXPECT_FALSE(problemsOf({.device = devices::DeviceKind::Punch, .model = spec(true)}).empty());
   EXPECT_FALSE(problemsOf({.device = reamer, .model = PackingSpec{}}).empty());
+  const auto spoilt = [&](auto spoil) {
+    auto bone = *parametricBone();
+    spoil(bone);
+    auto with = spec(true);
+    with.bone = std::make_shared<reaming::PackedBone>(std::move(bone));
+    return !problemsOf({.device = reamer, .model = with}).empty();
+  };
+  EXPECT_FALSE(spoilt([](auto&) {}));
+  EXPECT_TRUE(spoilt([](auto& bone) { bone.packing.volume = 1e-12; }));
+  EXPECT_TRUE(spoilt([](auto& bone) { bone.packing.spheres[0].radius = 0.03F; }));
+  EXPECT_TRUE(spoilt([](auto& bone) { bone.packing.spheres[0].x = 3e38F * 10.0F; }));
+  EXPECT_TRUE(spoilt([](auto& bone) {
+    for (auto& s : bone.packing.spheres) s.x += 0.5F;
+  }));
   auto hard = spec(true);
   hard.hardness = 1.5;
   EXPECT_FALSE(problemsOf({.device = reamer, .model = hard}).empty());

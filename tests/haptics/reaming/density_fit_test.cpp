@@ -123,6 +123,14 @@ TEST(DensityFit, TheSwarmReachesTheOptimumOfAFewLayersAndNotOfAllSpheres) {
   EXPECT_EQ(alone.densities, three.densities);
 }
 
+TEST(DensityFit, StandsACurveOfNothing) {
+  const auto& p = problem();
+  const std::vector<double> nothing(p.forces.size(), 0.0);
+  EXPECT_EQ(fitBone(p.matrix, nothing).spheres.error, 0.0);
+  const auto swarm = fitSwarm(p.matrix, nothing, {.iterations = 3});
+  EXPECT_EQ(swarm.densities.size(), p.matrix.columns());
+}
+
 TEST(PackedBone, FeelsLikeItsMaterialAtEveryHardness) {
   PackedBone bone{.packing = problem().packing};
   const auto curve = [](double scale) {

@@ -89,7 +89,9 @@ TEST(PackingBuilder, RefusesWhatMakesNoSense) {
       {.smallestRadius = std::nan("")},
       {.count = 10, .threads = 0},
       {.count = 100'000, .largestRadius = 0.02},  // there is no room for so many of that size
-      {.count = 50'000'000, .largestRadius = 1e-6}};
+      {.smallestRadius = 0.01},                   // none of that size fits between its walls
+      {.count = 50'000'000},
+      {.count = 8'000'000, .largestRadius = 1e-6}};
   for (const auto& options : wrong) EXPECT_THROW(pack(cup, options), std::invalid_argument);
   EXPECT_THROW(Acetabulum(0.04, 0.03), std::invalid_argument);
 }

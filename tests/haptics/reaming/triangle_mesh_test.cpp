@@ -77,6 +77,43 @@ TEST(TriangleMesh, SaysWhatKeepsItFromHavingOne) {
       all(problemsOf(box({}, {0.03, 0.02, 0.0}))).find("encloses nothing"), std::string::npos);
 }
 
+TriangleMesh both(TriangleMesh one, const TriangleMesh& other) {
+  const auto first = static_cast<std::uint32_t>(one.vertices.size());
+  for (const auto& v : other.vertices) one.vertices.push_back(v);
+  for (const auto& t : other.triangles) {
+    one.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return one;
+}
+
+TEST(TriangleMesh, OfSeveralPartsHasOneInsideOnly) {
+  const auto outer = box({}, {0.04, 0.04, 0.04});
+  const auto inner = box({0.01, 0.01, 0.01}, {0.03, 0.03, 0.03});
+  auto hollow = inner;
+  for (auto& t : hollow.triangles) std::swap(t[1], t[2]);
+  auto aside = box({0.07, 0.0, 0.0}, {0.09, 0.02, 0.02});
+  EXPECT_EQ(all(problemsOf(both(outer, hollow))), "");
+  EXPECT_EQ(all(problemsOf(both(outer, aside))), "");
+  EXPECT_NE(all(problemsOf(both(outer, inner))).find("wrong way"), std::string::npos);
+  for (auto& t : aside.triangles) std::swap(t[1], t[2]);
+  EXPECT_NE(all(problemsOf(both(outer, aside))).find("wrong way"), std::string::npos);
+  const MeshSolid solid(both(outer, hollow));
+  EXPECT_GT(solid.nearest({0.005, 0.02, 0.02}).distance, 0.0);
+  EXPECT_LT(solid.nearest({0.02, 0.02, 0.02}).distance, 0.0);
+}
+
+TEST(TriangleMesh, CutsItselfAlsoWhereOnlyEdgesMeet) {
+  const auto cut = both(box({}, {1.0, 1.0, 1.0}), box({0.5, 0.5, 0.0}, {1.5, 1.5, 1.0}));
+  EXPECT_NE(all(problemsOf(cut)).find("cuts itself"), std::string::npos);
+}
+
+TEST(TriangleMesh, IsNotMendedWhereACornerIsNowhere) {
+  auto mesh = box({}, {0.03, 0.02, 0.01});
+  mesh.vertices[0].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(repair(mesh).empty());
+  EXPECT_NE(all(problemsOf(mesh)).find("no number"), std::string::npos);
+}
+
 TEST(TriangleMesh, IsMendedWithWords) {
   auto mesh = box({}, {0.03, 0.02, 0.01});
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);  // inside out
