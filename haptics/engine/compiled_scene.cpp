@@ -118,7 +118,8 @@ struct Builder {
     const std::size_t bytes = material->segments().size() * sizeof(material->segments()[0]);
     model = std::move(material);
     noPunch();
-    in(kMaterial, "this is the force; the measured curves were blended beforehand", bytes);
+    const std::string curves = spec.isMeasured ? "the measured curves" : "its curves";
+    in(kMaterial, "this is the force; " + curves + " were blended beforehand", bytes);
     out(kPacking, "the force depends on depth alone");
     out(kRemoval, "the bone stays as it is");
   }

@@ -10,7 +10,7 @@
 
 namespace haptics::engine {
 
-/// Bone of a hardness: the measured curves are blended once, when it is built, so that the tick
+/// Bone of a hardness: the curves are blended once, when it is built, so that the tick
 /// evaluates a single cubic.
 class MaterialModel final : public ForceModel {
  public:

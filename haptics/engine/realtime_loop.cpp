@@ -1,33 +1,22 @@
 #include "haptics/engine/realtime_loop.h"
 
-#include <pthread.h>
-#include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
-#include <time.h>
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "haptics/engine/hole_detector.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
 
 namespace haptics::engine {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
-
-std::int64_t now() noexcept {
-  timespec time{};
-  clock_gettime(CLOCK_MONOTONIC, &time);
-  return time.tv_sec * kSecond + time.tv_nsec;
-}
-
-void sleepUntil(std::int64_t due) noexcept {
-  const timespec time{.tv_sec = due / kSecond, .tv_nsec = due % kSecond};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &time, nullptr) != 0) {
-  }
-}
+using timing::kSecond;
+using timing::now;
+using timing::sleepUntil;
 
 double microseconds(std::int64_t nanoseconds) noexcept {
   return static_cast<double>(nanoseconds) / 1000.0;
@@ -43,8 +32,7 @@ void touchStack() noexcept {
 /// Asks for what helps. Timer slack needs no privilege; the rest may be refused.
 bool requestRealtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
-  const sched_param priority{.sched_priority = 80};
-  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) != 0) return false;
+  if (!timing::makeUrgent(timing::kLoopUrgency)) return false;
   mlockall(MCL_CURRENT | MCL_ONFAULT);
   touchStack();
   return true;

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "haptics/devices/beat.h"
-#include "haptics/engine/lateness_histogram.h"
+#include "haptics/timing/lateness_histogram.h"
 
 namespace haptics::engine {
 
@@ -39,13 +39,13 @@ class RealtimeLoop {
     std::uint64_t lateTicks = 0;        ///< later than a whole period: at least one beat was lost
     std::uint64_t lateTicksOfOurs = 0;  ///< … which this machine answers for, not a hole
     std::uint64_t lostBeats = 0;
-    std::uint64_t holes = 0;        ///< late ticks that the machine below us caused
-    double longestHole = 0.0;       ///< [µs]
-    bool knowsHoles = false;        ///< the kernel tells them apart
-    double seconds = 0.0;           ///< from the first tick to the last
-    LatenessHistogram lateness;     ///< of every tick
-    LatenessHistogram ownLateness;  ///< without holes
-    LatenessHistogram compute;      ///< how long the ticks took
+    std::uint64_t holes = 0;                ///< late ticks that the machine below us caused
+    double longestHole = 0.0;               ///< [µs]
+    bool knowsHoles = false;                ///< the kernel tells them apart
+    double seconds = 0.0;                   ///< from the first tick to the last
+    timing::LatenessHistogram lateness;     ///< of every tick
+    timing::LatenessHistogram ownLateness;  ///< without holes
+    timing::LatenessHistogram compute;      ///< how long the ticks took
   };
 
   /// Starts ticking. @p tick neither allocates, waits nor throws.

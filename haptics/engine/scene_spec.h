@@ -57,19 +57,20 @@ struct KalmanSpec {
   models::Smoothing smoothing = models::Smoothing::None;
 };
 
-/// A node of a reaming material: the softest and the hardest bone that was measured there.
+/// A node of a reaming material: the softest and the hardest bone that there is.
 struct MaterialNode {
   double depth = 0.0;  ///< [m]
   double lower = 0.0;  ///< [N]
   double upper = 0.0;  ///< [N]
 };
 
-/// Force over displacement of an acetabulum, between a lower and an upper measured curve:
+/// Force over displacement of an acetabulum, between a lower and an upper curve:
 /// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes; or between
 /// the three curves of a fitted material.
 struct MaterialSpec {
   std::vector<MaterialNode> nodes;
   reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
+  bool isMeasured = false;         ///< somebody has measured the curves
   double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
   /// Bone asks for more than an arm gives: everything times this, in (0, 1].
   double forceScale = 1.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -65,6 +66,45 @@ struct Dual {
     sum.diagonal().array() += 1.0;
     return sum;
   }
+
+  /// From @p from along @p step as far as the value rises enough; nothing where it does not. Leaves
+  /// in @p end where the whole step leads.
+  std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
+    constexpr double kLeastShare = 1e-5;
+    const double slope = from.rest.dot(step);
+    const auto rises = [&](const Point& point, double share) {
+      return point.value > from.value && point.value >= from.value + 1e-4 * share * slope;
+    };
+    end = at(from.y + step);
+    if (rises(end, 1.0)) return end;
+    for (double share = 0.5; share > kLeastShare; share *= 0.5) {
+      auto point = at(from.y + share * step);
+      if (rises(point, share)) return point;
+    }
+    return std::nullopt;
+  }
+
+  /// Newton's step up; nothing where rounding is all that is left.
+  ///
+  /// Newton's curvature knows only the spheres above their bound. Where many leave theirs on the
+  /// way it is far too small, and the step may rise nowhere: then those count as well, until none
+  /// is missing. A step that knows every sphere on its way rises.
+  std::optional<Point> next(const Point& from) const {
+    auto counts = from.densities;
+    Point end;
+    for (bool isMissing = true; isMissing;) {
+      const Vector step =
+          Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(curvature(counts)).solve(from.rest);
+      if (auto point = along(from, step, end)) return point;
+      isMissing = false;
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0.0 || !(end.densities[i] > 0.0)) continue;
+        counts[i] = end.densities[i];
+        isMissing = true;
+      }
+    }
+    return std::nullopt;
+  }
 };
 
 }  // namespace
@@ -91,29 +131,37 @@ DensityFit fitNonNegative(
     std::span<const double> forces,
     std::span<const double> prior,
     double weight) {
-  constexpr int kMostSteps = 60;
+  constexpr int kMostSteps = 60;  // at each weight
   constexpr double kGap = 1e-9;
+  constexpr double kGapOnTheWay = 1e-2;
+  constexpr double kEase = 0.3;
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
-  const double lambda = std::max(weight * squares / static_cast<double>(matrix.rows), 1e-300);
-  const Dual dual{matrix, forces, prior, lambda};
-  auto point = dual.at(Vector::Zero(static_cast<Eigen::Index>(matrix.rows)));
-  DensityFit fit;
+  const double row = squares / static_cast<double>(matrix.rows);  // mean squared
   const auto gapOf = [](const Dual::Point& p) {
     return p.primal > 0.0 ? (p.primal - p.value) / p.primal : 0.0;
   };
-  for (; fit.iterations < kMostSteps && gapOf(point) > kGap; ++fit.iterations) {
-    const Vector step = Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(dual.curvature(point.densities))
-                            .solve(point.rest);
-    double share = 1.0;
-    auto next = dual.at(point.y + step);
-    const double slope = point.rest.dot(step);
-    while (next.value < point.value + 1e-4 * share * slope && share > 1e-6) {
-      share *= 0.5;
-      next = dual.at(point.y + share * step);
+  DensityFit fit;
+  Dual::Point point;
+  Vector y = Vector::Zero(static_cast<Eigen::Index>(matrix.rows));
+  // The smaller the weight, the farther Newton's method goes astray from where it begins: from a
+  // weight at which it cannot, down to the one that is wanted. Densities stay as they are if y
+  // shrinks with the weight.
+  double eased = std::max(weight, 1.0);
+  while (true) {
+    const Dual dual{matrix, forces, prior, std::max(eased * row, 1e-300)};
+    const double goal = eased > weight ? kGapOnTheWay : kGap;
+    point = dual.at(std::move(y));
+    for (int step = 0; step < kMostSteps && gapOf(point) > goal; ++step) {
+      auto next = dual.next(point);
+      if (!next) break;
+      point = std::move(*next);
+      ++fit.iterations;
     }
-    if (!(next.value > point.value)) break;  // rounding is all that is left
-    point = std::move(next);
+    if (!(eased > weight)) break;
+    const double easier = std::max(weight, kEase * eased);
+    y = easier / eased * point.y;
+    eased = easier;
   }
   fit.gap = gapOf(point);
   fit.densities = std::move(point.densities);

@@ -21,7 +21,8 @@ struct DensityFit {
 
 /// min ½|A ρ − F|² + ½ λ |ρ − ρ₀|², ρ ≥ 0, by Newton's method on its dual, which has as many
 /// unknowns as there are depths: F·y − ½|y|² + ½ λ|ρ(y) − ρ₀|² − y·A ρ(y), ρ(y) = max(0, ρ₀ +
-/// Aᵀy/λ).
+/// Aᵀy/λ). From a large λ down to the wanted one, each time from where the last has led: from
+/// nothing the method would go astray wherever many densities leave 0 at once.
 ///
 /// @param prior   ρ₀: what spheres are that the experiment does not tell apart.
 /// @param weight  λ as a share of the mean squared row of A, > 0.

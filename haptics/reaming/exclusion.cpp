@@ -66,10 +66,12 @@ std::optional<std::string> feedChanged(const Series& series) {
   const double usual = medianOf(feeds);
   for (std::size_t part = 0; part < kParts; ++part) {
     if (std::abs(feeds[part] - usual) <= kTolerated * usual) continue;
-    const std::size_t at = part * (x.size() - 1) / kParts;
-    return "the feed is " + shown(kMillimetres * feeds[part], 3) + " mm/s from " +
-           shown(static_cast<double>(at) / series.rate) + " s on, and " +
-           shown(kMillimetres * usual, 3) + " mm/s otherwise";
+    const auto second = [&](std::size_t of) {
+      return shown(static_cast<double>(of * (x.size() - 1) / kParts) / series.rate);
+    };
+    return "the feed was changed: it is " + shown(kMillimetres * feeds[part], 3) +
+           " mm/s between " + second(part) + " and " + second(part + 1) + " s, and mostly " +
+           shown(kMillimetres * usual, 3) + " mm/s";
   }
   return std::nullopt;
 }

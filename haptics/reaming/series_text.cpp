@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "haptics/recordings/decimal.h"
 #include "haptics/recordings/error.h"
 
 namespace haptics::reaming {
@@ -59,12 +60,27 @@ std::string trimmed(std::string_view text) {
   return std::string(text);
 }
 
-std::vector<std::string_view> linesOf(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
+constexpr std::string_view kSyntheticMark = "# SYNTHETIC";
+
+struct Line {
+  std::string_view text;
+  std::size_t number = 0;  ///< in the file, from 1
+};
+
+/// The lines that say something, without remarks (#) above the head.
+struct Lines {
+  std::vector<Line> all;
+  bool isSynthetic = false;  ///< a remark says so
+};
+
+Lines linesOf(std::string_view text) {
+  Lines lines;
+  for (std::size_t number = 1; !text.empty(); ++number) {
     const auto end = text.find('\n');
     const auto line = text.substr(0, end);
-    if (!trimmed(line).empty()) lines.push_back(line);
+    const bool isRemark = lines.all.empty() && line.starts_with('#');
+    lines.isSynthetic |= isRemark && line.starts_with(kSyntheticMark);
+    if (!isRemark && !trimmed(line).empty()) lines.all.push_back({line, number});
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return lines;
@@ -167,7 +183,8 @@ std::optional<Column> columnOf(
 }
 
 /// The rate of evenly taken samples. @throws Error  where there is a gap.
-double rateOf(const std::vector<double>& time, const std::string& name) {
+double rateOf(
+    const std::vector<double>& time, const std::vector<Line>& lines, const std::string& name) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
@@ -178,51 +195,86 @@ double rateOf(const std::vector<double>& time, const std::string& name) {
     const double step = time[i] - time[i - 1];
     if (step > 0.5 * usual && step < 1.5 * usual) continue;
     throw Error(
-        name + ": between rows " + std::to_string(i) + " and " + std::to_string(i + 1) +
-        " the time goes on by " + std::to_string(step) + " s, usually by " + std::to_string(usual) +
+        name + ": between lines " + std::to_string(lines[i].number) + " and " +
+        std::to_string(lines[i + 1].number) + " the time goes on by " + std::to_string(step) +
+        " s, usually by " + std::to_string(usual) +
         " s. Cut the file there, or take the series anew.");
   }
   return static_cast<double>(time.size() - 1) / (time.back() - time.front());
+}
+
+/// Refuses what no machine measures on an acetabulum: the unit is another one.
+void checkUnits(const Series& series) {
+  constexpr double kFarthest = 0.2;    // [m]
+  constexpr double kStrongest = 20e3;  // [N]
+  const auto refuse = [&](const std::string& what, const char* quantity, const char* units) {
+    throw Error(
+        series.name + ": " + what + ". Its unit must be another one (" + units +
+        "?): correct the head, or say it with --unit " + quantity + "=UNIT.");
+  };
+  const auto [least, most] =
+      std::minmax_element(series.displacement.begin(), series.displacement.end());
+  if (*most - *least > kFarthest) {
+    refuse(
+        "the displacement goes over " + recordings::decimal(*most - *least, 3) +
+            " m, and no reamer goes farther than " + recordings::decimal(kFarthest, 1) + " m",
+        "displacement",
+        "mm, um");
+  }
+  double strongest = 0.0;
+  for (const double force : series.force) strongest = std::max(strongest, std::abs(force));
+  if (strongest > kStrongest) {
+    refuse(
+        "the force goes to " + recordings::decimal(strongest / 1000.0, 1) +
+            " kN, and no bone holds more than " + recordings::decimal(kStrongest / 1000.0, 0) +
+            " kN",
+        "force",
+        "N");
+  }
 }
 
 }  // namespace
 
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-  const auto lines = linesOf(text);
+  const auto found = linesOf(text);
+  const auto& lines = found.all;
   constexpr std::size_t kFewestRows = 3;
   if (lines.size() < kFewestRows + 1) {
     throw Error(
         name + " has " + std::to_string(lines.empty() ? 0 : lines.size() - 1) +
         " rows below its head; that is no measurement.");
   }
-  const char separator = separatorOf(lines.front());
-  const auto heads = cellsOf(lines.front(), separator);
+  const char separator = separatorOf(lines.front().text);
+  const auto heads = cellsOf(lines.front().text, separator);
   std::array<std::optional<Column>, 4> columns;
   std::array<std::vector<double>, 4> values;
   for (std::size_t q = 0; q < columns.size(); ++q) {
     columns[q] = columnOf(quantities()[q], heads, mapping, name);
   }
   for (std::size_t row = 1; row < lines.size(); ++row) {
-    const auto cells = cellsOf(lines[row], separator);
+    const auto cells = cellsOf(lines[row].text, separator);
     for (std::size_t q = 0; q < columns.size(); ++q) {
       if (!columns[q]) continue;
       const auto place = columns[q]->place;
       const auto value = place < cells.size() ? number(cells[place], separator) : std::nullopt;
       if (!value) {
         throw Error(
-            name + ", row " + std::to_string(row) + ": the " + quantities()[q].name + " is '" +
-            (place < cells.size() ? cells[place] : "") + "', which is no number.");
+            name + ", line " + std::to_string(lines[row].number) + ": the " + quantities()[q].name +
+            " is '" + (place < cells.size() ? cells[place] : "") + "', which is no number.");
       }
       values[q].push_back(*value * columns[q]->factor);
     }
   }
-  return {
+  Series series{
       .name = name,
-      .rate = rateOf(values[0], name),
+      .rate = rateOf(values[0], lines, name),
       .displacement = std::move(values[1]),
       .force = std::move(values[2]),
-      .torque = std::move(values[3])};
+      .torque = std::move(values[3]),
+      .isSynthetic = found.isSynthetic};
+  checkUnits(series);
+  return series;
 }
 
 std::string contentOfSeriesFile(const std::string& path) {
@@ -244,7 +296,9 @@ std::string asText(const Series& series) {
     return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
   };
   const bool hasTorque = !series.torque.empty();
-  std::string text =
+  std::string text;
+  if (series.isSynthetic) text += std::string(kSyntheticMark) + ": nobody measured this\n";
+  text +=
       hasTorque ? "time_s,displacement_mm,force_n,torque_nm\n" : "time_s,displacement_mm,force_n\n";
   for (std::size_t i = 0; i < series.force.size(); ++i) {
     text += exact(static_cast<double>(i) / series.rate) + "," +

@@ -79,19 +79,19 @@ DensityFit fitSwarm(
     return std::pair(best->best, best->error);
   };
   forEach(particles, options.threads, judge);
-  auto [best, error] = leader();
+  auto lead = leader();
   DensityFit fit{.densities = {}, .gap = std::numeric_limits<double>::quiet_NaN()};
   for (; fit.iterations < options.iterations; ++fit.iterations) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
     forEach(particles, options.threads, [&](Particle& particle) {
-      move(particle, best, most);
+      move(particle, lead.first, most);
       judge(particle);
     });
-    std::tie(best, error) = leader();
+    lead = leader();
   }
-  fit.densities = std::move(best);
-  fit.error = error;
+  fit.densities = std::move(lead.first);
+  fit.error = lead.second;
   return fit;
 }
 

@@ -48,15 +48,24 @@ bool readSome(int file, std::string& text) {
 }  // namespace
 
 ChildProcess::ChildProcess(
-    const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    const std::vector<std::string>& arguments,
+    const std::vector<std::string>& environment,
+    Input input) {
+  std::array<int, 2> in{-1, -1};
   std::array<int, 2> out{};
   std::array<int, 2> error{};
-  if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(error.data(), O_CLOEXEC) != 0) {
+  const bool hasInput = input == Input::Pipe;
+  if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(error.data(), O_CLOEXEC) != 0 ||
+      (hasInput && pipe2(in.data(), O_CLOEXEC) != 0)) {
     throw std::runtime_error("no pipe");
   }
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  if (hasInput) {
+    posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  }
   posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, error[1], STDERR_FILENO);
   auto words = arguments;
@@ -69,8 +78,10 @@ ChildProcess::ChildProcess(
       pointersTo(words).data(),
       pointersTo(variables).data());
   posix_spawn_file_actions_destroy(&actions);
+  if (hasInput) close(in[0]);
   close(out[1]);
   close(error[1]);
+  in_ = in[1];
   out_ = out[0];
   error_ = error[0];
   if (failure != 0) throw std::runtime_error("could not start " + arguments.front());
@@ -81,8 +92,16 @@ ChildProcess::~ChildProcess() {
     kill(SIGKILL);
     waitpid(id_, nullptr, 0);
   }
+  if (in_ >= 0) close(in_);
   close(out_);
   close(error_);
+}
+
+void ChildProcess::say(const std::string& line) const {
+  const std::string text = line + "\n";
+  if (write(in_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+    throw std::runtime_error("nobody listens");
+  }
 }
 
 bool ChildProcess::readLine(std::string& line) {

@@ -1,5 +1,6 @@
 #include "haptics/reaming/density_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -93,6 +94,53 @@ TEST(DensityFit, SolvesATinyProblemExactly) {
   EXPECT_EQ(pulled.densities[0], 0.0);
   EXPECT_EQ(pulled.densities[1], 0.0);
   EXPECT_LE(pulled.gap, 1e-9);
+}
+
+/// Spheres in a row, each felt at six depths; those of the first half are nothing before the fit.
+struct Row {
+  ContactMatrix matrix{.rows = 40, .start = {0}, .row = {}, .value = {}};
+  std::vector<double> prior;
+
+  explicit Row(std::uint64_t seed) {
+    constexpr std::uint32_t kSpheres = 400;
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> area(0.2, 1.2);
+    for (std::uint32_t i = 0; i < kSpheres; ++i) {
+      const std::uint32_t first = i * 40 / kSpheres;
+      for (std::uint32_t depth = first; depth < std::min(40U, first + 6U); ++depth) {
+        matrix.row.push_back(depth);
+        matrix.value.push_back(area(random));
+      }
+      matrix.start.push_back(matrix.row.size());
+      prior.push_back(i < kSpheres / 2 ? 0.0 : 1.0);
+    }
+  }
+};
+
+TEST(DensityFit, ReachesTheOptimumFromAPriorOfNothing) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Row row(seed);
+    std::vector<double> rising;
+    for (std::size_t i = 0; i < row.matrix.rows; ++i) {
+      rising.push_back(10.0 * static_cast<double>(i));
+    }
+    const auto fit = fitNonNegative(row.matrix, rising, row.prior);
+    EXPECT_LE(fit.gap, 1e-6) << seed;
+    EXPECT_LT(fit.error, 0.001) << seed;
+  }
+}
+
+TEST(DensityFit, ReachesTheOptimumOfACurveThatNoSpheresCanFollow) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Row row(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> force(0.0, 100.0);
+    std::vector<double> ragged(row.matrix.rows);
+    for (double& f : ragged) f = force(random);
+    const auto fit = fitNonNegative(row.matrix, ragged, row.prior);
+    EXPECT_LE(fit.gap, 1e-6) << seed;
+    EXPECT_GT(fit.error, 0.01) << seed;
+  }
 }
 
 TEST(DensityFit, MultiplicativeComesCloseAndNeverGoesBelowZero) {

@@ -53,16 +53,34 @@ TEST(SeriesText, TakesAMappingWhereTheHeadsSayNothing) {
   EXPECT_NEAR(series.displacement.back(), 4e-6, 1e-18);
 }
 
+TEST(SeriesText, KeepsTheMarkOfWhatNobodyMeasured) {
+  EXPECT_TRUE(readSeries(asText(syntheticSeries({.seed = 2})), "s.csv", {}).isSynthetic);
+  const std::string measured = "time_s,displacement_mm,force_n\n0,0,1\n0.01,1,2\n0.02,2,3\n";
+  EXPECT_FALSE(readSeries(measured, "m.csv", {}).isSynthetic);
+  EXPECT_FALSE(readSeries("# Tuesday, machine 2\n" + measured, "m.csv", {}).isSynthetic);
+  EXPECT_TRUE(readSeries("# Tuesday\n# SYNTHETIC\n" + measured, "m.csv", {}).isSynthetic);
+  expectMentions(complaintAbout("# Tuesday\n\n" + measured + "0.03,3,x\n"), "line 7: the force");
+}
+
+TEST(SeriesText, RefusesWhatIsInAnotherUnit) {
+  expectMentions(
+      complaintAbout("time_s,displacement_m,force_n\n0,0,1\n1,7.5,3\n2,15.2,3\n"),
+      "the displacement goes over 15.200 m");
+  expectMentions(
+      complaintAbout("time_s,displacement_mm,force_kn\n0,0,1\n1,7.5,30\n2,15.2,800\n"),
+      "the force goes to 800.0 kN");
+}
+
 TEST(SeriesText, SaysInASentenceWhatIsWrong) {
   const std::string head = "time_s,displacement_mm,force_n\n";
   expectMentions(complaintAbout(head + "0,0,1\n"), "has 1 rows below its head");
   expectMentions(complaintAbout(""), "has 0 rows");
   expectMentions(
-      complaintAbout(head + "0,0,1\n0.01,1,nan\n0.02,2,3\n"), "row 2: the force is 'nan'");
-  expectMentions(complaintAbout(head + "0,0,1\n0.01,1,\n0.02,2,3\n"), "row 2: the force is ''");
+      complaintAbout(head + "0,0,1\n0.01,1,nan\n0.02,2,3\n"), "line 3: the force is 'nan'");
+  expectMentions(complaintAbout(head + "0,0,1\n0.01,1,\n0.02,2,3\n"), "line 3: the force is ''");
   expectMentions(
       complaintAbout(head + "0,0,1\n0.01,1,2\n0.02,2,3\n0.20,3,4\n0.21,4,5\n"),
-      "between rows 3 and 4 the time goes on by");
+      "between lines 4 and 5 the time goes on by");
   expectMentions(
       complaintAbout("time_s,depth_mm,load\n0,0,1\n1,2,3\n2,3,4\n"), "has no column for the force");
   expectMentions(

@@ -1,0 +1,104 @@
+#include "haptics/bench/device_link.h"
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "haptics/bench/punch_conditions.h"
+#include "haptics/engine/parametric_material.h"
+#include "haptics/timing/monotonic_clock.h"
+
+namespace haptics::bench {
+namespace {
+
+engine::SafetyLimits limitsFor(const devices::Capabilities& device) {
+  const bool isPunch = device.kind == devices::DeviceKind::Punch;
+  return {.maxForce = device.maxForce, .maxRate = isPunch ? 300.0 : 5000.0};
+}
+
+/// Of this process, all threads [s].
+double processorTime() noexcept {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+}  // namespace
+
+engine::SceneSpec sceneForLink(devices::DeviceKind kind) {
+  if (kind == devices::DeviceKind::Punch) return {.device = kind, .model = publishedElements(5)};
+  engine::MaterialSpec material;
+  material.nodes = engine::parametricMaterial();
+  material.hardness = 1.0;
+  material.forceScale = 0.15;
+  return {.device = kind, .model = material};
+}
+
+LinkLoop::LinkLoop(devices::Device& device)
+    : device_(device),
+      worthTheName_(0.05 * device.capabilities().maxForce),
+      scene_(sceneForLink(device.capabilities().kind)),
+      engine_(device, limitsFor(device.capabilities())) {
+  engine_.setScene(&scene_);
+  device_.arm();
+  processorBefore_ = processorTime();
+  begin_ = timing::now();
+  loop_.emplace(
+      engine::RealtimeLoop::Options{.rate = device.capabilities().rate, .beat = device.beat()},
+      [this](double dt, double lateness) { tick(dt, lateness); });
+}
+
+LinkLoop::~LinkLoop() {
+  if (loop_) finish();
+}
+
+void LinkLoop::standStill(std::int64_t duration) noexcept {
+  stoodAt_.store(0, std::memory_order_relaxed);
+  orderedAt_.store(timing::now(), std::memory_order_relaxed);
+  ordered_.store(duration, std::memory_order_release);
+}
+
+bool LinkLoop::isToStand(double force) noexcept {
+  constexpr std::int64_t kPatience = 3 * timing::kSecond;
+  if (ordered_.load(std::memory_order_acquire) == 0) return false;
+  const bool falls = std::abs(force) < std::abs(lastForce_);
+  return (falls && std::abs(force) >= worthTheName_) ||
+         timing::now() - orderedAt_.load(std::memory_order_relaxed) > kPatience;
+}
+
+void LinkLoop::tick(double dt, double lateness) noexcept {
+  const auto lostBeats = static_cast<int>(1e-6 * lateness / dt);
+  const auto sample = engine_.tick(dt, lostBeats);
+  if (isOver()) return;
+  if (run_.ticks == 0) run_.begunAfter = 1e-9 * static_cast<double>(timing::now() - begin_);
+  ++run_.ticks;
+  run_.lostBeats += static_cast<std::uint64_t>(lostBeats);
+  run_.seconds = 1e-9 * static_cast<double>(timing::now() - begin_);
+  using Status = devices::DeviceStatus;
+  if (sample.status == Status::Gone || sample.status == Status::Faulted) {
+    isOver_.store(true, std::memory_order_release);
+    return;
+  }
+  const bool isToStandStill = isToStand(sample.force);
+  lastForce_ = sample.force;
+  if (!isToStandStill) return;
+  const std::int64_t now = timing::now();
+  stoodAt_.store(now, std::memory_order_release);
+  timing::sleepUntil(now + ordered_.exchange(0, std::memory_order_relaxed));
+}
+
+LinkRun LinkLoop::finish() {
+  run_.loop = loop_->finish();
+  run_.isRealtime = loop_->isRealtime();
+  loop_.reset();
+  run_.processor = processorTime() - processorBefore_;
+  run_.link = device_.link();  // before disarming: its keeper counts on
+  run_.fault = device_.fault();
+  device_.disarm();
+  return run_;
+}
+
+}  // namespace haptics::bench

@@ -1,0 +1,119 @@
+#include "haptics/devices/datagram_socket.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+#include <utility>
+
+namespace haptics::devices {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;  // [ns]
+
+sockaddr_in nativeOf(const Endpoint& endpoint) noexcept {
+  sockaddr_in native{};
+  native.sin_family = AF_INET;
+  native.sin_addr.s_addr = htonl(endpoint.address);
+  native.sin_port = htons(endpoint.port);
+  return native;
+}
+
+Endpoint endpointOf(const sockaddr_in& native) noexcept {
+  return {.address = ntohl(native.sin_addr.s_addr), .port = ntohs(native.sin_port)};
+}
+
+/// The socket's functions take addresses of all families.
+const sockaddr* anyFamily(const sockaddr_in& address) noexcept {
+  return reinterpret_cast<const sockaddr*>(&address);
+}
+sockaddr* anyFamily(sockaddr_in& address) noexcept {
+  return reinterpret_cast<sockaddr*>(&address);
+}
+
+[[noreturn]] void refuse(const Endpoint& endpoint, int error) {
+  throw NetworkError(
+      "cannot listen on " + endpoint.text() + ": " + std::generic_category().message(error));
+}
+
+std::optional<std::uint16_t> portFrom(std::string_view text) {
+  std::uint16_t port = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, port);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return port;
+}
+
+bool waitFor(int descriptor, std::int64_t wait) noexcept {
+  pollfd awaited{.fd = descriptor, .events = POLLIN, .revents = 0};
+  const timespec time{.tv_sec = wait / kSecond, .tv_nsec = wait % kSecond};
+  return ppoll(&awaited, 1, &time, nullptr) > 0;
+}
+
+}  // namespace
+
+std::string Endpoint::text() const {
+  std::string text;
+  for (int shift = 24; shift >= 0; shift -= 8) {
+    text += std::to_string(address >> static_cast<unsigned>(shift) & 0xFFU);
+    text += shift > 0 ? '.' : ':';
+  }
+  return text + std::to_string(port);
+}
+
+std::optional<Endpoint> endpointFrom(std::string_view text, std::uint16_t port) {
+  const auto colon = text.find(':');
+  if (colon != std::string_view::npos) {
+    const auto read = portFrom(text.substr(colon + 1));
+    if (!read) return std::nullopt;
+    port = *read;
+  }
+  in_addr address{};
+  if (inet_pton(AF_INET, std::string(text.substr(0, colon)).c_str(), &address) != 1) {
+    return std::nullopt;
+  }
+  return Endpoint{.address = ntohl(address.s_addr), .port = port};
+}
+
+DatagramSocket::DatagramSocket(const Endpoint& local)
+    : descriptor_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+  if (descriptor_ < 0) refuse(local, errno);
+  sockaddr_in address = nativeOf(local);
+  socklen_t size = sizeof(address);
+  const bool isThere = bind(descriptor_, anyFamily(std::as_const(address)), size) == 0 &&
+                       getsockname(descriptor_, anyFamily(address), &size) == 0;
+  if (!isThere) {
+    const int error = errno;
+    close(descriptor_);
+    refuse(local, error);
+  }
+  local_ = endpointOf(address);
+}
+
+DatagramSocket::~DatagramSocket() {
+  close(descriptor_);
+}
+
+bool DatagramSocket::send(std::span<const std::uint8_t> datagram, const Endpoint& to) noexcept {
+  const sockaddr_in address = nativeOf(to);
+  const auto sent =
+      sendto(descriptor_, datagram.data(), datagram.size(), 0, anyFamily(address), sizeof(address));
+  return sent == static_cast<ssize_t>(datagram.size());
+}
+
+std::optional<DatagramSocket::Received> DatagramSocket::receive(
+    std::span<std::uint8_t> room, std::int64_t wait) noexcept {
+  if (wait > 0 && !waitFor(descriptor_, wait)) return std::nullopt;
+  sockaddr_in from{};
+  socklen_t size = sizeof(from);
+  const auto got = recvfrom(descriptor_, room.data(), room.size(), 0, anyFamily(from), &size);
+  if (got < 0) return std::nullopt;
+  return Received{.size = static_cast<std::size_t>(got), .from = endpointOf(from)};
+}
+
+}  // namespace haptics::devices

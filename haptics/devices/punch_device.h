@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "haptics/devices/device.h"
+#include "haptics/devices/serial_port.h"
+#include "haptics/engine/scene_spec.h"
+#include "haptics/timing/clock_drift.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/wire/punch_codec.h"
+#include "haptics/wire/sequence_check.h"
+
+namespace haptics::devices {
+
+/// How a punch is connected, and what its numbers mean.
+struct PunchSettings {
+  std::string port;
+  int baud = 0;                         ///< 0: USB
+  std::optional<std::uint32_t> serial;  ///< of the board that is meant
+  std::optional<std::uint64_t> build;   ///< of the firmware; nothing: the one of this program
+  double travelPerCount = 0.00439;      ///< [travel units]; negative where closing counts down
+  double travelAtZero = 0.0;            ///< at count 0 [travel units]
+  double newtonsPerVolt = 0.667;        ///< at the handle, measured; the same for every condition
+  double maxVoltage = 12.0;             ///< on the motor [V]
+  int expiry = 10;                      ///< after which the device lets go by itself [ms], 1 to 20
+  double damping = 0.05;                ///< of the mechanism [N·s/travel unit]
+};
+
+/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry.
+///
+/// One thread talks to the line at a time: whoever ticks while it is armed, a keeper of its own
+/// otherwise, which listens and drives nothing. The line is closed at the first error, and only
+/// open() opens it again. More than 50 ms of silence are an error.
+class PunchDevice final : public Device, private Beat {
+ public:
+  explicit PunchDevice(PunchSettings settings);
+  ~PunchDevice() override;
+
+  const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  Beat* beat() noexcept override { return this; }
+
+  void open() override;
+  void close() noexcept override;
+  std::vector<CheckResult> check(double seconds) override;
+  void arm() override;
+  void disarm() noexcept override;
+  Lifecycle lifecycle() const noexcept override {
+    return lifecycle_.load(std::memory_order_acquire);
+  }
+  std::string fault() const override;
+  LinkReport link() override;
+
+  DeviceSample read(double dt) noexcept override;
+  void command(double force) noexcept override;
+
+  /// Lets the device render @p scene by itself from the next arm() on; forces that are commanded
+  /// then only keep it going. Its parameters are sent, and what it took is compared by its hash.
+  /// @throws DeviceError  if it cannot: opening branches, smoothing, single stiffnesses and more
+  ///                      than 128 points stay with the host.
+  void renderOnDevice(const engine::SceneSpec& scene, double largestForce);
+  void renderOnHost() noexcept { sceneHash_.reset(); }
+
+  const wire::punch::Hello& hello() const noexcept { return hello_; }
+
+ private:
+  bool wait(std::int64_t deadline) noexcept override;
+  bool pump(std::int64_t deadline) noexcept;
+  bool drain() noexcept;
+  void take(const wire::punch::Frame& frame, std::int64_t at) noexcept;
+  void takeState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
+  void fail(const char* why) noexcept;
+  void greet();
+  void refuseStranger() const;
+  wire::punch::ModelTaken answerTo(std::int64_t deadline);
+  void startKeeper();
+  void resumeKeeper() noexcept;
+  void stopKeeper() noexcept;
+  std::string name() const { return "The punch on " + settings_.port; }
+  template <typename Message>
+  void say(const Message& message) noexcept {
+    std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes;
+    const std::int64_t at = timing::now();
+    const std::uint16_t sequence = nextSequence_++;
+    const auto time = static_cast<std::uint32_t>(at / timing::kMicrosecond);
+    const std::size_t count = wire::punch::encode(message, sequence, time, bytes.data());
+    sentAt_[sequence % sentAt_.size()] = at;
+    if (!port_.write({bytes.data(), count}) && port_.isOpen()) ++report_.unsent;
+  }
+  std::uint8_t faultsThatCount() const noexcept;
+
+  PunchSettings settings_;
+  Capabilities capabilities_;
+  SerialPort port_;
+  wire::punch::FrameDecoder decoder_;
+  wire::punch::Hello hello_;
+  bool isGreeted_ = false;
+  int greetings_ = 0;  ///< how often it has said Hello
+  std::optional<wire::punch::ModelTaken> taken_;
+  std::optional<std::uint32_t> sceneHash_;
+
+  std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
+  std::atomic<const char*> why_{""};
+
+  wire::SequenceCheck<std::uint16_t> sequence_;
+  wire::punch::State state_;
+  bool isNew_ = false;
+  bool isUnanswered_ = false;    ///< a sample has been read, and no force sent for it
+  std::int64_t deviceTime_ = 0;  // of the state, unwrapped [µs]
+  std::int64_t hostTime_ = 0;    // [ns]
+  std::int64_t armedAt_ = 0;     // [ns]
+  std::uint32_t damagedBefore_ = 0;
+
+  std::uint16_t nextSequence_ = 0;
+  std::array<std::int64_t, 64> sentAt_{};  // by sequence [ns]
+  std::uint16_t lastEcho_ = 0;
+  LinkReport report_;
+  timing::ClockDrift drift_;
+  std::jthread keeper_;
+};
+
+}  // namespace haptics::devices

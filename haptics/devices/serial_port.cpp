@@ -1,0 +1,185 @@
+#include "haptics/devices/serial_port.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/timing/monotonic_clock.h"
+
+namespace haptics::devices {
+namespace {
+
+std::string whyNotOpened(const std::string& path, int error) {
+  if (error == ENOENT || error == ENODEV || error == ENXIO) {
+    std::string there;
+    for (const auto& port : serialPorts()) there += (there.empty() ? "" : ", ") + port;
+    return "There is no serial port " + path +
+           ". Is the device plugged in and switched on? Serial ports that are there: " +
+           (there.empty() ? "none" : there) + ".";
+  }
+  if (error == EACCES || error == EPERM) {
+    return "You may not use the serial port " + path +
+           ". Become a member of its group (on Debian: sudo adduser $USER dialout) and log in "
+           "again.";
+  }
+  if (error == EBUSY || error == EWOULDBLOCK) {
+    return "The serial port " + path +
+           " is in use by another program. End that one (another palpate, a serial monitor) and "
+           "try again.";
+  }
+  return "The serial port " + path + " cannot be opened: " + std::strerror(error) +
+         ". Unplug the device, plug it in again, and try again.";
+}
+
+constexpr std::array<std::pair<int, speed_t>, 6> kSpeeds{
+    {{115'200, B115200},
+     {230'400, B230400},
+     {460'800, B460800},
+     {921'600, B921600},
+     {1'000'000, B1000000},
+     {2'000'000, B2000000}}};
+
+const std::pair<int, speed_t>* speedOf(int baud) noexcept {
+  const auto* speed = std::find_if(
+      kSpeeds.begin(), kSpeeds.end(), [&](const auto& known) { return known.first == baud; });
+  return speed == kSpeeds.end() ? nullptr : speed;
+}
+
+void makeRaw(int descriptor, const std::string& path, int baud) {
+  termios settings{};
+  if (tcgetattr(descriptor, &settings) != 0) {
+    throw DeviceError(path + " is no serial port. Choose another in the device file.");
+  }
+  cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL | CREAD;
+  settings.c_cflag &= ~static_cast<tcflag_t>(HUPCL);  // closing does not reset the board
+  settings.c_cc[VMIN] = 0;
+  settings.c_cc[VTIME] = 0;
+  if (baud != 0) {
+    const auto* speed = speedOf(baud);
+    if (speed == nullptr) {
+      throw DeviceError(
+          "A serial port cannot go at " + std::to_string(baud) + " baud here. Choose " +
+          SerialPort::speeds() + ", or 0 for USB.");
+    }
+    cfsetspeed(&settings, speed->second);
+  }
+  if (tcsetattr(descriptor, TCSANOW, &settings) != 0) throw DeviceError(whyNotOpened(path, errno));
+}
+
+}  // namespace
+
+bool SerialPort::canGoAt(int baud) noexcept {
+  return baud == 0 || speedOf(baud) != nullptr;
+}
+
+std::string SerialPort::speeds() {
+  std::string text;
+  for (const auto& [baud, speed] : kSpeeds) {
+    const bool isLast = baud == kSpeeds.back().first;
+    text += (text.empty() ? "" : isLast ? " or " : ", ") + std::to_string(baud);
+  }
+  return text;
+}
+
+void SerialPort::open(const std::string& path, int baud) {
+  close();
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) throw DeviceError(whyNotOpened(path, errno));
+  descriptor_ = descriptor;
+  try {
+    // TIOCEXCL keeps others out unless they are root; the lock keeps those out who ask.
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) throw DeviceError(whyNotOpened(path, EBUSY));
+    makeRaw(descriptor, path, baud);
+    ioctl(descriptor, TIOCEXCL);
+  } catch (...) {
+    close();
+    throw;
+  }
+  forgetInput();
+}
+
+void SerialPort::close() noexcept {
+  if (descriptor_ < 0) return;
+  ioctl(descriptor_, TIOCNXCL);
+  ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void SerialPort::waitReadable(std::int64_t deadline) noexcept {
+  const std::int64_t left = deadline - timing::now();
+  if (left <= 0) return;
+  const timespec time{.tv_sec = left / timing::kSecond, .tv_nsec = left % timing::kSecond};
+  pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
+  ppoll(&watched, 1, &time, nullptr);
+  constexpr short kGone = POLLHUP | POLLERR | POLLNVAL;
+  if ((watched.revents & kGone) != 0 && (watched.revents & POLLIN) == 0) close();
+}
+
+std::size_t SerialPort::read(std::span<std::uint8_t> into) noexcept {
+  if (descriptor_ < 0) return 0;
+  const ssize_t count = ::read(descriptor_, into.data(), into.size());
+  if (count > 0) return static_cast<std::size_t>(count);
+  if (count < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
+  if (count < 0) {
+    close();
+    return 0;
+  }
+  // Nothing was read: nothing there (VMIN 0), or the other end is gone.
+  pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
+  if (poll(&watched, 1, 0) > 0 && (watched.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) close();
+  return 0;
+}
+
+bool SerialPort::write(std::span<const std::uint8_t> bytes) noexcept {
+  std::size_t written = 0;
+  // A line that has room for some has room for the rest in a moment: a frame is short.
+  constexpr int kTries = 4;
+  for (int i = 0; i < kTries && descriptor_ >= 0 && written < bytes.size(); ++i) {
+    const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
+    if (count > 0) {
+      written += static_cast<std::size_t>(count);
+    } else if (count < 0 && errno != EAGAIN && errno != EINTR) {
+      close();
+    } else if (written == 0) {
+      break;
+    }
+  }
+  return written == bytes.size();
+}
+
+void SerialPort::forgetInput() noexcept {
+  if (descriptor_ >= 0) tcflush(descriptor_, TCIFLUSH);
+}
+
+std::vector<std::string> serialPorts() {
+  namespace fs = std::filesystem;
+  std::vector<std::string> ports;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/dev/serial/by-id", ignored)) {
+    ports.push_back(entry.path().string());
+  }
+  if (ports.empty()) {
+    for (const auto& entry : fs::directory_iterator("/dev", ignored)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("ttyACM") || name.starts_with("ttyUSB")) {
+        ports.push_back(entry.path().string());
+      }
+    }
+  }
+  std::sort(ports.begin(), ports.end());
+  return ports;
+}
+
+}  // namespace haptics::devices

@@ -1,0 +1,203 @@
+#include "haptics/emulators/fri_arm.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+namespace haptics::emulators {
+namespace {
+
+using devices::JointVector;
+using devices::Wrench;
+using wire::fri::ClientCommandMode;
+using wire::fri::ControlMode;
+using wire::fri::Joints;
+
+JointVector vectorOf(const Joints& joints) noexcept {
+  return JointVector(joints.data());
+}
+
+Joints jointsOf(const JointVector& vector) noexcept {
+  Joints joints{};
+  std::copy_n(vector.data(), joints.size(), joints.begin());
+  return joints;
+}
+
+/// Fx Fy Fz τA τB τC.
+Wrench fromWire(const wire::fri::Vector6& values) noexcept {
+  Wrench wrench;
+  wrench << values[0], values[1], values[2], values[5], values[4], values[3];
+  return wrench;
+}
+
+wire::fri::Vector6 toWire(const Wrench& wrench) noexcept {
+  return {wrench[0], wrench[1], wrench[2], wrench[5], wrench[4], wrench[3]};
+}
+
+Wrench turned(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
+  Wrench result;
+  result.head<3>() = rotation * wrench.head<3>();
+  result.tail<3>() = rotation * wrench.tail<3>();
+  return result;
+}
+
+/// What @p wrench is in the axes of a frame that is turned so.
+Wrench inAxesOf(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept {
+  Wrench result;
+  result.head<3>() = rotation.transpose() * wrench.head<3>();
+  result.tail<3>() = rotation.transpose() * wrench.tail<3>();
+  return result;
+}
+
+FriArm::Options sound(const FriArm::Options& options) {
+  const bool hasAxis = options.reamingAxis.allFinite() && options.reamingAxis.norm() > 1e-6;
+  if (!hasAxis || !(options.toolLength >= 0.0 && options.toolLength <= 2.0)) {
+    throw std::invalid_argument("a tool needs a length of 0 to 2 m and an axis");
+  }
+  const bool isWrong = (options.command == ClientCommandMode::Wrench &&
+                        options.control != ControlMode::CartesianImpedance) ||
+                       (options.command == ClientCommandMode::Torque &&
+                        options.control != ControlMode::JointImpedance) ||
+                       options.control == ControlMode::NoControl ||
+                       options.command == ClientCommandMode::NoCommand ||
+                       options.command == ClientCommandMode::CartesianPose;
+  if (isWrong) {
+    throw std::invalid_argument(
+        "commanding a wrench needs Cartesian impedance, a torque joint impedance, a position any "
+        "control; there is nothing else");
+  }
+  FriArm::Options made = options;
+  made.reamingAxis.normalize();
+  made.cartesian.frame =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), made.reamingAxis)
+          .toRotationMatrix();
+  return made;
+}
+
+devices::IiwaKinematics kinematicsOf(const FriArm::Options& options) {
+  devices::Pose tool;
+  tool.position.z() = options.toolLength;
+  return devices::IiwaKinematics(options.model, tool);
+}
+
+/// As stiff as the controller allows, damped by 0.7.
+JointImpedance stiffest() {
+  JointImpedance law;
+  law.stiffness.setConstant(5000.0);
+  law.damping = 1.4 * (5000.0 * IiwaMechanics{}.inertia).cwiseSqrt();
+  return law;
+}
+
+SurgeonHand::Grip gripOf(
+    SurgeonHand::Grip grip, const Eigen::Vector3d& axis, const devices::Pose& start) {
+  grip.axis = axis;
+  grip.start = start;
+  return grip;
+}
+
+}  // namespace
+
+FriArm::FriArm(const Options& options)
+    : options_(sound(options)),
+      arm_(kinematicsOf(options_), vectorOf(options_.start)),
+      stiff_(stiffest()),
+      start_(arm_.tool()),
+      hand_(options_.person),
+      surgeon_(gripOf(options_.grip, start_.rotation * options_.reamingAxis, start_), hand_),
+      held_(options_.start) {
+  arm_.setControl(options_.joint);  // what is out of range is refused here, not in a motion
+  arm_.setControl(options_.cartesian);
+  hold();
+}
+
+void FriArm::hold() noexcept {
+  arm_.setControl(stiff_);
+  held_ = jointsOf(arm_.position());
+  obey({});
+}
+
+void FriArm::beginMotion() noexcept {
+  if (options_.control == ControlMode::CartesianImpedance) arm_.setControl(options_.cartesian);
+  if (options_.control == ControlMode::JointImpedance) arm_.setControl(options_.joint);
+}
+
+void FriArm::beGripped() noexcept {
+  if (options_.hasHand) arm_.setHand(&surgeon_);
+}
+
+void FriArm::obey(const wire::fri::CommandData& command) noexcept {
+  arm_.commandPosition(vectorOf(command.jointPosition.value_or(held_)));
+  setOverlay(command);
+  arm_.setOverlayTorque(vectorOf(overlayTorque_));
+}
+
+void FriArm::step(double dt) noexcept {
+  arm_.setOverlayWrench(turned(arm_.tool().rotation, overlay_));
+  arm_.step(dt);
+}
+
+void FriArm::setOverlay(const wire::fri::CommandData& command) noexcept {
+  const bool isWrench = options_.command == ClientCommandMode::Wrench;
+  const bool isTorque = options_.command == ClientCommandMode::Torque;
+  overlay_ = isWrench ? fromWire(command.wrench.value_or(wire::fri::Vector6{})) : Wrench::Zero();
+  overlayTorque_ = isTorque ? command.jointTorque.value_or(Joints{}) : Joints{};
+  constexpr double kSame = 1e-6;  // [rad]
+  const JointVector away = arm_.commandedPosition() - vectorOf(held_);
+  const bool isElsewhere =
+      options_.command == ClientCommandMode::JointPosition && away.cwiseAbs().maxCoeff() > kSame;
+  hasOverlay_ = isElsewhere || !overlay_.isZero(0.0) || !vectorOf(overlayTorque_).isZero(0.0);
+}
+
+Joints FriArm::commandedPosition() const noexcept {
+  return jointsOf(arm_.commandedPosition());
+}
+
+/// The smallest wrench at the tool, in the base's axes, that joints which give @p torque exert;
+/// near a singular pose it is bounded.
+Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
+  const devices::IiwaJacobian jacobian = arm_.kinematics().jacobian(arm_.position());
+  Eigen::Matrix<double, 6, 6> square = jacobian * jacobian.transpose();
+  square.diagonal().array() += 1e-9;
+  return square.ldlt().solve(jacobian * torque);
+}
+
+double FriArm::overlayForce() const noexcept {
+  const Wrench wrench = options_.command == ClientCommandMode::Torque
+                            ? inAxesOf(arm_.tool().rotation, wrenchOf(vectorOf(overlayTorque_)))
+                            : overlay_;
+  return wrench.head<3>().dot(options_.reamingAxis);
+}
+
+double FriArm::travel() const noexcept {
+  return devices::displacementAlong(surgeon_.grip().axis, start_, arm_.tool());
+}
+
+double FriArm::tracking() const noexcept {
+  constexpr double kFar = 0.1;  // [rad]
+  const JointVector away = arm_.commandedPosition() - arm_.position();
+  return std::clamp(1.0 - away.cwiseAbs().maxCoeff() / kFar, 0.0, 1.0);
+}
+
+wire::fri::MonitorData FriArm::measured() const noexcept {
+  wire::fri::MonitorData data;
+  data.measuredPosition = jointsOf(arm_.position());
+  data.measuredTorque = jointsOf(arm_.measuredTorque());
+  data.commandedPosition = commandedPosition();
+  data.commandedTorque = overlayTorque_;
+  data.externalTorque = jointsOf(arm_.externalTorque());
+  data.externalForce = toWire(inAxesOf(arm_.tool().rotation, wrenchOf(arm_.externalTorque())));
+  data.redundancy = {.value = arm_.position()[2]};  // E1 is the angle of A3
+  Eigen::Quaterniond turn(arm_.tool().rotation);
+  if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+  const Eigen::Vector3d place = 1000.0 * arm_.tool().position;  // [mm]
+  data.pose.emplace().name = wire::fri::Name("tool");
+  for (const double value :
+       {place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()}) {
+    *data.pose->elements.add() = value;
+  }
+  return data;
+}
+
+}  // namespace haptics::emulators

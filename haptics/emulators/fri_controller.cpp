@@ -1,0 +1,350 @@
+#include "haptics/emulators/fri_controller.h"
+
+#include <sys/prctl.h>
+#include <time.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "haptics/emulators/fri_monitoring.h"
+#include "haptics/wire/fri_codec.h"
+
+namespace haptics::emulators {
+namespace {
+
+using State = FriSession::State;
+using wire::fri::Version;
+
+constexpr std::int64_t kSecond = 1'000'000'000;   // [ns]
+constexpr std::int64_t kMillisecond = 1'000'000;  // [ns]
+constexpr int kLongestPeriod = 100;               // [ms]
+constexpr int kBacklog = 64;                      // datagrams that are read at once
+
+bool isTorque(const FriController::Options& options) noexcept {
+  return options.arm.command == wire::fri::ClientCommandMode::Torque;
+}
+
+const FriController::Options& sound(const FriController::Options& options) {
+  const bool hasPeriod = options.sendPeriod >= 1 && options.sendPeriod <= kLongestPeriod &&
+                         options.receiveMultiplier >= 1 &&
+                         options.receiveMultiplier <= kLongestPeriod / options.sendPeriod;
+  if (!hasPeriod) {
+    throw std::invalid_argument("send and receive periods lie between 1 and 100 ms");
+  }
+  if (isTorque(options) &&
+      options.sendPeriod * options.receiveMultiplier > FriSession::kCommandTimeout) {
+    throw std::invalid_argument("commanding torque needs a receive period of 5 ms at most");
+  }
+  const bool staysHere = options.client.isLoopback() && options.local.isLoopback();
+  if (!staysHere && !options.allowsOtherHosts) {
+    throw std::invalid_argument(
+        "the emulator talks to this machine only (127.0.0.0/8) unless other hosts are allowed");
+  }
+  if (options.client.port == 0) throw std::invalid_argument("a client has a port");
+  const FriSession::Stay& stay = options.stay;
+  if (std::min(
+          {stay.idle,
+           stay.monitoringWait,
+           stay.monitoringReady,
+           stay.commandingWait,
+           stay.commandingActive}) < 0) {
+    throw std::invalid_argument("the time to stay in a state is not negative");
+  }
+  return options;
+}
+
+FriSession::Options sessionOf(const FriController::Options& options) noexcept {
+  return {
+      .stay = options.stay,
+      .period = options.sendPeriod,
+      .isTorque = isTorque(options),
+      .queuesAgain = options.queuesAgain};
+}
+
+/// With a frame where there is none, and without one where there is.
+Version otherThan(Version version) noexcept {
+  return version == Version::V2_7 ? Version::V1_15 : Version::V2_7;
+}
+
+}  // namespace
+
+std::int64_t monotonicTime() noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return time.tv_sec * kSecond + time.tv_nsec;
+}
+
+FriController::FriController(const Options& options)
+    : options_(sound(options)),
+      socket_(options.local),
+      impostor_({.address = options.local.address}),
+      impairment_(options.impairment),
+      orders_(impairment_, options.sendPeriod),
+      arm_(options.arm),
+      judge_(options.arm.model, options.limits, options.arm.command),
+      session_(sessionOf(options)),
+      answers_(options.receiveMultiplier) {
+  publish();
+}
+
+void FriController::step() noexcept {
+  ++report_.periods;
+  closePeriod();
+  takeOrders();
+  goOn();
+  if (orders_.take(FriOrders::Once::Stall)) {
+    ++report_.stalled;
+  } else {
+    sendMessage();
+  }
+  readImpostor();
+  arm_.step(options_.sendPeriod / 1000.0);
+  publish();
+}
+
+void FriController::closePeriod() noexcept {
+  ++sinceAnswered_;
+  ++sinceCommand_;
+  if (session_.state() == State::Idle) {  // nothing was due
+    inBlock_ = 0;
+    missed_ = 0;
+    sinceAnswered_ = 1;
+    return;
+  }
+  if (++inBlock_ < options_.receiveMultiplier) return;
+  if (isBlockAnswered_) {
+    missed_ = 0;
+  } else {
+    ++missed_;
+    answers_.miss();
+    connection_.missed();
+  }
+  inBlock_ = 0;
+  isBlockAnswered_ = false;
+}
+
+void FriController::takeOrders() noexcept {
+  using Event = FriOrders::Event;
+  if (orders_.take(Event::WrongVersion)) isWrongVersion_ = !isWrongVersion_;
+  if (orders_.take(Event::SafetyStop)) session_.stopSafely(true);
+  if (orders_.take(Event::SafetyReset)) session_.stopSafely(false);
+  if (orders_.take(Event::Idle)) {
+    stopMotion(FriEnd::Idle);
+    session_.toIdle();
+    arm_.beLetGo();
+  }
+  if (orders_.take(Event::Motion)) session_.queue();
+  if (orders_.take(Event::Restart)) restart();
+}
+
+void FriController::restart() noexcept {
+  stopMotion(FriEnd::Restart);
+  session_.restart();
+  answers_.restart();
+  connection_.forget();
+  arm_.beLetGo();
+  isBlockAnswered_ = false;
+  isWrongVersion_ = false;
+}
+
+void FriController::goOn() noexcept {
+  const State before = session_.state();
+  const FriSession::Input input{
+      .quality = quality(), .missed = missed_, .sinceAnswered = sinceAnswered_};
+  if (session_.advance(input)) {
+    report_.endJoint = 0;
+    brake();
+  }
+  if (session_.state() == before || !session_.isCommanding()) return;
+  lastPosition_ = arm_.heldPosition();
+  sinceCommand_ = 1;
+  if (session_.isActive()) {
+    arm_.beGripped();
+  } else {
+    arm_.beginMotion();
+  }
+}
+
+void FriController::stopMotion(FriEnd end, int joint) noexcept {
+  if (!session_.end(end)) return;
+  report_.endJoint = joint;
+  brake();
+}
+
+void FriController::brake() noexcept {
+  arm_.hold();
+  noteOverlay();
+  report_.endAt = options_.clock();
+  connection_.forget();
+  missed_ = 0;
+  inBlock_ = 0;
+  isBlockAnswered_ = false;
+}
+
+void FriController::noteOverlay() noexcept {
+  const bool hasOverlay = arm_.hasOverlay();
+  if (hadOverlay_ && !hasOverlay) report_.zeroAt = options_.clock();
+  hadOverlay_ = hasOverlay;
+}
+
+wire::fri::ConnectionQuality FriController::quality() const noexcept {
+  return orders_.isQualityPoor() ? ConnectionQuality::Level::Poor : connection_.level();
+}
+
+void FriController::sendMessage() noexcept {
+  const FriStanding standing{
+      .sequence = answers_.nextSequence(),
+      .reflected = answers_.reflected(),
+      .quality = quality(),
+      .sendPeriod = static_cast<std::uint32_t>(options_.sendPeriod),
+      .receiveMultiplier = static_cast<std::uint32_t>(options_.receiveMultiplier)};
+  const auto message = monitoringMessage(standing, session_, arm_);
+  const Version framing = isWrongVersion_ ? otherThan(options_.version) : options_.version;
+  const std::size_t size = wire::fri::encode(message, framing, out_);
+  answers_.sent(options_.clock(), session_.state() != State::Idle);
+  ++report_.messages;
+  hand(std::span(out_).first(size), framing);
+  if (orders_.take(FriOrders::Once::Impostor)) sendImpostor(message);
+}
+
+void FriController::hand(std::span<std::uint8_t> datagram, Version framing) noexcept {
+  const auto send = [this](std::span<const std::uint8_t> bytes) {
+    ++(socket_.send(bytes, options_.client) ? report_.datagrams : report_.unsent);
+  };
+  if (spoil(datagram, framing)) {
+    impairment_.passSpared(datagram, send);
+  } else {
+    impairment_.pass(datagram, send);
+  }
+}
+
+/// One fault at most, here too.
+bool FriController::spoil(std::span<std::uint8_t> datagram, Version framing) noexcept {
+  if (isWrongVersion_) {
+    ++report_.wrongVersion;
+    return true;
+  }
+  if (orders_.take(FriOrders::Once::SixJoints)) {
+    report_.sixJoints += leaveOutJoint(datagram, framing) ? 1 : 0;
+    return true;
+  }
+  if (orders_.take(FriOrders::Once::NotANumber)) {
+    report_.notANumber += makeNotANumber(datagram, framing) ? 1 : 0;
+    return true;
+  }
+  return false;
+}
+
+/// What the controller will say next, as far as anybody could guess.
+void FriController::sendImpostor(const wire::fri::MonitoringMessage& message) noexcept {
+  wire::fri::MonitoringMessage forged = message;
+  ++forged.header.sequence;
+  const std::size_t size = wire::fri::encode(forged, options_.version, impostorOut_);
+  const auto datagram = std::span(impostorOut_).first(size);
+  if (impostor_.send(datagram, options_.client)) ++report_.impostors;
+}
+
+void FriController::readImpostor() noexcept {
+  for (int i = 0; i < kBacklog && impostor_.receive(in_); ++i) ++report_.misled;
+}
+
+bool FriController::receive(std::int64_t deadline) noexcept {
+  const std::int64_t wait = std::max<std::int64_t>(deadline - options_.clock(), 0);
+  const auto received = socket_.receive(in_, wait);
+  if (!received) return false;
+  if (received->from == options_.client) {
+    take(std::span(in_).first(received->size));
+  } else {
+    answers_.refuseSender();
+  }
+  publish();
+  return true;
+}
+
+void FriController::take(std::span<const std::uint8_t> datagram) noexcept {
+  const std::int64_t now = options_.clock();
+  const auto refusal = wire::fri::decode(datagram, options_.version, answer_);
+  if (refusal != wire::fri::Refusal::None) {
+    answers_.refuse(refusal);
+    return;
+  }
+  if (!answers_.take(answer_.header, now)) return;
+  const double period =
+      static_cast<double>(kMillisecond * options_.sendPeriod * options_.receiveMultiplier);
+  if (!isBlockAnswered_) {
+    connection_.answered(static_cast<double>(answers_.latency()) / period);
+  }
+  isBlockAnswered_ = true;
+  sinceAnswered_ = static_cast<int>(answers_.nextSequence() - 1U - answer_.header.reflected);
+  act(answer_);
+}
+
+void FriController::act(const wire::fri::CommandMessage& answer) noexcept {
+  if (!session_.isCommanding()) return;
+  const auto command = answer.data.value_or(wire::fri::CommandData{});
+  if (!session_.isActive()) {
+    session_.mirror(judge_.isMirror(command, arm_.heldPosition()));
+    return;
+  }
+  const double seconds = std::max(sinceCommand_, 1) * options_.sendPeriod / 1000.0;
+  const FriVerdict verdict = judge_.judge(command, lastPosition_, seconds);
+  if (verdict.end != FriEnd::None) {
+    stopMotion(verdict.end, verdict.joint);
+    return;
+  }
+  lastPosition_ = *command.jointPosition;
+  sinceCommand_ = 0;
+  arm_.obey(command);
+  noteOverlay();
+}
+
+void FriController::publish() noexcept {
+  const std::unique_lock lock(gate_, std::try_to_lock);
+  if (!lock.owns_lock()) return;  // the next period will do
+  report_.state = session_.state();
+  report_.quality = quality();
+  report_.connection = connection_.measures();
+  report_.lastEnd = session_.lastEnd();
+  report_.hasOverlay = arm_.hasOverlay();
+  report_.force = arm_.overlayForce();
+  report_.travel = arm_.travel();
+  report_.answers = answers_.counts();
+  report_.injected = impairment_.counts();
+  published_ = report_;
+}
+
+FriReport FriController::report() const {
+  const std::scoped_lock lock(gate_);
+  return published_;
+}
+
+std::string FriController::status() const {
+  return statusOf(report());
+}
+
+FriController::Reply FriController::command(std::string_view line) {
+  if (line == "status") return {.isTaken = true, .text = status()};
+  auto problem = orders_.give(line);
+  if (problem) return {.isTaken = false, .text = *std::move(problem)};
+  return {.isTaken = true};
+}
+
+void FriController::run(const std::stop_token& stop) noexcept {
+  prctl(PR_SET_TIMERSLACK, 1UL);
+  const std::int64_t period = options_.sendPeriod * kMillisecond;
+  std::int64_t due = options_.clock();
+  while (!stop.stop_requested()) {
+    step();
+    due += period;
+    if (options_.clock() > due + period) {  // do not chase lost time
+      ++report_.latePeriods;
+      due = options_.clock();
+    }
+    while (options_.clock() < due) receive(due);
+    // What came while we could not look is not the client's fault.
+    for (int i = 0; i < kBacklog && receive(0); ++i) {
+    }
+  }
+}
+
+}  // namespace haptics::emulators

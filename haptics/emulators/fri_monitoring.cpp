@@ -1,0 +1,148 @@
+#include "haptics/emulators/fri_monitoring.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "haptics/wire/crc32.h"
+
+namespace haptics::emulators {
+namespace {
+
+using wire::fri::Version;
+
+wire::fri::TimeStamp unixTime() noexcept {
+  timespec time{};
+  clock_gettime(CLOCK_REALTIME, &time);
+  return {
+      .seconds = static_cast<std::uint32_t>(time.tv_sec),
+      .nanoseconds = static_cast<std::uint32_t>(time.tv_nsec)};
+}
+
+wire::fri::RobotInfo robotInfo(const FriSession& session, const FriArm& arm) noexcept {
+  using wire::fri::DriveState;
+  const bool isStopped = session.isStopped();
+  wire::fri::RobotInfo info{
+      .jointCount = 7,
+      .safetyState =
+          isStopped ? wire::fri::SafetyState::StopLevel1 : wire::fri::SafetyState::NormalOperation,
+      .operationMode = wire::fri::OperationMode::Automatic,
+      .controlMode = arm.options().control};
+  for (int i = 0; i < 7; ++i) {
+    *info.driveStates.add() = isStopped ? DriveState::Off : DriveState::Active;
+  }
+  return info;
+}
+
+wire::fri::IpoData ipoData(
+    const FriSession& session, const FriArm& arm, const wire::fri::MonitorData& measured) noexcept {
+  wire::fri::IpoData data{
+      .jointPosition = arm.heldPosition(),
+      .redundancy = wire::fri::Redundancy{.value = arm.heldPosition()[2]},
+      .commandMode = arm.options().command,
+      .overlay = wire::fri::OverlayType::Joint,
+      .trackingPerformance = session.isActive() ? arm.tracking() : 0.0};
+  data.pose = measured.pose;
+  return data;
+}
+
+constexpr std::size_t kJointSize = 9;  // a tag and a double
+constexpr std::size_t kJointsSize = 7 * kJointSize;
+
+/// Reads an encoded message a little way.
+class Walker {
+ public:
+  explicit Walker(std::span<std::uint8_t> bytes) noexcept : left_(bytes) {}
+
+  /// The field that comes next, if it is number @p number and made of bytes; empty otherwise.
+  std::span<std::uint8_t> next(std::uint8_t number) noexcept {
+    constexpr unsigned kMadeOfBytes = 2;
+    if (left_.empty() || left_.front() != (static_cast<unsigned>(number) << 3U | kMadeOfBytes)) {
+      return {};
+    }
+    std::size_t at = 1;
+    std::size_t size = 0;
+    for (unsigned shift = 0; at < left_.size() && shift < 21; shift += 7) {
+      const std::uint8_t byte = left_[at++];
+      size |= static_cast<std::size_t>(byte & 0x7FU) << shift;
+      if (byte < 0x80U) break;
+    }
+    if (size > left_.size() - at) return {};
+    const auto field = left_.subspan(at, size);
+    left_ = left_.subspan(at + size);
+    return field;
+  }
+
+ private:
+  std::span<std::uint8_t> left_;
+};
+
+std::span<std::uint8_t> payloadOf(std::span<std::uint8_t> datagram, Version version) noexcept {
+  if (version != Version::V2_7) return datagram;
+  constexpr std::size_t kFrame = 8;  // length and CRC
+  return datagram.size() > kFrame ? datagram.subspan(4, datagram.size() - kFrame)
+                                  : std::span<std::uint8_t>();
+}
+
+void renewCrc(std::span<std::uint8_t> datagram, Version version) noexcept {
+  if (version != Version::V2_7) return;
+  const auto payload = payloadOf(datagram, version);
+  std::uint32_t crc = wire::crc32(payload.data(), payload.size());
+  for (std::uint8_t& byte : datagram.last(4)) {
+    byte = static_cast<std::uint8_t>(crc & 0xFFU);
+    crc >>= 8U;
+  }
+}
+
+/// The measured joint positions, tags and values, in a message that our codec has encoded.
+std::span<std::uint8_t> measuredJoints(std::span<std::uint8_t> payload) noexcept {
+  Walker message(payload);
+  message.next(1);  // header
+  message.next(2);  // robot info
+  Walker monitorData(message.next(3));
+  const auto joints = monitorData.next(1);
+  return joints.size() == kJointsSize ? joints : std::span<std::uint8_t>();
+}
+
+}  // namespace
+
+wire::fri::MonitoringMessage monitoringMessage(
+    const FriStanding& standing, const FriSession& session, const FriArm& arm) noexcept {
+  wire::fri::MonitoringMessage message;
+  message.header.sequence = standing.sequence;
+  message.header.reflected = standing.reflected;
+  message.robotInfo = robotInfo(session, arm);
+  message.monitorData = arm.measured();
+  message.monitorData->timestamp = unixTime();
+  message.connection = {
+      .state = session.state(),
+      .quality = standing.quality,
+      .sendPeriod = standing.sendPeriod,
+      .receiveMultiplier = standing.receiveMultiplier};
+  if (session.isCommanding()) {
+    message.ipoData = ipoData(session, arm, *message.monitorData);
+  }
+  return message;
+}
+
+bool leaveOutJoint(std::span<std::uint8_t> datagram, Version version) noexcept {
+  const auto joints = measuredJoints(payloadOf(datagram, version));
+  if (joints.empty()) return false;
+  constexpr std::uint8_t kUnknown = 2U << 3U | 1U;  // number 2, a double
+  joints[6 * kJointSize] = kUnknown;
+  renewCrc(datagram, version);
+  return true;
+}
+
+bool makeNotANumber(std::span<std::uint8_t> datagram, Version version) noexcept {
+  const auto joints = measuredJoints(payloadOf(datagram, version));
+  if (joints.empty()) return false;
+  constexpr std::array<std::uint8_t, 8> kNotANumber{0, 0, 0, 0, 0, 0, 0xF8, 0x7F};
+  std::copy(kNotANumber.begin(), kNotANumber.end(), joints.begin() + 1);
+  renewCrc(datagram, version);
+  return true;
+}
+
+}  // namespace haptics::emulators

@@ -1,0 +1,150 @@
+#include "haptics/emulators/fri_orders.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <vector>
+
+namespace haptics::emulators {
+namespace {
+
+constexpr int kMost = 1'000'000;
+
+std::vector<std::string_view> wordsOf(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const auto begin = line.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) return words;
+    line.remove_prefix(begin);
+    const auto size = std::min(line.find_first_of(" \t\r\n"), line.size());
+    words.push_back(line.substr(0, size));
+    line.remove_prefix(size);
+  }
+}
+
+/// From 1 to kMost.
+std::optional<int> numberFrom(std::string_view text) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  const bool isNumber = error == std::errc{} && stop == end && number >= 1 && number <= kMost;
+  return isNumber ? std::optional(number) : std::nullopt;
+}
+
+constexpr std::string_view kLevels = "poor|good";  // 1 and 2, as arguments
+
+std::optional<int> argumentFrom(std::string_view text, std::string_view usage) {
+  if (usage != kLevels) return numberFrom(text);
+  if (text == "poor") return 1;
+  return text == "good" ? std::optional(2) : std::nullopt;
+}
+
+std::uint32_t bitOf(FriOrders::Event event) noexcept {
+  return 1U << static_cast<unsigned>(event);
+}
+
+}  // namespace
+
+struct FriOrders::Word {
+  std::string_view name;
+  std::string_view usage;
+  std::size_t arguments;
+  void (*obey)(FriOrders& orders, int first, int second);
+};
+
+const FriOrders::Word FriOrders::kWords[] = {
+    {"drop", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Drop, n); }},
+    {"double", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Double, n); }},
+    {"reorder", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Reorder, n); }},
+    {"delay",
+     "N MS",
+     2,
+     [](FriOrders& o, int n, int ms) {
+       o.impairment_.setDelay(o.periodsOf(ms));
+       o.impairment_.order(Fault::Delay, n);
+     }},
+    {"garbage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Garbage, n); }},
+    {"damage", "N", 1, [](FriOrders& o, int n, int) { o.impairment_.order(Fault::Damage, n); }},
+    {"stall", "MS", 1, [](FriOrders& o, int ms, int) { o.add(Once::Stall, o.periodsOf(ms)); }},
+    {"six-joints", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::SixJoints, n); }},
+    {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::NotANumber, n); }},
+    {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::Impostor, n); }},
+    {"quality",
+     kLevels,
+     1,
+     [](FriOrders& o, int level, int) {
+       o.isQualityPoor_.store(level == 1, std::memory_order_relaxed);
+     }},
+    {"wrong-version", "", 0, [](FriOrders& o, int, int) { o.raise(Event::WrongVersion); }},
+    {"safety-stop", "", 0, [](FriOrders& o, int, int) { o.raise(Event::SafetyStop); }},
+    {"safety-reset", "", 0, [](FriOrders& o, int, int) { o.raise(Event::SafetyReset); }},
+    {"motion", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Motion); }},
+    {"restart", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Restart); }},
+    {"idle", "", 0, [](FriOrders& o, int, int) { o.raise(Event::Idle); }}};
+
+std::optional<std::string> FriOrders::give(std::string_view line) {
+  const auto words = wordsOf(line);
+  if (words.empty()) return "There is no word in this line.";
+  for (const Word& word : kWords) {
+    if (word.name == words.front()) return obey(word, line, std::span(words).subspan(1));
+  }
+  return "'" + std::string(line) + "' is no command. There are: " + help();
+}
+
+std::string FriOrders::help() {
+  std::string known;
+  for (const Word& word : kWords) {
+    known +=
+        std::string(word.name) + (word.usage.empty() ? "" : " ") + std::string(word.usage) + ", ";
+  }
+  return known + "status, help, quit; N and MS are whole numbers from 1 to 1000000";
+}
+
+std::optional<std::string> FriOrders::obey(
+    const Word& word, std::string_view line, std::span<const std::string_view> texts) {
+  std::array<int, 2> arguments{};
+  bool isUnderstood = texts.size() == word.arguments;
+  for (std::size_t i = 0; isUnderstood && i < word.arguments; ++i) {
+    const auto argument = argumentFrom(texts[i], word.usage);
+    isUnderstood = argument.has_value();
+    arguments[i] = argument.value_or(0);
+  }
+  if (!isUnderstood) {
+    const std::string form =
+        std::string(word.name) + (word.usage.empty() ? "" : " ") + std::string(word.usage);
+    return "'" + std::string(line) + "': the command is \"" + form + "\"" +
+           (word.arguments == 0 || word.usage == kLevels
+                ? ""
+                : "; N and MS are whole numbers from 1 to 1000000");
+  }
+  word.obey(*this, arguments[0], arguments[1]);
+  return std::nullopt;
+}
+
+void FriOrders::add(Once order, int howMany) noexcept {
+  once_[static_cast<std::size_t>(order)].fetch_add(howMany, std::memory_order_relaxed);
+}
+
+bool FriOrders::take(Once order) noexcept {
+  auto& left = once_[static_cast<std::size_t>(order)];
+  if (left.load(std::memory_order_relaxed) <= 0) return false;
+  left.fetch_sub(1, std::memory_order_relaxed);  // nobody else takes
+  return true;
+}
+
+void FriOrders::raise(Event event) noexcept {
+  events_.fetch_or(bitOf(event), std::memory_order_relaxed);
+}
+
+bool FriOrders::take(Event event) noexcept {
+  const std::uint32_t bit = bitOf(event);
+  if ((events_.load(std::memory_order_relaxed) & bit) == 0) return false;
+  events_.fetch_and(~bit, std::memory_order_relaxed);
+  return true;
+}
+
+int FriOrders::periodsOf(int milliseconds) const noexcept {
+  return (milliseconds + period_ - 1) / period_;
+}
+
+}  // namespace haptics::emulators

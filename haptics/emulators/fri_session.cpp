@@ -1,0 +1,113 @@
+#include "haptics/emulators/fri_session.h"
+
+#include <algorithm>
+#include <array>
+
+namespace haptics::emulators {
+namespace {
+
+using wire::fri::ConnectionQuality;
+
+constexpr std::array<std::string_view, 16> kEnds{
+    "no motion has ended",
+    "the motion was completed",
+    "more than 8 answers in a row were missing",
+    "no command came for 5 ms in torque mode",
+    "the quality of the connection fell below good",
+    "the client did not mirror the joint position within 10 s",
+    "a command had no joint position",
+    "a command had no wrench",
+    "a command had no torque",
+    "a joint was commanded beyond its position limit",
+    "a joint was commanded faster than its velocity limit",
+    "a wrench beyond the limit was commanded",
+    "a torque beyond the limit was commanded",
+    "safety stop",
+    "the session was ended",
+    "the controller was restarted"};
+
+}  // namespace
+
+std::string_view nameOf(FriEnd end) noexcept {
+  return kEnds[static_cast<std::size_t>(end)];
+}
+
+bool FriSession::advance(const Input& input) noexcept {
+  periods_ = std::min(periods_ + 1, 1'000'000'000);
+  const FriEnd reason = reasonToEnd(input);
+  if (reason != FriEnd::None) return end(reason);
+  goOn(input);
+  return false;
+}
+
+FriEnd FriSession::reasonToEnd(const Input& input) const noexcept {
+  if (!isCommanding()) return FriEnd::None;
+  const double period = options_.period;
+  if (isStopped_) return FriEnd::SafetyStop;
+  if (options_.isTorque && input.sinceAnswered * period > kCommandTimeout) {
+    return FriEnd::CommandsTooRare;
+  }
+  if (input.missed > kMostMissed) return FriEnd::AnswersMissing;
+  if (input.quality < ConnectionQuality::Good) return FriEnd::QualityLost;
+  if (!isActive()) return periods_ * period > kMirrorTime ? FriEnd::NotMirrored : FriEnd::None;
+  const int time = options_.stay.commandingActive;
+  return time > 0 && periods_ >= time ? FriEnd::Completed : FriEnd::None;
+}
+
+void FriSession::goOn(const Input& input) noexcept {
+  const bool isGood = input.quality >= ConnectionQuality::Good;
+  const Stay& stay = options_.stay;
+  switch (state_) {
+    case State::Idle:
+      if (!isClosed_ && periods_ >= stay.idle) enter(State::MonitoringWait);
+      break;
+    case State::MonitoringWait:
+      if (isGood && periods_ >= stay.monitoringWait) enter(State::MonitoringReady);
+      break;
+    case State::MonitoringReady:
+      if (!isGood) {
+        enter(State::MonitoringWait);
+      } else if (isQueued_ && !isStopped_ && periods_ >= stay.monitoringReady) {
+        enter(State::CommandingWait);
+      }
+      break;
+    case State::CommandingWait:
+      if (mirrored_ >= kMirrored && periods_ >= stay.commandingWait) {
+        enter(State::CommandingActive);
+      }
+      break;
+    case State::CommandingActive:
+      break;
+  }
+}
+
+void FriSession::enter(State state) noexcept {
+  state_ = state;
+  periods_ = 0;
+  mirrored_ = 0;
+}
+
+bool FriSession::end(FriEnd end) noexcept {
+  if (!isCommanding()) return false;
+  lastEnd_ = end;
+  isQueued_ = options_.queuesAgain;
+  const bool isOver = end == FriEnd::Completed;
+  isClosed_ = isOver;
+  enter(isOver ? State::Idle : State::MonitoringWait);
+  return true;
+}
+
+void FriSession::toIdle() noexcept {
+  end(FriEnd::Idle);
+  enter(State::Idle);
+  isClosed_ = true;
+}
+
+void FriSession::restart() noexcept {
+  end(FriEnd::Restart);
+  enter(State::Idle);
+  isClosed_ = false;
+  isQueued_ = true;
+}
+
+}  // namespace haptics::emulators

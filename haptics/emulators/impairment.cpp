@@ -1,0 +1,208 @@
+#include "haptics/emulators/impairment.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace haptics::emulators {
+namespace {
+
+constexpr int kSoon = 1;  // a frame that changes places waits for one other
+
+bool makesSense(const Impairment::Options& options) {
+  double sum = 0.0;
+  for (const double share : options.shares) {
+    if (!(share >= 0.0)) return false;
+    sum += share;
+  }
+  return sum <= 1.0 + 1e-12 && options.delay >= 1 && options.garbage >= 1 &&
+         options.garbage <= Impairment::kLongestFrame;
+}
+
+constexpr std::size_t indexOf(Fault fault) noexcept {
+  return static_cast<std::size_t>(fault);
+}
+
+}  // namespace
+
+Impairment::Impairment(const Options& options)
+    : options_(options), chance_(options.seed), places_(kMostHeld), delay_(options.delay) {
+  if (!makesSense(options)) {
+    throw std::invalid_argument(
+        "faults need shares from 0 to 1 in all, a delay of a frame or more and a little garbage");
+  }
+}
+
+void Impairment::order(Fault fault, int howMany) noexcept {
+  if (howMany > 0) orders_[indexOf(fault)].fetch_add(howMany, std::memory_order_relaxed);
+}
+
+void Impairment::setDelay(int frames) noexcept {
+  delay_.store(std::max(frames, 1), std::memory_order_relaxed);
+}
+
+Injected Impairment::counts() const noexcept {
+  Injected injected{.passed = passed_.load(std::memory_order_relaxed)};
+  for (std::size_t i = 0; i < counts_.size(); ++i) {
+    injected.of[i] = counts_[i].load(std::memory_order_relaxed);
+  }
+  return injected;
+}
+
+int Impairment::waiting(Fault fault) const noexcept {
+  constexpr std::int64_t kMost = 1'000'000'000;
+  return static_cast<int>(std::min(orders_[indexOf(fault)].load(std::memory_order_relaxed), kMost));
+}
+
+void Impairment::note(Fault fault) noexcept {
+  counts_[indexOf(fault)].fetch_add(1, std::memory_order_relaxed);
+}
+
+bool Impairment::hasRoomFor(Fault fault) const noexcept {
+  const bool needsPlace = fault == Fault::Reorder || fault == Fault::Delay;
+  return !needsPlace || held_ < places_.size();
+}
+
+std::optional<Fault> Impairment::orderedFault() noexcept {
+  for (std::size_t i = 0; i < orders_.size(); ++i) {
+    const auto fault = static_cast<Fault>(i);
+    if (orders_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
+    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // nobody else takes
+    return fault;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> Impairment::chanceFault() noexcept {
+  double left = chance_.uniform();
+  for (std::size_t i = 0; i < options_.shares.size(); ++i) {
+    left -= options_.shares[i];
+    if (left >= 0.0) continue;
+    const auto fault = static_cast<Fault>(i);
+    return hasRoomFor(fault) ? std::optional(fault) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> Impairment::nextFault() noexcept {
+  if (isSwapping_) return std::nullopt;
+  const auto ordered = orderedFault();
+  return ordered ? ordered : chanceFault();
+}
+
+Impairment::Passage Impairment::decide(std::span<const std::uint8_t> frame) noexcept {
+  passed_.fetch_add(1, std::memory_order_relaxed);
+  const bool isFit = !frame.empty() && frame.size() <= kLongestFrame;
+  std::optional<Fault> fault;
+  if (isFit) fault = nextFault();
+  if (!fault) {
+    age(true);
+    return {.frame = frame};
+  }
+  age(*fault == Fault::Double || *fault == Fault::Garbage);
+  return impair(frame, *fault);
+}
+
+Impairment::Passage Impairment::impair(std::span<const std::uint8_t> frame, Fault fault) noexcept {
+  switch (fault) {
+    case Fault::Drop:
+      note(fault);
+      return {.copies = 0};
+    case Fault::Double:
+      note(fault);
+      return {.frame = frame, .copies = 2};
+    case Fault::Reorder:
+      hold(frame, fault, kSoon);
+      isSwapping_ = true;
+      return {.copies = 0};
+    case Fault::Delay:
+      hold(frame, fault, delay_.load(std::memory_order_relaxed));
+      return {.copies = 0};
+    case Fault::Garbage:
+      note(fault);
+      return {.garbage = makeGarbage(), .frame = frame};
+    case Fault::Damage:
+      note(fault);
+      return {.frame = damage(frame)};
+  }
+  return {.frame = frame};
+}
+
+void Impairment::spare() noexcept {
+  passed_.fetch_add(1, std::memory_order_relaxed);
+  age(false);
+}
+
+void Impairment::hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept {
+  Held& place = places_[held_++];
+  std::copy(frame.begin(), frame.end(), place.bytes.begin());
+  place.size = frame.size();
+  place.left = frames;
+  place.isOvertaken = false;
+  place.fault = fault;
+}
+
+void Impairment::age(bool overtakes) noexcept {
+  for (std::size_t i = 0; i < held_; ++i) {
+    --places_[i].left;
+    places_[i].isOvertaken = places_[i].isOvertaken || overtakes;
+  }
+  if (overtakes) isSwapping_ = false;
+}
+
+void Impairment::hurry() noexcept {
+  for (std::size_t i = 0; i < held_; ++i) {
+    if (places_[i].isOvertaken) note(places_[i].fault);
+    places_[i].left = 0;
+    places_[i].isOvertaken = false;  // has been counted, where it counts
+  }
+  isHurrying_ = true;
+  isSwapping_ = false;
+}
+
+std::span<const std::uint8_t> Impairment::nextDue() noexcept {
+  for (std::size_t i = 0; i < held_; ++i) {
+    const Held& place = places_[i];
+    if (!isHurrying_ && (place.left > 0 || !place.isOvertaken)) continue;
+    if (!isHurrying_) note(place.fault);
+    const std::size_t size = place.size;
+    std::copy_n(place.bytes.begin(), size, scratch_.begin());
+    std::move(
+        places_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+        places_.begin() + static_cast<std::ptrdiff_t>(held_),
+        places_.begin() + static_cast<std::ptrdiff_t>(i));
+    --held_;
+    return std::span(scratch_).first(size);
+  }
+  isHurrying_ = false;
+  return {};
+}
+
+std::uint8_t Impairment::anyByte() noexcept {
+  return static_cast<std::uint8_t>(chance_.bits() >> 56);
+}
+
+std::span<const std::uint8_t> Impairment::makeGarbage() noexcept {
+  const auto garbage = std::span(scratch_).first(options_.garbage);
+  for (std::uint8_t& byte : garbage) {
+    do {
+      byte = anyByte();
+    } while (byte == options_.delimiter);
+  }
+  if (options_.delimiter) garbage.back() = *options_.delimiter;
+  return garbage;
+}
+
+std::span<const std::uint8_t> Impairment::damage(std::span<const std::uint8_t> frame) noexcept {
+  std::copy(frame.begin(), frame.end(), scratch_.begin());
+  const auto damaged = std::span(scratch_).first(frame.size());
+  std::size_t at = chance_.bits() % frame.size();
+  for (std::size_t i = 0; i < frame.size() && frame[at] == options_.delimiter; ++i) {
+    at = (at + 1) % frame.size();
+  }
+  do {
+    damaged[at] = anyByte();
+  } while (damaged[at] == frame[at] || damaged[at] == options_.delimiter);
+  return damaged;
+}
+
+}  // namespace haptics::emulators

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace haptics::emulators {
+
+/// The far end of a serial line that is none: what is written here, whoever opens port() reads.
+class PseudoTerminal {
+ public:
+  /// @param link  a name for the port that stays when it is plugged in anew; empty: none.
+  /// @throws std::runtime_error  where the system gives none, or the link cannot be made.
+  explicit PseudoTerminal(std::string link = {});
+  ~PseudoTerminal();
+  PseudoTerminal(const PseudoTerminal&) = delete;
+  PseudoTerminal& operator=(const PseudoTerminal&) = delete;
+
+  /// What to open: the link if there is one.
+  const std::string& port() const noexcept { return link_.empty() ? name_ : link_; }
+
+  /// As a cable is pulled out, and put in again (under another name of the system's).
+  void unplug() noexcept;
+  void plugIn();
+  bool isPlugged() const noexcept { return master_ >= 0; }
+
+  /// What has come; 0 for nothing.
+  std::size_t read(std::span<std::uint8_t> into) noexcept;
+  /// As much as there is room for; the rest is lost, as on a line.
+  void write(std::span<const std::uint8_t> bytes) noexcept;
+
+ private:
+  void refuseNameOfAnother();
+  void removeLink() noexcept;
+
+  std::string link_;
+  std::string name_;
+  int master_ = -1;
+};
+
+}  // namespace haptics::emulators

@@ -1,0 +1,210 @@
+#include "haptics/emulators/punch_emulator.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "haptics/devices/firmware_build.h"
+#include "haptics/timing/monotonic_clock.h"
+
+namespace haptics::emulators {
+namespace {
+
+using timing::kMillisecond;
+
+constexpr std::int64_t kWatchdog = 40 * kMillisecond;
+
+devices::SimulatedDevice::Mechanism withoutEncoder() {
+  auto mechanism = devices::punchMechanism();
+  mechanism.resolution = 0.0;  // the encoder counts by itself
+  return mechanism;
+}
+
+Impairment::Options serialFaults(std::uint64_t seed) {
+  return {.seed = seed, .delimiter = std::uint8_t{0}};
+}
+
+/// "drop 3" as "drop" and 3.
+struct Order {
+  std::string_view word;
+  std::optional<int> number;
+};
+
+Order orderIn(std::string_view line) {
+  const auto space = line.find(' ');
+  Order order{.word = line.substr(0, space)};
+  if (space == std::string_view::npos) return order;
+  const auto rest = line.substr(space + 1);
+  int number = 0;
+  const auto result = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (result.ec == std::errc() && result.ptr == rest.data() + rest.size()) order.number = number;
+  return order;
+}
+
+/// Of an order that takes a number: that it has none that fits, in words; else nothing.
+std::string whatIsWrong(const Order& order, std::string_view line) {
+  constexpr int kMost = 1'000'000;
+  const bool isCount =
+      std::find(kFaultNames.begin(), kFaultNames.end(), order.word) != kFaultNames.end();
+  const bool isTime = order.word == "mute" || order.word == "stall";
+  const bool isLeap = order.word == "leap";
+  if (!isCount && !isTime && !isLeap) return {};
+  const int least = isLeap ? -kMost : 1;
+  if (order.number && *order.number >= least && *order.number <= kMost) return {};
+  return "'" + std::string(line) + "': " +
+         (isCount  ? "N"
+          : isTime ? "MS"
+                   : "COUNTS") +
+         " is a whole number from " + std::to_string(least) + " to " + std::to_string(kMost) +
+         ", such as \"" + std::string(order.word) +
+         (isCount  ? " 3"
+          : isTime ? " 400"
+                   : " 5000") +
+         "\"";
+}
+
+}  // namespace
+
+PunchEmulator::PunchEmulator(const Options& options)
+    : options_(options),
+      line_(options.link),
+      impairment_(serialFaults(options.seed)),
+      hand_(options.person),
+      handle_(devices::simulatedPunch(), withoutEncoder(), hand_),
+      start_(timing::now()) {
+  if (options_.limits.build == 0) options_.limits.build = devices::kFirmwareBuild;
+  if (options_.limits.serial == 0) options_.limits.serial = 1;
+  restart();
+}
+
+void PunchEmulator::restart() noexcept {
+  program_.emplace(*this, options_.limits);
+}
+
+void PunchEmulator::step() noexcept {
+  const double dt = 1.0 / options_.limits.rate;
+  handle_.command(force());
+  const auto sample = handle_.read(dt);
+  if (sample.status == devices::DeviceStatus::Ok) travel_ = sample.travel;
+  ++steps_;
+  const std::int64_t now = timing::now();
+  if (now < stalledUntil_) {
+    if (now - stalledSince_ > kWatchdog && voltage_ != 0) drive(0);
+    return;
+  }
+  if (stalledUntil_ != 0) {
+    if (stalledUntil_ - stalledSince_ > kWatchdog) restart();
+    stalledUntil_ = 0;
+  }
+  program_->step();
+}
+
+std::uint32_t PunchEmulator::micros() const noexcept {
+  const double passed = static_cast<double>(timing::now() - start_) / 1000.0;
+  return static_cast<std::uint32_t>(
+      static_cast<std::int64_t>(passed * (1.0 + 1e-6 * options_.clockDrift)));
+}
+
+std::int32_t PunchEmulator::counts() const noexcept {
+  return static_cast<std::int32_t>(std::lround(travel_ / options_.travelPerCount)) + leap_;
+}
+
+void PunchEmulator::drive(std::int16_t millivolts) noexcept {
+  if (voltage_ != 0 && millivolts == 0 && letGoAt_ == 0) letGoAt_ = timing::now();
+  voltage_ = millivolts;
+}
+
+int PunchEmulator::read() noexcept {
+  if (inputAt_ == inputSize_) {
+    inputAt_ = 0;
+    inputSize_ = line_.read(input_);
+  }
+  return inputAt_ < inputSize_ ? input_[inputAt_++] : -1;
+}
+
+void PunchEmulator::write(const std::uint8_t* bytes, std::size_t count) noexcept {
+  if (timing::now() < mutedUntil_) return;
+  impairment_.pass(
+      {bytes, count}, [this](std::span<const std::uint8_t> frame) { line_.write(frame); });
+}
+
+void PunchEmulator::noteFault() noexcept {
+  faultAt_ = timing::now();
+  letGoAt_ = 0;
+  hadForce_ = voltage_ != 0;
+}
+
+std::optional<double> PunchEmulator::letGoAfter() const noexcept {
+  if (faultAt_ == 0 || !hadForce_ || letGoAt_ == 0) return std::nullopt;
+  return 1e-6 * static_cast<double>(letGoAt_ - faultAt_);
+}
+
+std::string_view PunchEmulator::help() noexcept {
+  return "drop N, double N, reorder N, delay N, damage N, garbage N, mute MS, stall MS, leap "
+         "COUNTS, "
+         "driver-fault, mend, reset, unplug, plug, status, help, quit; N counts frames to the "
+         "host; "
+         "N and MS are whole numbers from 1 to 1000000, COUNTS from -1000000 to 1000000";
+}
+
+std::string PunchEmulator::command(std::string_view line) {
+  const Order order = orderIn(line);
+  std::string wrong = whatIsWrong(order, line);
+  if (!wrong.empty()) return wrong;
+  for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
+    if (order.word != kFaultNames[i]) continue;
+    impairment_.order(static_cast<Fault>(i), *order.number);
+    return {};
+  }
+  const std::int64_t time = timing::now() + order.number.value_or(0) * kMillisecond;
+  if (order.word != "mend" && order.word != "plug") noteFault();
+  if (order.word == "mute") {
+    mutedUntil_ = time;
+  } else if (order.word == "stall") {
+    stalledSince_ = timing::now();
+    stalledUntil_ = time;
+  } else if (order.word == "leap") {
+    leap_ += *order.number;
+  } else if (order.word == "driver-fault") {
+    hasDriverFault_ = true;
+  } else if (order.word == "mend") {
+    hasDriverFault_ = false;
+    leap_ = 0;
+  } else if (order.word == "reset") {
+    drive(0);
+    restart();
+  } else if (order.word == "unplug") {
+    line_.unplug();
+  } else if (order.word == "plug") {
+    line_.plugIn();
+  } else {
+    return "'" + std::string(line) + "' is no command. There are: " + std::string(help());
+  }
+  return {};
+}
+
+std::string PunchEmulator::status() const {
+  std::array<char, 256> text{};
+  const auto after = letGoAfter();
+  std::snprintf(
+      text.data(),
+      text.size(),
+      "device=punch plugged=%d armed=%d travel=%.4f force_n=%.4f voltage_mv=%d steps=%llu "
+      "let_go_ms=%.3f",
+      line_.isPlugged() ? 1 : 0,
+      program_->isArmed() ? 1 : 0,
+      travel_,
+      force(),
+      voltage_,
+      static_cast<unsigned long long>(steps_),
+      after.value_or(-1.0));
+  std::string all = text.data();
+  const auto counts = impairment_.counts();
+  for (std::size_t i = 0; i < kFaultNames.size(); ++i) {
+    all += " " + std::string(kFaultNames[i]) + "=" + std::to_string(counts.of[i]);
+  }
+  return all;
+}
+
+}  // namespace haptics::emulators

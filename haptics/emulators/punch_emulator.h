@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "haptics/emulators/impairment.h"
+#include "haptics/emulators/pseudo_terminal.h"
+#include "haptics/firmware/punch_program.h"
+
+namespace haptics::emulators {
+
+/// A punch that does not exist, on a serial line that is none: the firmware's own program, compiled
+/// for this computer, with a simulated handle, motor, encoder and hand, and faults on command.
+///
+/// The motor follows its voltage at once and gives newtonsPerVolt; a loop that hangs for 40 ms is
+/// reset, as the board's hardware watchdog does.
+class PunchEmulator {
+ public:
+  struct Options {
+    std::string link;  ///< name for the port; empty: what the system gives
+    devices::SimulatedHand::Person person;
+    firmware::PunchLimits limits;
+    double newtonsPerVolt = 0.667;
+    double travelPerCount = 0.00439;  ///< [travel units]
+    double clockDrift = 0.0;          ///< of the device's clock [parts per million]
+    std::uint64_t seed = 1;           ///< of faults
+  };
+
+  explicit PunchEmulator(const Options& options);
+
+  const std::string& port() const noexcept { return line_.port(); }
+
+  /// One turn of the device's loop, at 1/limits.rate.
+  void step() noexcept;
+
+  /// "drop 3", "unplug": what is to go wrong. Empty, or what is wrong with the command.
+  std::string command(std::string_view line);
+  static std::string_view help() noexcept;
+
+  /// How it stands, in one line of key=value.
+  std::string status() const;
+
+  /// What was done to frames so far.
+  Injected injected() const noexcept { return impairment_.counts(); }
+  /// How long after the last command that broke something the motor was first without voltage [ms];
+  /// nothing while it has not been, or if it had none before.
+  std::optional<double> letGoAfter() const noexcept;
+  double force() const noexcept { return 1e-3 * voltage_ * options_.newtonsPerVolt; }  ///< [N]
+  double travel() const noexcept { return travel_; }  ///< [travel units]
+
+  // What the program sees of its hardware.
+  std::uint32_t micros() const noexcept;
+  std::int32_t counts() const noexcept;
+  void drive(std::int16_t millivolts) noexcept;
+  bool hasDriverFault() const noexcept { return hasDriverFault_; }
+  int read() noexcept;
+  void write(const std::uint8_t* bytes, std::size_t count) noexcept;
+
+ private:
+  void restart() noexcept;
+  void noteFault() noexcept;
+
+  Options options_;
+  PseudoTerminal line_;
+  Impairment impairment_;
+  devices::SimulatedHand hand_;
+  devices::SimulatedDevice handle_;
+  std::int64_t start_;
+  double travel_ = 0.0;
+  int voltage_ = 0;  // [mV]
+  std::int32_t leap_ = 0;
+  bool hasDriverFault_ = false;
+  std::int64_t stalledUntil_ = 0;
+  std::int64_t stalledSince_ = 0;
+  std::int64_t mutedUntil_ = 0;
+  std::int64_t faultAt_ = 0;
+  std::int64_t letGoAt_ = 0;
+  bool hadForce_ = false;
+  std::uint64_t steps_ = 0;
+  std::array<std::uint8_t, 1024> input_{};
+  std::size_t inputSize_ = 0;
+  std::size_t inputAt_ = 0;
+  std::optional<firmware::PunchProgram<PunchEmulator>> program_;
+};
+
+}  // namespace haptics::emulators

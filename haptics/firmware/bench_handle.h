@@ -1,0 +1,52 @@
+#pragma once
+
+namespace haptics::firmware {
+
+/// A handle with a hand on it, for a board that has neither: a mass between a hand that closes and
+/// opens again and again (a spring to a point on a minimum-jerk path) and the force of the motor.
+/// The numbers are those of the simulated punch of the engine; single precision, no library.
+class BenchHandle {
+ public:
+  /// One step of @p dt [s] against @p force [N]; where the handle is then [travel units].
+  float step(float force, float dt) noexcept {
+    constexpr float kMass = 0.004F;        // [N·s²/travel unit]
+    constexpr float kDamping = 0.05F;      // [N·s/travel unit]
+    constexpr float kStop = 80.0F;         // [N/travel unit]
+    constexpr float kGrip = 3.0F;          // [N/travel unit]
+    constexpr float kGripDamping = 0.12F;  // [N·s/travel unit]
+    constexpr float kEnd = 11.0F;          // [travel units]
+    constexpr int kParts = 8;              // a step is stiff for one millisecond
+    const float part = dt / kParts;
+    for (int i = 0; i < kParts; ++i) {
+      time_ += part;
+      const float beyond = travel_ > kEnd ? travel_ - kEnd : travel_ < 0.0F ? travel_ : 0.0F;
+      const float push = kGrip * (target() - travel_) - kGripDamping * velocity_;
+      velocity_ += part * (push - force - kDamping * velocity_ - kStop * beyond) / kMass;
+      travel_ += part * velocity_;
+    }
+    return travel_;
+  }
+
+ private:
+  /// Where the hand wants the handle [travel units]: 0.4 s open, 0.6 s closing, 0.15 s closed, 0.5
+  /// s opening.
+  float target() noexcept {
+    constexpr float kClosed = 13.8F;
+    constexpr float kWhole = 1.65F;
+    if (time_ >= kWhole) time_ -= kWhole;
+    if (time_ < 0.4F) return 0.0F;
+    if (time_ < 1.0F) return kClosed * minimumJerk((time_ - 0.4F) / 0.6F);
+    if (time_ < 1.15F) return kClosed;
+    return kClosed * (1.0F - minimumJerk((time_ - 1.15F) / 0.5F));
+  }
+
+  static float minimumJerk(float t) noexcept {
+    return t * t * t * (10.0F + t * (6.0F * t - 15.0F));
+  }
+
+  float time_ = 0.0F;
+  float travel_ = 0.0F;
+  float velocity_ = 0.0F;
+};
+
+}  // namespace haptics::firmware

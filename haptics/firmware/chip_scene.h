@@ -1,0 +1,170 @@
+#pragma once
+
+#include "haptics/models/finite_elements.h"
+#include "haptics/models/interpolation.h"
+#include "haptics/models/kalman_filter.h"
+#include "haptics/models/kalman_noise.h"
+#include "haptics/wire/crc32.h"
+#include "haptics/wire/punch_codec.h"
+
+namespace haptics::firmware {
+
+/// A scene that the punch renders by itself: the models of the engine in single precision, with
+/// parameters that came over the wire. Nothing is rendered before all of it has come and is sound.
+class ChipScene {
+ public:
+  /// Begins anew with @p model, whose payload was @p bytes.
+  wire::punch::ModelVerdict take(
+      const wire::punch::Model& model, const uint8_t* bytes, size_t count) noexcept {
+    model_ = model;
+    points_ = 0;
+    isReady_ = false;
+    hash_ = wire::crc32(bytes, count);
+    return finish();
+  }
+
+  /// More points of its curve, in order.
+  wire::punch::ModelVerdict take(
+      const wire::punch::ModelTable& table, const uint8_t* bytes, size_t count) noexcept {
+    using wire::punch::ModelVerdict;
+    if (table.first != points_ || points_ + table.count > model_.tableSize) {
+      return ModelVerdict::Incomplete;
+    }
+    for (int i = 0; i < table.count; ++i) table_[points_++] = {table.travel[i], table.force[i]};
+    hash_ = wire::crc32(bytes, count, hash_);
+    return finish();
+  }
+
+  bool isReady() const noexcept { return isReady_; }
+  uint32_t hash() const noexcept { return hash_; }
+
+  /// Forgets what was felt.
+  void reset() noexcept {
+    elastic_ = {};
+    hint_ = 0;
+    hasTravel_ = false;
+    filter_.reset();
+  }
+
+  /// The voltage [mV] that resists at @p counts of the encoder; nothing where there is no answer.
+  int32_t millivoltsAt(int32_t counts) noexcept {
+    const float force = forceAt(travelAt(counts));
+    const float bounded = force > model_.largestForce    ? model_.largestForce
+                          : force < -model_.largestForce ? -model_.largestForce
+                                                         : force;
+    if (!wire::punch::isFinite(bounded)) return 0;
+    constexpr float kMost = 1e6F;  // [mV], far beyond any motor: what is more is no whole number
+    const float millivolts = bounded * model_.millivoltsPerNewton;
+    return static_cast<int32_t>(
+        millivolts > kMost    ? kMost
+        : millivolts < -kMost ? -kMost
+                              : millivolts);
+  }
+
+  /// [travel units]
+  float travelAt(int32_t counts) const noexcept {
+    return model_.travelAtZero + model_.travelPerCount * static_cast<float>(counts);
+  }
+
+  /// [N]
+  float forceAt(float travel) noexcept {
+    using wire::punch::ModelKind;
+    switch (model_.kind) {
+      case ModelKind::Interpolation:
+        return curve_.at(travel, hint_).force;
+      case ModelKind::FiniteElements:
+        return elements_.at(travel, elastic_).force;
+      case ModelKind::Kalman:
+        return fused(travel);
+      case ModelKind::None:
+        break;
+    }
+    return 0.0F;
+  }
+
+ private:
+  using Elements = models::FiniteElements<float>;
+  using Curve = models::Interpolation<float>;
+  using Filter = models::KalmanFilter<float>;
+
+  float fused(float travel) noexcept {
+    const float recorded = curve_.at(travel, hint_).force;
+    const float elastic = elements_.at(travel, elastic_).force;
+    const float travelled = hasTravel_ ? travel - last_ : 0.0F;
+    last_ = travel;
+    hasTravel_ = true;
+    const float force = filter_.step(travelled, elastic, recorded);
+    if (wire::punch::isFinite(force)) return force;
+    reset();  // a leap that no hand makes
+    return 0.0F;
+  }
+
+  Elements::Parameters elementParameters() const noexcept {
+    Elements::Parameters p;
+    p.start = model_.start;
+    p.end = model_.end;
+    p.elements = model_.elements;
+    p.elementStiffness = model_.elementStiffness;
+    p.toolPosition = model_.toolPosition;
+    p.contact = model_.contact;
+    p.yieldForce = model_.yieldForce;
+    p.boundary = static_cast<models::Boundary>(model_.readings & 1U);
+    p.weights = static_cast<models::ToolWeights>((model_.readings >> 1U) & 3U);
+    p.yielding = static_cast<models::Yielding>((model_.readings >> 3U) & 1U);
+    return p;
+  }
+
+  models::KalmanNoise<float> noise() const noexcept {
+    return {
+        model_.noise[0],
+        model_.noise[1],
+        model_.noise[2],
+        model_.noise[3],
+        model_.noise[4],
+        model_.noise[5]};
+  }
+
+  /// Makes the models, as soon as everything is there.
+  wire::punch::ModelVerdict finish() noexcept {
+    using wire::punch::ModelKind;
+    using wire::punch::ModelVerdict;
+    if (model_.kind == ModelKind::None) return ModelVerdict::Taken;
+    const bool hasCurve = model_.kind != ModelKind::FiniteElements;
+    const bool hasElements = model_.kind != ModelKind::Interpolation;
+    if (hasCurve && points_ < model_.tableSize) return ModelVerdict::Incomplete;
+    const Curve::Options options{
+        static_cast<models::BeyondCurve>(model_.beyond), model_.rampLength};
+    const auto count = static_cast<size_t>(points_);
+    const auto parameters = elementParameters();
+    const bool isWeighing = ((model_.readings >> 1U) & 3U) <= 2U;
+    const bool isSound = (!hasCurve || Curve::isSound(table_, count, options)) &&
+                         (!hasElements || (isWeighing && Elements::isSound(parameters))) &&
+                         (model_.kind != ModelKind::Kalman || noise().whyUnsound() == nullptr) &&
+                         model_.largestForce >= 0.0F;
+    if (!isSound) return ModelVerdict::Unsound;
+    if (hasCurve) curve_ = Curve(table_, count, options);
+    if (hasElements) elements_ = Elements(parameters);
+    if (model_.kind == ModelKind::Kalman) {
+      filter_ = Filter(noise().factored(), static_cast<models::KalmanScheme>(model_.scheme));
+    }
+    reset();
+    isReady_ = true;
+    return ModelVerdict::Taken;
+  }
+
+  wire::punch::Model model_;
+  models::CurveNode<float> table_[wire::punch::kLargestTable];
+  int points_ = 0;
+  bool isReady_ = false;
+  uint32_t hash_ = 0;
+
+  Curve curve_{table_, 0, {}};
+  Elements elements_{Elements::Parameters()};
+  Elements::State elastic_;
+  Filter filter_{models::KalmanNoise<float>().factored(), models::KalmanScheme::AuthorsFirmware};
+  size_t hint_ = 0;
+  float last_ = 0.0F;
+  bool hasTravel_ = false;
+};
+
+}  // namespace haptics::firmware

@@ -1,0 +1,333 @@
+#pragma once
+
+#include "haptics/firmware/chip_scene.h"
+#include "haptics/wire/punch_codec.h"
+
+namespace haptics::firmware {
+
+/// What a punch is and may do; the same for every board unless its maker says otherwise.
+struct PunchLimits {
+  uint64_t build = 0;
+  uint32_t serial = 0;
+  uint16_t countsPerTurn = 8192;   ///< AMT 102, 2048 pulses, four counts each
+  uint16_t rate = 1000;            ///< of step() [Hz]
+  int16_t largestVoltage = 12000;  ///< [mV]
+  uint16_t largestSlew = 1200;     ///< [mV] in a millisecond: nothing is left after 10 ms
+  int32_t mostCountsAStep = 400;   ///< more is no hand and no handle
+  int32_t mostVelocity = 150'000;  ///< [counts/s]
+  uint16_t silence = 40;           ///< after which a host that is armed is given up [ms]
+};
+
+/// The punch's own program: reads the encoder, obeys the host while it speaks, and lets go as soon
+/// as it does not. One step() a loop; docs/punch-protocol.md.
+///
+/// Hardware gives
+///     uint32_t micros();                              a clock [µs], wraps
+///     int32_t counts();                               of the encoder; closing counts up
+///     void drive(int16_t millivolts);                 positive resists closing
+///     bool hasDriverFault();
+///     int read();                                     the next byte from the host, or -1
+///     void write(const uint8_t* bytes, size_t count); whole frames; drops them where there is no
+///     room
+template <typename Hardware>
+class PunchProgram {
+ public:
+  PunchProgram(Hardware& hardware, const PunchLimits& limits) noexcept
+      : hardware_(hardware), limits_(limits) {
+    hardware_.drive(0);
+    lastCounts_ = hardware_.counts();
+    for (auto& sample : past_) sample = lastCounts_;
+    lastTime_ = hardware_.micros();
+    report(wire::punch::EventCode::Reset, 0);
+  }
+
+  /// One turn of the loop.
+  void step() noexcept {
+    now_ = hardware_.micros();
+    const uint32_t passed = now_ - lastTime_;
+    noteTime(passed);
+    receive();
+    observe();
+    drive(passed);
+    tell();
+    lastTime_ = now_;
+  }
+
+  bool isArmed() const noexcept { return isArmed_; }
+  int16_t voltage() const noexcept { return static_cast<int16_t>(voltage_); }
+
+ private:
+  using Type = wire::punch::Type;
+  using EventCode = wire::punch::EventCode;
+
+  static constexpr int kWindow = 8;            // steps, for the velocity
+  static constexpr int kMostBytesAStep = 512;  // a host that floods is not listened to for ever
+
+  void noteTime(uint32_t passed) noexcept {
+    const uint32_t period = 1'000'000U / limits_.rate;
+    if (hasStepped_ && passed > period + period / 2 && lateLoops_ < 0xFFFF) ++lateLoops_;
+    if (now_ < lastTime_) faults_ |= wire::punch::kClockWrapped;
+    hasStepped_ = true;
+  }
+
+  void receive() noexcept {
+    const uint32_t damagedBefore = decoder_.damaged();
+    wire::punch::Frame frame;
+    for (int i = 0; i < kMostBytesAStep; ++i) {
+      const int byte = hardware_.read();
+      if (byte < 0) break;
+      if (decoder_.take(static_cast<uint8_t>(byte), frame)) obey(frame);
+    }
+    const uint32_t damaged = decoder_.damaged() - damagedBefore;
+    if (damaged > 0) spoil(damaged);
+  }
+
+  void spoil(uint32_t frames) noexcept {
+    faults_ |= wire::punch::kBadFrames;
+    const uint32_t all = badFrames_ + frames;
+    badFrames_ = static_cast<uint16_t>(all > 0xFFFF ? 0xFFFF : all);
+  }
+
+  /// Only a frame that could be read shows that there is a host, and is echoed.
+  template <typename Message>
+  bool readOr(const wire::punch::Frame& frame, Message& message) noexcept {
+    if (!wire::punch::read(frame, message)) {
+      spoil(1);
+      return false;
+    }
+    echo_ = frame.sequence;
+    heardAt_ = now_;
+    return true;
+  }
+
+  void obey(const wire::punch::Frame& frame) noexcept {
+    // Nothing but Hello means anything before Hello.
+    if (frame.type == Type::Hello) {
+      greet(frame);
+    } else if (!isGreeted_) {
+      return;
+    } else if (frame.type == Type::Arm) {
+      arm(frame);
+    } else if (frame.type == Type::SetForce) {
+      setForce(frame);
+    } else if (frame.type == Type::Render) {
+      render(frame);
+    } else if (frame.type == Type::Model || frame.type == Type::ModelTable) {
+      takeScene(frame);
+    } else if (frame.type == Type::Stop) {
+      wire::punch::Stop order;
+      readOr(frame, order);
+      disarm();  // whatever the reason
+    } else {
+      spoil(1);
+    }
+  }
+
+  void greet(const wire::punch::Frame& frame) noexcept {
+    wire::punch::Hello host;
+    if (!readOr(frame, host)) return;
+    disarm();
+    isGreeted_ = host.protocolVersion == wire::punch::kProtocolVersion;
+    lateLoops_ = 0;
+    badFrames_ = 0;
+    say(wire::punch::Hello{
+        .protocolVersion = wire::punch::kProtocolVersion,
+        .build = limits_.build,
+        .serial = limits_.serial,
+        .counts = limits_.countsPerTurn,
+        .rate = limits_.rate,
+        .largestVoltage = limits_.largestVoltage,
+        .largestSlew = limits_.largestSlew});
+    if (!isGreeted_) say(wire::punch::Stop{wire::punch::StopReason::VersionMismatch});
+  }
+
+  void arm(const wire::punch::Frame& frame) noexcept {
+    wire::punch::Arm order;
+    if (!readOr(frame, order)) return;
+    if (!order.isArmed) return disarm();
+    faults_ = wire::punch::kNoFault;
+    longestExpiry_ = order.expiry;
+    isArmed_ = true;
+    lastAs(order.expiry);  // the first force may take as long as any other
+    isRendering_ = false;
+    wanted_ = 0;
+    report(EventCode::Armed, order.expiry);
+  }
+
+  void disarm() noexcept {
+    if (isArmed_) report(EventCode::Disarmed, 0);
+    isArmed_ = false;
+    isRendering_ = false;
+    wanted_ = 0;
+  }
+
+  void setForce(const wire::punch::Frame& frame) noexcept {
+    wire::punch::SetForce order;
+    if (!readOr(frame, order) || !isArmed_) return;
+    isRendering_ = false;
+    wanted_ = order.voltage;
+    lastAs(order.expiry);
+  }
+
+  void render(const wire::punch::Frame& frame) noexcept {
+    wire::punch::Render order;
+    if (!readOr(frame, order) || !isArmed_) return;
+    const bool isMeant = scene_.isReady() && scene_.hash() == order.hash;
+    if (isMeant && !isRendering_) scene_.reset();
+    isRendering_ = isMeant;
+    wanted_ = 0;
+    most_ = order.most;
+    if (isMeant) lastAs(order.expiry);
+  }
+
+  void lastAs(uint8_t expiry) noexcept {
+    expiry_ = expiry < longestExpiry_ ? expiry : longestExpiry_;
+    orderedAt_ = now_;
+    hasExpired_ = false;
+    faults_ &= static_cast<uint8_t>(~wire::punch::kExpired);
+  }
+
+  void takeScene(const wire::punch::Frame& frame) noexcept {
+    wire::punch::ModelTaken answer;
+    wire::punch::Model model;
+    wire::punch::ModelTable table;
+    const bool isModel = frame.type == Type::Model;
+    if (!(isModel ? readOr(frame, model) : readOr(frame, table))) return;
+    if (isArmed_) {
+      answer.verdict = wire::punch::ModelVerdict::Armed;
+    } else if (isModel) {
+      answer.verdict = scene_.take(model, frame.payload, frame.size);
+    } else {
+      answer.verdict = scene_.take(table, frame.payload, frame.size);
+    }
+    answer.hash = scene_.hash();
+    say(answer);
+  }
+
+  /// Counts and velocity; counts that no mechanism makes end all force.
+  void observe() noexcept {
+    const int32_t counts = hardware_.counts();
+    const int32_t leap = way(lastCounts_, counts);
+    if (leap > limits_.mostCountsAStep || leap < -limits_.mostCountsAStep) {
+      latch(wire::punch::kEncoderFault, EventCode::EncoderFault, static_cast<uint32_t>(leap));
+    }
+    lastCounts_ = counts;
+    velocity_ = perSecond(way(past_[oldest_], counts));
+    past_[oldest_] = counts;
+    oldest_ = (oldest_ + 1) % kWindow;
+    if (velocity_ > limits_.mostVelocity || velocity_ < -limits_.mostVelocity) {
+      latch(wire::punch::kTooFast, EventCode::TooFast, static_cast<uint32_t>(velocity_));
+    }
+    if (hardware_.hasDriverFault()) {
+      latch(wire::punch::kDriverFault, EventCode::DriverFault, 0);
+    }
+  }
+
+  /// An encoder that counts on beyond its largest number goes on at its least.
+  static int32_t way(int32_t from, int32_t to) noexcept {
+    return static_cast<int32_t>(static_cast<uint32_t>(to) - static_cast<uint32_t>(from));
+  }
+
+  /// A way in a window as a velocity, bounded far beyond what is allowed.
+  int32_t perSecond(int32_t counts) const noexcept {
+    constexpr int32_t kMost = 200'000;  // times 10 kHz fits
+    const int32_t bounded = counts > kMost ? kMost : counts < -kMost ? -kMost : counts;
+    return bounded * limits_.rate / kWindow;
+  }
+
+  void latch(uint8_t fault, EventCode code, uint32_t value) noexcept {
+    if ((faults_ & fault) == 0) report(code, value);
+    faults_ |= fault;
+  }
+
+  int32_t target() noexcept {
+    if (!isArmed_ || (faults_ & wire::punch::kLatched) != 0) return 0;
+    const uint32_t age = now_ - orderedAt_;
+    if (hasExpired_ || age > 1000U * expiry_) {  // once, and for good: the clock goes round
+      if (!hasExpired_ && voltage_ != 0) report(EventCode::WatchdogFired, age);
+      hasExpired_ = true;
+      faults_ |= wire::punch::kExpired;
+      if (now_ - heardAt_ > 1000U * limits_.silence) disarm();
+      return 0;
+    }
+    if (!isRendering_) return wanted_;
+    const int32_t rendered = scene_.millivoltsAt(lastCounts_);
+    return rendered > most_ ? most_ : rendered < -most_ ? -most_ : rendered;
+  }
+
+  /// Towards the target, no further than the slew allows, and never beyond the limit.
+  void drive(uint32_t passed) noexcept {
+    int32_t goal = target();
+    const int32_t most = limits_.largestVoltage;
+    if (goal > most || goal < -most) {
+      goal = goal > most ? most : -most;
+      faults_ |= wire::punch::kSaturated;
+    }
+    const uint32_t bounded = passed > 5000U ? 5000U : passed;
+    const auto reach = static_cast<int32_t>(limits_.largestSlew * bounded / 1000U);
+    const int32_t way = goal - voltage_;
+    voltage_ += way > reach ? reach : way < -reach ? -reach : way;
+    hardware_.drive(static_cast<int16_t>(voltage_));
+  }
+
+  void tell() noexcept {
+    if (!isGreeted_) return;
+    const uint8_t armed = isArmed_ ? 0 : wire::punch::kNotArmed;
+    say(wire::punch::State{
+        .counts = lastCounts_,
+        .velocity = velocity_,
+        .voltage = static_cast<int16_t>(voltage_),
+        .faults = static_cast<uint8_t>(faults_ | armed),
+        .echo = echo_,
+        .lateLoops = lateLoops_,
+        .badFrames = badFrames_,
+        .isRendering = isRendering_});
+    constexpr uint8_t kTold =
+        wire::punch::kBadFrames | wire::punch::kSaturated | wire::punch::kClockWrapped;
+    faults_ &= static_cast<uint8_t>(~kTold);
+  }
+
+  void report(EventCode code, uint32_t value) noexcept {
+    if (isGreeted_) say(wire::punch::Event{code, value});
+  }
+
+  template <typename Message>
+  void say(const Message& message) noexcept {
+    uint8_t bytes[wire::punch::kLargestOnWire];
+    const size_t count = wire::punch::encode(message, sequence_++, now_, bytes);
+    hardware_.write(bytes, count);
+  }
+
+  Hardware& hardware_;
+  PunchLimits limits_;
+  wire::punch::FrameDecoder decoder_;
+  ChipScene scene_;
+
+  uint32_t now_ = 0;
+  uint32_t lastTime_ = 0;
+  bool hasStepped_ = false;
+  bool isGreeted_ = false;
+  uint16_t sequence_ = 0;
+  uint16_t echo_ = 0;
+  uint16_t lateLoops_ = 0;
+  uint16_t badFrames_ = 0;
+  uint8_t faults_ = wire::punch::kNoFault;
+
+  bool isArmed_ = false;
+  bool isRendering_ = false;
+  bool hasExpired_ = false;
+  uint8_t longestExpiry_ = 20;
+  uint8_t expiry_ = 0;
+  uint32_t orderedAt_ = 0;
+  uint32_t heardAt_ = 0;
+  int32_t wanted_ = 0;
+  int32_t most_ = 0;  ///< of what it renders by itself [mV]
+  int32_t voltage_ = 0;
+
+  int32_t lastCounts_ = 0;
+  int32_t velocity_ = 0;
+  int32_t past_[kWindow] = {};
+  int oldest_ = 0;
+};
+
+}  // namespace haptics::firmware

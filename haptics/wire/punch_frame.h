@@ -1,0 +1,170 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "haptics/wire/cobs.h"
+#include "haptics/wire/crc32.h"
+#include "haptics/wire/punch_messages.h"
+
+namespace haptics::wire::punch {
+
+/// A frame between two zeros, COBS undone: type u8, sequence u16, sender's clock u32 [µs], payload,
+/// CRC-32 of all of it; little-endian throughout.
+inline constexpr size_t kHead = 7;
+inline constexpr size_t kTail = 4;
+inline constexpr size_t kLargestPayload = 2 + kTableChunk * 8;
+inline constexpr size_t kLargestFrame = kHead + kLargestPayload + kTail;
+/// On the wire, with its zero.
+inline constexpr size_t kLargestOnWire = largestCobs(kLargestFrame) + 1;
+
+/// Writes values one after the other, little-endian.
+class Writer {
+ public:
+  explicit Writer(uint8_t* to) noexcept : to_(to) {}
+
+  void u8(uint8_t value) noexcept { to_[size_++] = value; }
+  void u16(uint16_t value) noexcept { whole(value, 2); }
+  void u32(uint32_t value) noexcept { whole(value, 4); }
+  void u64(uint64_t value) noexcept { whole(value, 8); }
+  void i16(int16_t value) noexcept { u16(static_cast<uint16_t>(value)); }
+  void i32(int32_t value) noexcept { u32(static_cast<uint32_t>(value)); }
+  void f32(float value) noexcept {
+    uint32_t bits = 0;
+    __builtin_memcpy(&bits, &value, sizeof bits);
+    u32(bits);
+  }
+  size_t size() const noexcept { return size_; }
+
+ private:
+  void whole(uint64_t value, int bytes) noexcept {
+    for (int i = 0; i < bytes; ++i)
+      u8(static_cast<uint8_t>(value >> (8U * static_cast<unsigned>(i))));
+  }
+
+  uint8_t* to_;
+  size_t size_ = 0;
+};
+
+/// Reads them again. Beyond the end there are zeros, and hasAll() is false.
+class Reader {
+ public:
+  Reader(const uint8_t* from, size_t count) noexcept : from_(from), count_(count) {}
+
+  uint8_t u8() noexcept {
+    if (at_ < count_) return from_[at_++];
+    isShort_ = true;
+    return 0;
+  }
+  uint16_t u16() noexcept { return static_cast<uint16_t>(whole(2)); }
+  uint32_t u32() noexcept { return static_cast<uint32_t>(whole(4)); }
+  uint64_t u64() noexcept { return whole(8); }
+  int16_t i16() noexcept { return static_cast<int16_t>(u16()); }
+  int32_t i32() noexcept { return static_cast<int32_t>(u32()); }
+  float f32() noexcept {
+    const uint32_t bits = u32();
+    float value = 0.0F;
+    __builtin_memcpy(&value, &bits, sizeof value);
+    return value;
+  }
+  /// Everything was there, and nothing is left.
+  bool hasAll() const noexcept { return !isShort_ && at_ == count_; }
+
+ private:
+  uint64_t whole(int bytes) noexcept {
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; ++i)
+      value |= static_cast<uint64_t>(u8()) << (8U * static_cast<unsigned>(i));
+    return value;
+  }
+
+  const uint8_t* from_;
+  size_t count_;
+  size_t at_ = 0;
+  bool isShort_ = false;
+};
+
+/// A frame whose CRC was right; the payload lies in the decoder's buffer.
+struct Frame {
+  Type type = Type::Stop;
+  uint16_t sequence = 0;
+  uint32_t time = 0;  ///< sender's clock [µs], wraps
+  const uint8_t* payload = nullptr;
+  size_t size = 0;
+};
+
+/// A frame as it goes onto the wire, its zero at the end. @p wire has room for kLargestOnWire.
+/// @param payload  up to kLargestPayload bytes.
+inline size_t encodeFrame(
+    Type type,
+    uint16_t sequence,
+    uint32_t time,
+    const uint8_t* payload,
+    size_t size,
+    uint8_t* wire) noexcept {
+  uint8_t plain[kLargestFrame];
+  Writer writer(plain);
+  writer.u8(static_cast<uint8_t>(type));
+  writer.u16(sequence);
+  writer.u32(time);
+  for (size_t i = 0; i < size; ++i) writer.u8(payload[i]);
+  writer.u32(crc32(plain, writer.size()));
+  const size_t stuffed = cobsEncode(plain, writer.size(), wire);
+  wire[stuffed] = 0;
+  return stuffed + 1;
+}
+
+/// Finds frames in bytes as they come. Whatever is no frame is passed over up to the next zero, and
+/// counted; nothing is allocated.
+class FrameDecoder {
+ public:
+  /// True when @p byte ended a frame that is as it was sent: @p frame is valid until the next call.
+  bool take(uint8_t byte, Frame& frame) noexcept {
+    if (byte != 0) {
+      if (count_ < sizeof bytes_) {
+        bytes_[count_++] = byte;
+      } else {
+        isTooLong_ = true;
+      }
+      return false;
+    }
+    const size_t count = isTooLong_ ? 0 : cobsDecode(bytes_, count_, bytes_);
+    const bool isEmpty = count_ == 0;  // zeros between frames are nothing at all
+    count_ = 0;
+    isTooLong_ = false;
+    if (isEmpty) return false;
+    if (count >= kHead + kTail && isWhole(count)) {
+      Reader head(bytes_, kHead);
+      frame.type = static_cast<Type>(head.u8());
+      frame.sequence = head.u16();
+      frame.time = head.u32();
+      frame.payload = bytes_ + kHead;
+      frame.size = count - kHead - kTail;
+      return true;
+    }
+    ++damaged_;
+    return false;
+  }
+
+  /// Frames that were not as they had been sent.
+  uint32_t damaged() const noexcept { return damaged_; }
+
+  /// Forgets the frame that has begun.
+  void restart() noexcept {
+    count_ = 0;
+    isTooLong_ = false;
+  }
+
+ private:
+  bool isWhole(size_t count) const noexcept {
+    Reader tail(bytes_ + count - kTail, kTail);
+    return tail.u32() == crc32(bytes_, count - kTail);
+  }
+
+  uint8_t bytes_[kLargestOnWire] = {};
+  size_t count_ = 0;
+  bool isTooLong_ = false;
+  uint32_t damaged_ = 0;
+};
+
+}  // namespace haptics::wire::punch

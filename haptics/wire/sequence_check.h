@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+
+namespace haptics::wire {
+
+/// Finds what was lost, doubled or overtaken on its way, by the numbers that a sender counts up.
+/// Counter is unsigned and wraps.
+template <typename Counter>
+class SequenceCheck {
+ public:
+  enum class Verdict {
+    Fresh,    ///< newer than all before
+    Doubled,  ///< has been here already: not to be acted upon
+    Late,     ///< overtaken by a newer one: not to be acted upon
+    Restart,  ///< so far away that the sender has begun anew
+  };
+
+  Verdict take(Counter number) noexcept {
+    if (!hasAny_) return begin(number);
+    const auto ahead = static_cast<Counter>(number - newest_);
+    if (ahead == 0) return doubled();
+    if (ahead <= kFarAhead) {
+      lost_ += ahead - 1U;
+      seen_ = ahead < 64 ? seen_ << ahead : 0;
+      seen_ |= 1U;
+      newest_ = number;
+      return Verdict::Fresh;
+    }
+    const auto behind = static_cast<Counter>(newest_ - number);
+    if (behind >= 64) {
+      ++restarts_;
+      return begin(number);
+    }
+    const std::uint64_t bit = std::uint64_t{1} << behind;
+    if ((seen_ & bit) != 0) return doubled();
+    seen_ |= bit;
+    ++late_;
+    if (lost_ > 0) --lost_;  // it had been taken for lost
+    return Verdict::Late;
+  }
+
+  std::uint64_t lost() const noexcept { return lost_; }
+  std::uint64_t doubledOnes() const noexcept { return doubled_; }
+  std::uint64_t late() const noexcept { return late_; }
+  std::uint64_t restarts() const noexcept { return restarts_; }
+
+ private:
+  static constexpr Counter kFarAhead = 1000;
+
+  Verdict begin(Counter number) noexcept {
+    const bool isFirst = !hasAny_;
+    hasAny_ = true;
+    newest_ = number;
+    seen_ = ~std::uint64_t{0};  // what was before the first is nobody's loss
+    return isFirst ? Verdict::Fresh : Verdict::Restart;
+  }
+  Verdict doubled() noexcept {
+    ++doubled_;
+    return Verdict::Doubled;
+  }
+
+  bool hasAny_ = false;
+  Counter newest_ = 0;
+  std::uint64_t seen_ = 0;  ///< bit i: newest − i has been here
+  std::uint64_t lost_ = 0;
+  std::uint64_t doubled_ = 0;
+  std::uint64_t late_ = 0;
+  std::uint64_t restarts_ = 0;
+};
+
+}  // namespace haptics::wire
