@@ -1,16 +1,41 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace analysis {
 
 /// How the p values of one family of tests are held to account for their number.
+///
+/// With p₁ ≤ … ≤ p_m in order of size, each p′ is not more than 1:
 enum class Adjustment {
-  Bonferroni,  ///< p′ = min(1, m p)
+  Bonferroni,          ///< p′ = m p
+  Holm,                ///< p′ᵢ = max over j ≤ i of (m − j + 1) pⱼ; Holm 1979
+  Hochberg,            ///< p′ᵢ = min over j ≥ i of (m − j + 1) pⱼ; Hochberg 1988
+  Hommel,              ///< Simes' test of every subset that has the hypothesis; Hommel 1988
+  BenjaminiHochberg,   ///< p′ᵢ = min over j ≥ i of m pⱼ / j; false discovery rate, 1995
+  BenjaminiYekutieli,  ///< the same times 1 + 1/2 + … + 1/m: any dependence, 2001
+  HolmSidak,           ///< p′ᵢ = max over j ≤ i of 1 − (1 − pⱼ)^(m − j + 1)
 };
+
+inline constexpr std::array kAdjustments{
+    Adjustment::Bonferroni,
+    Adjustment::Holm,
+    Adjustment::Hochberg,
+    Adjustment::Hommel,
+    Adjustment::BenjaminiHochberg,
+    Adjustment::BenjaminiYekutieli,
+    Adjustment::HolmSidak};
+
+/// The word for it in a file: `bonferroni`, `holm`, `hochberg`, `hommel`, `bh`, `by`, `holm-sidak`.
+std::string_view nameOf(Adjustment method) noexcept;
+
+/// The method that has this name; nothing if there is none.
+std::optional<Adjustment> adjustmentNamed(std::string_view name) noexcept;
 
 /// How many of a family's tests there really are: those that have a p value. A test that is not
 /// defined cannot find anything by chance, and does not count.

@@ -50,7 +50,7 @@ void judge(PairwiseComparisons& family) {
   for (std::size_t i = 0; i < family.rows.size(); ++i) {
     auto& row = family.rows[i];
     row.adjustedP = adjusted[i];
-    if (row.welch.p) row.isSignificant = *row.welch.p <= each;
+    if (row.adjustedP) row.isSignificant = *row.adjustedP <= family.alpha;
     row.interval = confidenceInterval(row.welch, 1.0 - family.alpha);
     row.adjustedInterval = confidenceInterval(row.welch, 1.0 - each);
   }
@@ -59,13 +59,17 @@ void judge(PairwiseComparisons& family) {
 }  // namespace
 
 PairwiseComparisons comparePairwise(
-    std::span<const NamedCounts> groups, std::span<const DeclaredPair> pairs, double alpha) {
+    std::span<const NamedCounts> groups,
+    std::span<const DeclaredPair> pairs,
+    double alpha,
+    Adjustment adjustment) {
   if (!(alpha > 0.0 && alpha < 1.0)) throw std::invalid_argument("alpha lies between 0 and 1");
   checkNames(groups);
   checkFamily(pairs);
 
   PairwiseComparisons family;
   family.alpha = alpha;
+  family.adjustment = adjustment;
   for (const auto& [first, second] : pairs) {
     PairwiseComparison row;
     row.group1 = first;

@@ -31,7 +31,7 @@ struct PairwiseComparison {
   std::string group2;
   WelchResult welch;
   std::optional<double> adjustedP;
-  std::optional<bool> isSignificant;         ///< p ≤ alpha per test; nothing without p
+  std::optional<bool> isSignificant;         ///< adjusted p ≤ alpha; nothing without p
   std::optional<Interval> interval;          ///< of the difference, at 1 − alpha
   std::optional<Interval> adjustedInterval;  ///< of the difference, at 1 − alpha per test
 };
@@ -42,16 +42,22 @@ struct PairwiseComparisons {
   double alpha = 0.05;
   Adjustment adjustment = Adjustment::Bonferroni;
   std::size_t tests = 0;               ///< m: the comparisons that have a p value
-  std::optional<double> alphaPerTest;  ///< alpha / m; nothing for m = 0
+  std::optional<double> alphaPerTest;  ///< alpha / m, of the intervals; nothing for m = 0
   std::vector<PairwiseComparison> rows;
 };
 
 /// The declared comparisons, in their order.
 ///
+/// The adjusted intervals are Bonferroni's, whatever the adjustment: the other methods have none
+/// that would always agree with them.
+///
 /// @throws std::invalid_argument  if two groups share a name, a pair names a group that is not
 ///     there or the same one twice, a pair is declared twice (also the other way round), or alpha
 ///     is not between 0 and 1.
 PairwiseComparisons comparePairwise(
-    std::span<const NamedCounts> groups, std::span<const DeclaredPair> pairs, double alpha = 0.05);
+    std::span<const NamedCounts> groups,
+    std::span<const DeclaredPair> pairs,
+    double alpha = 0.05,
+    Adjustment adjustment = Adjustment::Bonferroni);
 
 }  // namespace analysis

@@ -42,6 +42,28 @@ TEST(PairwiseComparisons, HoldEachTestToAccountForTheirNumber) {
   EXPECT_EQ(family.rows[2].isSignificant, false);
 }
 
+TEST(PairwiseComparisons, AreAdjustedAsAsked) {
+  const auto holm = comparePairwise(kMethods, kPairs, 0.05, analysis::Adjustment::Holm);
+  const auto bonferroni = comparePairwise(kMethods, kPairs);
+
+  EXPECT_EQ(holm.adjustment, analysis::Adjustment::Holm);
+  // The middle one of three counts twice, the largest once.
+  EXPECT_DOUBLE_EQ(holm.rows[1].adjustedP.value(), 2.0 * holm.rows[1].welch.p.value());
+  EXPECT_DOUBLE_EQ(holm.rows[2].adjustedP.value(), holm.rows[2].welch.p.value());
+  EXPECT_EQ(holm.alphaPerTest, bonferroni.alphaPerTest);
+  EXPECT_EQ(holm.rows[1].adjustedInterval->low, bonferroni.rows[1].adjustedInterval->low);
+}
+
+TEST(PairwiseComparisons, JudgeByTheAdjustedP) {
+  // p of I–K is .0087: more than .02 / 3, less than .02 / 2
+  constexpr double kAlpha = 0.02;
+  const auto bonferroni = comparePairwise(kMethods, kPairs, kAlpha);
+  const auto holm = comparePairwise(kMethods, kPairs, kAlpha, analysis::Adjustment::Holm);
+
+  EXPECT_EQ(bonferroni.rows[1].isSignificant, false);
+  EXPECT_EQ(holm.rows[1].isSignificant, true);
+}
+
 TEST(PairwiseComparisons, GiveIntervalsAtBothLevels) {
   const auto row = comparePairwise(kMethods, kPairs).rows[1];
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace analysis {
+
+// How small an exact two-sided p can become at all, whatever the answers: with few participants it
+// may stay above the level at which a study decides. log₁₀ holds also where p is too small for a
+// double.
+
+/// An exact p at its smallest.
+struct AttainableP {
+  double p = 1.0;
+  double log10P = 0.0;
+};
+
+/// Sign flips, the sign test and the signed rank test on n differences that all point one way:
+///
+///     p = 2 / 2ⁿ = 2^(1 − n)
+///
+/// 1 for fewer than two.
+AttainableP smallestSignFlipP(std::uint64_t n);
+
+/// Friedman's test where all n participants put k conditions in the same order:
+///
+///     p = 1 / k!^(n − 1)
+///
+/// 1 for fewer than two participants.
+/// @throws std::invalid_argument  for fewer than two conditions, or more than 1000.
+AttainableP smallestFriedmanP(std::uint64_t n, int k);
+
+/// Mann and Whitney's test of two groups that do not overlap and have no ties:
+///
+///     p = 2 / C(n₁ + n₂, n₁)
+///
+/// 1 where one group is empty.
+AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
+
+/// The exact multinomial test of equal shares where n votes are all for the same of k options:
+///
+///     p = k / kⁿ = k^(1 − n)
+///
+/// 1 without votes.
+/// @throws std::invalid_argument  for fewer than two options.
+AttainableP smallestVoteP(std::uint64_t n, int k);
+
+/// The fewest participants with whom an exact paired test can find anything at all, if it is one of
+/// a family of m with Bonferroni's correction: the smallest n with 2^(1 − n) ≤ α / m.
+/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no comparisons.
+std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons);
+
+/// The votes that one of k options needs for the exact multinomial test of equal shares to reach
+/// α, however the others fall. Nothing where not even all n votes suffice, and where they are too
+/// many to count (see equalSharesP()).
+/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or fewer than two
+///     options.
+std::optional<std::uint64_t> fewestVotesToWin(std::uint64_t n, int k, double alpha);
+
+}  // namespace analysis

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace analysis {
+
+/// One pair of treatments, compared by their mean ranks.
+struct RankComparison {
+  std::size_t first = 0;  ///< index of the treatment
+  std::size_t second = 0;
+  double meanRankDifference = 0.0;  ///< mean rank of the first − mean rank of the second
+
+  double nemenyiQ = 0.0;       ///< |difference| / √(k(k + 1)/(6b)) · √2
+  double nemenyiP = 1.0;       ///< of the range of k normal values: already holds for all pairs
+  double nemenyiLog10P = 0.0;  ///< holds also where p is too small for a double
+
+  std::optional<double> conoverT;  ///< signed as the difference; nothing if all blocks agree
+  std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
+};
+
+/// What Friedman's test says about treatments that every block has seen. Whatever is not defined
+/// is not there, and the reason says why.
+struct FriedmanResult {
+  std::uint64_t blocks = 0;      ///< b: participants
+  std::uint64_t treatments = 0;  ///< k
+  std::vector<double> rankSums;
+
+  std::optional<double> chiSquared;  ///< corrected for ties; k − 1 degrees of freedom
+  std::optional<double> p;           ///< of χ²
+  std::optional<double> log10P;      ///< holds also where p is too small for a double
+  std::optional<double> kendallW;    ///< 0 … 1: how far the blocks agree
+
+  std::optional<double> imanDavenportF;  ///< +infinity if all blocks agree
+  std::optional<double> imanDavenportP;  ///< of F with k − 1 and (k − 1)(b − 1); 0 if F is infinite
+
+  std::optional<double> imanDavenportLog10P;  ///< holds also where p is too small for a double
+
+  std::optional<double> exactP;  ///< under all permutations within blocks, midranks kept
+
+  std::vector<RankComparison> pairs;  ///< empty where the test is not defined
+  std::string reason;                 ///< why something above is missing; empty if nothing is
+};
+
+/// Friedman's test (1937): do treatments differ, if every block ranks them? With Rⱼ the rank sums
+/// and t the sizes of ties within blocks,
+///
+///     Q = 12 Σ(Rⱼ − b(k + 1)/2)² / (b k (k + 1) − Σ(t³ − t)/(k − 1)),   W = Q / (b (k − 1))
+///     F = (b − 1) Q / (b (k − 1) − Q)                                      (Iman & Davenport 1980)
+///     t = (Rᵢ − Rⱼ) / √(2 (b Σr² − ΣRⱼ²) / ((b − 1)(k − 1)))               (Conover 1999, § 5.8)
+///
+/// @param blocks  a row per block, a value per treatment.
+/// @throws std::invalid_argument  for rows of unlike length, of fewer than two or more than 50
+///     values, for more than a million rows, or a value that is infinite or no number.
+FriedmanResult friedmanTest(std::span<const std::vector<double>> blocks);
+
+}  // namespace analysis

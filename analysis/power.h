@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace analysis {
+
+/// The probability that a two-sided paired t-test of n participants finds a difference of d_z, the
+/// mean of the differences in units of their own standard deviation:
+///
+///     power = P(|T| > t_c),  T noncentral t with ν = n − 1 and δ = d_z √n,
+///     P(|T₀| > t_c) = α,     T₀ Student's t with ν
+///
+/// (Cohen 1988; both tails are counted.)
+///
+/// @param alpha  of this one test: α / m within a family with Bonferroni's correction.
+/// @throws std::invalid_argument  for fewer than two participants, an alpha that is not between 0
+///     and 1, or an effect that is no number.
+double pairedTPower(double dz, std::uint64_t n, double alpha);
+
+/// The most participants that anybody plans.
+inline constexpr std::uint64_t kMostParticipants = 1'000'000;
+
+/// The fewest participants with whom a paired t-test has at least this power; nothing for an effect
+/// of zero and beyond kMostParticipants.
+/// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, a power
+///     below alpha, or an effect that is no number.
+std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);
+
+}  // namespace analysis

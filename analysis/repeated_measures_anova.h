@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace analysis {
+
+/// What an analysis of variance says about one factor within participants.
+struct RepeatedMeasuresResult {
+  std::size_t participants = 0;
+  std::size_t conditions = 0;
+
+  std::optional<double> f;  ///< +infinity where all participants change in the same way
+  std::optional<double> degreesOfFreedom1;  ///< k − 1
+  std::optional<double> degreesOfFreedom2;  ///< (k − 1)(n − 1)
+  std::optional<double> p;                  ///< if the conditions are spherical
+  std::optional<double> log10P;             ///< holds also where p is too small for a double
+  std::optional<double> partialEtaSquared;  ///< in 0 … 1
+
+  std::optional<double> greenhouseGeisser;   ///< ε, from 1/(k − 1) to 1: how spherical they are
+  std::optional<double> pGreenhouseGeisser;  ///< with both degrees of freedom times ε
+  std::optional<double> log10PGreenhouseGeisser;
+
+  std::string reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Repeated-measures analysis of variance: do k conditions differ in their mean, each of n
+/// participants having been in all of them?
+///
+///     F = (SS_conditions / (k − 1)) / (SS_residual / ((k − 1)(n − 1)))
+///     partial η² = SS_conditions / (SS_conditions + SS_residual)
+///     ε = (tr S)² / ((k − 1) tr S²),   S the covariance of the conditions, centred both ways
+///
+/// ε after Greenhouse & Geisser 1959; it does not depend on F, and p with it is safe whether or not
+/// the conditions are spherical. With two conditions, F = t² of the paired test.
+///
+/// @param table  one participant a row, one condition a column.
+/// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
+///     infinite or no number.
+RepeatedMeasuresResult repeatedMeasuresAnova(std::span<const std::vector<double>> table);
+
+}  // namespace analysis

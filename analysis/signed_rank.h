@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace analysis {
+
+/// What becomes of differences of zero, which have no sign.
+enum class Zeros {
+  Dropped,           ///< before ranking, as Wilcoxon does
+  RankedThenDropped  ///< after ranking, as Pratt (1959) does: zeros push the others up
+};
+
+/// What the signed rank test says about paired differences. Whatever is not defined is not there,
+/// and the reason says why.
+struct SignedRankResult {
+  std::uint64_t n = 0;  ///< all differences
+  std::uint64_t positive = 0;
+  std::uint64_t negative = 0;
+  std::uint64_t zeros = 0;
+
+  std::optional<double> v;             ///< sum of the ranks of the positive differences
+  std::optional<double> rankBiserial;  ///< (2V − T) / T, T the sum of all ranks that have a sign
+
+  std::optional<double> p;      ///< exact, two-sided: 2 min(P(≤ V), P(≥ V)), at most 1
+  std::optional<double> pLess;  ///< exact P(≤ V): if only negative differences were of interest
+  std::optional<double> pGreater;  ///< exact P(≥ V)
+
+  std::optional<double> z;                      ///< normal, without continuity correction
+  std::optional<double> pAsymptotic;            ///< two-sided, of z
+  std::optional<double> log10PAsymptotic;       ///< holds also where p is too small for a double
+  std::optional<double> pAsymptoticContinuity;  ///< with V moved by ½ towards its mean
+
+  std::string reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Wilcoxon's signed rank test (1945): are paired differences as likely up as down?
+///
+///     V = Σ rank |dᵢ| over dᵢ > 0,   equal |dᵢ| sharing their midrank
+///
+/// The exact law is that of the given midranks under all 2ⁿ choices of signs, ties and zeros
+/// included, by dynamic programming over doubled ranks (SubsetSums): for some 300 differences.
+/// The asymptotic one has mean Σr/2 and variance Σr²/4, over the ranks r that have a sign.
+///
+/// Ranks depend on the last digit. Differences of means that would be equal but for rounding want
+/// withoutRoundingNoise() first.
+///
+/// @param differences  one per pair, x − y.
+/// @throws std::invalid_argument  if a difference is infinite or no number.
+SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros = Zeros::Dropped);
+
+}  // namespace analysis

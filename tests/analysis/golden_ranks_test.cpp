@@ -1,0 +1,232 @@
+// The golden values of rank tests and votes in shared/data/stats, to the gates of the README there:
+// every quantity of these tests in every data set.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/brunner_munzel.h"
+#include "analysis/cliff_delta.h"
+#include "analysis/decimal_number.h"
+#include "analysis/friedman.h"
+#include "analysis/mann_whitney.h"
+#include "analysis/share_interval.h"
+#include "analysis/sign_test.h"
+#include "analysis/signed_rank.h"
+#include "analysis/vote_tests.h"
+#include "tests/analysis/digits.h"
+#include "tests/analysis/golden_file.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+using Quantities = std::map<std::string, std::optional<double>>;
+
+double gateOf(const std::string& quantity) {
+  if (quantity.starts_with("nemenyi")) return 9.0;
+  const bool isOfALaw = quantity.find("asym") != std::string::npos || quantity.ends_with("_p") ||
+                        quantity.find("95") != std::string::npos;
+  return isOfALaw ? 12.0 : 14.0;
+}
+
+/// @param prefixes  of the quantities in the golden file that must all be there.
+void compare(
+    const std::string& dataSet,
+    const nlohmann::json& golden,
+    const Quantities& ours,
+    const std::vector<std::string>& prefixes,
+    tests::WorstDigits& worst) {
+  for (const auto& [quantity, truth] : golden.items()) {
+    const bool isOurs = std::ranges::any_of(
+        prefixes, [&](const std::string& prefix) { return quantity.starts_with(prefix); });
+    if (!isOurs) continue;
+    SCOPED_TRACE(testing::Message() << dataSet << " " << quantity);
+    ASSERT_TRUE(ours.contains(quantity));
+    const auto& number = ours.at(quantity);
+    const std::string text = truth.is_string() ? truth.get<std::string>() : truth.dump();
+    ASSERT_EQ(number.has_value(), text != "nan") << text;
+    if (!number) continue;
+    if (std::isinf(*number)) {
+      EXPECT_EQ(std::to_string(*number), text);
+      continue;
+    }
+    const double digits = tests::correctDigits(*number, text);
+    worst.add(quantity, dataSet, digits);
+    EXPECT_GE(digits, gateOf(quantity)) << *number << " is not " << text;
+  }
+}
+
+std::vector<std::vector<double>> rowsOf(const std::string& file, std::size_t firstColumn) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& row : tests::statsTable(file).rows) {
+    std::vector<double> numbers;
+    for (std::size_t i = firstColumn; i < row.cells.size(); ++i) {
+      numbers.push_back(analysis::decimalNumber(row.cells[i]).value());
+    }
+    rows.push_back(numbers);
+  }
+  return rows;
+}
+
+void addSignedRank(Quantities& quantities, const std::string& name, const std::vector<double>& d) {
+  const auto result = analysis::signedRankTest(
+      d, name == "wilcox" ? analysis::Zeros::Dropped : analysis::Zeros::RankedThenDropped);
+  quantities[name + "_V"] = result.v;
+  quantities[name + "_p_exact"] = result.p;
+  quantities[name + "_p_asym_cc"] = result.pAsymptoticContinuity;
+  quantities[name + "_p_asym_nocc"] = result.pAsymptotic;
+  quantities[name + "_rank_biserial"] = result.rankBiserial;
+}
+
+TEST(GoldenPairs, AreAllReachedToTheirGate) {
+  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
+  const auto golden = tests::statsJson("golden.json")["pair"];
+  tests::WorstDigits worst("signed ranks");
+  for (const auto& [dataSet, truth] : golden.items()) {
+    std::vector<double> differences;
+    for (const auto& row : rowsOf("pair/" + dataSet + ".csv", 0)) {
+      differences.push_back(row.at(0) - row.at(1));
+    }
+    const auto sign = analysis::signTest(differences);
+    Quantities quantities{
+        {"p_sign", sign.p},
+        {"n_pos", static_cast<double>(sign.positive)},
+        {"n_neg", static_cast<double>(sign.negative)},
+        {"n_zero", static_cast<double>(sign.zeros)}};
+    addSignedRank(quantities, "wilcox", differences);
+    addSignedRank(quantities, "pratt", differences);
+    compare(dataSet, truth, quantities, {"p_sign", "n_", "wilcox_", "pratt_"}, worst);
+  }
+  EXPECT_EQ(worst.count(), 7 * (4 + 2 * 5));
+}
+
+Quantities rankQuantities(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto mannWhitney = analysis::mannWhitneyTest(a, b);
+  const auto brunnerMunzel = analysis::brunnerMunzelTest(a, b);
+  const auto cliff = analysis::cliffDelta(a, b);
+  Quantities quantities{
+      {"mwu_U", mannWhitney.u},
+      {"mwu_var", mannWhitney.variance},
+      {"mwu_p_asym_nocc", mannWhitney.pAsymptotic},
+      {"mwu_p_asym_cc", mannWhitney.pAsymptoticContinuity},
+      {"mwu_p_exact_double", mannWhitney.p},
+      {"mwu_p_exact_abs", mannWhitney.pAbs},
+      {"mwu_p_exact_less", mannWhitney.pLess},
+      {"mwu_p_exact_greater", mannWhitney.pGreater},
+      {"bm_W", brunnerMunzel.w},
+      {"bm_df", brunnerMunzel.degreesOfFreedom},
+      {"bm_p", brunnerMunzel.p},
+      {"cliff_delta", cliff.delta},
+      {"prob_superiority", cliff.probabilityOfSuperiority},
+      {"cliff_var_unbiased", cliff.variance}};
+  if (cliff.interval) {
+    quantities["cliff_ci95_lo"] = cliff.interval->low;
+    quantities["cliff_ci95_hi"] = cliff.interval->high;
+  }
+  return quantities;
+}
+
+TEST(GoldenRankSums, AreAllReachedToTheirGate) {
+  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
+  const auto golden = tests::statsJson("golden.json")["two"];
+  tests::WorstDigits worst("rank sums");
+  for (const auto& [dataSet, truth] : golden.items()) {
+    const auto groups = tests::statsGroups(dataSet);
+    const auto ours = rankQuantities(groups.group1.values, groups.group2.values);
+    compare(dataSet, truth, ours, {"mwu_", "bm_", "cliff_", "prob_"}, worst);
+    EXPECT_EQ(ours.contains("cliff_ci95_lo"), truth.contains("cliff_ci95_lo")) << dataSet;
+  }
+  // 15 sets × (4 + 4 exact + 3 + 3 + 2), less what t12 and t17 are too large for, and what the four
+  // sets without overlap leave undefined: W, df, p and an interval.
+  EXPECT_EQ(worst.count(), 15 * 16 - 2 * 4 - 4 * 5);
+}
+
+TEST(GoldenRankSums, FollowFromFiveBinHistograms) {
+  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
+  for (const std::string dataSet : {"t01_likert36", "t02_likert36_30", "t03_counts_I30_K30"}) {
+    const auto groups = tests::statsGroups(dataSet);
+    analysis::LikertCounts a(1, 5);
+    analysis::LikertCounts b(1, 5);
+    for (const double value : groups.group1.values) a.add(static_cast<int>(value));
+    for (const double value : groups.group2.values) b.add(static_cast<int>(value));
+    const auto values = analysis::mannWhitneyTest(groups.group1.values, groups.group2.values);
+    const auto counts = analysis::mannWhitneyTest(a, b);
+    EXPECT_EQ(counts.u, values.u);
+    EXPECT_EQ(counts.p, values.p);
+    EXPECT_EQ(counts.pAsymptotic, values.pAsymptotic);
+    EXPECT_EQ(
+        analysis::brunnerMunzelTest(a, b).p,
+        analysis::brunnerMunzelTest(groups.group1.values, groups.group2.values).p);
+    EXPECT_EQ(
+        analysis::cliffDelta(a, b).variance,
+        analysis::cliffDelta(groups.group1.values, groups.group2.values).variance);
+  }
+}
+
+TEST(GoldenBlocks, AreAllReachedToTheirGate) {
+  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
+  const auto golden = tests::statsJson("golden.json")["block"];
+  tests::WorstDigits worst("Friedman");
+  int pairs = 0;
+  for (const auto& [dataSet, truth] : golden.items()) {
+    const std::string file = "block/" + dataSet + ".csv";
+    const auto columns = tests::statsTable(file).columns;
+    const auto result = analysis::friedmanTest(rowsOf(file, 1));
+    Quantities quantities{
+        {"friedman_chi2", result.chiSquared},
+        {"friedman_df", static_cast<double>(result.treatments - 1)},
+        {"friedman_p", result.p},
+        {"friedman_p_exact_permutation", result.exactP},
+        {"kendall_W", result.kendallW},
+        {"iman_davenport_F", result.imanDavenportF},
+        {"iman_davenport_p", result.imanDavenportP}};
+    for (const auto& pair : result.pairs) {
+      quantities["nemenyi_p_" + columns.at(pair.first + 1) + "_" + columns.at(pair.second + 1)] =
+          pair.nemenyiP;
+      ++pairs;
+    }
+    compare(dataSet, truth, quantities, {"friedman_", "kendall_", "iman_", "nemenyi_"}, worst);
+    for (std::size_t j = 0; j < result.rankSums.size(); ++j) {
+      EXPECT_EQ(result.rankSums[j], std::stod(truth["rank_sums"][j].get<std::string>()));
+    }
+  }
+  EXPECT_EQ(pairs, 3 + 3 + 3 + 6);
+  EXPECT_EQ(worst.count(), 4 * 6 + 3 - 1 + pairs);  // three exact p; one F is infinite
+}
+
+TEST(GoldenVotes, AreAllReachedToTheirGate) {
+  SKIP_WITHOUT_SHARED_DATA("stats/counts.json");
+  const auto golden = tests::statsJson("golden.json")["counts"];
+  tests::WorstDigits worst("votes and their intervals");
+  const auto all = tests::statsJson("counts.json");
+  for (const auto& entry : all.items()) {
+    analysis::VoteCounts votes({"I", "F", "K"});
+    for (const auto& [option, count] : entry.value().items()) {
+      votes.add(option, count.get<unsigned>());
+    }
+    const auto result = analysis::equalSharesTest(votes);
+    Quantities quantities{
+        {"n", static_cast<double>(result.votes)},
+        {"p_multinomial_exact", result.exactP},
+        {"chi2", result.chiSquared},
+        {"chi2_p", result.p}};
+    for (const auto& share : votes.shares()) {
+      const auto wilson = analysis::wilsonInterval(share.votes, votes.total()).value();
+      const auto exact = analysis::clopperPearsonInterval(share.votes, votes.total()).value();
+      quantities[share.option + "_share"] = share.share;
+      quantities[share.option + "_wilson95_lo"] = wilson.low;
+      quantities[share.option + "_wilson95_hi"] = wilson.high;
+      quantities[share.option + "_cp95_lo"] = exact.low;
+      quantities[share.option + "_cp95_hi"] = exact.high;
+    }
+    compare(entry.key(), golden[entry.key()], quantities, {""}, worst);
+  }
+  EXPECT_EQ(worst.count(), 4 * (4 + 3 * 5));
+}
+
+}  // namespace

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/factor.h"
+
+namespace tests {
+
+/// The scores of one cohort of the synthetic study in shared/data/stats/study, and what they
+/// belong to.
+struct StudyAnswers {
+  std::vector<double> scores;
+  analysis::Factor participant;
+  analysis::Factor method;  ///< interpolation, fem, kalman
+  analysis::Factor round;
+};
+
+/// @param cohort  professional or non-professional.
+StudyAnswers studyAnswers(const std::string& cohort);
+
+}  // namespace tests
