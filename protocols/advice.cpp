@@ -59,6 +59,7 @@ class Advice {
       if (!told.insert(use.instrument).second) continue;
       const auto* instrument = loaded_.instrument(use.instrument);
       languagesOf(*instrument, use.path);
+      occasionsOf(*instrument, use.path);
       if (!isFromFile(*instrument)) fromLibrary(*instrument);
     }
     for (std::size_t i = 0; i < protocol_.instrumentFiles.size(); ++i) {
@@ -112,8 +113,23 @@ class Advice {
       problems_.warn(
           path,
           "'" + instrument.id + "' has no texts in '" + language + "'",
-          "English will be shown instead");
+          "English will be shown instead; 'palpate instrument wording " + instrument.id +
+              " --language " + language + "' writes a file for them");
     }
+  }
+
+  /// What is scored as a change has to be asked twice.
+  void occasionsOf(const Instrument& instrument, const std::string& path) {
+    if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
+    const auto uses = instrumentUses(protocol_);
+    const auto times = std::count_if(uses.begin(), uses.end(), [&](const InstrumentUse& use) {
+      return use.instrument == instrument.id;
+    });
+    if (times > 1) return;
+    problems_.warn(
+        path,
+        "'" + instrument.id + "' is asked once, and its result is the change from before to after",
+        "ask it in a phase before and in a phase after what is felt");
   }
 
   /// What lies in a file has its own warnings.

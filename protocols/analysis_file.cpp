@@ -8,11 +8,23 @@ namespace {
 using questionnaires::Choice;
 using questionnaires::Node;
 
-constexpr std::array kTests{Choice<TestType>{"welch", TestType::Welch}};
+constexpr std::array kTests{
+    Choice<TestType>{"welch", TestType::Welch},
+    Choice<TestType>{"paired_t", TestType::PairedT},
+    Choice<TestType>{"sign_flip", TestType::SignFlip},
+    Choice<TestType>{"signed_rank", TestType::SignedRank},
+};
 constexpr std::array kCorrections{
     Choice<CorrectionType>{"bonferroni", CorrectionType::Bonferroni},
+    Choice<CorrectionType>{"holm", CorrectionType::Holm},
+    Choice<CorrectionType>{"hochberg", CorrectionType::Hochberg},
+    Choice<CorrectionType>{"hommel", CorrectionType::Hommel},
+    Choice<CorrectionType>{"bh", CorrectionType::BenjaminiHochberg},
+    Choice<CorrectionType>{"by", CorrectionType::BenjaminiYekutieli},
+    Choice<CorrectionType>{"holm_sidak", CorrectionType::HolmSidak},
     Choice<CorrectionType>{"none", CorrectionType::None},
 };
+constexpr double kWidestScale = 1000.0;  // [points]
 constexpr double kMostRealism = 10.0;
 constexpr double kMostDeviation = 10.0;
 
@@ -37,7 +49,15 @@ double readAlpha(const Node& family) {
 Family readFamily(const Node& node) {
   Family family;
   if (!node.isObjectWith(
-          {"id", "title", "instrument", "blocks", "comparisons", "test", "correction", "alpha"})) {
+          {"id",
+           "title",
+           "instrument",
+           "blocks",
+           "comparisons",
+           "test",
+           "correction",
+           "alpha",
+           "equivalence_bound"})) {
     return family;
   }
   family.id = node.id("id");
@@ -50,6 +70,12 @@ Family readFamily(const Node& node) {
   family.test = node.choice("test", kTests);
   family.correction = node.choice("correction", kCorrections);
   family.alpha = readAlpha(node);
+  if (node.has("equivalence_bound")) {
+    family.equivalenceBound = node.number("equivalence_bound", 0.0, kWidestScale, 0.5);
+    if (family.equivalenceBound == 0.0) {
+      node.problem("equivalence_bound", "no difference is smaller than 0", "0.5 is usual");
+    }
+  }
   return family;
 }
 

@@ -14,6 +14,7 @@
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
 #include "questionnaires/library.h"
+#include "questionnaires/wording.h"
 
 namespace protocols {
 namespace {
@@ -31,6 +32,20 @@ void passOn(const Problems& found, const std::string& file, Problems& problems) 
       problems.warn(path, problem.what, problem.fix);
     }
   }
+}
+
+std::string originOf(const haptics::recordings::Provenance& provenance) {
+  if (provenance.sourceFile.empty()) return provenance.statement;
+  const std::string from = "recorded in '" + provenance.sourceFile + "'";
+  return provenance.statement.empty() ? from : provenance.statement + ", " + from;
+}
+
+std::string originOf(const PackingOrigin& origin) {
+  std::string words = origin.mesh.empty() ? "" : "spheres in '" + origin.mesh + "'";
+  if (!origin.material.empty()) {
+    words += (words.empty() ? "" : ", ") + ("fitted to '" + origin.material + "'");
+  }
+  return words;
 }
 
 bool leavesItsFolder(const std::string& name) {
@@ -67,7 +82,14 @@ void Companions::readInstrument(std::size_t index) {
             "', and so does a file before it",
         "give each an id of its own");
   }
+  addWording(*instrument, path);
   draft_.loaded.instruments.push_back(std::move(*instrument));
+}
+
+void Companions::addWording(questionnaires::Instrument& instrument, const std::string& path) {
+  const auto find = [&](const std::string& name) { return textIfThere(name, path); };
+  questionnaires::completeWording(
+      instrument, draft_.loaded.protocol.languages, find, path, problems_);
 }
 
 void Companions::addLibraryInstruments() {
@@ -77,12 +99,33 @@ void Companions::addLibraryInstruments() {
     if (isSchema || draft_.loaded.instrument(id) != nullptr) continue;
     for (const auto& file : questionnaires::libraryFiles()) {
       if (file.name != id + ".json") continue;
-      draft_.loaded.instruments.push_back(questionnaires::readSoundInstrument(file.content, id));
+      auto instrument = questionnaires::readSoundInstrument(file.content, id);
+      addWording(instrument, use.path);
+      draft_.loaded.instruments.push_back(std::move(instrument));
     }
   }
 }
 
+void Companions::tellSource(FeltSource source, const Condition& condition) {
+  auto& all = draft_.loaded.sources;
+  auto known = std::find_if(all.begin(), all.end(), [&](const auto& other) {
+    return other.kind == source.kind && other.file == source.file && other.origin == source.origin;
+  });
+  if (known == all.end()) known = all.insert(all.end(), std::move(source));
+  known->conditions.push_back(condition.id);
+}
+
 void Companions::readMaterial(Condition& condition) {
+  if (condition.hasOwnMaterial) {
+    tellSource(
+        {.kind = "material",
+         .file = {},
+         .title = "A bone of our own making, with the properties that the reaming paper prints",
+         .origin = {},
+         .isSynthetic = true,
+         .conditions = {}},
+        condition);
+  }
   if (!condition.material || condition.material->name.empty()) return;
   const auto& reference = *condition.material;
   const auto text = textOf(reference.name, reference.path);
@@ -102,34 +145,58 @@ void Companions::readMaterial(Condition& condition) {
   }
   auto& spec = std::get<haptics::engine::MaterialSpec>(condition.scene.model);
   spec.curves = set->force;
+  spec.isMeasured = !material->isSynthetic;
+  tellSource(
+      {.kind = "material",
+       .file = reference.name,
+       .title = material->title,
+       .origin = "test set " + std::string(nameOf(reference.set)),
+       .isSynthetic = material->isSynthetic,
+       .conditions = {}},
+      condition);
   if (reference.hasJitter) spec.jitter = set->jitter;
 }
 
 void Companions::readPacking(Condition& condition) {
   if (!condition.packing || condition.packing->name.empty()) return;
   auto& spec = std::get<haptics::engine::PackingSpec>(condition.scene.model);
-  spec.bone = packingOf(*condition.packing);
+  const auto packing = packingOf(*condition.packing);
+  spec.bone = packing.bone;
+  if (!spec.bone) return;
+  const bool isOwn = condition.packing->name == kParametricBone;
+  tellSource(
+      {.kind = "packing",
+       .file = isOwn ? std::string() : condition.packing->name,
+       .title = spec.bone->title,
+       .origin = packing.origin,
+       .isSynthetic = spec.bone->isSynthetic,
+       .conditions = {}},
+      condition);
 }
 
 Companions::PackingFile Companions::packingOf(const PackingReference& reference) {
-  if (reference.name == kParametricBone) return haptics::engine::parametricBone();
+  if (reference.name == kParametricBone) return {haptics::engine::parametricBone(), {}};
   const auto known = packings_.find(reference.name);
   if (known != packings_.end()) return known->second;
   const auto text = textOf(reference.name, reference.path);
-  if (!text) return nullptr;
+  if (!text) return {};
   if (!reference.name.ends_with(kPackingEnding)) {
     problems_.add(
         reference.path,
         "'" + shown(reference.name) + "' does not end in '.packing'",
         "name a file that 'palpate packing' has written");
-    return nullptr;
+    return {};
   }
   Problems inFile;
-  auto bone = protocols::readPacking(*text, inFile);
+  PackingOrigin origin;
+  auto bone = protocols::readPacking(*text, inFile, &origin);
   passOn(inFile, reference.name, problems_);
-  auto shared =
-      bone ? std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone)) : PackingFile();
-  return packings_.emplace(reference.name, std::move(shared)).first->second;
+  PackingFile file;
+  if (bone) {
+    file.bone = std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone));
+    file.origin = originOf(origin);
+  }
+  return packings_.emplace(reference.name, std::move(file)).first->second;
 }
 
 void Companions::readCut(Condition& condition) {
@@ -142,6 +209,15 @@ void Companions::readCut(Condition& condition) {
   if (kalman != nullptr) spec = &kalman->interpolation;
   if (spec == nullptr) return;
   fill(*spec, *cut);
+  const bool isOwn = condition.cut->name == kParametricCut;
+  tellSource(
+      {.kind = "cut",
+       .file = isOwn ? std::string() : condition.cut->name,
+       .title = cut->title,
+       .origin = originOf(cut->provenance),
+       .isSynthetic = cut->isSynthetic,
+       .conditions = {}},
+      condition);
 }
 
 /// The branches that are felt, no steeper than the protocol asks for.
@@ -198,6 +274,19 @@ std::optional<std::string> Companions::found(const std::string& name, const std:
     problems_.add(path, "the file '" + shown(name) + "' cannot be read", error.what());
   }
   return std::nullopt;
+}
+
+/// A file that may be away: it becomes part of the protocol where it is there.
+std::optional<std::string> Companions::textIfThere(
+    const std::string& name, const std::string& path) {
+  try {
+    auto text = find_(name);
+    if (text) draft_.loaded.files.push_back({name, *text});
+    return text;
+  } catch (const questionnaires::Error& error) {
+    problems_.add(path, "the file '" + shown(name) + "' cannot be read", error.what());
+    return std::nullopt;
+  }
 }
 
 }  // namespace protocols

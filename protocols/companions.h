@@ -19,7 +19,8 @@ class Companions {
   Companions(Draft& draft, const FileFinder& find, questionnaires::Problems& problems)
       : draft_(draft), find_(find), problems_(problems) {}
 
-  /// Those of 'instrument_files', and then those of the library that are used.
+  /// Those of 'instrument_files', and then those of the library that are used; with their wording
+  /// files, where they have or need any.
   void readInstruments();
 
   /// Puts the material that @p condition names, if it names one, into its scene.
@@ -32,16 +33,22 @@ class Companions {
   void readCut(Condition& condition);
 
  private:
-  using PackingFile = std::shared_ptr<const haptics::reaming::PackedBone>;
+  struct PackingFile {
+    std::shared_ptr<const haptics::reaming::PackedBone> bone;  ///< nothing where it is damaged
+    std::string origin;                                        ///< in words
+  };
   using CutFile = std::optional<haptics::recordings::Cut>;
 
   void readInstrument(std::size_t index);
   void addLibraryInstruments();
+  void addWording(questionnaires::Instrument& instrument, const std::string& path);
   static void fill(haptics::engine::InterpolationSpec& spec, const haptics::recordings::Cut& cut);
   PackingFile packingOf(const PackingReference& reference);
   CutFile cutOf(const CutReference& reference);
+  void tellSource(FeltSource source, const Condition& condition);
   std::optional<std::string> textOf(const std::string& name, const std::string& path);
   std::optional<std::string> found(const std::string& name, const std::string& path);
+  std::optional<std::string> textIfThere(const std::string& name, const std::string& path);
 
   Draft& draft_;
   const FileFinder& find_;

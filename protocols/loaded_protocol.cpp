@@ -38,7 +38,8 @@ std::optional<LoadedProtocol> load(
           .protocol = std::move(*protocol),
           .instruments = {},
           .text = std::string(json),
-          .files = {}}};
+          .files = {},
+          .sources = {}}};
   Companions companions(draft, find, problems);
   companions.readInstruments();
   for (auto& condition : draft.loaded.protocol.conditions) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocols/felt_source.h"
 #include "protocols/protocol.h"
 #include "questionnaires/instrument.h"
 #include "questionnaires/problem.h"
@@ -25,6 +26,7 @@ struct LoadedProtocol {
   std::string text;                                     ///< the protocol's own file
   std::vector<SourceFile>
       files;  ///< its instruments and cuts, but for what is built into the program
+  std::vector<FeltSource> sources;  ///< of its conditions, each once
 
   const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
 };

@@ -1,9 +1,11 @@
 #include "protocols/material_file.h"
 
+#include <algorithm>
 #include <array>
 
 #include <nlohmann/json.hpp>
 
+#include "haptics/recordings/decimal.h"
 #include "questionnaires/document.h"
 
 namespace protocols {
@@ -24,14 +26,16 @@ struct Keys {
 constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
 constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 
+constexpr double kDeepest = 1.0;   // [m]
+constexpr double kFarthest = 1e9;  // that is told as a wrong unit, once for a file [m]
+
 reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
-  constexpr double kDeepest = 1.0;    // [m]
   constexpr double kLargest = 1e6;    // [N, N·m]
   constexpr double kSteepest = 1e12;  // [N/m, N·m/m]
   reaming::CurveNodes nodes;
   for (const auto& node : curves.requiredList(which)) {
     if (!node.isObjectWith({"depth_m", keys.value, keys.slope})) continue;
-    const double depth = node.number("depth_m", 0.0, kDeepest);
+    const double depth = node.number("depth_m", 0.0, kFarthest);
     if (!nodes.empty() && !(depth > nodes.back().position)) {
       node.problem(
           "depth_m",
@@ -66,6 +70,19 @@ constexpr std::array kSets{
     questionnaires::Choice<reaming::TestSet>{"dynamic-2", reaming::TestSet::Dynamic2},
 };
 
+/// The deepest node of all curves [m].
+double deepestOf(const reaming::Material& material) {
+  double deepest = 0.0;
+  for (const auto& set : material.sets) {
+    for (const auto* curves : {&set.force, &set.torque}) {
+      for (const auto* nodes : {&curves->minimum, &curves->average, &curves->maximum}) {
+        for (const auto& node : *nodes) deepest = std::max(deepest, node.position);
+      }
+    }
+  }
+  return deepest;
+}
+
 std::optional<reaming::Material> readRoot(const questionnaires::Value& value, Problems& problems) {
   const Node root(value, "$", problems);
   if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
@@ -92,6 +109,13 @@ std::optional<reaming::Material> readRoot(const questionnaires::Value& value, Pr
       node.problem("test_set", "this test set is there already", "keep one of the two");
     }
     material.sets.push_back(std::move(set));
+  }
+  if (const double deepest = deepestOf(material); deepest > kDeepest) {
+    root.problem(
+        "sets",
+        "the curves go " + haptics::recordings::decimal(deepest, 1) +
+            " m deep; depths are in metres and at most 1",
+        "if these are millimetres, fit the material again and say so: --unit displacement=mm");
   }
   return material;
 }

@@ -77,6 +77,7 @@ struct Condition {
   std::string device;
   haptics::engine::SceneSpec scene;
   std::optional<MaterialReference> material;  ///< where a bone's curves are taken from
+  bool hasOwnMaterial = false;                ///< a bone that names none: it is the program's
   std::optional<PackingReference> packing;    ///< where a bone's spheres are taken from
   std::optional<CutReference> cut;            ///< where the scene's curve is taken from
 };
@@ -156,8 +157,23 @@ struct Comparison {
   std::string second;
 };
 
-enum class TestType { Welch };
-enum class CorrectionType { None, Bonferroni };
+/// Which test a family declares: its result is confirmatory, all others are exploratory.
+enum class TestType {
+  Welch,       ///< of all answers, pooled, as in the punch paper
+  PairedT,     ///< of participants' means
+  SignFlip,    ///< … exact, by turning round the signs of the differences
+  SignedRank,  ///< … Wilcoxon's, exact
+};
+enum class CorrectionType {
+  None,
+  Bonferroni,
+  Holm,
+  Hochberg,
+  Hommel,
+  BenjaminiHochberg,
+  BenjaminiYekutieli,
+  HolmSidak,
+};
 
 /// Comparisons that belong together: their number corrects each of them.
 struct Family {
@@ -169,6 +185,8 @@ struct Family {
   TestType test = TestType::Welch;
   CorrectionType correction = CorrectionType::Bonferroni;
   double alpha = 0.05;
+  /// Means that differ by less are the same for all that matters [points of the scale].
+  std::optional<double> equivalenceBound;
 };
 
 struct AnalysisPlan {

@@ -219,6 +219,7 @@ engine::MaterialSpec readMaterial(const Node& node, Condition& condition) {
   } else {
     refuseWithoutMaterial(node);
   }
+  condition.hasOwnMaterial = !node.has("material") && !node.has("nodes");
   if (!node.has("nodes")) return spec;
   spec.nodes.clear();
   for (const auto& entry : node.requiredList("nodes")) {

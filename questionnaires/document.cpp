@@ -166,22 +166,25 @@ bool Node::flag(std::string_view key, bool fallback) const {
   return fallback;
 }
 
-std::size_t Node::chosen(std::string_view key, const std::vector<std::string_view>& names) const {
+std::size_t Node::chosenAt(std::string_view key, const std::vector<std::string_view>& names) const {
   const Value* value = required(key);
-  if (value == nullptr) return 0;
-  const auto* text = std::get_if<std::string>(&value->data);
+  return value == nullptr ? 0 : at(key, *value).indexIn(names).value_or(0);
+}
+
+std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& names) const {
+  const auto* text = std::get_if<std::string>(&value_->data);
   if (text == nullptr) {
-    problem(key, "a text is expected here, not " + kindOf(*value), "one of: " + listed(names));
-    return 0;
+    problem("", "a text is expected here, not " + kindOf(*value_), "one of: " + listed(names));
+    return std::nullopt;
   }
   const auto found = std::find(names.begin(), names.end(), *text);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   const auto meant = nearest(*text, names);
   problem(
-      key,
+      "",
       "unknown word '" + shown(*text) + "'",
       (meant ? "did you mean '" + std::string(*meant) + "'? " : "") + "one of: " + listed(names));
-  return 0;
+  return std::nullopt;
 }
 
 }  // namespace questionnaires

@@ -126,7 +126,17 @@ class Node {
     std::vector<std::string_view> names;
     names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.name);
-    return choices[chosen(key, names)].value;
+    return choices[chosenAt(key, names)].value;
+  }
+
+  /// The same, where this value itself is the name; nothing where it is none of them.
+  template <typename Enum, std::size_t kCount>
+  std::optional<Enum> chosen(const std::array<Choice<Enum>, kCount>& choices) const {
+    std::vector<std::string_view> names;
+    names.reserve(choices.size());
+    for (const auto& choice : choices) names.push_back(choice.name);
+    const auto index = indexIn(names);
+    return index ? std::optional(choices[*index].value) : std::nullopt;
   }
 
   /// One of several names, or @p fallback where the key is missing.
@@ -144,7 +154,8 @@ class Node {
       std::string_view key, const Value& value, double least, double most) const;
   std::optional<std::int64_t> wholeNumberIn(
       std::string_view key, const Value& value, std::int64_t least, std::int64_t most) const;
-  std::size_t chosen(std::string_view key, const std::vector<std::string_view>& names) const;
+  std::size_t chosenAt(std::string_view key, const std::vector<std::string_view>& names) const;
+  std::optional<std::size_t> indexIn(const std::vector<std::string_view>& names) const;
 
   const Value* value_;
   std::string path_;

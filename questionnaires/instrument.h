@@ -68,6 +68,9 @@ enum class Reference {
   Previous,  ///< with what was felt just before ("than the previous cut")
 };
 
+/// A text of an item that its instrument may leave to a wording file.
+enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
+
 /// One question.
 struct Item {
   std::string id;
@@ -90,11 +93,24 @@ struct Item {
   std::vector<Option> options;  ///< SingleChoice, MultipleChoice, PairwiseChoice
   std::string consentOption;  ///< SingleChoice: the option that gives consent, if this asks for it
   std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]; 0: what is usual
+
+  /// The lowest answer, turned round where the key is -1, that counts as acceptable; nothing where
+  /// the study sets no threshold. Likert, SemanticDifferential, Slider, Number.
+  std::optional<double> acceptableFrom;
+  /// The texts that are somebody's property: a wording file beside the protocol brings them.
+  /// Likert, SemanticDifferential, Slider.
+  std::vector<WordingField> withheld;
+
+  bool withholds(WordingField field) const noexcept;
 };
 
 /// How items become one number. An unanswered item is missing: never the midpoint, never zero.
 struct Score {
-  enum class Aggregate { Mean, Sum };
+  enum class Aggregate {
+    Mean,   ///< Σ w x / Σ w; without weights w = 1
+    Sum,    ///< Σ w x
+    Count,  ///< how many answers are at least countFrom
+  };
 
   std::string id;
   LocalizedText title;
@@ -104,6 +120,27 @@ struct Score {
   std::size_t leastAnswered = 0;  ///< a mean of fewer is no score; 0: all are needed, as for a sum
   double offset = 0.0;            ///< added to the aggregate …
   double factor = 1.0;            ///< … and then multiplied
+  double countFrom = 0.0;         ///< Count
+  std::vector<double> weights;    ///< Mean, Sum: one for each item, from 0 up; or none
+  /// Mean, Sum: pairwise choices whose options bear the ids of the items. An item weighs as often
+  /// as it was chosen.
+  std::vector<std::string> weightsFrom;
+  /// What an unanswered item counts as, before it is turned round, where the author says so and at
+  /// least leastAnswered items were answered.
+  std::optional<double> missingAs;
+};
+
+/// When one person's answers to several scores contradict each other too much to be trusted.
+struct ConsistencyRule {
+  std::vector<std::string> scores;  ///< those that are looked at
+  double widestRange = 0.0;  ///< a wider range of keyed answers within a score is a contradiction
+  std::size_t suspiciousFrom = 1;  ///< so many contradictions make the answers suspicious
+};
+
+/// How often an instrument is answered to give one result.
+enum class Occasions {
+  Once,
+  BeforeAndAfter,  ///< what counts is the change
 };
 
 /// Where an instrument comes from, and what may be done with it.
@@ -112,6 +149,7 @@ struct Source {
   std::string doi;
   std::string licence;
   std::string note;  ///< what else a researcher should know: whose the wording is, what was changed
+  std::string wordingFrom;  ///< where the texts are to be had that are not ours to ship
 };
 
 /// A questionnaire as its author published it: items, scales, keys, scoring, in several languages.
@@ -127,16 +165,21 @@ struct Instrument {
   std::optional<Scale> scale;  ///< of the items that brought none of their own
   std::vector<Item> items;
   std::vector<Score> scores;
+  Occasions occasions = Occasions::Once;
+  std::optional<ConsistencyRule> consistency;
 
   const Item* item(std::string_view id) const noexcept;
   /// The items of @p set in order; all of them where @p set is empty.
   std::vector<Item> itemsOf(std::string_view set) const;
+  const Score* score(std::string_view id) const noexcept;
+  /// Whether texts of it come from a wording file (questionnaires/wording.h).
+  bool isWithheld() const noexcept;
 };
 
 /// Everything that is wrong with @p instrument as a whole: ids used twice, scores of items that do
 /// not exist, texts that lack a language. Warnings are for what its author should know: statements
 /// that compare with the previous, placeholders "[[…]]" still to be filled in. Types and the
-/// spelling of keys are the reader's business.
+/// spelling of keys are the reader's business; whether withheld texts are there is wording.h's.
 Problems problemsOf(const Instrument& instrument);
 
 }  // namespace questionnaires

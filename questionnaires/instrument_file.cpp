@@ -9,16 +9,16 @@
 #include "questionnaires/document.h"
 #include "questionnaires/item_reader.h"
 #include "questionnaires/scale_reader.h"
+#include "questionnaires/score_reader.h"
 #include "questionnaires/text_reader.h"
 
 namespace questionnaires {
 namespace {
 
 constexpr std::string_view kSchema = "instrument-1.schema.json";
-constexpr double kLargestFactor = 1e6;
-constexpr std::array kAggregates{
-    Choice<Score::Aggregate>{"mean", Score::Aggregate::Mean},
-    Choice<Score::Aggregate>{"sum", Score::Aggregate::Sum},
+constexpr std::array kOccasions{
+    Choice<Occasions>{"once", Occasions::Once},
+    Choice<Occasions>{"before_and_after", Occasions::BeforeAndAfter},
 };
 
 void readSchema(const Node& root) {
@@ -65,10 +65,13 @@ bool isDoi(std::string_view doi) {
 Source readSource(const Node& root) {
   Source source;
   const auto node = root.requiredObject("source");
-  if (!node || !node->isObjectWith({"citation", "doi", "licence", "note"})) return source;
+  if (!node || !node->isObjectWith({"citation", "doi", "licence", "note", "wording_from"})) {
+    return source;
+  }
   source.citation = node->text("citation");
   source.licence = node->text("licence");
   if (node->has("note")) source.note = node->text("note");
+  if (node->has("wording_from")) source.wordingFrom = node->text("wording_from");
   source.doi = node->text("doi", "");
   if (node->has("doi") && node->member("doi")->isText() && !isDoi(source.doi)) {
     node->problem(
@@ -77,36 +80,6 @@ Source readSource(const Node& root) {
         "write it as 10.9781/ijimai.2017.09.001, without https://doi.org/");
   }
   return source;
-}
-
-Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
-  Score score;
-  score.id = "unread." + std::to_string(index);
-  score.title = texts.standIn();
-  if (!node.isObjectWith(
-          {"id",
-           "title",
-           "items",
-           "aggregate",
-           "reverse_by_key",
-           "least_answered",
-           "offset",
-           "factor"})) {
-    return score;
-  }
-  score.id = idOrStandIn(node, "id", index);
-  score.title = texts.required(node, "title");
-  if (!node.has("items")) {
-    node.problem("items", "this score counts no items", "name at least one");
-  }
-  score.items = node.ids("items");
-  score.aggregate = node.choice<Score::Aggregate>("aggregate", kAggregates, score.aggregate);
-  score.reverseByKey = node.flag("reverse_by_key", true);
-  score.leastAnswered =
-      static_cast<std::size_t>(node.wholeNumber("least_answered", 0, kMostElements, 0));
-  score.offset = node.number("offset", -kLargestFactor, kLargestFactor, 0.0);
-  score.factor = node.number("factor", -kLargestFactor, kLargestFactor, 1.0);
-  return score;
 }
 
 void readLists(const Node& root, const TextReader& texts, Instrument& instrument) {
@@ -121,6 +94,9 @@ void readLists(const Node& root, const TextReader& texts, Instrument& instrument
   for (const auto& node : root.list("scores", kMostScores)) {
     instrument.scores.push_back(readScore(node, texts, instrument.scores.size()));
   }
+  if (const auto rule = root.object("consistency")) {
+    instrument.consistency = readConsistencyRule(*rule);
+  }
 }
 
 Instrument readRoot(const Node& root) {
@@ -133,6 +109,7 @@ Instrument readRoot(const Node& root) {
   instrument.title = texts.required(root, "title");
   instrument.introduction = texts.optional(root, "introduction");
   instrument.source = readSource(root);
+  instrument.occasions = root.choice<Occasions>("occasions", kOccasions, Occasions::Once);
   readLists(root, texts, instrument);
   return instrument;
 }
@@ -171,7 +148,9 @@ std::optional<Instrument> readInstrument(std::string_view json, Problems& proble
              "languages",
              "scale",
              "items",
-             "scores"})) {
+             "scores",
+             "occasions",
+             "consistency"})) {
       instrument = readRoot(root);
       addWhatIsNew(problemsOf(*instrument), found);
     }

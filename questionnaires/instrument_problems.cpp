@@ -28,6 +28,12 @@ void inspectHead(const Instrument& instrument, const TextProblems& texts, Proble
     problems.add(
         "$.items", "nothing is asked and nothing is said", "add items, or an introduction");
   }
+  if (instrument.isWithheld() && instrument.source.wordingFrom.empty()) {
+    problems.add(
+        "$.source.wording_from",
+        "nobody learns where the words are that do not ship",
+        "write where they are to be had: citation, DOI, address");
+  }
   if (instrument.scale) inspectScale(*instrument.scale, "$.scale", texts, problems);
 }
 
@@ -65,6 +71,7 @@ Problems problemsOf(const Instrument& instrument) {
   inspectHead(instrument, texts, problems);
   inspectItems(instrument, problems);
   inspectScores(instrument, problems);
+  inspectConsistency(instrument, problems);
   return problems;
 }
 

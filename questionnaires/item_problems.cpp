@@ -5,6 +5,7 @@
 #include <set>
 
 #include "questionnaires/document.h"
+#include "questionnaires/range.h"
 
 namespace questionnaires {
 namespace {
@@ -22,12 +23,15 @@ class ItemInspection {
 
   void inspectHead() const;
   void inspectKind() const;
+  void inspectThreshold() const;
 
  private:
   void add(const std::string& key, std::string what, std::string fix) const {
     problems_.add(path_ + "." + key, std::move(what), std::move(fix));
   }
+  void inspectText(const std::string& key, WordingField field, const LocalizedText& text) const;
   void inspectOwnScale() const;
+  void inspectEndsOfLikert(const std::string& place) const;
   void inspectEnds() const;
   void inspectRange() const;
   void inspectOptions() const;
@@ -46,7 +50,7 @@ void ItemInspection::inspectHead() const {
   if (!isSoundId(item_.id))
     add("id", "'" + shown(item_.id) + "' cannot be an id", "give it a name");
   const bool isPair = item_.type == ItemType::SemanticDifferential;
-  if (!isPair || !item_.text.isEmpty()) texts_.inspect(path_ + ".text", item_.text);
+  if (!isPair || !item_.text.isEmpty()) inspectText("text", WordingField::Text, item_.text);
   if (item_.key != 1 && item_.key != -1) {
     add("key",
         "the key is " + std::to_string(item_.key),
@@ -58,6 +62,22 @@ void ItemInspection::inspectHead() const {
         "this compares with what was felt just before",
         "an order must give it a predecessor: whatever is felt first has none");
   }
+}
+
+/// A text that comes from a wording file may be away.
+void ItemInspection::inspectText(
+    const std::string& key, WordingField field, const LocalizedText& text) const {
+  if (item_.withholds(field) && text.isEmpty()) return;
+  texts_.inspect(path_ + "." + key, text);
+}
+
+void ItemInspection::inspectThreshold() const {
+  const auto range = rangeOf(item_);
+  if (!item_.acceptableFrom || !range) return;
+  if (*item_.acceptableFrom > range->low && *item_.acceptableFrom <= range->high) return;
+  add("acceptable_from",
+      "all answers lie on one side of " + inWords(*item_.acceptableFrom),
+      "write a number above " + inWords(range->low) + ", up to " + inWords(range->high));
 }
 
 void ItemInspection::inspectKind() const {
@@ -89,19 +109,24 @@ void ItemInspection::inspectOwnScale() const {
   const bool isShared = instrument_.scale && *instrument_.scale == scale;
   const std::string place = isShared ? "$.scale" : path_ + ".scale";
   if (!isShared) inspectScale(scale, place, texts_, problems_);
+  if (item_.type == ItemType::Likert) inspectEndsOfLikert(isShared ? path_ : place);
+}
 
-  const bool saysBothEnds = !scale.lowLabel.isEmpty() && !scale.highLabel.isEmpty();
-  if (item_.type == ItemType::Likert && !saysBothEnds && scale.pointLabels.empty()) {
+void ItemInspection::inspectEndsOfLikert(const std::string& place) const {
+  const Scale& scale = item_.scale;
+  const bool saysLow = !scale.lowLabel.isEmpty() || item_.withholds(WordingField::LowLabel);
+  const bool saysHigh = !scale.highLabel.isEmpty() || item_.withholds(WordingField::HighLabel);
+  if ((!saysLow || !saysHigh) && scale.pointLabels.empty()) {
     problems_.add(
-        isShared ? path_ : place,
+        place,
         "the scale of a likert item has no words for both ends",
         "add low_label and high_label, or point_labels");
   }
 }
 
 void ItemInspection::inspectEnds() const {
-  texts_.inspect(path_ + ".left_label", item_.leftText);
-  texts_.inspect(path_ + ".right_label", item_.rightText);
+  inspectText("left_label", WordingField::LeftLabel, item_.leftText);
+  inspectText("right_label", WordingField::RightLabel, item_.rightText);
 }
 
 void ItemInspection::inspectRange() const {
@@ -214,6 +239,7 @@ void inspectItem(
   const ItemInspection inspection(instrument, item, path, problems);
   inspection.inspectHead();
   inspection.inspectKind();
+  inspection.inspectThreshold();
 }
 
 }  // namespace questionnaires

@@ -14,22 +14,42 @@ namespace {
 
 constexpr std::array kReferences{Choice<Reference>{"previous", Reference::Previous}};
 constexpr std::array kSources{Choice<OptionSource>{"alternatives", OptionSource::Alternatives}};
+constexpr std::array kPointWords{
+    Choice<WordingField>{"text", WordingField::Text},
+    Choice<WordingField>{"low_label", WordingField::LowLabel},
+    Choice<WordingField>{"high_label", WordingField::HighLabel},
+};
+constexpr std::array kEndWords{
+    Choice<WordingField>{"text", WordingField::Text},
+    Choice<WordingField>{"left_label", WordingField::LeftLabel},
+    Choice<WordingField>{"right_label", WordingField::RightLabel},
+};
 
 /// The keys that items of a type have beside those of every item.
 std::vector<std::string_view> keysOf(ItemType type) {
   switch (type) {
     case ItemType::Likert:
-      return {"key", "relative_to", "scale"};
+      return {"key", "relative_to", "scale", "acceptable_from", "wording"};
     case ItemType::SemanticDifferential:
-      return {"key", "relative_to", "scale", "left_label", "right_label"};
+      return {
+          "key", "relative_to", "scale", "left_label", "right_label", "acceptable_from", "wording"};
     case ItemType::Slider:
-      return {"key", "relative_to", "left_label", "right_label", "least", "most", "step"};
+      return {
+          "key",
+          "relative_to",
+          "left_label",
+          "right_label",
+          "least",
+          "most",
+          "step",
+          "acceptable_from",
+          "wording"};
     case ItemType::SingleChoice:
       return {"relative_to", "options", "options_from", "consent_option"};
     case ItemType::MultipleChoice:
       return {"options", "options_from"};
     case ItemType::Number:
-      return {"least", "most", "step", "unit"};
+      return {"least", "most", "step", "unit", "acceptable_from"};
     case ItemType::ShortText:
     case ItemType::LongText:
       return {"longest_answer"};
@@ -91,7 +111,9 @@ bool knowsItsKeys(const Node& node) {
        "options",
        "options_from",
        "consent_option",
-       "longest_answer"});
+       "longest_answer",
+       "acceptable_from",
+       "wording"});
 }
 
 constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
@@ -116,6 +138,17 @@ void readRange(const Node& node, Item& item) {
   if (node.has("unit")) item.unit = node.text("unit");
 }
 
+/// The texts that a wording file brings, by the names that items of this type have for them.
+void readWithheld(const Node& node, Item& item) {
+  const bool isLikert = item.type == ItemType::Likert;
+  for (const auto& name : node.requiredList("wording")) {
+    const auto field = isLikert ? name.chosen(kPointWords) : name.chosen(kEndWords);
+    if (!field) continue;
+    if (item.withholds(*field)) name.problem("", "this text stands here twice", "keep one");
+    item.withheld.push_back(*field);
+  }
+}
+
 void readLength(const Node& node, Item& item) {
   const auto usual = item.type == ItemType::ShortText ? kLongestShortText : kLongestLongText;
   item.longestAnswer = node.wholeNumber("longest_answer", 1, kLongestLongText, usual);
@@ -135,6 +168,7 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
   if (type) {
     item.type = type->value;
     refuseKeysOfOtherTypes(node, *type);
+    if (node.has("wording") && has(keysOf(item.type), "wording")) readWithheld(node, item);
   }
   readHead(node, item);
   if (type) readKind(node, item);
@@ -143,12 +177,29 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
 
 void ItemReader::readHead(const Node& node, Item& item) const {
   const bool mayBeWordless = item.type == ItemType::SemanticDifferential;
-  item.text = mayBeWordless ? texts_.optional(node, "text") : texts_.required(node, "text");
+  item.text = mayBeWordless && !item.withholds(WordingField::Text)
+                  ? texts_.optional(node, "text")
+                  : readText(node, "text", item.withholds(WordingField::Text));
   if (node.has("set")) item.set = node.id("set");
   item.key = static_cast<int>(node.wholeNumber("key", -1, 1, 1));
   item.isRequired = node.flag("required", true);
   item.isIdentifying = node.flag("identifying", false);
   item.reference = node.choice<Reference>("relative_to", kReferences, Reference::None);
+  if (node.has("acceptable_from")) {
+    const double from = node.number("acceptable_from", -kLargestBound, kLargestBound, kUnread);
+    if (!std::isnan(from)) item.acceptableFrom = from;
+  }
+}
+
+LocalizedText ItemReader::readText(const Node& node, std::string_view key, bool isWithheld) const {
+  if (!isWithheld) return texts_.required(node, key);
+  if (node.has(key)) {
+    node.problem(
+        key,
+        "'" + std::string(key) + "' stands here, and 'wording' says that it is in a wording file",
+        "keep one of the two");
+  }
+  return {};
 }
 
 void ItemReader::readKind(const Node& node, Item& item) const {
@@ -182,11 +233,20 @@ void ItemReader::readScaleOf(const Node& node, Item& item) const {
     node.problem(
         "", "'scale' is missing, here and at the top of the file", "add it at one of the two");
   }
+  const bool hasBoth = (item.withholds(WordingField::LowLabel) && !item.scale.lowLabel.isEmpty()) ||
+                       (item.withholds(WordingField::HighLabel) && !item.scale.highLabel.isEmpty());
+  const bool isRead = node.has("scale") || scale_;
+  if (hasBoth && isRead) {
+    node.problem(
+        "wording",
+        "the scale has a word for this end, and 'wording' says that it is in a wording file",
+        "keep one of the two");
+  }
 }
 
 void ItemReader::readEnds(const Node& node, Item& item) const {
-  item.leftText = texts_.required(node, "left_label");
-  item.rightText = texts_.required(node, "right_label");
+  item.leftText = readText(node, "left_label", item.withholds(WordingField::LeftLabel));
+  item.rightText = readText(node, "right_label", item.withholds(WordingField::RightLabel));
 }
 
 void ItemReader::readOptions(const Node& node, Item& item) const {

@@ -30,6 +30,7 @@ class ItemReader {
   void readKind(const Node& node, Item& item) const;
   void readScaleOf(const Node& node, Item& item) const;
   void readEnds(const Node& node, Item& item) const;
+  LocalizedText readText(const Node& node, std::string_view key, bool isWithheld) const;
   void readOptions(const Node& node, Item& item) const;
   Option readOption(const Node& node, std::size_t index) const;
 

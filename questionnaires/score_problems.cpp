@@ -1,5 +1,6 @@
 #include "questionnaires/score_problems.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -68,12 +69,90 @@ void inspectHowManyAnswers(const Score& score, const std::string& path, Problems
         "write at most " + std::to_string(score.items.size()));
   }
   const bool mayMiss = score.leastAnswered > 0 && score.leastAnswered < score.items.size();
-  if (score.aggregate == Score::Aggregate::Sum && mayMiss) {
+  if (score.aggregate != Score::Aggregate::Mean && mayMiss && !score.missingAs) {
     problems.add(
         path + ".least_answered",
-        "a sum with answers missing would count them as zero",
-        "leave it out, or use the mean and a factor");
+        std::string(score.aggregate == Score::Aggregate::Sum ? "a sum" : "a count") +
+            " with answers missing would count them as zero",
+        "leave it out, or say what they count as with missing_as");
   }
+}
+
+void inspectMissingAs(
+    const Instrument& instrument, const Score& score, const std::string& path, Problems& problems) {
+  if (!score.missingAs) return;
+  for (const auto& id : score.items) {
+    const Item* item = instrument.item(id);
+    const auto range = item == nullptr ? std::nullopt : rangeOf(*item);
+    if (!range || (*score.missingAs >= range->low && *score.missingAs <= range->high)) continue;
+    return problems.add(
+        path + ".missing_as",
+        "nobody can answer " + inWords(*score.missingAs) + " to '" + shown(id) + "'",
+        "write a number from " + inWords(range->low) + " to " + inWords(range->high));
+  }
+}
+
+void inspectWeights(const Score& score, const std::string& path, Problems& problems) {
+  if (score.weights.empty()) return;
+  if (score.weights.size() != score.items.size()) {
+    return problems.add(
+        path + ".weights",
+        std::to_string(score.weights.size()) + " weights for " +
+            std::to_string(score.items.size()) + " items",
+        "write one for each item, in the same order");
+  }
+  const bool isSound = std::all_of(score.weights.begin(), score.weights.end(), [](double weight) {
+    return std::isfinite(weight) && weight >= 0.0;
+  });
+  const bool isHeavy = std::any_of(
+      score.weights.begin(), score.weights.end(), [](double weight) { return weight > 0.0; });
+  if (isSound && isHeavy) return;
+  problems.add(path + ".weights", "these weights count nothing", "write numbers above 0");
+}
+
+/// The two items that the pair @p id asks to choose from; a problem where it is no such pair.
+std::optional<std::set<std::string>> pairOf(
+    const Instrument& instrument,
+    const Score& score,
+    const std::string& id,
+    const std::string& place,
+    Problems& problems) {
+  const Item* item = instrument.item(id);
+  const std::string named = "'" + shown(id) + "'";
+  if (item == nullptr || item->type != ItemType::PairwiseChoice) {
+    problems.add(place, named + " is no pairwise_choice item", "name one");
+    return std::nullopt;
+  }
+  std::set<std::string> pair;
+  for (const auto& option : item->options) {
+    if (std::find(score.items.begin(), score.items.end(), option.id) == score.items.end()) {
+      problems.add(
+          place,
+          named + " offers '" + shown(option.id) + "', which this score does not count",
+          "give its options the ids of two items of the score");
+      return std::nullopt;
+    }
+    pair.insert(option.id);
+  }
+  return pair;
+}
+
+void inspectPairs(
+    const Instrument& instrument, const Score& score, const std::string& path, Problems& problems) {
+  std::set<std::set<std::string>> pairs;
+  for (std::size_t i = 0; i < score.weightsFrom.size(); ++i) {
+    const std::string place = path + ".weights_from[" + std::to_string(i) + "]";
+    const auto pair = pairOf(instrument, score, score.weightsFrom[i], place, problems);
+    if (pair && !pairs.insert(*pair).second) {
+      problems.add(place, "these two are compared in a pair before", "keep one of the pairs");
+    }
+  }
+  const std::size_t all = score.items.size() * (score.items.size() - 1) / 2;
+  if (score.weightsFrom.empty() || pairs.size() >= all) return;
+  problems.warn(
+      path + ".weights_from",
+      std::to_string(pairs.size()) + " of the " + std::to_string(all) + " pairs are asked",
+      "some items can gather more weight than others: is that meant?");
 }
 
 void inspectArithmetic(const Score& score, const std::string& path, Problems& problems) {
@@ -102,7 +181,31 @@ void inspectScore(
   texts.inspectForResearchers(path + ".title", score.title);
   inspectScoredItems(instrument, score, path, problems);
   inspectHowManyAnswers(score, path, problems);
+  inspectMissingAs(instrument, score, path, problems);
+  inspectWeights(score, path, problems);
+  if (!score.items.empty()) inspectPairs(instrument, score, path, problems);
   inspectArithmetic(score, path, problems);
+}
+
+void inspectConsistency(const Instrument& instrument, Problems& problems) {
+  if (!instrument.consistency) return;
+  const auto& rule = *instrument.consistency;
+  const std::string path = "$.consistency";
+  for (std::size_t i = 0; i < rule.scores.size(); ++i) {
+    if (instrument.score(rule.scores[i]) != nullptr) continue;
+    problems.add(
+        path + ".scores[" + std::to_string(i) + "]",
+        "there is no score '" + shown(rule.scores[i]) + "'",
+        "name the id of a score");
+  }
+  if (rule.scores.empty()) {
+    problems.add(path + ".scores", "no score is looked at", "name at least one");
+  } else if (rule.suspiciousFrom > rule.scores.size()) {
+    problems.add(
+        path + ".suspicious_from",
+        "more contradictions are needed than there are scores",
+        "write at most " + std::to_string(rule.scores.size()));
+  }
 }
 
 }  // namespace questionnaires

@@ -11,4 +11,7 @@ namespace questionnaires {
 void inspectScore(
     const Instrument& instrument, const Score& score, const std::string& path, Problems& problems);
 
+/// The same for the consistency rule of @p instrument, where it has one.
+void inspectConsistency(const Instrument& instrument, Problems& problems);
+
 }  // namespace questionnaires

@@ -44,8 +44,11 @@ std::string instrumentFile(const std::string& id, const std::string& more = "") 
          more + "}]}";
 }
 
+/// One file beside the protocol, and no wording files.
 FileFinder holding(const std::string& text) {
-  return [text](const std::string&) { return std::optional(text); };
+  return [text](const std::string& name) {
+    return name.starts_with("wording/") ? std::nullopt : std::optional(text);
+  };
 }
 
 /// usualProtocol() that asks what lies in "mine.json", under the id "mine", after each condition.
@@ -138,7 +141,8 @@ TEST(Advice, MissesALanguageOfTheStudyInAnInstrument) {
   EXPECT_EQ(
       adviceOn(text, holding(instrumentFile("mine"))),
       Words{"$.phases[1].questionnaires[0].instrument: 'mine' has no texts in 'de'; English will "
-            "be shown instead"});
+            "be shown instead; 'palpate instrument wording mine --language de' writes a file for "
+            "them"});
 }
 
 TEST(Advice, FindsAFileThatNothingAsks) {

@@ -1,6 +1,7 @@
 // A protocol and the files that it names: found, read once, kept as they were.
 #include "protocols/loaded_protocol.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -11,6 +12,9 @@
 #include "haptics/recordings/parametric_cut.h"
 #include "protocols/library.h"
 #include "questionnaires/document.h"
+#include "questionnaires/instrument_file.h"
+#include "questionnaires/library.h"
+#include "questionnaires/wording.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
 
@@ -320,6 +324,70 @@ TEST(LoadedProtocolFile, TellsOfAFileBesideItThatIsTooLarge) {
   ASSERT_EQ(problems.all().size(), 1U) << inWords(problems.all());
   EXPECT_EQ(problems.all()[0].path, "$.instrument_files[0]");
   EXPECT_NE(problems.all()[0].fix.find("is larger than 5 MB"), std::string::npos);
+}
+
+/// usualProtocol() with the SUS in place of its questionnaire.
+std::string askingTheSus() {
+  return tests::with(tests::usualProtocol(), "realism-common", "sus");
+}
+
+std::string susWords() {
+  const auto files = questionnaires::libraryFiles();
+  const auto file = std::find_if(
+      files.begin(), files.end(), [](const auto& other) { return other.name == "sus.json"; });
+  auto instrument = questionnaires::readSoundInstrument(file->content, "sus");
+  std::string words = questionnaires::wordingTemplate(instrument, "en");
+  for (std::size_t at = words.find("\"\""); at != std::string::npos; at = words.find("\"\"")) {
+    words.replace(at, 2, "\"words\"");
+  }
+  return words;
+}
+
+TEST(LoadedProtocol, IsRefusedWhereAnInstrumentLacksItsWords) {
+  const auto loading = tests::load(askingTheSus());
+  EXPECT_FALSE(loading.loaded.has_value());
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  EXPECT_EQ(loading.problems[0].path, "$.phases[1].questionnaires[0].instrument");
+  EXPECT_NE(
+      loading.problems[0].fix.find(
+          "palpate instrument wording sus --language en --out wording/sus/en.json"),
+      std::string::npos);
+}
+
+TEST(LoadedProtocol, KeepsTheWordingFilesThatItFinds) {
+  Shelf shelf{.files = {{"wording/sus/en.json", susWords()}}};
+  const auto loading = tests::load(askingTheSus(), shelf.finder());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_EQ(loading.loaded->instrument("sus")->items[0].text.in("en"), "words");
+  ASSERT_EQ(loading.loaded->files.size(), 1U);
+  EXPECT_EQ(loading.loaded->files[0].name, "wording/sus/en.json");
+  EXPECT_EQ(loading.loaded->files[0].text, susWords());
+}
+
+TEST(LoadedProtocol, TellsWhatAWordingFileLacks) {
+  const auto half = tests::with(susWords(), R"("items/7/text": "words")", R"("items/7/text": "")");
+  Shelf shelf{.files = {{"wording/sus/en.json", half}}};
+  EXPECT_EQ(
+      errorsIn(askingTheSus(), shelf.finder()),
+      Words{"wording/sus/en.json $.texts.items/7/text: this text is still empty"});
+}
+
+TEST(LoadedProtocol, FindsWordingBesideItsFile) {
+  tests::ScratchFolder folder;
+  const auto protocol = folder.write("mine.json", askingTheSus());
+  Problems problems;
+  EXPECT_FALSE(loadProtocolFile(protocol, problems).has_value());
+  fs::create_directories(fs::path(protocol).parent_path() / "wording/sus");
+  folder.write("wording/sus/en.json", susWords());
+  Problems none;
+  EXPECT_TRUE(loadProtocolFile(protocol, none).has_value()) << inWords(none.all());
+}
+
+TEST(LoadedProtocol, IsToldOfAnInstrumentThatIsAskedOnceAndMeasuresAChange) {
+  const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-common", "ssq"));
+  ASSERT_TRUE(once.loaded.has_value()) << once.inWords();
+  EXPECT_NE(
+      once.inWords().find("'ssq' is asked once, and its result is the change"), std::string::npos);
 }
 
 }  // namespace

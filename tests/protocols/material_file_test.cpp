@@ -1,5 +1,7 @@
 #include "protocols/material_file.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/synthetic_series.h"
@@ -62,6 +64,20 @@ TEST(MaterialFile, SaysWhatIsWrong) {
       std::string::npos);
 }
 
+TEST(MaterialFile, SaysOnceThatItsDepthsAreInAnotherUnit) {
+  const std::string node = R"("force_n": 1, "slope_n_per_m": 1)";
+  const std::string curve = R"([{"depth_m": 0, )" + node + R"(}, {"depth_m": 7.5, )" + node +
+                            R"(}, {"depth_m": 15.2, )" + node + "}]";
+  const auto complaint = complaintAbout(
+      R"({"format": "palpate-material-1", "name": "bone", "title": "Bone", "sets": [)"
+      R"({"test_set": "static", "force": {"minimum": )" +
+      curve + R"(, "average": )" + curve + R"(, "maximum": )" + curve + "}}]}");
+  EXPECT_NE(complaint.find("the curves go 15.2 m deep"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("millimetres"), std::string::npos) << complaint;
+  EXPECT_EQ(complaint.find("does not lie deeper"), std::string::npos) << complaint;
+  EXPECT_EQ(std::count(complaint.begin(), complaint.end(), '$'), 1) << complaint;
+}
+
 TEST(MaterialFile, IsFeltAtItsHardness) {
   questionnaires::Problems problems;
   const auto material = readMaterial(fittedJson(), problems);
@@ -115,6 +131,13 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
   const auto& spec =
       std::get<haptics::engine::MaterialSpec>(loading.loaded->protocol.condition("a")->scene.model);
   EXPECT_FALSE(spec.curves.isEmpty());
+  EXPECT_FALSE(spec.isMeasured);
+  const auto& sources = loading.loaded->sources;
+  ASSERT_EQ(sources.size(), 2U);
+  EXPECT_EQ(inWords(sources[0]), "SYNTHETIC: Bone (material 'bone.json'), test set dynamic-1");
+  EXPECT_EQ(sources[0].conditions, std::vector<std::string>{"a"});
+  EXPECT_TRUE(sources[1].isSynthetic);
+  EXPECT_NE(inWords(sources[1]).find("built into the program"), std::string::npos);
   EXPECT_EQ(spec.jitter.rms, 0.0);
   EXPECT_TRUE(
       haptics::engine::problemsOf({.device = haptics::devices::DeviceKind::Reamer, .model = spec})

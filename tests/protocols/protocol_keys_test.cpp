@@ -164,6 +164,7 @@ TEST(ProtocolKeys, TellWhatIsComparedAndWhatIsPretended) {
   EXPECT_EQ(family.test, TestType::Welch);
   EXPECT_EQ(family.correction, CorrectionType::None);
   EXPECT_EQ(family.alpha, 0.01);
+  EXPECT_EQ(family.equivalenceBound, 0.5);
   EXPECT_EQ(protocol.simulation.realismOf("recorded"), 1.5);
   EXPECT_EQ(protocol.simulation.realismOf("fused"), 0.0);
   EXPECT_EQ(protocol.simulation.personDeviation, 0.1);

@@ -244,7 +244,7 @@ const std::vector<Refusal>& semanticRefusals() {
       {"unknown-instrument",
        "$.phases[2].instrument",
        "there is no instrument 'nasa-tlx'",
-       "reaming-realism, ueq-s), or list its file in 'instrument_files'"},
+       "ueq-s, ueq), or list its file in 'instrument_files'"},
       {"unknown-instrument-after-a-condition",
        "$.phases[1].questionnaires[1].instrument",
        "there is no instrument 'comfort'",

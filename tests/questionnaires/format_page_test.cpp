@@ -8,6 +8,7 @@
 
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
+#include "questionnaires/wording.h"
 #include "tests/support/scratch_folder.h"
 
 namespace questionnaires {
@@ -70,6 +71,18 @@ TEST(QuestionnaireFormatPage, ExplainsEveryKey) {
   EXPECT_GE(keys.size(), 35U);
   for (const auto& key : keys) {
     EXPECT_NE(kPage.find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
+TEST(QuestionnaireFormatPage, ExplainsEveryKeyOfAWordingFile) {
+  Problems problems;
+  const std::string json = wordingTemplate({.id = "any", .version = "1"}, "en");
+  const auto file = parseJson(json, problems);
+  ASSERT_TRUE(file.has_value());
+  const auto keys = Node(*file, "$", problems).members();
+  EXPECT_EQ(keys.size(), 8U);
+  for (const auto& member : keys) {
+    EXPECT_NE(kPage.find("`" + member.first + "`"), std::string::npos) << member.first;
   }
 }
 

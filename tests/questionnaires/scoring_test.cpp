@@ -64,6 +64,19 @@ TEST(RawTlx, LetsAFailureCountAsWork) {
   EXPECT_EQ(scoreOf(tlx, "workload", answers), 10.0);  // 60 / 6
 }
 
+TEST(RawTlx, CountsTheTwentyOneTicksOfThePaperForm) {
+  // (x - 1) · 5
+  Instrument ticks;
+  for (const auto* id : {"a", "b", "c", "d", "e", "f"}) {
+    ticks.items.push_back({.id = id, .scale = {.lowest = 1, .points = 21}});
+  }
+  const Score score{
+      .items = {"a", "b", "c", "d", "e", "f"}, .reverseByKey = false, .offset = -1, .factor = 5};
+  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{1})), 0.0);
+  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{21})), 100.0);
+  EXPECT_EQ(scored(ticks, score, all(ticks, std::int64_t{8})), 35.0);
+}
+
 TEST(UeqShort, IsThreeWhereEveryPairIsSeven) {
   const auto& ueq = tests::shipped().at("ueq-s");
   const auto answers = all(ueq, std::int64_t{7});
@@ -154,6 +167,69 @@ TEST(Scored, ReversesASliderBetweenItsEnds) {
   const Instrument instrument{
       .items = {{.id = "s", .type = ItemType::Slider, .key = -1, .least = -10.0, .most = 30.0}}};
   EXPECT_EQ(scored(instrument, {.items = {"s"}}, {{"s", 25.0}}), -5.0);  // -10 + 30 - 25
+}
+
+TEST(Scored, WeighsWhereItIsTold) {
+  Score score{.items = {"a", "b", "c"}, .weights = {1.0, 2.0, 0.5}};
+  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 15.5 / 3.5);  // 5 + 2·4 + 0.5·(6 - 1)
+  score.aggregate = Score::Aggregate::Sum;
+  EXPECT_EQ(scored(kThree, score, points({5, 4, 1})), 15.5);
+}
+
+TEST(Scored, WeighsOnlyWhatWasAnsweredInAMean) {
+  const Score score{.items = {"a", "b", "c"}, .leastAnswered = 1, .weights = {1.0, 3.0, 0.0}};
+  EXPECT_EQ(scored(kThree, score, points({5, 1})), 2.0);  // (5 + 3·1) / 4
+  EXPECT_EQ(scored(kThree, score, points({5})), 5.0);
+  const auto result = computeScore(kThree, score, points({std::nullopt, std::nullopt, 1}));
+  EXPECT_FALSE(result.value.has_value());
+  EXPECT_EQ(result.reason, "every item that was answered has the weight 0");
+}
+
+TEST(Scored, CountsFromAThreshold) {
+  const Score score{
+      .items = {"a", "b", "c"}, .aggregate = Score::Aggregate::Count, .countFrom = 4.0};
+  EXPECT_EQ(scored(kThree, score, points({4, 3, 1})), 2.0);  // 4 and 6 - 1
+  EXPECT_EQ(scored(kThree, score, points({1, 1, 5})), 0.0);
+  EXPECT_FALSE(scored(kThree, score, points({4, 3})).has_value());
+}
+
+TEST(Scored, ReplacesWhatIsMissingBeforeItIsTurnedRound) {
+  const Score score{
+      .items = {"a", "b", "c"},
+      .aggregate = Score::Aggregate::Sum,
+      .leastAnswered = 1,
+      .missingAs = 2.0};
+  const auto result = computeScore(kThree, score, points({5}));
+  EXPECT_EQ(result.value, 11.0);  // 5 + 2 + (6 - 2)
+  EXPECT_EQ(result.answered, 1U);
+  EXPECT_EQ(result.replaced, 2U);
+  EXPECT_FALSE(scored(kThree, score, {}).has_value());
+}
+
+TEST(Scored, SaysWhyThereIsNoValue) {
+  const auto result = computeScore(kThree, kMean, points({5, 4}));
+  EXPECT_FALSE(result.value.has_value());
+  EXPECT_EQ(result.reason, "2 of 3 items were answered; this score needs 3");
+  EXPECT_EQ(computeScore(kThree, kMean, points({5, 4, 1})).reason, "");
+}
+
+TEST(Scored, HasNoWeightsFromPairsThatAreNone) {
+  const Score noPairs{.items = {"a", "b"}};
+  EXPECT_FALSE(pairWeights(kThree, noPairs, points({5, 4})).has_value());
+  const Score wrongPairs{.items = {"a", "b"}, .weightsFrom = {"c"}};
+  EXPECT_FALSE(pairWeights(kThree, wrongPairs, points({5, 4, 1})).has_value());
+  EXPECT_FALSE(scored(kThree, wrongPairs, points({5, 4, 1})).has_value());
+}
+
+TEST(ScoreChange, SaysWhichTimeIsMissing) {
+  const auto all = points({5, 4, 1});
+  const auto some = points({5, 4});
+  const auto noBefore = scoreChange(kThree, kMean, some, all);
+  EXPECT_FALSE(noBefore.change.has_value());
+  EXPECT_EQ(noBefore.after, 14.0 / 3.0);
+  EXPECT_EQ(noBefore.reason.find("before: 2 of 3"), 0U);
+  EXPECT_EQ(scoreChange(kThree, kMean, all, some).reason.find("after: 2 of 3"), 0U);
+  EXPECT_EQ(scoreChange(kThree, kMean, all, points({2, 2, 2})).change, 8.0 / 3.0 - 14.0 / 3.0);
 }
 
 TEST(Scored, NeverYieldsNan) {

@@ -11,7 +11,18 @@ export const unseen = [
   /names a person$/,
   /is the id of an item too$/,
   /^more answers are needed than there are items$/,
-  /^a sum with answers missing would count them as zero$/,
+  /^a (sum|count) with answers missing would count them as zero$/,
+  /^nobody can answer .* to '/,
+  /^[0-9]+ weights for [0-9]+ items$/,
+  /^these weights count nothing$/,
+  /is no pairwise_choice item$/,
+  /which this score does not count$/,
+  /^these two are compared in a pair before$/,
+  /^there is no score '/,
+  /^more contradictions are needed than there are scores$/,
+  /^all answers lie on one side of /,
+  /^nobody learns where the words are that do not ship$/,
+  /^the scale has a word for this end/,
   /^least is .* and most is /,
   /^steps of .* do not lead from /,
   /labels for .* points$/,
@@ -22,4 +33,5 @@ export const unseen = [
 ];
 
 // Keys that belong to some objects of the format and not to others.
-export const strayKeys = ["options", "scale", "key", "least", "unit", "consent_option"];
+export const strayKeys = ["options", "scale", "key", "least", "unit", "consent_option",
+  "acceptable_from", "wording", "count_from", "weights_from", "missing_as"];
