@@ -10,11 +10,18 @@ namespace study {
 /// One cell of an exported table. Nothing is a missing value, never a zero.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
+/// A value that a column may hold, and what it stands for.
+struct Level {
+  std::string value;
+  std::string label;
+};
+
 /// What a column holds, for the codebook.
 struct Column {
   std::string name;  ///< snake_case, with its unit
   std::string description;
   bool isFreeText = false;  ///< somebody wrote it: spreadsheets must not take it for a formula
+  std::vector<Level> levels = {};  ///< in their order, where they are this column's own
 };
 
 /// A table that leaves the program: the same columns for everybody, whatever happened.

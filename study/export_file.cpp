@@ -4,8 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/codebook.h"
 #include "study/export.h"
+#include "study/export_parts.h"
+#include "study/library.h"
 #include "study/new_file.h"
+#include "study/public_tables.h"
+#include "study/statistics_table.h"
+#include "study/votes_table.h"
 
 namespace study {
 namespace {
@@ -31,63 +37,78 @@ Json asJson(const DataTable& table) {
   return rows;
 }
 
-Json headOf(Study& study, const ExportOptions& options) {
-  const auto& metadata = study.protocol().protocol.study;
-  Json head;
-  head["study_id"] = metadata.id;
-  head["title"] = metadata.title;
-  head["study_uuid"] = study.uuid();
-  head["protocol_version"] = metadata.version;
-  head["protocol_hash"] = study.protocols().current().sha256;
-  head["app_version"] = appVersion();
-  head["blinded"] = options.isBlinded;
-  head["export_format"] = 1;
-  return head;
+/// Whether a script comes with the tables that reads them with their types.
+bool hasReader(const ExportOptions& options) {
+  return options.format == ExportFormat::R || options.format == ExportFormat::Python;
 }
 
-std::string codebook(
-    Study& study, const ExportOptions& options, const std::vector<DataTable>& tables) {
-  Json json = headOf(study, options);
-  for (const auto& table : tables) {
-    Json columns = Json::array();
-    for (const auto& column : table.columns) {
-      columns.push_back({{"name", column.name}, {"description", column.description}});
-    }
-    json["tables"][table.name] = {{"description", table.description}, {"columns", columns}};
-  }
-  return json.dump(2) + "\n";
-}
-
-std::string readme(Study& study, const ExportOptions& options) {
-  std::string text =
-      "# " + study.protocol().protocol.study.title + "\n\n" + "Exported by palpate " +
-      std::string(appVersion()) + ".\n\n" +
-      "- One row per answer in `responses.csv`; keys in every table: `participant_id`, "
-      "`session_num`, `step_num`, `attempt`.\n"
-      "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value.\n"
-      "- Free text that begins with = + - @ has an apostrophe before it, so that no "
-      "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
-      "- What a column holds is written in `codebook.json`.\n"
-      "- Nothing in this folder names a person.\n";
-  text += options.isBlinded
-              ? "- Blinded: `condition_code` says which rows belong together, not which rendering "
-                "they are. 'palpate export --unblind --reason \"…\"' says it.\n"
-              : "- Not blinded: `condition` says which rendering was felt.\n";
-  return text;
-}
-
-void writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
-  const auto tables = exportTables(study, options);
+/// And says how many sessions are in them.
+std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
+  auto tables = tablesFor(study, options);
+  const auto sessions = tables.front().rows.size();
+  if (hasReader(options)) tables.push_back(columnsTable(study, options, tables));
   if (options.format == ExportFormat::Json) {
-    Json json = headOf(study, options);
+    Json json = Json::parse(headAsJson(study, options));
     for (const auto& table : tables) json[table.name] = asJson(table);
     writeNewFile((folder / "study.json").string(), json.dump(1) + "\n");
   } else {
     for (const auto& table : tables)
       writeNewFile((folder / (table.name + ".csv")).string(), asCsv(table));
+    writeScripts(folder, options);
   }
-  writeNewFile((folder / "codebook.json").string(), codebook(study, options, tables));
-  writeNewFile((folder / "README.md").string(), readme(study, options));
+  if (options.hasTraces) writeTraces(study, folder / "traces", options);
+  writeNewFile((folder / "codebook.json").string(), codebookAsJson(study, options, tables));
+  writeNewFile((folder / "README.md").string(), readmeOf(study, options, tables, "responses.csv"));
+  return sessions;
+}
+
+/// In the layout that is asked for. @return  how many sessions are in it.
+std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
+  if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
+  if (options.format == ExportFormat::Bids) return writeBids(study, folder, options);
+  return writeTables(study, folder, options);
+}
+
+/// @throws storage::StorageError  in words, where @p options contradict each other or lack a
+/// reason.
+void refuseWhatMayNotLeave(const ExportOptions& options, const std::string& reason) {
+  if (!options.isBlinded && reason.empty()) {
+    throw storage::StorageError(
+        "To say which rendering was felt needs a reason: it goes into the audit trail.");
+  }
+  if (options.publicClass && options.hasTraces) {
+    throw storage::StorageError(
+        "How somebody's hand moved is theirs alone, so that a public folder has no traces. Leave "
+        "--traces or --public out.");
+  }
+  if (options.publicClass && options.format == ExportFormat::Bids) {
+    throw storage::StorageError(
+        "A BIDS folder has one for each person, with measurements in it, which a public one may "
+        "not "
+        "have. Choose --format csv, json, psych-ds, r or python.");
+  }
+  if (options.publicClass && *options.publicClass < kSmallestPublicClass) {
+    throw storage::StorageError(
+        "A class of a public folder has at least " + std::to_string(kSmallestPublicClass) +
+        " people. Ask for that many or more.");
+  }
+  if (options.isBlinded && options.hasTraces) {
+    throw storage::StorageError(
+        "Traces show what an alternative felt like, so that a blinded export has none. Leave "
+        "--traces out, or add --unblind --reason \"…\".");
+  }
+}
+
+/// Into the audit trail, before anything has left.
+void noteExport(Study& study, const ExportOptions& options, const std::string& reason) {
+  if (options.publicClass) {
+    const auto release = publicRelease(study, options);
+    study.note(
+        "public_export",
+        "k = " + std::to_string(release.k) + ", " + std::to_string(release.after.people) +
+            " people, smallest class " + std::to_string(release.after.smallest));
+  }
+  if (!options.isBlinded) study.note("unblinded_export", reason);
 }
 
 /// An empty folder beside @p target that nobody else has.
@@ -107,11 +128,34 @@ fs::path folderBeside(const fs::path& target) {
 
 }  // namespace
 
-void exportStudy(
+std::vector<DataTable> tablesFor(Study& study, const ExportOptions& options) {
+  auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
+  tables.push_back(itemsTable(study));
+  if (!options.isBlinded && !options.publicClass) {
+    tables.push_back(statisticsTable(study, options));
+    tables.push_back(votesTable(study, options));
+  }
+  return tables;
+}
+
+void writeScripts(const fs::path& folder, const ExportOptions& options) {
+  const bool hasStatistics = !options.isBlinded && !options.publicClass;
+  for (const auto& file : libraryFiles()) {
+    const bool isReader = file.name.starts_with("read_");
+    const bool isForR = file.name.ends_with(".R");
+    const bool isForOther = options.format == (isForR ? ExportFormat::Python : ExportFormat::R);
+    if (isForOther || !(isReader ? hasReader(options) : hasStatistics)) continue;
+    writeNewFile((folder / file.name).string(), std::string(file.content));
+  }
+}
+
+std::size_t exportStudy(
     Study& study,
     const std::string& folder,
-    const ExportOptions& options,
+    const ExportOptions& asked,
     const std::string& reason) {
+  ExportOptions options = asked;
+  if (options.publicClass && !options.runMode) options.runMode = RunMode::Live;
   fs::path target = fs::path(folder).lexically_normal();
   if (!target.has_filename()) target = target.parent_path();  // "out/" means "out"
   std::error_code error;
@@ -119,17 +163,15 @@ void exportStudy(
     throw storage::StorageError(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
-  if (!options.isBlinded && reason.empty()) {
-    throw storage::StorageError(
-        "To say which rendering was felt needs a reason: it goes into the audit trail.");
-  }
-  if (!options.isBlinded) study.note("unblinded_export", reason);
+  refuseWhatMayNotLeave(options, reason);
+  noteExport(study, options, reason);
   const fs::path unfinished = folderBeside(target);
   try {
-    writeTables(study, unfinished, options);
+    const auto sessions = writeAll(study, unfinished, options);
     fs::rename(unfinished, target, error);
     if (error)
       throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");
+    return sessions;
   } catch (...) {
     fs::remove_all(unfinished, error);
     throw;

@@ -4,6 +4,7 @@
 #include "protocols/random_stream.h"
 #include "questionnaires/answer.h"
 #include "questionnaires/item_types.h"
+#include "study/codebook.h"
 #include "study/export.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/records.h"
@@ -74,8 +75,8 @@ class Tables {
             {"run_mode", "live, pilot or simulated"},
             {"status", "in_progress, completed, declined, withdrawn, rejected or aborted_hardware"},
             {"end_reason", "Why it ended", true},
-            {"included", "Whether the statistics count it"},
-            {"language", "Of the texts when it ended"},
+            {"included", "Whether the statistics of its run mode count it"},
+            {"session_language", "Of the texts when the session ended"},
             {"place", "Place in the design of the cohort, from 1"},
             {"started_utc", "ISO 8601, UTC"},
             {"ended_utc", "ISO 8601, UTC"},
@@ -109,9 +110,7 @@ class Tables {
             {{"instrument", "Questionnaire"},
              {"item_id", "Question"},
              {"item_order", "Where it stood on its page, from 1"},
-             {"item_type",
-              "likert, semantic_differential, slider, single_choice, multiple_choice, "
-              "number, short_text, long_text or pairwise_choice"},
+             {"item_type", std::string(kItemTypeInWords)},
              {"key", "1: a high answer is good; -1: a low one is"},
              {"response", "As given: a point, a number, the id of an option, a text", true},
              {"response_keyed", "Points only: reversed where the key is -1"},
@@ -121,8 +120,8 @@ class Tables {
              {"first_touch_s", "From the page's appearance to the first touch of the item"},
              {"response_time_s", "… to the last change of the answer"},
              {"n_changes", "How often it was changed after the first touch"},
-             {"language", "In which the item was shown"},
-             {"included", "Whether the statistics count it"},
+             {"language", "Of the question as it is worded here"},
+             {"included", "Whether the statistics of its run mode count it"},
              {"exclude_reason", "Why they do not"},
              {"saved_utc", "When it was on the disk, ISO 8601, UTC"}})};
     for (const auto& answer : records_.answers()) {
@@ -139,7 +138,8 @@ class Tables {
         .columns = columnsWith(
             {{"device", "Which device"},
              {"ending",
-              "How it ended: finished, stopped, device_gone, trace_lost, timed_out, program_ended"},
+              "How it ended: finished, stopped, aborted_hardware, trace_lost, timed_out, "
+              "program_ended"},
              {"qc_status", "PASS, WARN or FAIL"},
              {"qc_reason", "Why"},
              {"duration_s", "Of the engine's own time"},
@@ -194,10 +194,10 @@ class Tables {
         .name = "events",
         .description = "Everything that happened, in order.",
         .columns = {
-            {"participant_id", "Pseudonym; empty where it concerns no session"},
+            {"participant_id", "Pseudonym of the participant"},
             {"session_num", "Which of the participant's sessions"},
             {"step_num", "Step of the session, from 1"},
-            {"attempt", "From 1"},
+            {"attempt", "How often this step has been begun, from 1"},
             {"utc", "ISO 8601, UTC"},
             {"onset_s", "Since the session's first event, by a clock that is never set back"},
             {"actor", "participant, operator or program"},
@@ -232,10 +232,10 @@ class Tables {
         .description =
             "One row per cut (stroke), with its landmarks; what was not found is missing.",
         .columns = {
-            {"participant_id", "Pseudonym"},
+            {"participant_id", "Pseudonym of the participant"},
             {"session_num", "Which of the participant's sessions"},
             {"step_num", "Step of the session, from 1"},
-            {"attempt", "From 1"},
+            {"attempt", "How often this step has been begun, from 1"},
             {"cut_num", "From 1"},
             {"interception_travel", "Where the load began to rise [travel unit of the device]"},
             {"interception_n", "… and the force there"},

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
+#include "analysis/paired_t.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/tick_sample.h"
 #include "study/storage/records.h"
@@ -29,6 +29,19 @@ class Bins {
       const auto bin = static_cast<std::int64_t>(std::floor(sample.travel / width_));
       if (bin >= 0 && bin < kBins) forces_[static_cast<std::size_t>(bin)].push_back(sample.force);
     }
+  }
+
+  /// The middle sample of every bin that was felt.
+  std::map<int, double> medians() {
+    std::map<int, double> medians;
+    for (int bin = 0; bin < kBins; ++bin) {
+      auto& forces = forces_[static_cast<std::size_t>(bin)];
+      if (forces.empty()) continue;
+      const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
+      std::nth_element(forces.begin(), middle, forces.end());
+      medians[bin] = *middle;
+    }
+    return medians;
   }
 
   std::vector<FeltCurve::Point> points() {
@@ -77,27 +90,33 @@ std::vector<double> meantForces(
 
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   const storage::Records records(study.database());
-  std::set<SessionId> counted;
+  std::map<SessionId, std::string> counted;  // and whose they are
   for (const auto& session : records.sessions()) {
     if (session.runMode == nameOf(mode) && session.status == "completed")
-      counted.insert(session.id);
+      counted.emplace(session.id, session.participant);
   }
   const auto& protocol = study.protocol().protocol;
   const auto trials = records.trials();
   std::vector<FeltCurve> curves;
   for (const auto& condition : protocol.conditions) {
     FeltCurve curve{.condition = condition.id, .device = condition.device};
-    Bins bins(mostTravelOf(protocol.device(condition.device)->kind));
+    const double most = mostTravelOf(protocol.device(condition.device)->kind);
+    Bins bins(most);
+    std::map<std::string, Bins> byParticipant;
     for (const auto& trial : trials) {
       const bool counts = trial.step.condition == condition.id &&
                           trial.step.visitStatus == "finished" &&
                           counted.count(trial.step.visit.session) > 0;
       if (!counts) continue;
-      bins.add(study.traces().read(trial.step.visit));
+      const auto samples = study.traces().read(trial.step.visit);
+      bins.add(samples);
+      byParticipant.try_emplace(counted.at(trial.step.visit.session), most)
+          .first->second.add(samples);
       curve.travelUnit = trial.travelUnit;
       ++curve.trials;
     }
     curve.points = bins.points();
+    for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
     auto scene = condition.scene;
     scene.device = protocol.device(condition.device)->kind;
     curve.meant = meantForces(std::move(scene), curve.points);
@@ -115,18 +134,57 @@ std::optional<double> rmsFromMeant(const FeltCurve& curve) {
   return std::sqrt(sum / static_cast<double>(curve.points.size()));
 }
 
-std::optional<double> rmsDifference(const FeltCurve& a, const FeltCurve& b) {
-  std::map<double, double> medians;
-  for (const auto& point : a.points) medians[point.travel] = point.median;
+namespace {
+
+/// Of two series by place, where both have a value; nothing where nowhere.
+template <typename Place>
+std::optional<double> rmsDifference(
+    const std::map<Place, double>& a, const std::map<Place, double>& b) {
   double sum = 0.0;
   int count = 0;
-  for (const auto& point : b.points) {
-    const auto other = medians.find(point.travel);
-    if (other == medians.end() || a.device != b.device) continue;
-    sum += (point.median - other->second) * (point.median - other->second);
+  for (const auto& [place, value] : a) {
+    const auto other = b.find(place);
+    if (other == b.end()) continue;
+    sum += (value - other->second) * (value - other->second);
     ++count;
   }
   return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
+}
+
+std::map<double, double> mediansOf(const FeltCurve& curve) {
+  std::map<double, double> medians;
+  for (const auto& point : curve.points) medians[point.travel] = point.median;
+  return medians;
+}
+
+}  // namespace
+
+std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves) {
+  std::vector<FeltDifference> differences;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (std::size_t j = i + 1; j < curves.size(); ++j) {
+      const auto& a = curves[i];
+      const auto& b = curves[j];
+      if (a.device != b.device) continue;
+      const auto pooled = rmsDifference(mediansOf(a), mediansOf(b));
+      if (!pooled) continue;
+      std::vector<double> own;
+      for (const auto& [participant, medians] : a.medians) {
+        const auto other = b.medians.find(participant);
+        if (other == b.medians.end()) continue;
+        if (const auto rms = rmsDifference(medians, other->second)) own.push_back(*rms);
+      }
+      const auto test = analysis::pairedTTest(own, std::vector<double>(own.size(), 0.0));
+      differences.push_back(
+          {.condition1 = a.condition,
+           .condition2 = b.condition,
+           .pooled = *pooled,
+           .participants = own.size(),
+           .mean = test.meanDifference,
+           .interval = confidenceInterval(test, 0.95)});
+    }
+  }
+  return differences;
 }
 
 }  // namespace study

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/interval.h"
 #include "study/run_mode.h"
 #include "study/study.h"
 
@@ -26,6 +29,19 @@ struct FeltCurve {
   std::vector<Point> points;
   /// Of bone: what its material gives at the travel of each point, slowly [N]; else empty.
   std::vector<double> meant = {};
+  /// Participant by participant, the median force in every bin that they felt [N].
+  std::map<std::string, std::map<int, double>> medians = {};
+};
+
+/// How much two alternatives differed at the handle: the root of the mean squared difference of
+/// median forces [N].
+struct FeltDifference {
+  std::string condition1;
+  std::string condition2;
+  double pooled = 0.0;                         ///< of the medians of everybody's samples
+  std::size_t participants = 0;                ///< who felt both
+  std::optional<double> mean;                  ///< of what it was for each of them
+  std::optional<analysis::Interval> interval;  ///< of that mean, Student's, at 95 %
 };
 
 /// One curve for every condition that was felt, in the protocol's order.
@@ -35,8 +51,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode);
 /// nothing where that is not known.
 std::optional<double> rmsFromMeant(const FeltCurve& curve);
 
-/// How much two curves differ where both were felt: the root of the mean squared difference of
-/// their medians [N]; nothing where they share no travel.
-std::optional<double> rmsDifference(const FeltCurve& a, const FeltCurve& b);
+/// Every pair of curves that were felt on one device over the same travel.
+std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves);
 
 }  // namespace study

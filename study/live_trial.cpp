@@ -96,4 +96,18 @@ TrialRecord LiveTrial::finish(TrialEnding ending) {
   return record;
 }
 
+TrialRecord feelInRealTime(Trial& trial, int cuts, double longest) {
+  LiveTrial live(trial);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(longest);
+  for (;;) {
+    const auto status = live.status();
+    if (status.cuts >= cuts || status.isDeviceGone || status.isTraceLost) {
+      return live.finish(TrialEnding::Finished);
+    }
+    if (trial.isStopped()) return live.finish(TrialEnding::Stopped);
+    if (std::chrono::steady_clock::now() >= until) return live.finish(TrialEnding::TimedOut);
+    std::this_thread::sleep_for(kDrainEvery);
+  }
+}
+
 }  // namespace study

@@ -70,4 +70,8 @@ class LiveTrial {
   std::optional<haptics::engine::RealtimeLoop> loop_;  // last: the first to go
 };
 
+/// Lets whoever holds the device feel @p trial, until it has cut @p cuts times or @p longest [s]
+/// have passed.
+TrialRecord feelInRealTime(Trial& trial, int cuts, double longest);
+
 }  // namespace study

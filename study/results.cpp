@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 
-#include "questionnaires/answer.h"
+#include "analysis/common_unit.h"
+#include "analysis/share_interval.h"
+#include "study/answer_tables.h"
+#include "study/pooled_answers.h"
 #include "study/storage/records.h"
+#include "study/trial_record.h"
 
 namespace study {
 namespace {
 
-using questionnaires::ItemType;
 using storage::AnswerRecord;
 using storage::Records;
 using storage::SessionRecord;
@@ -20,7 +24,7 @@ using storage::SessionRecord;
 class Computation {
  public:
   Computation(Study& study, RunMode mode)
-      : mode_(mode), loaded_(study.protocol()), records_(study.database()) {
+      : mode_(mode), loaded_(study.protocol()), records_(study.database()), pooled_(study, mode) {
     for (auto& session : records_.sessions()) {
       if (session.runMode == nameOf(mode)) sessions_.emplace(session.id, session);
     }
@@ -30,14 +34,20 @@ class Computation {
                           answer.step.visitStatus == "finished";
       if (counts) answers_.push_back(std::move(answer));
     }
+    for (auto& trial : records_.trials()) {
+      const auto session = sessions_.find(trial.step.visit.session);
+      const bool counts = session != sessions_.end() && session->second.status == "completed" &&
+                          trial.step.visitStatus == "finished";
+      if (counts) trials_.push_back(std::move(trial));
+    }
     allocation_ = records_.allocation();
   }
 
   Results all() {
     Results results{.runMode = mode_};
     for (const auto& cohort : loaded_.protocol.cohorts) results.flow.push_back(flowOf(cohort.id));
-    for (const auto& family : loaded_.protocol.analysis.families) {
-      results.families.push_back(resultOf(family));
+    for (std::size_t i = 0; i < loaded_.protocol.analysis.families.size(); ++i) {
+      results.families.push_back(resultOf(i));
     }
     for (const auto& phase : loaded_.protocol.phases) {
       if (phase.type != protocols::PhaseType::Preference) continue;
@@ -45,6 +55,7 @@ class Computation {
         results.votes.push_back(votesOf(phase, cohort.id));
       }
     }
+    results.instruments = summariseInstruments(loaded_, sessions_, answers_);
     return results;
   }
 
@@ -53,56 +64,148 @@ class Computation {
     CohortFlow flow{.cohort = cohort};
     for (const auto& [id, session] : sessions_) {
       if (session.cohort != cohort) continue;
-      ++flow.enrolled;
-      if (session.status == "completed") ++flow.completed;
-      if (session.status == "in_progress") ++flow.inProgress;
-      if (session.status == "declined") ++flow.declined;
-      if (session.status == "withdrawn") ++flow.withdrawn;
-      if (session.status == "rejected") ++flow.rejected;
-      if (session.status == "aborted_hardware") ++flow.abortedHardware;
+      flow.add(session.status);
     }
     return flow;
-  }
-
-  /// The conditions that a family compares, in the protocol's order.
-  std::vector<std::string> conditionsOf(const protocols::Family& family) const {
-    std::set<std::string> named;
-    for (const auto& pair : family.comparisons) named.insert({pair.first, pair.second});
-    std::vector<std::string> conditions;
-    for (const auto& condition : loaded_.protocol.conditions) {
-      if (named.count(condition.id) > 0) conditions.push_back(condition.id);
-    }
-    return conditions;
   }
 
   const std::string& cohortOf(const AnswerRecord& answer) const {
     return sessions_.at(answer.step.visit.session).cohort;
   }
 
-  FamilyResult resultOf(const protocols::Family& family) const {
-    FamilyResult result{.family = family, .cohorts = {}};
+  FamilyResult resultOf(std::size_t place) const {
+    const auto& family = loaded_.protocol.analysis.families[place];
+    FamilyResult result{.family = family};
     std::vector<analysis::DeclaredPair> pairs;
     for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
-    for (const auto& cohort : loaded_.protocol.cohorts) {
-      CohortResult part{.cohort = cohort.id, .conditions = {}, .comparisons = {}};
-      for (const auto& condition : conditionsOf(family)) {
-        part.conditions.push_back({condition, countsOf(family, cohort.id, condition)});
-      }
-      part.comparisons = analysis::comparePairwise(part.conditions, pairs, family.alpha);
-      if (family.correction == protocols::CorrectionType::None) withoutCorrection(part, family);
+    for (std::size_t i = 0; i < loaded_.protocol.cohorts.size(); ++i) {
+      const auto& cohort = loaded_.protocol.cohorts[i];
+      CohortResult part{.cohort = cohort.id, .table = tableOf(family, cohort.id)};
+      part.conditions = pooled_.of(place, i);
+      part.comparisons = comparePooled(family, part.conditions);
+      part.within = analysis::compareWithin(
+          part.table,
+          pairs,
+          {.alpha = family.alpha,
+           .adjustment = adjustmentOf(family.correction),
+           .equivalenceBound = family.equivalenceBound});
+      part.checks = analysis::scaleChecks(part.table);
+      part.position = analysis::positionEffect(part.table);
+      part.flags = flagsOf(family, part);
       result.cohorts.push_back(std::move(part));
     }
+    result.between = betweenCohorts(result);
     return result;
   }
 
-  /// Every comparison stands for itself.
-  static void withoutCorrection(CohortResult& part, const protocols::Family& family) {
-    part.comparisons.alphaPerTest = family.alpha;
-    for (auto& row : part.comparisons.rows) {
-      row.adjustedP = row.welch.p;
-      row.adjustedInterval = row.interval;
-      if (row.welch.p) row.isSignificant = *row.welch.p <= family.alpha;
+  static std::vector<double> meansOf(const analysis::AnswerTable& table, std::size_t method) {
+    std::vector<double> means;
+    for (const auto& row : table.participantMeans()) {
+      if (row[method]) means.push_back(*row[method]);
     }
+    return analysis::withoutRoundingNoise(means);
+  }
+
+  /// Every pair of cohorts, condition by condition.
+  static std::vector<BetweenResult> betweenCohorts(const FamilyResult& family) {
+    std::vector<BetweenResult> results;
+    const auto& cohorts = family.cohorts;
+    for (std::size_t i = 0; i < cohorts.size(); ++i) {
+      for (std::size_t j = i + 1; j < cohorts.size(); ++j) {
+        for (std::size_t method = 0; method < cohorts[i].table.methods.size(); ++method) {
+          const auto first = meansOf(cohorts[i].table, method);
+          const auto second = meansOf(cohorts[j].table, method);
+          results.push_back(
+              {.condition = cohorts[i].table.methods[method],
+               .cohort1 = cohorts[i].cohort,
+               .cohort2 = cohorts[j].cohort,
+               .mannWhitney = analysis::mannWhitneyTest(first, second),
+               .brunnerMunzel = analysis::brunnerMunzelTest(first, second),
+               .cliff = analysis::cliffDelta(first, second)});
+        }
+      }
+    }
+    return results;
+  }
+
+  analysis::AnswerTable tableOf(const protocols::Family& family, const std::string& cohort) const {
+    std::vector<std::string> people;
+    for (const auto& [id, session] : sessions_) {
+      const bool counts = session.cohort == cohort && session.status == "completed";
+      if (counts && std::find(people.begin(), people.end(), session.participant) == people.end()) {
+        people.push_back(session.participant);
+      }
+    }
+    std::vector<OwnedAnswer> owned;
+    for (const auto& answer : answers_) {
+      if (!isOf(family, answer) || cohortOf(answer) != cohort) continue;
+      owned.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
+    }
+    return answerTable(loaded_, family, people, owned);
+  }
+
+  /// The largest value that the smallest p of a family may have to be significant.
+  static double thresholdOf(const protocols::Family& family) {
+    using enum protocols::CorrectionType;
+    const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
+    switch (family.correction) {
+      case Bonferroni:
+      case Holm:
+        return family.alpha / m;
+      case HolmSidak:
+        return 1.0 - std::pow(1.0 - family.alpha, 1.0 / m);
+      case BenjaminiYekutieli: {
+        double harmonic = 0.0;
+        for (double i = 1.0; i <= m; i += 1.0) harmonic += 1.0 / i;
+        return family.alpha / harmonic;
+      }
+      case None:
+      case Hochberg:
+      case Hommel:
+      case BenjaminiHochberg:
+        return family.alpha;  // where all of the family are as small
+    }
+    return family.alpha;
+  }
+
+  static std::vector<std::optional<double>> declaredPValues(
+      const protocols::Family& family, const CohortResult& part) {
+    std::vector<std::optional<double>> pValues;
+    if (family.test == protocols::TestType::Welch) {
+      for (const auto& row : part.comparisons.rows) pValues.push_back(row.welch.p);
+    }
+    for (const auto& row : part.within.rows) {
+      if (family.test == protocols::TestType::PairedT) pValues.push_back(row.pairedP.p);
+      if (family.test == protocols::TestType::SignFlip) pValues.push_back(row.signFlipP.p);
+      if (family.test == protocols::TestType::SignedRank) pValues.push_back(row.signedRankP.p);
+    }
+    return pValues;
+  }
+
+  std::vector<analysis::Flag> flagsOf(
+      const protocols::Family& family, const CohortResult& part) const {
+    analysis::StudyFacts facts{
+        .isPooled = true,  // the pooled tests are always printed
+        .alpha = family.alpha,
+        .threshold = thresholdOf(family),
+        .tests = family.comparisons.size(),
+        .relativeStatements = relativeStatements(loaded_, family, part.table),
+        .expected = expectedAnswers(loaded_, family, part.table)};
+    for (const auto& method : part.table.methods) {
+      facts.methodTitles.push_back(loaded_.protocol.condition(method)->title);
+    }
+    if (family.correction == protocols::CorrectionType::Bonferroni) {
+      for (const auto& p : declaredPValues(family, part)) {
+        if (p) facts.pValues.push_back(*p);
+      }
+    }
+    for (const auto& trial : trials_) {
+      if (sessions_.at(trial.step.visit.session).cohort != part.cohort) continue;
+      ++facts.trials;
+      if (isOftenLate(trial.lateTicks.value_or(0), trial.ticks)) ++facts.lateTrials;
+      if (trial.saturated > 0.0) ++facts.saturatedTrials;
+    }
+    return analysis::flagsOf(part.table, facts);
   }
 
   bool isOf(const protocols::Family& family, const AnswerRecord& answer) const {
@@ -110,27 +213,6 @@ class Computation {
     return answer.step.kind == "questionnaire" && answer.step.instrument == family.instrument &&
            (blocks.empty() ||
             std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
-  }
-
-  analysis::LikertCounts countsOf(
-      const protocols::Family& family,
-      const std::string& cohort,
-      const std::string& condition) const {
-    const auto& instrument = *loaded_.instrument(family.instrument);
-    const auto likert =
-        std::find_if(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
-          return item.type == ItemType::Likert;
-        });
-    analysis::LikertCounts counts(likert->scale.lowest, likert->scale.highest());
-    for (const auto& answer : answers_) {
-      if (!isOf(family, answer) || answer.step.condition != condition) continue;
-      if (cohortOf(answer) != cohort) continue;
-      const auto* item = instrument.item(answer.answer.item);
-      const auto* point = std::get_if<std::int64_t>(&answer.answer.response);
-      if (item == nullptr || item->type != ItemType::Likert || point == nullptr) continue;
-      counts.add(static_cast<int>(questionnaires::keyed(*item, *point)));
-    }
-    return counts;
   }
 
   /// What an alternative was in a session; empty where it was nothing.
@@ -147,7 +229,9 @@ class Computation {
         .cohort = cohort,
         .phase = phase.id,
         .block = phase.block,
-        .votes = analysis::VoteCounts(block.conditions)};
+        .votes = analysis::VoteCounts(block.conditions),
+        .test = {},
+        .intervals = {}};
     const auto* instrument = loaded_.instrument(phase.instrument);
     for (const auto& answer : answers_) {
       if (answer.step.phase != phase.id || cohortOf(answer) != cohort) continue;
@@ -160,23 +244,53 @@ class Computation {
       const auto& options = block.conditions;
       if (std::find(options.begin(), options.end(), felt) != options.end()) result.votes.add(felt);
     }
+    result.test = analysis::equalSharesTest(result.votes);
+    for (const auto& share : result.votes.shares()) {
+      result.intervals.push_back(analysis::wilsonInterval(share.votes, result.votes.total()));
+    }
     return result;
   }
 
   RunMode mode_;
   const protocols::LoadedProtocol& loaded_;
   Records records_;
+  PooledAnswers pooled_;
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
+  std::vector<storage::TrialRow> trials_;
   std::map<Records::Alternative, std::string> allocation_;
 };
 
 }  // namespace
 
+void CohortFlow::add(std::string_view status) {
+  ++enrolled;
+  if (status == "completed") ++completed;
+  if (status == "in_progress") ++inProgress;
+  if (status == "declined") ++declined;
+  if (status == "withdrawn") ++withdrawn;
+  if (status == "rejected") ++rejected;
+  if (status == "aborted_hardware") ++abortedHardware;
+}
+
 int Results::completed() const {
   int total = 0;
   for (const auto& cohort : flow) total += cohort.completed;
   return total;
+}
+
+std::vector<RaisedFlag> flagsByKind(const FamilyResult& family) {
+  std::vector<RaisedFlag> raised;
+  for (const auto& cohort : family.cohorts) {
+    for (const auto& flag : cohort.flags) {
+      auto same = std::find_if(raised.begin(), raised.end(), [&](const auto& other) {
+        return other.flag->id == flag.id;
+      });
+      if (same == raised.end()) same = raised.insert(raised.end(), {&flag, {}});
+      same->found.emplace_back(cohort.cohort, &flag);
+    }
+  }
+  return raised;
 }
 
 Results computeResults(Study& study, RunMode mode) {

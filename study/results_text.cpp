@@ -21,16 +21,18 @@ std::string padded(const std::string& text, std::size_t columns, bool toTheRight
 
 class Writer {
  public:
-  Writer(Study& study, const Results& results)
-      : protocol_(study.protocol().protocol), results_(results) {}
+  Writer(Study& study, const Results& results, Profile profile)
+      : protocol_(study.protocol().protocol), results_(results), profile_(profile) {}
 
   std::string all() {
     head();
     for (const auto& family : results_.families) {
       means(family);
-      comparisons(family);
+      profile_ == Profile::AsPublished ? asPublished(family) : recommended(family);
+      flags(family);
     }
     if (!results_.votes.empty()) votes();
+    if (!results_.instruments.empty()) scores();
     return text_;
   }
 
@@ -85,13 +87,16 @@ class Writer {
     }
   }
 
-  void comparisons(const FamilyResult& family) {
-    const bool isCorrected = family.family.correction == protocols::CorrectionType::Bonferroni;
+  /// Of the profile as published; what is not declared is exploratory.
+  void asPublished(const FamilyResult& family) {
+    const bool isCorrected = !correctionOf(family.family).empty();
+    const bool isDeclared = family.family.test == protocols::TestType::Welch;
     line(fmt::format(
-        "\n{}: Welch's t-tests{}, alpha = {}",
+        "\n{}: Welch's t-tests{}, alpha = {} ({})",
         family.family.title,
-        isCorrected ? " with Bonferroni correction" : "",
-        family.family.alpha));
+        isCorrected ? fmt::format(" with {} correction", correctionOf(family.family)) : "",
+        family.family.alpha,
+        isDeclared ? "declared: confirmatory" : "exploratory"));
     for (const auto& cohort : family.cohorts) {
       line(
           cohortTitle(cohort.cohort) +
@@ -100,6 +105,78 @@ class Writer {
                : ""));
       for (const auto& row : cohort.comparisons.rows) comparison(row);
     }
+  }
+
+  /// Only what is declared corrects as declared; Bonferroni's way is the paper's.
+  static std::string_view correctionOf(const protocols::Family& family) {
+    return nameOf(
+        family.test == protocols::TestType::Welch ? family.correction
+                                                  : protocols::CorrectionType::Bonferroni);
+  }
+
+  void recommended(const FamilyResult& family) {
+    line(fmt::format(
+        "\n{}: within people, alpha = {}\n  declared, confirmatory: {}; all else is exploratory",
+        family.family.title,
+        family.family.alpha,
+        declaredInWords(family.family)));
+    for (const auto& cohort : family.cohorts) {
+      line(fmt::format(
+          "{}: {} participants who judged every method{}",
+          cohortTitle(cohort.cohort),
+          cohort.within.participants,
+          cohort.within.leftOut.empty()
+              ? ""
+              : fmt::format(", {} left out", cohort.within.leftOut.size())));
+      for (const auto& words : apaLines(cohort.within)) line("  " + words);
+      for (const auto& row : cohort.within.rows) {
+        line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
+        for (const auto& words : apaLines(row, family.family)) line("    " + words);
+      }
+      checks(cohort);
+    }
+    between(family);
+  }
+
+  /// What the order did, and how far the scale can be trusted.
+  void checks(const CohortResult& cohort) {
+    const auto& slope = cohort.position.slope;
+    line(
+        slope.p ? fmt::format(
+                      "  Order: {} points from one position to the next {}, p = {}",
+                      rounded(slope.meanDifference, 2),
+                      intervalInWords(cohort.position.slopeInterval),
+                      pInWords(slope.p))
+                : "  Order: no slope over positions: " + slope.reason);
+    for (const auto& method : cohort.checks.methods) {
+      line(fmt::format(
+          "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p = {}",
+          titleOf(method.method),
+          rounded(method.alpha.value, 2),
+          rounded(method.omega.value, 2),
+          pInWords(method.normality.p)));
+    }
+  }
+
+  void between(const FamilyResult& family) {
+    if (family.between.empty()) return;
+    line("Between cohorts, on participants' means (exploratory)");
+    for (const auto& row : family.between) {
+      line("  " + titleOf(row.condition) + ", " + betweenInWords(row));
+    }
+  }
+
+  std::string betweenInWords(const BetweenResult& row) const {
+    std::string words = cohortTitle(row.cohort1) + " vs. " + cohortTitle(row.cohort2) + ": ";
+    if (!row.mannWhitney.p) return words + "not defined: " + row.mannWhitney.reason;
+    words += fmt::format(
+        "U = {:g}, exact p = {}, Cliff's δ = {} {}",
+        row.mannWhitney.u.value_or(0.0),
+        pInWords(row.mannWhitney.p),
+        rounded(row.cliff.delta, 2),
+        intervalInWords(row.cliff.interval));
+    if (row.brunnerMunzel.p) words += "; Brunner–Munzel p = " + pInWords(row.brunnerMunzel.p);
+    return words;
   }
 
   void comparison(const analysis::PairwiseComparison& row) {
@@ -119,6 +196,21 @@ class Writer {
     line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
+  /// Each once, with what it found in every cohort.
+  void flags(const FamilyResult& family) {
+    const auto raised = flagsByKind(family);
+    if (raised.empty()) return;
+    line("\nWhat a reader has to know");
+    for (const auto& [flag, found] : raised) {
+      line(fmt::format("  [{}]", flag->id));
+      for (const auto& [cohort, what] : found) {
+        line("    " + cohortTitle(cohort) + ": " + what->inEnglish());
+      }
+      line(fmt::format("    Why: {}", flag->why));
+      line(fmt::format("    What to do: {}", flag->remedy));
+    }
+  }
+
   void votes() {
     line("\nPreferences: how many named each method");
     for (const auto& vote : results_.votes) {
@@ -126,30 +218,38 @@ class Writer {
       for (const auto& share : vote.votes.shares()) {
         row += padded(titleOf(share.option) + " " + std::to_string(share.votes), 18);
       }
+      if (vote.test.exactP) row += "exact p " + pInWords(vote.test.exactP);
       line(row);
+    }
+  }
+
+  void scores() {
+    line("\nScores of questionnaires: mean, standard deviation, 95 % interval");
+    for (const auto& instrument : results_.instruments) {
+      for (const auto& score : instrument.scores) {
+        if (score.values.empty()) continue;
+        const auto about = score.condition.empty() ? score.occasion : titleOf(score.condition);
+        line(fmt::format(
+            "{}{} {} {}, n = {}",
+            padded(instrument.instrument + ", " + score.score, 40),
+            padded(cohortTitle(score.cohort) + (about.empty() ? "" : ", " + about), 44),
+            rounded(score.mean, 2),
+            rounded(score.standardDeviation, 2) + " " + intervalInWords(score.interval),
+            score.values.size()));
+      }
     }
   }
 
   const protocols::Protocol& protocol_;
   const Results& results_;
+  Profile profile_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string rounded(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "–";
-}
-
-std::string pInWords(const std::optional<double>& p) {
-  if (!p) return "–";
-  if (*p < 0.001) return "< .001";
-  if (*p >= 0.9995) return "1.000";
-  return fmt::format("{:.3f}", *p).substr(1);
-}
-
-std::string resultsAsText(Study& study, const Results& results) {
-  return Writer(study, results).all();
+std::string resultsAsText(Study& study, const Results& results, Profile profile) {
+  return Writer(study, results, profile).all();
 }
 
 }  // namespace study

@@ -9,6 +9,7 @@
 #include "haptics/devices/pointer_hand.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/scene_spec.h"
 #include "protocols/protocol.h"
 
 namespace study {
@@ -24,6 +25,10 @@ class Rig {
   /// The device that a protocol calls @p need.id; opened now if it was not.
   virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
   virtual bool isOpen(const std::string& id) const = 0;
+
+  /// Before a trial on that device: what is going to be felt, for a device that renders by itself.
+  virtual void prepare(
+      const protocols::DeviceNeed& /*need*/, const haptics::engine::SceneSpec& /*scene*/) {}
 };
 
 /// Simulated instruments, each in a hand that somebody provides.

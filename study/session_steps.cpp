@@ -82,6 +82,8 @@ void Session::keepTrial(const TrialRecord& record) {
           passivity.neededDamping(),
           record.deviceDamping,
           record.leastEnergy));
+  if (record.link.isThere) say(Actor::Program, "device_link", inWords(record.link));
+  if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
   for (const auto& event : record.safety) {
     say(Actor::Program,
         "safety_" + std::string(nameOf(event.kind)),

@@ -1,16 +1,28 @@
 // A cohort that answers through the very same session code as people do.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <memory>
+#include <optional>
+#include <thread>
 
-#include "study/rig.h"
+#include "haptics/devices/device_error.h"
+#include "study/hardware_rig.h"
+#include "study/live_trial.h"
 #include "study/simulated_participant.h"
 #include "study/trial_setup.h"
 
 namespace study {
 namespace {
 
-constexpr double kLongestTrial = 120.0;                   // [s]
+constexpr double kLongestTrial = 120.0;  // [s]
+constexpr int kMostFailures = 30;
+constexpr double kAtOnce = 0.5;  // [s]: a trial that breaks off sooner has not been felt
+constexpr int kMostAtOnce = 5;   // of those, one after the other: the device is not mended
+constexpr std::chrono::milliseconds kBetweenTries{500};
+constexpr std::chrono::seconds kLongestWait{30};  // for a device to come back
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
 /// One simulated sitting.
@@ -21,11 +33,13 @@ class Sitting {
       Session& session,
       SimulatedClock& clock,
       std::uint64_t seed,
-      const Acknowledge& acknowledge)
+      const Acknowledge& acknowledge,
+      Rig* devices)
       : study_(study),
         session_(session),
         clock_(clock),
         acknowledge_(acknowledge),
+        devices_(devices),
         person_(
             session.protocol().protocol.simulation,
             seed,
@@ -37,12 +51,14 @@ class Sitting {
     while (!session_.isOver()) {
       const std::string phase = session_.step().phase;
       if (session_.state() == SessionState::Interrupted) {
-        session_.repeatStep("the program had been ended");
-      } else if (session_.step().kind == StepKind::Trial) {
-        feel();
-      } else {
-        answerStep();
+        session_.repeatStep("a trial had been broken off");
+        continue;
       }
+      if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
+        feelOn(*devices_);  // and says by itself how it went
+        continue;
+      }
+      session_.step().kind == StepKind::Trial ? feel() : answerStep();
       acknowledge_(session_.participant() + " " + phase + " done");
     }
   }
@@ -69,6 +85,48 @@ class Sitting {
     }
     session_.breakOffTrial(record);
     session_.skipStep("a simulated trial broke off");
+  }
+
+  /// On devices that are there, in real time. One that fails is connected anew, some times over.
+  void feelOn(Rig& rig) {
+    const VisitKey visit = session_.visit();
+    const int cuts = session_.step().minimumCuts;
+    std::unique_ptr<Trial> trial;
+    try {
+      trial = trialFor(session_, rig, [&](int number, const auto& samples) {
+        study_.traces().add(visit, number, samples);
+      });
+    } catch (const haptics::devices::DeviceError& error) {
+      // An arm that is not let command is waited for ten seconds each time.
+      const auto now = std::chrono::steady_clock::now();
+      if (!waitingSince_) waitingSince_ = now;
+      if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;
+      acknowledge_(session_.participant() + " waits: " + error.what());
+      std::this_thread::sleep_for(kBetweenTries);
+      return;
+    }
+    waitingSince_.reset();
+    session_.beginTrial();
+    const auto record = feelInRealTime(*trial, cuts, kLongestTrial);
+    trial.reset();
+    clock_.advance(record.duration);
+    const std::string which = session_.participant() + " step " + std::to_string(visit.step) +
+                              " (" + session_.step().phase + "), attempt " +
+                              std::to_string(visit.attempt) + ": ";
+    if (record.ending == TrialEnding::Finished) {
+      failures_ = 0;
+      atOnce_ = 0;
+      session_.finishTrial(record);
+      acknowledge_(which + "finished");
+      return;
+    }
+    session_.breakOffTrial(record);
+    const std::string why =
+        record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
+    atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
+    const bool isHopeless = ++failures_ >= kMostFailures || atOnce_ >= kMostAtOnce;
+    if (isHopeless) session_.giveUpOnDevice(why);
+    acknowledge_(which + "broken off: " + why + (isHopeless ? "; given up" : "; repeated"));
   }
 
   void answerStep() {
@@ -106,6 +164,10 @@ class Sitting {
   Session& session_;
   SimulatedClock& clock_;
   const Acknowledge& acknowledge_;
+  Rig* devices_;
+  std::optional<std::chrono::steady_clock::time_point> waitingSince_;
+  int failures_ = 0;  ///< of devices, one after the other
+  int atOnce_ = 0;    ///< of these, that came before anything was felt
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };
@@ -142,6 +204,31 @@ void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> r
   }
 }
 
+SimulatedEnding endingOf(const storage::SessionRow& row) {
+  return {
+      .participant = row.participant,
+      .state = row.state,
+      .step = row.step,
+      .attempts = row.attempt,
+      .reason = row.endReason.value_or("")};
+}
+
+SimulatedEnding endingOf(Study& study, const Session& session) {
+  auto sessions = study.sessions();
+  const SessionId id = session.visit().session;
+  auto ending = endingOf(sessions.load(id));
+  for (std::size_t i = 0; i < session.plan().size(); ++i) {
+    if (session.plan()[i].kind != StepKind::Trial) continue;
+    const int step = static_cast<int>(i);
+    const int attempts = sessions.attempts(id, step);
+    ++ending.trials;
+    if (sessions.statusOf({id, step, attempts}) == storage::VisitStatus::Finished) {
+      ++ending.trialsFinished;
+    }
+  }
+  return ending;
+}
+
 }  // namespace
 
 void simulate(
@@ -149,24 +236,37 @@ void simulate(
     Session& session,
     SimulatedClock& clock,
     std::uint64_t seed,
-    const Acknowledge& acknowledge) {
-  Sitting(study, session, clock, seed, acknowledge).run();
+    const Acknowledge& acknowledge,
+    Rig* devices) {
+  Sitting(study, session, clock, seed, acknowledge, devices).run();
 }
 
-void simulateCohorts(
+std::vector<SimulatedEnding> simulateCohorts(
     Study& study,
     SimulatedClock& clock,
     int participants,
     std::uint64_t seed,
-    const Acknowledge& acknowledge) {
+    const Acknowledge& acknowledge,
+    const std::string& deviceFile) {
+  // Nobody who does not exist moves a real device unless asked to.
+  std::unique_ptr<Rig> devices;
+  if (!deviceFile.empty()) {
+    devices = rigFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
+      return simulatedHandFor(need, seed, {}, 0);
+    });
+  }
+  std::vector<SimulatedEnding> endings;
   std::map<std::string, int> finished;
   int total = 0;
   for (const auto& row : study.sessions().all()) {
     if (row.runMode != RunMode::Simulated) continue;
-    if (!isOver(row.state)) {
+    if (isOver(row.state)) {
+      endings.push_back(endingOf(row));
+    } else {
       setClockFor(study, clock, row.id);
       auto session = Session::resume(study, row.id);
-      simulate(study, session, clock, seed, acknowledge);
+      simulate(study, session, clock, seed, acknowledge, devices.get());
+      endings.push_back(endingOf(study, session));
     }
     ++finished[row.cohort];
     ++total;
@@ -177,9 +277,11 @@ void simulateCohorts(
     auto session =
         Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
     acknowledge(session.participant() + " enrolled");
-    simulate(study, session, clock, seed, acknowledge);
+    simulate(study, session, clock, seed, acknowledge, devices.get());
+    endings.push_back(endingOf(study, session));
     ++finished[cohort];
   }
+  return endings;
 }
 
 int plannedParticipants(const protocols::Protocol& protocol) {

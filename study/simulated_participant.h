@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "protocols/random_stream.h"
 #include "questionnaires/answer.h"
@@ -10,6 +11,8 @@
 #include "study/session.h"
 
 namespace study {
+
+class Rig;
 
 /// Somebody who does not exist, and answers as a model says: how real a condition feels to them is
 ///
@@ -48,26 +51,42 @@ class SimulatedParticipant {
   std::uint64_t slot_;
 };
 
+/// Where and how the session of somebody who does not exist came to its end.
+struct SimulatedEnding {
+  std::string participant;
+  SessionState state = SessionState::Completed;
+  int step = 0;
+  int attempts = 1;    ///< of that step
+  std::string reason;  ///< empty where there is none
+  int trials = 0;      ///< of the plan; 0 for sessions that had been over before
+  int trialsFinished = 0;
+};
+
 /// Told of everything that has been committed, as soon as it has: "P001 round-1 1.1".
 using Acknowledge = std::function<void(const std::string& what)>;
 
 /// Takes @p session from where it is to its end, through the same steps, transactions, engine and
-/// recorder as a real one, in @p clock's time.
+/// recorder as a real one, in @p clock's time; on @p devices if there are any, in real time.
 void simulate(
     Study& study,
     Session& session,
     SimulatedClock& clock,
     std::uint64_t seed,
-    const Acknowledge& acknowledge);
+    const Acknowledge& acknowledge,
+    Rig* devices = nullptr);
 
 /// Brings the number of simulated participants who have finished to @p participants, spread over
-/// the cohorts as they are planned; goes on with whoever was interrupted first.
-void simulateCohorts(
+/// the cohorts as they are planned; goes on with whoever was interrupted first. With a device file
+/// the trials are felt on its devices, in real time, by whatever hand is there: an emulator's. A
+/// trial that breaks off is repeated; five in a row that do so at once end the session.
+/// @return how the session of each simulated participant of the study has ended.
+std::vector<SimulatedEnding> simulateCohorts(
     Study& study,
     SimulatedClock& clock,
     int participants,
     std::uint64_t seed,
-    const Acknowledge& acknowledge);
+    const Acknowledge& acknowledge,
+    const std::string& deviceFile = {});
 
 /// How many participants the protocol plans in all; 10 a cohort where it does not say.
 int plannedParticipants(const protocols::Protocol& protocol);

@@ -33,10 +33,12 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
       statistics_(device.capabilities().kind, device.capabilities().rate) {
   chunk_.reserve(static_cast<std::size_t>(rate()));
   engine_.setScene(&scene_);
+  device_.arm();  // the last that can fail: an armed device has somebody to disarm it
 }
 
 Trial::~Trial() {
   device_.command(0.0);
+  device_.disarm();
 }
 
 void Trial::keep(const TickSample& sample) {
@@ -55,6 +57,9 @@ void Trial::keepChunk() {
 
 TrialRecord Trial::finish(TrialEnding ending) {
   device_.command(0.0);
+  const auto link = device_.link();
+  const auto fault = device_.fault();
+  device_.disarm();
   TrialRecord record{
       .device = device_.capabilities().name,
       .travelUnit = device_.capabilities().travelUnit,
@@ -63,7 +68,9 @@ TrialRecord Trial::finish(TrialEnding ending) {
           {.stiffness = scene_.largestStiffness(),
            .period = 1.0 / rate(),
            .filterDelay = scene_.delay() / rate()},
-      .deviceDamping = device_.capabilities().damping};
+      .deviceDamping = device_.capabilities().damping,
+      .link = link,
+      .deviceFault = fault};
   try {
     keepChunk();
   } catch (const std::exception&) {

@@ -25,8 +25,10 @@ class Trial {
     Keep keep;
   };
 
-  /// Builds the scene; the device outlives the trial. @throws std::invalid_argument  for a scene or
-  /// limits that are not sound: the protocol's check refuses those before.
+  /// Builds the scene and arms the device, which is open and outlives the trial.
+  /// @throws std::invalid_argument  for a scene or limits that are not sound: the protocol's check
+  ///                                refuses those before.
+  /// @throws haptics::devices::DeviceError  if the device is not ready, in words.
   Trial(haptics::devices::Device& device, Setup setup);
 
   /// Lets go of the tool.

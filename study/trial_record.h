@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/devices/link_report.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/models/cut_detector.h"
 
@@ -49,6 +50,12 @@ enum class Verdict { Pass, Warn, Fail };
 
 std::string_view nameOf(Verdict verdict) noexcept;
 
+/// Whether a loop was late in more ticks than a trial bears without a warning.
+bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept;
+
+/// What came over a device's wire, for the record: "received 5000, lost 2, …".
+std::string inWords(const haptics::devices::LinkReport& link);
+
 /// What was felt in a trial, and how well it was rendered: proof of the one, quality of the other.
 struct TrialRecord {
   using Cut = haptics::models::CutDetector<double>::Cut;
@@ -78,6 +85,8 @@ struct TrialRecord {
   haptics::engine::Passivity passivity;  ///< as it was rendered: eq. (25)
   double deviceDamping = 0.0;            ///< of the mechanism itself [N·s/travel unit]
   double leastEnergy = 0.0;              ///< that a contact ever came down to [N·travel unit]
+  haptics::devices::LinkReport link;     ///< what came over the device's wire, if it has one
+  std::string deviceFault;               ///< why the device ended the trial, in words; or empty
 
   /// Whether what the participant felt may be relied on, and why (not).
   struct Judgement {

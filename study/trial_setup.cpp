@@ -24,4 +24,12 @@ Trial::Setup setupFor(const Session& session, Trial::Keep keep) {
       .keep = std::move(keep)};
 }
 
+std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, Trial::Keep keep) {
+  const auto& need = deviceFor(session);
+  auto setup = setupFor(session, std::move(keep));
+  auto& device = rig.device(need);
+  rig.prepare(need, setup.scene);
+  return std::make_unique<Trial>(device, std::move(setup));
+}
+
 }  // namespace study

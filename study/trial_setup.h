@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include "study/rig.h"
 #include "study/session.h"
 #include "study/trial.h"
 
@@ -10,5 +13,9 @@ const protocols::DeviceNeed& deviceFor(const Session& session);
 
 /// That trial as it is to be rendered, and kept by @p keep.
 Trial::Setup setupFor(const Session& session, Trial::Keep keep);
+
+/// That trial on its device of @p rig, open and armed.
+/// @throws NotNow, haptics::devices::DeviceError  if the device is not there or not ready.
+std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, Trial::Keep keep);
 
 }  // namespace study

@@ -8,6 +8,7 @@
 #include "protocols/schedule.h"
 #include "study/audit_words.h"
 #include "study/session_plan.h"
+#include "study/storage/coded_answers.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/records.h"
 
@@ -85,6 +86,15 @@ Problems answers(Study& study) {
   }
   for (const auto& [key, words] : said) {
     problems.push_back("the answer to " + key.second + " (" + nameOf(key.first) + ") is missing");
+  }
+  return problems;
+}
+
+/// What an answer is counted as must follow from where it was given.
+Problems questions(Study& study) {
+  Problems problems;
+  for (const auto& answer : storage::CodedAnswers(study.database()).misplaced()) {
+    problems.push_back("the answer to " + answer + " is counted as one to another question");
   }
   return problems;
 }
@@ -196,6 +206,7 @@ Verification verify(Study& study) {
   check("the audit trail is unbroken", auditTrail);
   check("everything is what the audit trail vouches for", contents);
   check("every answer is what the audit trail says", answers);
+  check("every answer is counted where it was given", questions);
   check("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);

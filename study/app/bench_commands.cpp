@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "haptics/bench/stability_kernels.h"
+#include "study/app/bench_devices.h"
 #include "study/app/bench_report.h"
 #include "study/app/bench_workers.h"
 #include "study/app/commands.h"
@@ -52,20 +53,6 @@ int measureOnce(const AccuracyOptions& options) {
     if (isWanted) family.measure(print);
   }
   return 0;
-}
-
-void printTargets(const std::vector<Target>& targets) {
-  fmt::print("\n  {:<4} {:<58} {:>10}   {}\n", "", "", "measured", "wanted");
-  for (const auto& target : targets) {
-    fmt::print(
-        "  {:<4} {:<58} {:>10.3g}   {} {:<8g} {}\n",
-        target.id,
-        target.what,
-        target.measured,
-        target.isAtMost ? "≤" : "≥",
-        target.wanted,
-        target.isReached() ? "" : "not reached here");
-  }
 }
 
 /// What the so-manieth process is to do; nothing where there is nothing left.
@@ -227,6 +214,51 @@ void addServo(CLI::App& noun, Action& action) {
   verb->callback([&action, options] { action = [options] { return servo(*options); }; });
 }
 
+struct DevicesOptions {
+  std::string out;
+  DeviceBenchOptions bench;
+};
+
+int devices(const DevicesOptions& options) {
+  const auto measured = measureDevices(options.bench);
+  for (const auto& series : measured.together) {
+    const auto& run = series.longest();
+    fmt::print(
+        "{} at {:g} Hz: round trip {:.0f} µs (median), {:.0f} (p99); tick {:.0f} µs, {:.0f}\n",
+        series.device,
+        series.rate,
+        run.link.roundTrip.quantile(0.5),
+        run.link.roundTrip.quantile(0.99),
+        run.loop.compute.quantile(0.5),
+        run.loop.compute.quantile(0.99));
+  }
+  printTargets(devicesTargets(measured));
+  if (options.out.empty()) {
+    fmt::print("\nNothing was written. Add --out FOLDER for tables, figures and a page.\n");
+  } else {
+    writeDocument(options.out, "devices", devicesReport(measured));
+    fmt::print("\n{}/devices.html holds tables and figures.\n", options.out);
+  }
+  return measured.isExact() ? 0 : 1;
+}
+
+void addDevices(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<DevicesOptions>();
+  auto* verb = noun.add_subcommand(
+      "devices", "Both devices on their wires, by stand-ins: round trip, lost cycles, stalls");
+  verb->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
+  verb->add_option("--seconds", options->bench.seconds, "Both at once; 600 for ten minutes")
+      ->check(finiteRange(0.5, 36'000.0))
+      ->capture_default_str();
+  verb->add_option("--faults", options->bench.faults, "To be counted, of each kind")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  const std::vector<std::string> parts(kDeviceBenchParts.begin(), kDeviceBenchParts.end());
+  verb->add_option("--part", options->bench.parts, "Only these parts (default: all)")
+      ->check(CLI::IsMember(parts));
+  verb->callback([&action, options] { action = [options] { return devices(*options); }; });
+}
+
 }  // namespace
 
 void addBenchCommands(CLI::App& program, Action& action) {
@@ -235,6 +267,8 @@ void addBenchCommands(CLI::App& program, Action& action) {
   addAccuracy(*noun, action);
   addStability(*noun, action);
   addServo(*noun, action);
+  addDevices(*noun, action);
+  addStatsBench(*noun, action);
 }
 
 }  // namespace study::app

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/engine/lateness_histogram.h"
+#include "haptics/timing/lateness_histogram.h"
 
 namespace study::app {
 
@@ -22,7 +22,7 @@ std::vector<RecorderRun> raceRecorders(const std::string& folder, double seconds
 
 /// What recording costs in the loop.
 struct RecorderLoop {
-  haptics::engine::LatenessHistogram push;  ///< time of handing a sample over [µs]
+  haptics::timing::LatenessHistogram push;  ///< time of handing a sample over [µs]
   std::uint64_t ticks = 0;
   std::uint64_t kept = 0;
   std::uint64_t lost = 0;  ///< the ring was full

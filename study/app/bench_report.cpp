@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <fmt/format.h>
+
 #include "haptics/bench/machine.h"
 #include "study/app/paint_figures.h"
 #include "study/new_file.h"
@@ -35,6 +37,20 @@ DataTable targetTable(const std::vector<Target>& targets) {
         {target.id, target.what, target.measured, wanted + text, target.isReached()});
   }
   return table;
+}
+
+void printTargets(const std::vector<Target>& targets) {
+  fmt::print("\n  {:<4} {:<58} {:>10}   {}\n", "", "", "measured", "wanted");
+  for (const auto& target : targets) {
+    fmt::print(
+        "  {:<4} {:<58} {:>10.3g}   {} {:<8g} {}\n",
+        target.id,
+        target.what,
+        target.measured,
+        target.isAtMost ? "≤" : "≥",
+        target.wanted,
+        target.isReached() ? "" : "not reached here");
+  }
 }
 
 void writeDocument(const std::string& folder, const std::string& name, report::Document document) {

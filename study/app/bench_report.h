@@ -26,6 +26,7 @@ struct Target {
 };
 
 DataTable targetTable(const std::vector<Target>& targets);
+void printTargets(const std::vector<Target>& targets);
 
 /// Error against run time: all measurements as tables, figures and targets.
 report::Document accuracyReport(const std::vector<haptics::bench::Repeated>& measured);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,5 +11,13 @@ namespace study::app {
 /// @throws NotNow  if it cannot be started, or does not end well.
 void runAnotherOfUs(
     const std::vector<std::string>& arguments, const std::function<void(const std::string&)>& line);
+
+/// Runs a program that is looked for where programs are, and hands on every line that it prints.
+/// @return its exit status; nothing where there is no such program, or a signal ended it.
+/// @throws NotNow  if no process can be started at all.
+std::optional<int> runProgram(
+    const std::string& program,
+    const std::vector<std::string>& arguments,
+    const std::function<void(const std::string&)>& line);
 
 }  // namespace study::app

@@ -13,6 +13,7 @@ namespace study::app {
 using Action = std::function<int()>;
 
 // One line a noun: each adds its commands to the program; the one that was called sets the action.
+void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
 void addStatsCommands(CLI::App& program, Action& action);
@@ -23,9 +24,13 @@ void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);
 void addBenchCommands(CLI::App& program, Action& action);
+void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
+void addPlanCommand(CLI::App& program, Action& action);
 
 /// Adds to a noun instead of to the program.
 void addSwarmCommands(CLI::App& packing, Action& action);
+void addStatsBench(CLI::App& bench, Action& action);
+void addCheckTableCommand(CLI::App& stats, Action& action);
 
 }  // namespace study::app

@@ -91,8 +91,7 @@ int demo(const DemoArguments& options) {
   const std::string place = fs::absolute(folder).lexically_normal().string();
   fmt::print(
       "\nReport:   {0}/report.html\nExports:  {0}/export-punch-study, {0}/export-reaming-study\n"
-      "Studies:  {0}/punch-study, {0}/reaming-study\n"
-      "Windows:  palpate-studio {0}/punch-study\n",
+      "Studies:  {0}/punch-study, {0}/reaming-study\n",
       place);
   return 0;
 }

@@ -1,3 +1,4 @@
+#include <map>
 #include <memory>
 #include <string>
 
@@ -7,6 +8,7 @@
 #include "study/app/commands.h"
 #include "study/app/run_mode_option.h"
 #include "study/export.h"
+#include "study/public_tables.h"
 
 namespace study::app {
 namespace {
@@ -16,22 +18,52 @@ struct ExportArguments {
   std::string format = "csv";
   std::string out;
   std::string runMode;
+  bool traces = false;
   bool unblind = false;
   std::string reason;
+  bool forPublic = false;
+  std::size_t smallestClass = kSmallestPublicClass;
 };
+
+const std::map<std::string, ExportFormat> kFormats{
+    {"csv", ExportFormat::Csv},
+    {"json", ExportFormat::Json},
+    {"psych-ds", ExportFormat::PsychDs},
+    {"bids", ExportFormat::Bids},
+    {"r", ExportFormat::R},
+    {"python", ExportFormat::Python}};
+
+/// What was written, for whoever asked for it.
+void tellOfExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
+  fmt::print(
+      "{} holds the data of {} {} {}{}.\n",
+      options.out,
+      sessions == 0 ? "no" : std::to_string(sessions),
+      nameOf(*how.runMode),
+      sessions == 1 ? "session" : "sessions",
+      options.unblind ? ", NOT blinded" : ", blinded");
+  if (sessions == 0) fmt::print("Its tables are empty.\n");
+  if (sessions > 0 && how.runMode == RunMode::Simulated) {
+    fmt::print("Nobody took part: these answers say nothing about any method.\n");
+  }
+}
 
 int exportAs(const ExportArguments& options) {
   SystemClock clock;
+  const bool isAudited = options.unblind || options.forPublic;
   const auto access =
-      options.unblind ? storage::Database::Access::ReadWrite : storage::Database::Access::ReadOnly;
+      isAudited ? storage::Database::Access::ReadWrite : storage::Database::Access::ReadOnly;
   auto study = Study::open(options.folder, clock, access);
-  const ExportOptions how{
-      .format = options.format == "json" ? ExportFormat::Json : ExportFormat::Csv,
-      .runMode = runModeNamed(options.runMode),
-      .isBlinded = !options.unblind};
-  exportStudy(study, options.out, how, options.reason);
-  fmt::print(
-      "{} holds the data{}.\n", options.out, options.unblind ? ", NOT blinded" : ", blinded");
+  ExportOptions how{
+      .format = kFormats.at(options.format),
+      .runMode = chosenRunMode(study, options.runMode),
+      .isBlinded = !options.unblind,
+      .hasTraces = options.traces};
+  if (options.forPublic) {
+    how.publicClass = options.smallestClass;
+    fmt::print("{}", inWords(publicRelease(study, how)));
+  }
+  tellOfExport(options, how, exportStudy(study, options.out, how, options.reason));
   return 0;
 }
 
@@ -43,16 +75,33 @@ void addExportCommand(CLI::App& program, Action& action) {
       "export", "Data for others: tidy tables, one row per answer, blinded unless asked otherwise");
   command->add_option("DIR", options->folder, "The study's folder")->required();
   command->add_option("--out", options->out, "Folder to make; nothing is overwritten")->required();
-  command->add_option("--format", options->format, "Tables as text, or one JSON document")
-      ->check(CLI::IsMember({"csv", "json"}))
+  command
+      ->add_option(
+          "--format",
+          options->format,
+          "csv: tables; json: one document; psych-ds, bids: by those standards; r, python: with "
+          "scripts")
+      ->check(CLI::IsMember({"csv", "json", "psych-ds", "bids", "r", "python"}))
       ->capture_default_str();
   addRunModeOption(*command, options->runMode);
+  command->add_flag(
+      "--traces",
+      options->traces,
+      "Also what was felt in every trial, 1000 times a second (gzip); needs --unblind");
   auto* unblind = command->add_flag(
       "--unblind",
       options->unblind,
       "Say which rendering an alternative was; goes into the audit trail");
   auto* reason = command->add_option("--reason", options->reason, "Why it is unblinded");
   unblind->needs(reason);
+  auto* forPublic = command->add_flag(
+      "--public",
+      options->forPublic,
+      "For strangers: bands, no words, no times, new ids; each person one of at least 5 alike");
+  command->add_option("--k", options->smallestClass, "How many people have to be alike, 5 or more")
+      ->needs(forPublic)
+      ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
+      ->capture_default_str();
   command->callback([&action, options] { action = [options] { return exportAs(*options); }; });
 }
 

@@ -45,41 +45,6 @@ Json asJson(const analysis::WelchResult& r, const std::optional<analysis::Interv
   return json;
 }
 
-Json asJson(const analysis::PairwiseComparison& row) {
-  Json json{{"group1", row.group1}, {"group2", row.group2}};
-  json.update(asJson(row.welch, row.interval));
-  json["p_adj"] = orNull(row.adjustedP);
-  json["conf_low_adj"] = row.adjustedInterval ? Json(row.adjustedInterval->low) : Json(nullptr);
-  json["conf_high_adj"] = row.adjustedInterval ? Json(row.adjustedInterval->high) : Json(nullptr);
-  json["significant"] = orNull(row.isSignificant);
-  return json;
-}
-
-Json asJson(const FamilyResult& family) {
-  Json json{
-      {"family_id", family.family.id},
-      {"title", family.family.title},
-      {"instrument", family.family.instrument},
-      {"alpha", family.family.alpha},
-      {"cohorts", Json::array()}};
-  for (const auto& cohort : family.cohorts) {
-    Json part{{"cohort", cohort.cohort}, {"m", cohort.comparisons.tests}};
-    part["alpha_per_test"] = orNull(cohort.comparisons.alphaPerTest);
-    for (const auto& condition : cohort.conditions) {
-      const auto counts = condition.counts.counts();
-      part["conditions"].push_back(
-          {{"condition", condition.name},
-           {"n", condition.counts.total()},
-           {"mean", orNull(condition.counts.mean())},
-           {"variance", orNull(condition.counts.variance())},
-           {"counts", std::vector<std::uint64_t>(counts.begin(), counts.end())}});
-    }
-    for (const auto& row : cohort.comparisons.rows) part["comparisons"].push_back(asJson(row));
-    json["cohorts"].push_back(std::move(part));
-  }
-  return json;
-}
-
 using haptics::recordings::CurvePoint;
 
 Json asJson(const std::optional<CurvePoint>& point) {
@@ -152,37 +117,6 @@ std::string welchAsJson(
       {"missing", groups.missing},
       {"conf_level", level}};
   json.update(asJson(result, analysis::confidenceInterval(result, level)));
-  return printed(json);
-}
-
-std::string resultsAsJson(Study& study, const Results& results) {
-  Json json{
-      {"study_id", study.protocol().protocol.study.id},
-      {"protocol_hash", study.protocols().current().sha256},
-      {"app_version", appVersion()},
-      {"profile", "as-published"},
-      {"run_mode", nameOf(results.runMode)},
-      {"flow", Json::array()},
-      {"families", Json::array()},
-      {"votes", Json::array()}};
-  for (const auto& flow : results.flow) {
-    json["flow"].push_back(
-        {{"cohort", flow.cohort},
-         {"enrolled", flow.enrolled},
-         {"completed", flow.completed},
-         {"in_progress", flow.inProgress},
-         {"declined", flow.declined},
-         {"withdrawn", flow.withdrawn},
-         {"rejected", flow.rejected},
-         {"aborted_hardware", flow.abortedHardware}});
-  }
-  for (const auto& family : results.families) json["families"].push_back(asJson(family));
-  for (const auto& vote : results.votes) {
-    Json row{{"cohort", vote.cohort}, {"phase", vote.phase}, {"block", vote.block}};
-    for (const auto& share : vote.votes.shares()) row["votes"][share.option] = share.votes;
-    row["total"] = vote.votes.total();
-    json["votes"].push_back(std::move(row));
-  }
   return printed(json);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -94,7 +95,7 @@ std::vector<reaming::Series> readAll(
   for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
     for (const auto& file : command.files[static_cast<std::size_t>(set)]) {
       all.push_back(reaming::readSeriesFile(file, set, mapping));
-      all.back().isSynthetic = command.isSynthetic;
+      all.back().isSynthetic |= command.isSynthetic;
       sources.push_back(
           {std::filesystem::path(file).filename().string(),
            storage::sha256(reaming::contentOfSeriesFile(file))});
@@ -151,14 +152,19 @@ int fit(FitCommand& command) {
   if (series.empty()) {
     throw NotNow("No series were named. Say which test each is of: --dynamic-1 FILE …");
   }
+  const bool isSynthetic =
+      std::any_of(series.begin(), series.end(), [](const auto& each) { return each.isSynthetic; });
   const auto result = reaming::fitMaterial(series, command.options);
   print(result);
+  if (isSynthetic) {
+    fmt::print("SYNTHETIC: nobody measured these series, and what comes of them says so.\n");
+  }
   if (result.sets.empty()) throw NotNow("Every series was left out; there is nothing to fit.");
   if (!command.out.empty()) {
     writeNewFile(
         command.out,
         protocols::materialAsJson(
-            command.name, command.title, command.isSynthetic, result, command.options, sources));
+            command.name, command.title, isSynthetic, result, command.options, sources));
     fmt::print(
         "\n{0} holds the material. Put it beside a protocol and name it there: \"material\": "
         "\"{0}\".\n",
@@ -208,7 +214,10 @@ void addFit(CLI::App& noun, Action& action) {
           "--force-floor", command->options.forceFloor, "Below it errors count as if at it [N]")
       ->check(finiteRange(1e-6, 1e4))
       ->capture_default_str();
-  verb->add_flag("--synthetic", command->isSynthetic, "Nobody measured these series; files say so");
+  verb->add_flag(
+      "--synthetic",
+      command->isSynthetic,
+      "Nobody measured these series, even if their files do not say so");
   verb->callback([&action, command] { action = [command] { return app::fit(*command); }; });
 }
 
@@ -230,7 +239,7 @@ int synthesise(const SynthesiseCommand& command) {
   }
   fmt::print(
       "{0} holds 72 series of 24 specimens that nobody measured: synthetic. Fit them with\n"
-      "  palpate material fit --synthetic --static {0}/*static.csv --dynamic-1 {0}/*dynamic-1.csv "
+      "  palpate material fit --static {0}/*static.csv --dynamic-1 {0}/*dynamic-1.csv "
       "--dynamic-2 {0}/*dynamic-2.csv --out MATERIAL.json\n",
       command.folder);
   return 0;

@@ -61,6 +61,10 @@ std::unique_ptr<reaming::Solid> bodyOf(const BuildCommand& command) {
   return std::make_unique<reaming::MeshSolid>(std::move(body.mesh));
 }
 
+void printMark(const reaming::PackedBone& bone) {
+  if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
+}
+
 /// Tells of every pass once.
 bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
   if (progress.radius == lastRadius) return true;
@@ -119,6 +123,7 @@ int buildPacking(BuildCommand& command) {
       std::max(flaws.overlap, 0.0),
       std::max(flaws.protrusion, 0.0),
       command.out);
+  printMark(bone);
   return 0;
 }
 
@@ -183,10 +188,11 @@ int fitDensities(const DensityCommand& command) {
   checkedEnding(command.out);
   protocols::PackingOrigin origin;
   auto bone = readBone(command.packing, origin);
-  const auto curves = curvesOf(command.material, origin);
+  const auto material = curvesOf(command.material, origin);
+  bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
   reaming::BoneFitReport report;
   try {
-    report = reaming::fitTo(bone, curves, command.depths, [](const std::string& curve) {
+    report = reaming::fitTo(bone, material.curves, command.depths, [](const std::string& curve) {
       fmt::print(stderr, "fitting the {} curve\n", curve);
     });
   } catch (const std::invalid_argument& wrong) {
@@ -208,10 +214,12 @@ int fitDensities(const DensityCommand& command) {
       100.0 * report.curves.front().fit.touchedShare,
       report.seconds);
   printExperiments(bone, report);
+  for (const auto& warning : warningsOf(report)) fmt::print("WARNING: {}\n", warning);
   writeNewFile(command.out, protocols::packingAsText(bone, origin));
   fmt::print(
       "{0} holds the bone. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",
       fs::path(command.out).filename().string());
+  printMark(bone);
   if (!command.report.empty()) {
     writeDocument(command.report, "packing", packingReport(bone, report));
     fmt::print("{}/packing.html holds tables and figures.\n", command.report);

@@ -19,6 +19,12 @@ void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
 }
 
 reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin) {
+  if (!path.ends_with(protocols::kPackingEnding)) {
+    throw NotNow(
+        "'" + path +
+        "' does not end in '.packing': spheres are wanted here, as 'palpate packing build' writes "
+        "them. A material goes after --material.");
+  }
   questionnaires::Problems problems;
   auto bone = protocols::readPacking(
       questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
@@ -26,10 +32,16 @@ reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& 
   return std::move(*bone);
 }
 
-reaming::HardnessCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin) {
+ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin) {
   if (choice.file == "parametric") {
     origin.material = "parametric";
-    return haptics::engine::parametricCurves();
+    return {haptics::engine::parametricCurves(), true};
+  }
+  if (choice.file.ends_with(protocols::kPackingEnding)) {
+    throw NotNow(
+        "'" + choice.file +
+        "' holds spheres; --material wants a material, as 'palpate material fit' writes it "
+        "(MATERIAL.json).");
   }
   questionnaires::Problems problems;
   const auto material =
@@ -40,7 +52,7 @@ reaming::HardnessCurves curvesOf(const MaterialChoice& choice, protocols::Packin
   for (const auto& set : material->sets) {
     if (nameOf(set.set) != choice.set) continue;
     origin.material = material->name + ", " + choice.set;
-    return set.force;
+    return {set.force, material->isSynthetic};
   }
   throw NotNow("'" + choice.file + "' has no test set '" + choice.set + "'.");
 }

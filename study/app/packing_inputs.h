@@ -21,9 +21,13 @@ void addMaterialOptions(CLI::App& verb, MaterialChoice& choice);
 /// @throws NotNow  in words, where the file is missing or no packing.
 haptics::reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin);
 
+struct ChosenCurves {
+  haptics::reaming::HardnessCurves curves;
+  bool isSynthetic = false;  ///< nobody measured them
+};
+
 /// The curves, and into @p origin what they are called.
 /// @throws NotNow  in words, where the file is missing, no material, or has no such test set.
-haptics::reaming::HardnessCurves curvesOf(
-    const MaterialChoice& choice, protocols::PackingOrigin& origin);
+ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin);
 
 }  // namespace study::app

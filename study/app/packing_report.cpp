@@ -100,6 +100,36 @@ DataTable forceTable(const reaming::BoneFitReport& fit) {
 
 }  // namespace
 
+std::string syntheticMark(const reaming::PackedBone& bone) {
+  return bone.isSynthetic ? "SYNTHETIC: this is nobody's bone." : "";
+}
+
+std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
+  constexpr double kMostGap = 0.01;
+  constexpr double kMostError = 0.05;
+  std::vector<std::string> warnings;
+  for (const auto& curve : fit.curves) {
+    const auto& spheres = curve.fit.spheres;
+    if (!(spheres.gap <= kMostGap)) {
+      warnings.push_back(fmt::format(
+          "The {} curve was not fitted: after {} steps its densities may be up to {:.0f} % above "
+          "the optimum, where less than 1 % is usual. Do not use them; build the bone with more "
+          "spheres or another seed, and fit it again.",
+          curve.curve,
+          spheres.iterations,
+          100.0 * spheres.gap));
+    } else if (spheres.error > kMostError) {
+      warnings.push_back(fmt::format(
+          "The {} curve cannot be felt with these spheres: the best densities miss it by {:.0f} % "
+          "of its force. Give the reamer more bone in its way: turn or move the mesh, or build it "
+          "with more spheres.",
+          curve.curve,
+          100.0 * spheres.error));
+    }
+  }
+  return warnings;
+}
+
 report::Document packingReport(const reaming::PackedBone& bone, const reaming::BoneFitReport& fit) {
   report::Document document{.title = "Spheres that feel like a material", .lead = {}, .parts = {}};
   document.lead.push_back(fmt::format(
@@ -108,7 +138,8 @@ report::Document packingReport(const reaming::PackedBone& bone, const reaming::B
       100.0 * bone.packing.coverage(),
       1e6 * bone.packing.volume,
       kInMillimetres * bone.reamerRadius));
-  if (bone.isSynthetic) document.lead.emplace_back("SYNTHETIC: this is nobody's bone.");
+  if (bone.isSynthetic) document.lead.push_back(syntheticMark(bone));
+  for (const auto& warning : warningsOf(fit)) document.lead.push_back("WARNING: " + warning);
   document.parts.push_back(
       {.heading = "Forces",
        .paragraphs = {fmt::format(

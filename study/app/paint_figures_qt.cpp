@@ -6,8 +6,10 @@
 #include <QString>
 
 #include "study/app/paint_figures.h"
+#include "study/new_file.h"
 #include "study/report/chart_painter.h"
 #include "study/report/figures.h"
+#include "study/report/pdf_report.h"
 
 namespace study::app {
 namespace {
@@ -41,6 +43,23 @@ void paintFigures(report::Document& document) {
   for (auto& part : document.parts) {
     for (auto& figure : part.figures) figure.svg = report::chartAsSvg(figure.chart);
   }
+}
+
+std::string pdfOf(const std::string& html, const std::string& title) {
+  const auto application = applicationForFonts();
+  return report::asPdf(html, title);
+}
+
+int writeFigures(const report::ReportSection& section, const std::filesystem::path& folder) {
+  const auto application = applicationForFonts();
+  const auto figures = report::namedFigures(section);
+  for (const auto& [name, svg] : figures) {
+    const auto path = (folder / (section.protocol.study.id + "-" + name)).string();
+    writeNewFile(path + ".svg", svg);
+    writeNewFile(path + ".pdf", report::figureAsPdf(svg));
+    writeNewFile(path + ".png", report::figureAsPng(svg));
+  }
+  return static_cast<int>(figures.size());
 }
 
 }  // namespace study::app

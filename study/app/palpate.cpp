@@ -66,6 +66,8 @@ int main(int argc, char** argv) {
   study::app::Action action;
   study::app::addDemoCommand(program, action);
   study::app::addProtocolCommands(program, action);
+  study::app::addInstrumentCommands(program, action);
+  study::app::addPlanCommand(program, action);
   study::app::addStudyCommands(program, action);
   study::app::addStatsCommands(program, action);
   study::app::addReportCommand(program, action);
@@ -74,6 +76,7 @@ int main(int argc, char** argv) {
   study::app::addMaterialCommands(program, action);
   study::app::addPackingCommands(program, action);
   study::app::addSceneCommands(program, action);
+  study::app::addDeviceCommands(program, action);
   study::app::addBenchCommands(program, action);
 
   try {

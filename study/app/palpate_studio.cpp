@@ -1,5 +1,8 @@
 // palpate-studio: the windows. Does nothing that the command line cannot do.
+#include <algorithm>
 #include <cstdio>
+#include <initializer_list>
+#include <string_view>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -11,19 +14,56 @@
 #include "study/gui/theme.h"
 #include "study/study.h"
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+namespace {
+
+bool isAmong(int argc, char** argv, std::initializer_list<std::string_view> words) {
+  return std::any_of(argv + 1, argv + argc, [&](const char* argument) {
+    return std::find(words.begin(), words.end(), argument) != words.end();
+  });
+}
+
+/// Whether there is somewhere to open a window; Qt ends the program where there is not.
+bool hasScreen(int argc, char** argv) {
+  for (const char* place : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    if (!qEnvironmentVariableIsEmpty(place)) return true;
+  }
+  return isAmong(argc, argv, {"-platform", "--platform"});
+}
+
+void describe(QCommandLineParser& parser) {
   QCoreApplication::setApplicationName(QStringLiteral("palpate-studio"));
   QCoreApplication::setApplicationVersion(QString::fromUtf8(study::appVersion().data()));
-  study::gui::applyTheme(application);
-
-  QCommandLineParser parser;
   parser.setApplicationDescription(
       QStringLiteral("The windows of a study: for the operator, and for the participant."));
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
       QStringLiteral("DIR"), QStringLiteral("The study's folder; asked for where it is left out."));
+  parser.addOption(
+      {QStringLiteral("devices"),
+       QStringLiteral("The laboratory's device file (default: devices.json in DIR)."),
+       QStringLiteral("FILE")});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QCommandLineParser parser;
+  describe(parser);
+  if (isAmong(argc, argv, {"--help", "-h", "-?", "--help-all", "--version", "-v"})) {
+    const QCoreApplication withoutWindows(argc, argv);
+    parser.process(withoutWindows);
+  }
+  if (!hasScreen(argc, argv)) {
+    std::fputs(
+        "palpate-studio: there is no screen to open a window on (neither DISPLAY nor "
+        "WAYLAND_DISPLAY is set). Start it at the computer's own desk or with 'ssh -X'; 'palpate "
+        "study run' runs a session in a terminal.\n",
+        stderr);
+    return 1;
+  }
+  QApplication application(argc, argv);
+  study::gui::applyTheme(application);
   parser.process(application);
 
   QString folder = parser.positionalArguments().value(0);
@@ -37,7 +77,7 @@ int main(int argc, char** argv) {
   int status = 1;
   study::gui::attempt(nullptr, [&] {
     auto study = study::Study::open(folder.toStdString(), clock);
-    study::gui::OperatorWindow window(study);
+    study::gui::OperatorWindow window(study, parser.value(QStringLiteral("devices")).toStdString());
     window.show();
     status = QApplication::exec();
   });

@@ -18,6 +18,10 @@ struct CheckOptions {
   bool json = false;
 };
 
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 int check(const CheckOptions& options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
@@ -32,12 +36,12 @@ int check(const CheckOptions& options) {
   }
   const auto& protocol = loaded->protocol;
   fmt::print(
-      "{} is sound: \"{}\", {} conditions, {} phases, {} cohorts.\n",
+      "{} is sound: \"{}\", {}, {}, {}.\n",
       options.file,
       protocol.study.title,
-      protocol.conditions.size(),
-      protocol.phases.size(),
-      protocol.cohorts.size());
+      counted(protocol.conditions.size(), "condition"),
+      counted(protocol.phases.size(), "phase"),
+      counted(protocol.cohorts.size(), "cohort"));
   return 0;
 }
 

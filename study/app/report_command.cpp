@@ -1,4 +1,6 @@
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -6,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
 
@@ -15,18 +18,43 @@ namespace {
 struct ReportArguments {
   std::vector<std::string> folders;
   std::string out;
+  std::string figures;
+  std::string language = "en";
   std::string runMode;
 };
 
+/// A new folder with every figure as a file of its own.
+void putFigures(const std::vector<report::ReportSection>& sections, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  int count = 0;
+  for (const auto& section : sections) count += writeFigures(section, folder);
+  if (count == 0) {
+    throw std::runtime_error("There are no figures: this palpate was built without Qt.");
+  }
+  fmt::print("{} holds {} figures, each as SVG, PDF and PNG (300 dpi).\n", folder, count);
+}
+
+std::string knownLanguages() {
+  std::string list;
+  for (const auto& language : words::languages()) list += (list.empty() ? "" : ", ") + language;
+  return list;
+}
+
 int report(const ReportArguments& options) {
+  if (!options.figures.empty() && std::filesystem::exists(options.figures)) {
+    throw std::runtime_error(
+        options.figures + " is there already. Nothing is overwritten: choose another folder.");
+  }
   SystemClock clock;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
     auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
-    sections.push_back(report::gather(study, chosenRunMode(study, options.runMode)));
+    sections.push_back(report::gather(
+        study, chosenRunMode(study, options.runMode), words::wordsIn(options.language)));
   }
   writeReport(sections, options.out);
   fmt::print("{} holds the report.\n", options.out);
+  if (!options.figures.empty()) putFigures(sections, options.figures);
   return 0;
 }
 
@@ -36,10 +64,23 @@ void addReportCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReportArguments>();
   auto* command = program.add_subcommand(
       "report",
-      "A results section: tables, figures, what was felt; one page that needs nothing else");
+      "A results section: tables, figures, what was felt; one page or PDF that needs nothing else");
   command->add_option("DIR", options->folders, "Folders of one or more studies")->required();
-  command->add_option("--out", options->out, "The page to write (.html); nothing is overwritten")
-      ->required();
+  command->add_option("--out", options->out, "What to write: .html or .pdf; nothing is overwritten")
+      ->required()
+      ->check(CLI::Validator(
+          [](const std::string& path) -> std::string {
+            const auto extension = std::filesystem::path(path).extension();
+            return extension == ".html" || extension == ".pdf"
+                       ? ""
+                       : "a report is a page (.html) or a PDF (.pdf), not '" + path + "'";
+          },
+          "FILE"));
+  command->add_option(
+      "--figures", options->figures, "Also a new folder with each figure as SVG, PDF and PNG");
+  command->add_option("--language", options->language, "In which language: " + knownLanguages())
+      ->capture_default_str()
+      ->check(CLI::IsMember(words::languages()));
   addRunModeOption(*command, options->runMode);
   command->callback([&action, options] { action = [options] { return app::report(*options); }; });
 }

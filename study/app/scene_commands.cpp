@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -44,6 +45,14 @@ struct ExplainOptions {
   bool cost = false;
   bool json = false;
 };
+
+void printSources(const std::vector<protocols::FeltSource>& sources, const std::string& condition) {
+  for (const auto& source : sources) {
+    const auto& all = source.conditions;
+    if (std::find(all.begin(), all.end(), condition) == all.end()) continue;
+    fmt::print("\n  felt from {}\n", protocols::inWords(source));
+  }
+}
 
 void print(
     const protocols::Condition& condition,
@@ -128,6 +137,7 @@ int explain(const ExplainOptions& options) {
     std::fputs(passesAsJson(condition->id, scene, costs).c_str(), stdout);
   } else {
     print(*condition, scene, device, costs);
+    printSources(file->sources, condition->id);
   }
   return 0;
 }

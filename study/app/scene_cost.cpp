@@ -95,7 +95,7 @@ void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& 
   auto upper = spec;
   std::get<engine::MaterialSpec>(lower.model).hardness = 0.0;
   std::get<engine::MaterialSpec>(upper.model).hardness = 1.0;
-  add("… and both measured curves in every tick",
+  add("… and both curves in every tick",
       [low = alsoFelt(lower), high = alsoFelt(upper)](double x, double f, int i) {
         return low(x, f, i) + high(x, f, i);
       });

@@ -1,7 +1,9 @@
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +16,7 @@
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"
 #include "study/app/run_mode_option.h"
+#include "study/pooled_answers.h"
 #include "study/results_text.h"
 
 namespace study::app {
@@ -86,14 +89,35 @@ struct RunOptions {
   std::string profile = "as-published";
   std::string runMode;
   bool json = false;
+  bool isWatched = false;
 };
+
+/// The pooled tables, and again whenever something has happened; until somebody interrupts it.
+[[noreturn]] void watch(Study& study, RunMode mode) {
+  constexpr std::chrono::milliseconds kBetweenLooks{500};
+  PooledAnswers pooled(study, mode);
+  while (true) {
+    fmt::print(
+        "{}\nINTERIM, {}: whoever stops because of what is seen here, or goes on until p is small, "
+        "has no p.\n\n",
+        resultsAsText(study, pooledResults(study, pooled), Profile::AsPublished),
+        asUtc(study.clock().now().wall));
+    std::fflush(stdout);
+    while (!pooled.refresh()) std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
 
 int run(const RunOptions& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
-  const auto results = computeResults(study, chosenRunMode(study, options.runMode));
+  const auto mode = chosenRunMode(study, options.runMode);
+  if (options.isWatched) watch(study, mode);
+  const auto results = computeResults(study, mode);
+  const auto profile =
+      options.profile == "recommended" ? Profile::Recommended : Profile::AsPublished;
   std::fputs(
-      (options.json ? resultsAsJson(study, results) : resultsAsText(study, results)).c_str(),
+      (options.json ? resultsAsJson(study, results) : resultsAsText(study, results, profile))
+          .c_str(),
       stdout);
   return 0;
 }
@@ -108,11 +132,19 @@ void addStatsCommands(CLI::App& program, Action& action) {
   auto* run = noun->add_subcommand(
       "run", "The tables of a study: means and variances, declared comparisons, preferences");
   run->add_option("DIR", running->folder, "The study's folder")->required();
-  run->add_option("--profile", running->profile, "How to compute: as the punch paper did")
-      ->check(CLI::IsMember({"as-published"}))
+  run->add_option(
+         "--profile",
+         running->profile,
+         "as-published: pooled answers, as the punch paper did; recommended: within people")
+      ->check(CLI::IsMember({"as-published", "recommended"}))
       ->capture_default_str();
   addRunModeOption(*run, running->runMode);
-  run->add_flag("--json", running->json, "For programs, full precision");
+  auto* json = run->add_flag("--json", running->json, "For programs, full precision");
+  run->add_flag(
+         "--watch",
+         running->isWatched,
+         "Pooled answers only, again whenever somebody has answered; ends with Ctrl-C")
+      ->excludes(json);
   run->callback([&action, running] { action = [running] { return app::run(*running); }; });
 
   auto testing = std::make_shared<TestOptions>();
@@ -128,6 +160,8 @@ void addStatsCommands(CLI::App& program, Action& action) {
       ->capture_default_str();
   welch->add_flag("--json", testing->json, "For programs, full precision");
   welch->callback([&action, testing] { action = [testing] { return app::welch(*testing); }; });
+
+  addCheckTableCommand(*noun, action);
 }
 
 }  // namespace study::app

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
+#include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/simulated_participant.h"
 #include "study/storage/records.h"
@@ -17,12 +19,16 @@ namespace {
 
 using Access = storage::Database::Access;
 
+constexpr const char* kDevicesHelp =
+    "The laboratory's device file (default: devices.json in DIR; without it, simulated devices)";
+
 struct StudyArguments {
   std::string folder;
   std::string protocol;
   std::string reason;
   std::string cohort;
   std::string participant;
+  std::string devices;
   std::string language = "en";
   int participants = 0;
   std::uint64_t seed = 0;
@@ -66,9 +72,33 @@ int amend(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
   auto study = Study::open(options.folder, clock);
+  if (storage::sha256(protocol.text, protocol.files) == study.protocols().current().sha256) {
+    fmt::print(
+        "{} is what {} uses already, to the byte: nothing has changed.\n",
+        options.protocol,
+        options.folder);
+    return 0;
+  }
   study.amend(protocol, options.reason);
   fmt::print("New sessions use {} from now on.\n", options.protocol);
   return 0;
+}
+
+int simulatedSessions(Study& study) {
+  const auto all = study.sessions().all();
+  return static_cast<int>(std::count_if(
+      all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
+}
+
+/// Says now and then how far a long simulation is. Whoever is enrolled follows on one who has
+/// finished.
+void tellProgress(const std::string& what, int& finished, int participants) {
+  constexpr int kEvery = 10;
+  if (!what.ends_with(" enrolled")) return;
+  if (finished > 0 && finished % kEvery == 0) {
+    fmt::print(stderr, "{} of {} simulated participants have finished\n", finished, participants);
+  }
+  ++finished;
 }
 
 int simulate(const StudyArguments& options) {
@@ -77,18 +107,32 @@ int simulate(const StudyArguments& options) {
   const int participants = options.participants > 0
                                ? options.participants
                                : plannedParticipants(study.protocol().protocol);
+  const int already = simulatedSessions(study);
+  int finished = already;
   const auto acknowledge = [&](const std::string& what) {
+    tellProgress(what, finished, participants);
     if (!options.verbose) return;
     fmt::print("saved {}\n", what);
     std::fflush(stdout);
   };
-  simulateCohorts(study, clock, participants, seedOf(options).value_or(study.seed()), acknowledge);
+  const auto endings = simulateCohorts(
+      study,
+      clock,
+      participants,
+      seedOf(options).value_or(study.seed()),
+      acknowledge,
+      options.devices);
+  const int now = static_cast<int>(endings.size());
   fmt::print(
-      "{} simulated participants have finished. Nobody took part: these answers say nothing about "
-      "any "
-      "method.\n",
-      participants);
-  return 0;
+      "{} simulated participant{} finished{}{}. Nobody took part: these answers say nothing about "
+      "any method.\n",
+      completedOf(endings),
+      completedOf(endings) == 1 ? " has" : "s have",
+      othersInWords(endings),
+      already == 0     ? ""
+      : already == now ? ", all of them begun before: no more were asked for, and none was added"
+                       : fmt::format(", {} of them begun before", already));
+  return completedOf(endings) == now ? 0 : 1;
 }
 
 int run(const StudyArguments& options) {
@@ -99,7 +143,8 @@ int run(const StudyArguments& options) {
       {.cohort = options.cohort,
        .runMode = options.pilot ? RunMode::Pilot : RunMode::Live,
        .language = options.language,
-       .code = options.participant});
+       .code = options.participant},
+      options.devices);
 }
 
 int status(const StudyArguments& options) {
@@ -209,6 +254,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option("--participant", options->participant, "Their code (default: the next free one)");
   run->add_option("--language", options->language, "Of the texts")->capture_default_str();
   run->add_flag("--pilot", options->pilot, "For trying out: takes no place from a participant");
+  run->add_option("--devices", options->devices, kDevicesHelp);
 
   auto* simulate = addVerb(
       *noun,
@@ -221,9 +267,13 @@ void addStudyCommands(CLI::App& program, Action& action) {
       ->add_option(
           "--participants",
           options->participants,
-          "Until so many have finished (default: as planned in the protocol)")
+          "Until so many have finished in all (default: as planned in the protocol)")
       ->check(CLI::Range(1, 100'000));
   addSeed(*simulate, options, "Of hands and answers (default: the study's)");
+  simulate->add_option(
+      "--devices",
+      options->devices,
+      "Feel it on the devices of this file, in real time (default: simulated ones, at once)");
   simulate->add_flag("--verbose", options->verbose, "Say what has been saved, as soon as it has");
 
   auto* amend =

@@ -83,7 +83,7 @@ int swarm(SwarmCommand& command) {
   readShard(command.shard, shard);
   protocols::PackingOrigin origin;
   const auto bone = readBone(command.packing, origin);
-  const auto curves = curvesOf(command.material, origin);
+  const auto curves = curvesOf(command.material, origin).curves;
   shard.packing =
       storage::sha256(questionnaires::readTextFile(command.packing, protocols::kLargestPacking));
   shard.material = origin.material + ", " + command.curve;

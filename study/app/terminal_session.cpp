@@ -10,8 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "haptics/devices/device_error.h"
+#include "study/hardware_rig.h"
 #include "study/live_trial.h"
-#include "study/rig.h"
 #include "study/trial_setup.h"
 
 namespace study::app {
@@ -20,6 +21,8 @@ namespace {
 using questionnaires::Item;
 using questionnaires::ItemType;
 using questionnaires::Response;
+
+constexpr double kLongestTrial = 600.0;  // [s]
 
 /// The input ended.
 struct NoMoreInput {};
@@ -42,11 +45,13 @@ std::optional<Number> numberIn(const std::string& text) {
 /// One session at a terminal.
 class TerminalSession {
  public:
-  TerminalSession(Study& study, Session& session)
-      : study_(study), session_(session), rig_([this](const protocols::DeviceNeed& need) {
+  TerminalSession(Study& study, Session& session, const std::string& deviceFile)
+      : study_(study),
+        session_(session),
+        rig_(rigFor(deviceFile, study.folder(), [this](const protocols::DeviceNeed& need) {
           return simulatedHandFor(
               need, study_.seed(), session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
-        }) {}
+        })) {}
 
   void run() {
     fmt::print(
@@ -193,25 +198,26 @@ class TerminalSession {
   void feel() {
     const Step step = session_.step();
     fmt::print(
-        "\n== {} {} == [Enter: the simulated hand makes {} cuts] ",
+        "\n== {} {} == [Enter: then {} cuts are to be made] ",
         session_.protocol().protocol.labels.prefix.in(language()),
         step.label,
         step.minimumCuts);
     readLine();
     auto traces = study_.openTraces();
     const VisitKey visit = session_.visit();
-    Trial trial(
-        rig_.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
-          traces.add(visit, number, samples);
-        }));
-    session_.beginTrial();
-    LiveTrial live(trial);
-    while (live.status().cuts < step.minimumCuts && !live.status().isDeviceGone &&
-           !live.status().isTraceLost) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    std::unique_ptr<Trial> trial;
+    try {
+      trial = trialFor(session_, *rig_, [&](int number, const auto& samples) {
+        traces.add(visit, number, samples);
+      });
+    } catch (const haptics::devices::DeviceError& error) {
+      fmt::print("{}\n", error.what());
+      return;  // the same step again
     }
-    const auto record = live.finish(TrialEnding::Finished);
+    session_.beginTrial();
+    const auto record = feelInRealTime(*trial, step.minimumCuts, kLongestTrial);
     fmt::print("{} cuts in {:.1f} s.\n", record.cuts.size(), record.duration);
+    if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
     } else {
@@ -221,7 +227,7 @@ class TerminalSession {
 
   Study& study_;
   Session& session_;
-  SimulatedRig rig_;
+  std::unique_ptr<Rig> rig_;
 };
 
 std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
@@ -234,12 +240,12 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
 
 }  // namespace
 
-int runInTerminal(Study& study, Enrolment enrolment) {
+int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFile) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
   auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
   try {
-    TerminalSession(study, session).run();
+    TerminalSession(study, session, deviceFile).run();
     return 0;
   } catch (const NoMoreInput&) {
     fmt::print("\nStopped. 'palpate study run' goes on from here.\n");

@@ -1,5 +1,7 @@
 #include "study/app/write_report.h"
 
+#include <filesystem>
+
 #include "study/app/paint_figures.h"
 #include "study/new_file.h"
 #include "study/report/html_report.h"
@@ -8,7 +10,9 @@ namespace study::app {
 
 void writeReport(std::vector<report::ReportSection>& sections, const std::string& path) {
   paintFigures(sections);
-  writeNewFile(path, report::asHtml(sections));
+  const auto html = report::asHtml(sections);
+  const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
+  writeNewFile(path, isPdf ? pdfOf(html, sections.front().protocol.study.title) : html);
 }
 
 }  // namespace study::app

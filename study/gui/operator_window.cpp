@@ -11,22 +11,27 @@
 
 #include "study/gui/attempt.h"
 #include "study/gui/control_panel.h"
+#include "study/gui/device_panel.h"
 #include "study/gui/labels.h"
 #include "study/gui/questionnaire_page.h"
 #include "study/gui/session_table.h"
 #include "study/gui/trial_panel.h"
+#include "study/hardware_rig.h"
 #include "study/trial_setup.h"
 
 namespace study::gui {
 
-OperatorWindow::OperatorWindow(Study& study, QWidget* parent)
+OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
     : QMainWindow(parent),
       study_(study),
-      rig_([this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
-        auto hand = pointerHandFor(need);
-        hands_[need.id] = hand.get();
-        return hand;
-      }),
+      rig_(rigFor(
+          deviceFile,
+          study.folder(),
+          [this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
+            auto hand = pointerHandFor(need);
+            hands_[need.id] = hand.get();
+            return hand;
+          })),
       middle_(new QStackedWidget(this)),
       sessions_(new SessionTable(study, this)),
       controls_(new ControlPanel(this)),
@@ -44,8 +49,8 @@ OperatorWindow::OperatorWindow(Study& study, QWidget* parent)
   auto* heading = titleLabel(QString::fromStdString(metadata.title), side);
   heading->setStyleSheet(QStringLiteral("font-size: 20px;"));
   left->addWidget(heading);
-  left->addWidget(quietLabel(
-      tr("Devices are virtual: the participant's mouse or space bar is the hand."), inside));
+  devices_ = new DevicePanel(study.protocol().protocol, *rig_, inside);
+  left->addWidget(devices_);
   left->addWidget(sessions_, 1);
   left->addWidget(controls_);
   columns->addWidget(side);
@@ -78,7 +83,7 @@ void OperatorWindow::resume(SessionId id) {
 }
 
 void OperatorWindow::begin(Session session) {
-  controller_ = std::make_unique<SessionController>(study_, rig_, std::move(session));
+  controller_ = std::make_unique<SessionController>(study_, *rig_, std::move(session));
   connect(controller_.get(), &SessionController::stepChanged, this, &OperatorWindow::updateAll);
   connect(controller_.get(), &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
   connect(
@@ -135,6 +140,7 @@ void OperatorWindow::moveHand(double share) {
 
 void OperatorWindow::updateAll() {
   trial_->updateSteps();
+  devices_->setBusy(controller_->isTrialRunning());
   controls_->refresh();
   showInterview();
   const auto& session = controller_->session();

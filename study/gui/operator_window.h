@@ -17,6 +17,7 @@ namespace study::gui {
 class QuestionnairePage;
 class ControlPanel;
 class SessionTable;
+class DevicePanel;
 class TrialPanel;
 
 /// What the operator sees: who has taken part, where the present session is, how the device and its
@@ -26,7 +27,10 @@ class OperatorWindow final : public QMainWindow {
 
  public:
   /// The study outlives it.
-  explicit OperatorWindow(Study& study, QWidget* parent = nullptr);
+  /// @param deviceFile  of the laboratory; empty: the study's own, or else virtual instruments.
+  /// @throws NotNow  if it cannot be used.
+  explicit OperatorWindow(
+      Study& study, const std::string& deviceFile = {}, QWidget* parent = nullptr);
   ~OperatorWindow() override;
 
   /// Begins a session and shows it to the participant.
@@ -36,8 +40,8 @@ class OperatorWindow final : public QMainWindow {
 
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
-  /// The virtual instruments, for trying out what happens when one is gone.
-  SimulatedRig& rig() noexcept { return rig_; }
+  /// The instruments, for trying out what happens when one is gone.
+  Rig& rig() noexcept { return *rig_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -55,7 +59,7 @@ class OperatorWindow final : public QMainWindow {
 
   Study& study_;
   std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices
-  SimulatedRig rig_;
+  std::unique_ptr<Rig> rig_;
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;
   QTranslator translator_;
@@ -64,6 +68,7 @@ class OperatorWindow final : public QMainWindow {
   SessionTable* sessions_;
   ControlPanel* controls_;
   TrialPanel* trial_;
+  DevicePanel* devices_ = nullptr;
 };
 
 }  // namespace study::gui

@@ -61,11 +61,9 @@ void SessionController::beginTrial() {
   const bool isRunning = tryTo([&] {
     traces_.emplace(study_.openTraces());
     const VisitKey visit = session_.visit();
-    trial_ = std::make_unique<Trial>(
-        rig_.device(deviceFor(session_)),
-        setupFor(session_, [this, visit](int number, const auto& samples) {
-          traces_->add(visit, number, samples);
-        }));
+    trial_ = trialFor(session_, rig_, [this, visit](int number, const auto& samples) {
+      traces_->add(visit, number, samples);
+    });
     session_.beginTrial();
     live_ = std::make_unique<LiveTrial>(*trial_);
   });

@@ -6,6 +6,7 @@
 
 #include <QPainterPath>
 
+#include "study/report/axis_scale.h"
 #include "study/report/palette.h"
 #include "study/report/svg_canvas.h"
 
@@ -18,88 +19,6 @@ constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};
 constexpr double kMarker = 4.0;
 constexpr std::size_t kColours = 7;  // that the palette has
 
-/// An axis with its ends, and where a value lies between them.
-class Scale {
- public:
-  Scale(const ChartAxis& axis, double least, double most) : isLog_(axis.isLogarithmic) {
-    least_ = forward(axis.least.value_or(least));
-    most_ = forward(axis.most.value_or(most));
-    const double margin = 0.03 * (most_ - least_);
-    if (!axis.least && (isLog_ || least < 0.0)) least_ -= margin;
-    if (!axis.most) most_ += margin;
-    if (!(most_ > least_)) {
-      least_ -= 0.5;
-      most_ += 0.5;
-    }
-  }
-
-  bool shows(double value) const { return std::isfinite(value) && (!isLog_ || value > 0.0); }
-  /// From 0 to 1 within the ends.
-  double place(double value) const { return (forward(value) - least_) / (most_ - least_); }
-
-  struct Tick {
-    double value = 0.0;
-    QString text;
-  };
-  std::vector<Tick> ticks() const { return isLog_ ? decades() : steps(); }
-
- private:
-  double forward(double value) const { return isLog_ ? std::log10(value) : value; }
-
-  std::vector<Tick> decades() const {
-    std::vector<Tick> ticks;
-    const int first = static_cast<int>(std::ceil(least_ - 1e-9));
-    const int last = static_cast<int>(std::floor(most_ + 1e-9));
-    const int stride = std::max(1, (last - first + 7) / 8);
-    const bool isShort = most_ - least_ < 1.6;
-    for (int decade = first - 1; decade <= last; decade += stride) {
-      const double power = std::pow(10.0, decade);
-      if (decade >= first) ticks.push_back({power, powerOfTen(decade)});
-      if (!isShort) continue;
-      for (const double factor : {2.0, 5.0}) {
-        const double place = std::log10(factor * power);
-        const bool isWithin = place >= least_ && place <= most_;
-        if (isWithin) ticks.push_back({factor * power, QString::number(factor * power)});
-      }
-    }
-    return ticks;
-  }
-
-  static QString powerOfTen(int decade) {
-    if (decade >= 0 && decade <= 3) return QString::number(static_cast<int>(std::pow(10, decade)));
-    if (decade == -1) return QStringLiteral("0.1");
-    static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString raised = decade < 0 ? QStringLiteral("⁻") : QString();
-    for (const QChar digit : QString::number(std::abs(decade))) {
-      raised += kDigits[digit.digitValue()];
-    }
-    return QStringLiteral("10") + raised;
-  }
-
-  std::vector<Tick> steps() const {
-    std::vector<Tick> ticks;
-    const double rough = (most_ - least_) / 7.0;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = 10.0 * power;
-    for (const double factor : {1.0, 2.0, 5.0}) {
-      if (factor * power >= rough) {
-        step = factor * power;
-        break;
-      }
-    }
-    for (double at = std::ceil(least_ / step - 1e-9) * step; at <= most_ + 1e-9 * step;
-         at += step) {
-      const double value = std::abs(at) < 1e-9 * step ? 0.0 : at;
-      ticks.push_back({value, QString::number(value)});
-    }
-    return ticks;
-  }
-
-  bool isLog_;
-  double least_ = 0.0;
-  double most_ = 1.0;
-};
-
 struct Range {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
@@ -111,7 +30,7 @@ struct Range {
   }
 };
 
-Scale scaleOf(const Chart& chart, bool isX) {
+AxisScale scaleOf(const Chart& chart, bool isX) {
   const ChartAxis& axis = isX ? chart.x : chart.y;
   Range range;
   for (const auto& series : chart.series) {
@@ -286,8 +205,8 @@ class ChartPainter {
 
   QPainter& painter_;
   const Chart& chart_;
-  Scale x_;
-  Scale y_;
+  AxisScale x_;
+  AxisScale y_;
 };
 
 }  // namespace

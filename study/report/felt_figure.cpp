@@ -5,6 +5,7 @@
 
 #include <QPainterPath>
 
+#include "study/report/axis_scale.h"
 #include "study/report/palette.h"
 #include "study/report/svg_canvas.h"
 
@@ -14,16 +15,6 @@ namespace {
 constexpr double kWidth = 820.0;
 constexpr double kHeight = 420.0;
 constexpr QRectF kPlot{64.0, 14.0, 540.0, 350.0};
-
-/// About @p wanted steps of 1, 2 or 5 times a power of ten.
-double niceStep(double range, int wanted) {
-  const double rough = range / wanted;
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
-    if (factor * power >= rough) return factor * power;
-  }
-  return rough;
-}
 
 /// Paints the curves of one device.
 class FeltPainter {
@@ -46,11 +37,11 @@ class FeltPainter {
   void paint() {
     axes();
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      band(*curves_[i], categoryColour(static_cast<int>(i)));
+      band(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      line(*curves_[i], categoryColour(static_cast<int>(i)));
+      line(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
     for (std::size_t i = 0; i < curves_.size(); ++i)
-      meant(*curves_[i], categoryColour(static_cast<int>(i)));
+      meant(*curves_[i], categoryColour(section_.conditionPlace(curves_[i]->condition)));
     legend();
   }
 
@@ -62,41 +53,41 @@ class FeltPainter {
   }
 
   void axes() {
-    const double shown = mostTravel_ * scale_;
-    const double dx = niceStep(std::max(shown, 1e-9), 8);
-    const double dy = niceStep(std::max(mostForce_, 1e-9), 6);
-    for (double x = 0.0; x <= shown * 1.02; x += dx) {
-      const auto p = at(x / scale_, 0.0);
+    const double shown = std::max(mostTravel_ * scale_, 1e-9);
+    const double most = std::max(mostForce_, 1e-9);
+    for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, shown).ticks(8)) {
+      const auto p = at(tick.value / scale_, 0.0);
       grid(p, {p.x(), kPlot.top()});
       painter_.setPen(Qt::black);
-      drawText(
-          painter_,
-          {p.x() - 30, kPlot.bottom() + 4, 60, 18},
-          Qt::AlignCenter,
-          QString::number(x),
-          12);
+      drawText(painter_, {p.x() - 30, kPlot.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text, 12);
     }
-    for (double y = 0.0; y <= mostForce_ * 1.08; y += dy) {
-      const auto p = at(0.0, y);
+    for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, most).ticks(6)) {
+      const auto p = at(0.0, tick.value);
       grid(p, {kPlot.right(), p.y()});
       painter_.setPen(Qt::black);
       drawText(
           painter_,
           {4, p.y() - 9, kPlot.left() - 12, 18},
           Qt::AlignRight | Qt::AlignVCenter,
-          QString::number(y),
+          tick.text,
           12);
     }
     drawText(
         painter_,
         {kPlot.left(), kPlot.bottom() + 26, kPlot.width(), 20},
         Qt::AlignCenter,
-        scale_ > 1.0 ? QStringLiteral("depth [mm]") : QStringLiteral("travel [travel units]"),
+        QString::fromStdString(
+            section_.words(scale_ > 1.0 ? "depth [mm]" : "travel [travel units]")),
         13);
     painter_.save();
     painter_.translate(14, kPlot.center().y());
     painter_.rotate(-90);
-    drawText(painter_, {-100, -10, 200, 20}, Qt::AlignCenter, QStringLiteral("force [N]"), 13);
+    drawText(
+        painter_,
+        {-100, -10, 200, 20},
+        Qt::AlignCenter,
+        QString::fromStdString(section_.words("force [N]")),
+        13);
     painter_.restore();
   }
 
@@ -140,7 +131,7 @@ class FeltPainter {
     double y = kPlot.top() + 6;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       const double x = kPlot.right() + 18;
-      painter_.setPen(QPen(categoryColour(static_cast<int>(i)), 3));
+      painter_.setPen(QPen(categoryColour(section_.conditionPlace(curves_[i]->condition)), 3));
       painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
       painter_.setPen(Qt::black);
       drawText(
@@ -153,7 +144,7 @@ class FeltPainter {
           painter_,
           {x + 34, y + 17, kWidth - x - 34, 18},
           Qt::AlignLeft | Qt::AlignVCenter,
-          QStringLiteral("%1 trials").arg(curves_[i]->trials),
+          QString::fromStdString(section_.words.say("{} trials", curves_[i]->trials)),
           11);
       y += 44;
     }

@@ -1,20 +1,69 @@
 #include "study/report/figures.h"
 
 #include <algorithm>
+#include <map>
 
+#include "study/report/chart_painter.h"
+#include "study/report/effect_figure.h"
 #include "study/report/felt_figure.h"
 #include "study/report/likert_figure.h"
+#include "study/report/position_figure.h"
+#include "study/report/raincloud_figure.h"
 #include "study/report/svg_canvas.h"
 #include "study/report/vote_figure.h"
 
 namespace study::report {
+namespace {
+
+FamilyFigures figuresOf(const ReportSection& section, const FamilyResult& family) {
+  FamilyFigures figures;
+  figures.answers = asSvg(likertFigureSize(family), [&](QPainter& painter) {
+    paintLikertFigure(painter, section, family);
+  });
+  figures.people = asSvg(raincloudFigureSize(family), [&](QPainter& painter) {
+    paintRaincloudFigure(painter, section, family);
+  });
+  figures.effects = asSvg(effectFigureSize(family), [&](QPainter& painter) {
+    paintEffectFigure(painter, section, family);
+  });
+  figures.positions = asSvg(positionFigureSize(family), [&](QPainter& painter) {
+    paintPositionFigure(painter, section, family);
+  });
+  return figures;
+}
+
+/// Trial by trial, how late 99 % and all of its ticks were at most.
+std::string timingFigure(const ReportSection& section) {
+  std::map<std::string, std::pair<ChartSeries, ChartSeries>> byDevice;
+  int number = 0;
+  for (const auto& timing : section.quality.timings) {
+    ++number;
+    auto& [p99, largest] = byDevice[timing.device];
+    p99.points.push_back({.x = static_cast<double>(number), .y = std::max(timing.p99, 0.1)});
+    largest.points.push_back(
+        {.x = static_cast<double>(number), .y = std::max(timing.largest, 0.1)});
+  }
+  Chart chart{
+      .x = {.title = section.words("trial, in the order of the study")},
+      .y = {.title = section.words("lateness of its ticks [µs]"), .isLogarithmic = true},
+      .series = {}};
+  for (auto& [device, pair] : byDevice) {
+    for (auto* series : {&pair.first, &pair.second}) {
+      series->style = ChartSeries::Style::Markers;
+      series->title = section.words.say(
+          series == &pair.first ? "{}: 99 % of all ticks" : "{}: the latest tick", device);
+      chart.series.push_back(std::move(*series));
+    }
+  }
+  return chartAsSvg(chart);
+}
+
+}  // namespace
 
 void paintFigures(ReportSection& section) {
   section.figures = {};
   for (const auto& family : section.results.families) {
-    section.figures.likert.push_back(asSvg(likertFigureSize(family), [&](QPainter& painter) {
-      paintLikertFigure(painter, section, family);
-    }));
+    section.figures.families.push_back(figuresOf(section, family));
   }
   if (!section.results.votes.empty()) {
     section.figures.votes = asSvg(
@@ -30,6 +79,7 @@ void paintFigures(ReportSection& section) {
       paintFeltFigure(painter, section, device.id);
     }));
   }
+  if (!section.quality.timings.empty()) section.figures.timing = timingFigure(section);
 }
 
 }  // namespace study::report

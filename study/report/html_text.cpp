@@ -12,10 +12,11 @@ table { border-collapse: collapse; margin: .6rem 0 1.2rem; font-variant-numeric:
 caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
 th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #ddd; }
 th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #555; }
-td.words { text-align: left; } tr.yes td { font-weight: 600; }
+td { white-space: nowrap; } td.words { text-align: left; } td.words, td:first-child { white-space: normal; } tr.yes td { font-weight: 600; }
 .banner { background: #8a1c1c; color: #fff; padding: .6rem 1rem; border-radius: .3rem; font-weight: 600; }
 .pilot { background: #7a5200; }
-.note { color: #444; font-size: .92rem; } li { margin: .25rem 0; }
+.note { color: #444; font-size: .92rem; } dl.flags dt { font-weight: 600; font-family: monospace; }
+dl.flags dd { margin: 0 0 .8rem 1.2rem; } dl.flags p { margin: .15rem 0; } .source { color: #444; font-size: .85rem; } li { margin: .25rem 0; }
 figure { margin: 1rem 0 1.6rem; } figure svg { max-width: 100%; height: auto; }
 figcaption { color: #333; font-size: .92rem; } code { font-size: .85em; word-break: break-all; }
 @media print { body { margin: 0; max-width: none; } h2 { break-before: page; } }
@@ -46,9 +47,10 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string htmlPage(std::string_view title, std::string_view body) {
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+std::string htmlPage(std::string_view title, std::string_view body, std::string_view language) {
+  std::string html = "<!DOCTYPE html>\n<html lang=\"" + std::string(language) + "\">";
+  html +=
+      "<head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width\"><title>";
   html += escaped(title);
   html += "</title><style>";

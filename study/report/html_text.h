@@ -9,6 +9,7 @@ namespace study::report {
 std::string escaped(std::string_view text);
 
 /// A whole page that needs nothing else: @p body within the style of all our reports.
-std::string htmlPage(std::string_view title, std::string_view body);
+std::string htmlPage(
+    std::string_view title, std::string_view body, std::string_view language = "en");
 
 }  // namespace study::report

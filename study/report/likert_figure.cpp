@@ -141,13 +141,13 @@ class LikertPainter {
         painter_,
         {0, y + 3, kLabels - 12, 20},
         Qt::AlignRight | Qt::AlignVCenter,
-        QString::fromStdString(instrument->scale->lowLabel.in("en")),
+        QString::fromStdString(instrument->scale->lowLabel.in(section_.words.language())),
         12);
     drawText(
         painter_,
         {x + 12, y + 3, kWidth - x - 12, 20},
         Qt::AlignLeft | Qt::AlignVCenter,
-        QString::fromStdString(instrument->scale->highLabel.in("en")),
+        QString::fromStdString(instrument->scale->highLabel.in(section_.words.language())),
         12);
   }
 

@@ -9,11 +9,16 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::vector<SessionId> wanted;
   for (const auto& session : records.sessions()) {
-    if (session.runMode == nameOf(mode)) wanted.push_back(session.id);
+    if (session.runMode == nameOf(mode) && session.status == "completed") {
+      wanted.push_back(session.id);
+    }
   }
   TrialQuality quality;
   for (const auto& trial : records.trials()) {
-    if (std::find(wanted.begin(), wanted.end(), trial.step.visit.session) == wanted.end()) continue;
+    const bool counts =
+        trial.step.visitStatus == "finished" &&
+        std::find(wanted.begin(), wanted.end(), trial.step.visit.session) != wanted.end();
+    if (!counts) continue;
     ++quality.trials;
     quality.pass += trial.verdict == "PASS" ? 1 : 0;
     quality.warn += trial.verdict == "WARN" ? 1 : 0;
@@ -23,6 +28,10 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
     quality.contact += trial.contact;
     if (trial.latenessP99) {
       quality.worstLateness = std::max(quality.worstLateness.value_or(0.0), *trial.latenessP99);
+      quality.timings.push_back(
+          {.device = trial.device,
+           .p99 = *trial.latenessP99,
+           .largest = trial.latenessLargest.value_or(*trial.latenessP99)});
     }
     const bool isNew =
         !trial.verdictReason.empty() &&
@@ -53,22 +62,53 @@ const std::string& ReportSection::conditionTitle(const std::string& condition) c
   return protocol.condition(condition)->title;
 }
 
-const std::string& ReportSection::cohortTitle(const std::string& cohort) const {
-  return protocol.cohort(cohort)->title.in("en");
+int ReportSection::conditionPlace(const std::string& condition) const {
+  const auto& all = protocol.conditions;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.id == condition; });
+  return static_cast<int>(found - all.begin());
 }
 
-ReportSection gather(Study& study, RunMode mode) {
+const std::string& ReportSection::cohortTitle(const std::string& cohort) const {
+  return protocol.cohort(cohort)->title.in(words.language());
+}
+
+std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section) {
+  std::vector<std::pair<std::string, std::string>> named;
+  const auto add = [&](const std::string& name, const std::string& svg) {
+    if (!svg.empty()) named.emplace_back(name, svg);
+  };
+  const auto& all = section.figures;
+  for (std::size_t i = 0; i < all.families.size(); ++i) {
+    const auto& id = section.results.families[i].family.id;
+    add(id + "-answers", all.families[i].answers);
+    add(id + "-people", all.families[i].people);
+    add(id + "-effects", all.families[i].effects);
+    add(id + "-order", all.families[i].positions);
+  }
+  add("preferences", all.votes);
+  for (std::size_t i = 0; i < all.felt.size(); ++i) {
+    add("felt" + (all.felt.size() > 1 ? "-" + std::to_string(i + 1) : std::string()), all.felt[i]);
+  }
+  add("timing", all.timing);
+  return named;
+}
+
+ReportSection gather(Study& study, RunMode mode, words::Words words) {
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
+      .sources = study.protocol().sources,
       .protocolHash = study.protocols().current().sha256,
+      .protocolVersions = study.protocols().all().size(),
       .seed = study.seed(),
       .uuid = study.uuid(),
       .results = computeResults(study, mode),
       .curves = feltCurves(study, mode),
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
-      .figures = {}};
+      .figures = {},
+      .words = std::move(words)};
 }
 
 }  // namespace study::report

@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QFont>
-#include <QImage>
 #include <QSvgGenerator>
 
 namespace study::report {
@@ -22,19 +21,6 @@ std::string asSvg(const QSizeF& size, const std::function<void(QPainter&)>& pain
   const std::string svg = buffer.data().toStdString();
   const auto begin = svg.find("<svg");
   return begin == std::string::npos ? std::string() : svg.substr(begin);
-}
-
-std::string asPng(const QSizeF& size, const std::function<void(QPainter&)>& paint) {
-  QImage image(size.toSize(), QImage::Format_RGB32);
-  image.fill(Qt::white);
-  {
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paint(painter);
-  }
-  QBuffer buffer;
-  image.save(&buffer, "PNG");
-  return buffer.data().toStdString();
 }
 
 void drawText(

@@ -12,9 +12,6 @@ namespace study::report {
 /// stand in a page. Needs a QGuiApplication (the offscreen platform will do).
 std::string asSvg(const QSizeF& size, const std::function<void(QPainter&)>& paint);
 
-/// The same as a PNG file's bytes, for looking at.
-std::string asPng(const QSizeF& size, const std::function<void(QPainter&)>& paint);
-
 /// Text whose place does not depend on the device: sizes of fonts are rounded to whole device
 /// pixels, so it is drawn ten times too large on a canvas ten times too small.
 void drawText(

@@ -1,90 +1,97 @@
 #include "study/report/vote_figure.h"
 
-#include <algorithm>
-
 #include "study/report/palette.h"
-#include "study/report/svg_canvas.h"
+#include "study/report/rows_canvas.h"
 
 namespace study::report {
 namespace {
 
-constexpr double kWidth = 820.0;
-constexpr double kLabels = 330.0;
-constexpr double kBar = 24.0;
+constexpr double kNames = 210.0;
+constexpr double kNumbers = 90.0;
+constexpr double kRow = 26.0;
+constexpr double kBar = 18.0;
 constexpr double kGap = 10.0;
-constexpr double kLegend = 34.0;
 
-/// A colour for each condition of the protocol, whichever block it was voted on in.
-int colourIndex(const ReportSection& section, const std::string& condition) {
-  const auto& all = section.protocol.conditions;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.id == condition; });
-  return static_cast<int>(found - all.begin());
-}
+class VotePainter {
+ public:
+  VotePainter(QPainter& painter, const ReportSection& section)
+      : painter_(painter),
+        section_(section),
+        canvas_(
+            painter,
+            kNames,
+            kNumbers,
+            AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
-void paintLegend(QPainter& painter, const ReportSection& section, double y) {
-  std::vector<std::string> shown;
-  for (const auto& vote : section.results.votes) {
-    for (const auto& share : vote.votes.shares()) {
-      if (std::find(shown.begin(), shown.end(), share.option) == shown.end())
-        shown.push_back(share.option);
+  void paint() {
+    const double bottom = voteFigureSize(section_).height() - RowsCanvas::kAxis;
+    canvas_.axis(
+        RowsCanvas::kHeading,
+        bottom,
+        section_.words("share of the votes, with Wilson’s 95 % interval"),
+        QStringLiteral(" %"));
+    double y = 0.0;
+    for (const auto& cohort : section_.results.flow) {
+      for (const auto& vote : section_.results.votes) {
+        if (vote.cohort == cohort.cohort) y = group(vote, y);
+      }
     }
   }
-  const double room = kWidth / static_cast<double>(std::max<std::size_t>(shown.size(), 1));
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const double x = static_cast<double>(i) * room;
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(categoryColour(colourIndex(section, shown[i])));
-    painter.drawRect(QRectF(x, y + 8, 18, 14));
-    painter.setPen(Qt::black);
-    drawText(
-        painter,
-        {x + 26, y, room - 30, 30},
-        Qt::AlignLeft | Qt::AlignVCenter,
-        QString::fromStdString(section.conditionTitle(shown[i])),
-        12);
-  }
-}
 
-void paintBar(QPainter& painter, const ReportSection& section, const VoteResult& vote, double y) {
-  painter.setPen(Qt::black);
-  drawText(
-      painter,
-      {0, y, kLabels - 12, kBar},
-      Qt::AlignRight | Qt::AlignVCenter,
-      QString::fromStdString(section.cohortTitle(vote.cohort) + ", " + vote.block),
-      12);
-  const double unit =
-      (kWidth - kLabels) / static_cast<double>(std::max<std::uint64_t>(vote.votes.total(), 1));
-  double x = kLabels;
-  for (const auto& share : vote.votes.shares()) {
-    if (share.votes == 0) continue;
-    const double wide = static_cast<double>(share.votes) * unit;
-    painter.setPen(QPen(Qt::white, 1));
-    painter.setBrush(categoryColour(colourIndex(section, share.option)));
-    painter.drawRect(QRectF(x, y, wide, kBar));
-    painter.setPen(Qt::white);
-    drawText(painter, {x, y, wide, kBar}, Qt::AlignCenter, QString::number(share.votes), 12, true);
-    x += wide;
+ private:
+  double group(const VoteResult& vote, double y) {
+    canvas_.heading(section_.cohortTitle(vote.cohort) + ", " + vote.block, y);
+    y += RowsCanvas::kHeading;
+    const auto shares = vote.votes.shares();
+    const double top = y;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+      row(shares[i].option, shares[i].votes, vote.votes.total(), vote, i, y);
+      y += kRow;
+    }
+    if (!shares.empty()) {
+      canvas_.reference(100.0 / static_cast<double>(shares.size()), top, y, Qt::DashLine);
+    }
+    return y + kGap;
   }
-}
+
+  void row(
+      const std::string& option,
+      std::uint64_t votes,
+      std::uint64_t total,
+      const VoteResult& vote,
+      std::size_t index,
+      double y) {
+    canvas_.name(section_.conditionTitle(option), y, kRow);
+    canvas_.words(std::to_string(votes) + " / " + std::to_string(total), y, kRow);
+    if (total == 0) return;
+    const double share = 100.0 * static_cast<double>(votes) / static_cast<double>(total);
+    painter_.setPen(Qt::NoPen);
+    painter_.setBrush(categoryColour(section_.conditionPlace(option)));
+    painter_.drawRect(
+        QRectF(canvas_.x(0.0), y + (kRow - kBar) / 2, canvas_.x(share) - canvas_.x(0.0), kBar));
+    if (index >= vote.intervals.size() || !vote.intervals[index]) return;
+    const auto& interval = *vote.intervals[index];
+    canvas_.interval(
+        100.0 * interval.low, 100.0 * interval.high, y + kRow / 2, QColor(40, 40, 40), 1.6);
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  RowsCanvas canvas_;
+};
 
 }  // namespace
 
 QSizeF voteFigureSize(const ReportSection& section) {
-  return {kWidth, kLegend + static_cast<double>(section.results.votes.size()) * (kBar + kGap)};
+  double height = RowsCanvas::kAxis;
+  for (const auto& vote : section.results.votes) {
+    height += RowsCanvas::kHeading + static_cast<double>(vote.votes.shares().size()) * kRow + kGap;
+  }
+  return {RowsCanvas::kWidth, height};
 }
 
 void paintVoteFigure(QPainter& painter, const ReportSection& section) {
-  double y = 2.0;
-  for (const auto& cohort : section.results.flow) {
-    for (const auto& vote : section.results.votes) {
-      if (vote.cohort != cohort.cohort) continue;
-      paintBar(painter, section, vote, y);
-      y += kBar + kGap;
-    }
-  }
-  paintLegend(painter, section, y);
+  VotePainter(painter, section).paint();
 }
 
 }  // namespace study::report

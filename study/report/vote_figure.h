@@ -7,7 +7,8 @@
 
 namespace study::report {
 
-/// Who preferred what: one bar for each cohort and round, divided by condition.
+/// Who preferred what, by cohort and round: a bar for each condition with its interval; dashed, the
+/// share that each would have if nobody preferred anything.
 QSizeF voteFigureSize(const ReportSection& section);
 void paintVoteFigure(QPainter& painter, const ReportSection& section);
 

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added, never changed:
 // somebody's study is at each of them.
-constexpr std::array<std::string_view, 2> kStudySteps{
+constexpr std::array<std::string_view, 3> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -233,6 +233,73 @@ constexpr std::array<std::string_view, 2> kStudySteps{
       CREATE TRIGGER a_frozen_protocol_gets_no_file BEFORE INSERT ON protocol_file
       WHEN EXISTS (SELECT 1 FROM protocol WHERE id = new.protocol_id AND frozen_utc IS NOT NULL)
       BEGIN SELECT RAISE(ABORT, 'the protocol is frozen'); END;
+    )sql",
+    R"sql(
+      -- What is asked, as one number: an item of an instrument, in a phase, about a condition (''
+      -- where nothing was felt). Follows from step and allocation; 'palpate study verify' looks.
+      CREATE TABLE question (
+        id         INTEGER PRIMARY KEY,
+        kind       TEXT NOT NULL,
+        phase      TEXT NOT NULL,
+        instrument TEXT NOT NULL,
+        condition  TEXT NOT NULL,
+        item       TEXT NOT NULL,
+        UNIQUE (kind, phase, instrument, condition, item)
+      ) STRICT;
+
+      CREATE TRIGGER a_question_is_never_changed BEFORE UPDATE ON question
+      BEGIN SELECT RAISE(ABORT, 'questions are never changed'); END;
+      CREATE TRIGGER a_question_is_never_removed BEFORE DELETE ON question
+      BEGIN SELECT RAISE(ABORT, 'questions are never removed'); END;
+      CREATE TRIGGER a_question_is_not_replaced BEFORE INSERT ON question
+      WHEN EXISTS (
+        SELECT 1 FROM question AS q
+        WHERE q.id = new.id OR (q.kind = new.kind AND q.phase = new.phase
+          AND q.instrument = new.instrument AND q.condition = new.condition AND q.item = new.item))
+      BEGIN SELECT RAISE(ABORT, 'there is that question'); END;
+
+      ALTER TABLE answer ADD COLUMN question INTEGER REFERENCES question (id);
+
+      INSERT INTO question (kind, phase, instrument, condition, item)
+      SELECT DISTINCT s.kind, s.phase, s.instrument, coalesce(a.condition, ''), x.item
+      FROM answer AS x JOIN step AS s ON s.session_id = x.session_id AND s.step = x.step
+      LEFT JOIN allocation AS a ON a.session_id = x.session_id AND a.step = x.step
+      ORDER BY 1, 2, 3, 4, 5;
+
+      UPDATE answer SET question = (
+        SELECT q.id FROM step AS s
+        LEFT JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step
+        JOIN question AS q ON q.kind = s.kind AND q.phase = s.phase
+          AND q.instrument = s.instrument AND q.condition = coalesce(a.condition, '')
+        WHERE s.session_id = answer.session_id AND s.step = answer.step AND q.item = answer.item);
+
+      CREATE TRIGGER an_answer_finds_its_question AFTER INSERT ON answer
+      WHEN new.question IS NULL
+      BEGIN
+        INSERT INTO question (kind, phase, instrument, condition, item)
+        SELECT s.kind, s.phase, s.instrument, coalesce(a.condition, ''), new.item FROM step AS s
+        LEFT JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step
+        WHERE s.session_id = new.session_id AND s.step = new.step AND NOT EXISTS (
+          SELECT 1 FROM question AS q WHERE q.kind = s.kind AND q.phase = s.phase
+          AND q.instrument = s.instrument AND q.condition = coalesce(a.condition, '')
+          AND q.item = new.item);
+        UPDATE answer SET question = (
+          SELECT q.id FROM step AS s
+          LEFT JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step
+          JOIN question AS q ON q.kind = s.kind AND q.phase = s.phase
+            AND q.instrument = s.instrument AND q.condition = coalesce(a.condition, '')
+          WHERE s.session_id = new.session_id AND s.step = new.step AND q.item = new.item)
+        WHERE rowid = new.rowid;
+      END;
+      CREATE TRIGGER an_answer_keeps_its_question BEFORE UPDATE OF question ON answer
+      WHEN old.question IS NOT NULL
+      BEGIN SELECT RAISE(ABORT, 'an answer belongs to its question'); END;
+
+      -- All that is counted, and what decides whether it counts, without a look at the rows.
+      CREATE INDEX answers_to_be_counted ON answer (session_id, question, point)
+      WHERE point IS NOT NULL;
+      CREATE INDEX sessions_by_outcome ON session (run_mode, state, id, cohort);
+      CREATE INDEX visits_that_do_not_count ON visit (session_id) WHERE status <> 'finished';
     )sql",
 };
 

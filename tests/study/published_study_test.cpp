@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "analysis/csv_table.h"
 #include "study/export.h"
 #include "study/results.h"
+#include "study/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
@@ -188,6 +190,104 @@ TEST_F(PublishedStudyTest, ExportsEveryAnswerAsItWasGivenAndAsItIsScored) {
     EXPECT_EQ(cell("item_type"), "likert");
   }
   EXPECT_EQ(found, 198U);
+}
+
+/// The published pairs in the order in which R compared them, whichever way round.
+const analysis::WithinComparison& rowFor(
+    const CohortResult& cohort, const std::string& first, const std::string& second) {
+  for (const auto& row : cohort.within.rows) {
+    const bool isSame = row.group1 == first && row.group2 == second;
+    if (isSame || (row.group1 == second && row.group2 == first)) return row;
+  }
+  throw std::out_of_range(first + " and " + second);
+}
+
+double numberIn(const nlohmann::json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
+
+TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
+  const auto golden =
+      nlohmann::json::parse(tests::contentOf(tests::sharedData("stats/study/study_golden.json")));
+  const auto results = computeResults(*study_, RunMode::Live);
+  int compared = 0;
+  for (const auto& cohort : results.families.at(0).cohorts) {
+    std::vector<std::optional<double>> paired;
+    std::vector<std::optional<double>> ranked;
+    std::vector<nlohmann::json> truths;
+    for (const auto& truth : golden["within"]) {
+      if (truth["cohort"] != cohort.cohort) continue;
+      const auto& row = rowFor(cohort, conditionOf(truth["group1"]), conditionOf(truth["group2"]));
+      EXPECT_NEAR(std::abs(row.paired.t.value()), std::abs(numberIn(truth["t"])), 1e-12);
+      EXPECT_NEAR(row.paired.p.value(), numberIn(truth["p_t"]), 1e-14);
+      EXPECT_NEAR(
+          std::abs(row.effects.cohenDz.value.value()), std::abs(numberIn(truth["dz"])), 1e-12);
+      EXPECT_NEAR(row.signFlip.p.value(), numberIn(truth["p_signflip_exact"]), 1e-14);
+      EXPECT_NEAR(row.signedRank.p.value(), numberIn(truth["p_wilcoxon_exact"]), 1e-14);
+      paired.push_back(row.paired.p);
+      ranked.push_back(row.signedRank.p);
+      truths.push_back(truth);
+      ++compared;
+    }
+    const auto pairedHolm = analysis::adjust(paired, analysis::Adjustment::Holm);
+    const auto rankedHolm = analysis::adjust(ranked, analysis::Adjustment::Holm);
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      EXPECT_NEAR(pairedHolm[i].value(), numberIn(truths[i]["p_t_holm"]), 1e-13);
+      EXPECT_NEAR(rankedHolm[i].value(), numberIn(truths[i]["p_wilcoxon_holm"]), 1e-13);
+    }
+    for (const auto& truth : golden["friedman"]) {
+      if (truth["cohort"] != cohort.cohort) continue;
+      EXPECT_NEAR(cohort.within.friedman.chiSquared.value(), numberIn(truth["chi2"]), 1e-12);
+      EXPECT_NEAR(cohort.within.friedman.p.value(), numberIn(truth["p"]), 1e-13);
+      EXPECT_NEAR(cohort.within.friedman.kendallW.value(), numberIn(truth["kendall_W"]), 1e-13);
+      ++compared;
+    }
+    const std::string name = cohort.cohort == "professional" ? "lmm_prof" : "lmm_non";
+    for (const auto& truth : golden[name + "_pairs_holm"]) {
+      const std::string contrast = truth["contrast"];
+      const auto dash = contrast.find(" - ");
+      const auto& row = rowFor(
+          cohort, conditionOf(contrast.substr(0, dash)), conditionOf(contrast.substr(dash + 3)));
+      EXPECT_NEAR(std::abs(row.mixed.estimate), std::abs(numberIn(truth["estimate"])), 1e-6);
+      EXPECT_NEAR(row.mixed.standardError, numberIn(truth["SE"]), 1e-6);
+      EXPECT_NEAR(std::abs(row.mixed.t.value()), std::abs(numberIn(truth["t"])), 1e-5);
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 6 + 2 + 6);
+}
+
+TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
+  const auto results = computeResults(*study_, RunMode::Live);
+  const auto published = resultsAsText(*study_, results, Profile::AsPublished);
+  EXPECT_NE(published.find("t(62.52) ="), std::string::npos) << published;
+  EXPECT_NE(published.find("declared: confirmatory"), std::string::npos);
+  const auto recommended = resultsAsText(*study_, results, Profile::Recommended);
+  EXPECT_NE(recommended.find("t(5) = 3.62, p = .015, p_Bonferroni = .046"), std::string::npos)
+      << recommended;
+  EXPECT_NE(recommended.find("exact sign flip p = .031"), std::string::npos);
+  for (const auto& text : {published, recommended}) {
+    EXPECT_NE(text.find("[pseudo_replication]"), std::string::npos);
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+  }
+}
+
+TEST_F(PublishedStudyTest, IsFlaggedForWhatIsSaidAgainstIt) {
+  const auto results = computeResults(*study_, RunMode::Live);
+  for (const auto& cohort : results.families.at(0).cohorts) {
+    std::vector<std::string> ids;
+    for (const auto& flag : cohort.flags) ids.emplace_back(flag.id);
+    std::vector<std::string> said{
+        "pseudo_replication",
+        "paired_data_unpaired_test",
+        "items_not_common_to_methods",
+        "relative_item_without_referent",
+        "order_not_counterbalanced",
+        "n_below_minimum_for_alpha"};
+    // Among professionals finite elements and the Kalman filter have two camps.
+    if (cohort.cohort == "professional") said.insert(said.end() - 1, "bimodal");
+    EXPECT_EQ(ids, said) << cohort.cohort;
+  }
 }
 
 }  // namespace

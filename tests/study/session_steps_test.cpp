@@ -188,7 +188,7 @@ TEST_F(SessionStepsTest, RemembersWhyATrialBrokeOffWhenItsParticipantLeaves) {
   session_.withdraw("enough");
   const auto session = storage::Records(study_->database()).sessions().front();
   EXPECT_EQ(session.endReason, "enough");
-  EXPECT_EQ(storage::Records(study_->database()).trials().front().ending, "device_gone");
+  EXPECT_EQ(storage::Records(study_->database()).trials().front().ending, "aborted_hardware");
 }
 
 TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {

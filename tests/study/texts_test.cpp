@@ -88,7 +88,7 @@ TEST_F(TextsTest, AreKeptUpToAMillionCharactersByTheTableItself) {
     study_->database().execute(
         "INSERT OR REPLACE INTO answer VALUES (1, 1, 1, 'story', 1, 'text', NULL, NULL, "
         "printf('%.*c', " +
-        length + ", 'x'), 0, 0, 0, 'en', '')");
+        length + ", 'x'), 0, 0, 0, 'en', '', NULL)");
   };
   keep("1000000");
   EXPECT_THROW(keep("1000001"), storage::StorageError);

@@ -116,7 +116,7 @@ TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
   const auto record = trial.finish(TrialEnding::DeviceGone);
   EXPECT_EQ(record.invalidTicks, 1);
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
-  EXPECT_NE(record.judgement().reason.find("device_gone"), std::string::npos);
+  EXPECT_NE(record.judgement().reason.find("aborted_hardware"), std::string::npos);
 }
 
 TEST_F(TrialTest, HasNoForceFromTheTickOnAfterSomebodyPressedStop) {

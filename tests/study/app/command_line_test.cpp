@@ -172,6 +172,54 @@ TEST_F(CommandLineTest, TellsEveryProblemOfAProtocolAtOnceAndWhere) {
   }
 }
 
+TEST_F(CommandLineTest, ExportsNobodyWhoWasNotAskedFor) {
+  const auto study = made("punch-face-validity", 2);
+  const std::string out = folder_ / "data";
+  expectRefused(
+      {"export", study, "--out", out},
+      kTheWorldSaidNo,
+      {"No participant has taken part", "2 simulated sessions", "--run-mode simulated"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+
+  const auto simulated = palpate({"export", study, "--run-mode", "simulated", "--out", out});
+  EXPECT_EQ(simulated.status, 0) << simulated.error;
+  EXPECT_NE(simulated.out.find("2 simulated sessions, blinded"), std::string::npos);
+  const auto readme = tests::contentOf(out + "/README.md");
+  EXPECT_NE(readme.find("2 simulated sessions, and no others. Nobody took part"), std::string::npos)
+      << readme;
+  EXPECT_NE(readme.find("SYNTHETIC"), std::string::npos) << readme;
+  EXPECT_EQ(json::parse(tests::contentOf(out + "/codebook.json"))["run_mode"], "simulated");
+
+  const std::string none = folder_ / "none";
+  const auto empty = palpate({"export", study, "--run-mode", "pilot", "--out", none});
+  EXPECT_NE(empty.out.find("no pilot sessions"), std::string::npos) << empty.out;
+  EXPECT_NE(
+      tests::contentOf(none + "/README.md").find("No pilot session is in this folder"),
+      std::string::npos);
+}
+
+TEST_F(CommandLineTest, SaysHowManySimulatedParticipantsThereWereBefore) {
+  const auto study = made("punch-face-validity", 2);
+  const Words fewer{"study", "simulate", study, "--participants", "1"};
+  EXPECT_NE(
+      palpate(fewer).out.find("2 simulated participants have finished, all of them begun before"),
+      std::string::npos);
+  const Words more{"study", "simulate", study, "--participants", "11"};
+  const auto finished = palpate(more);
+  EXPECT_NE(
+      finished.out.find("11 simulated participants have finished, 2 of them"), std::string::npos);
+  EXPECT_NE(finished.error.find("10 of 11 simulated participants"), std::string::npos);
+}
+
+TEST_F(CommandLineTest, SaysThatAnAmendmentChangesNothing) {
+  const auto study = made("punch-face-validity");
+  const auto same = palpate({"study", "amend", study, "--protocol", "punch-face-validity"});
+  EXPECT_EQ(same.status, 0) << same.error;
+  EXPECT_NE(same.out.find("nothing has changed"), std::string::npos) << same.out;
+  const auto other = palpate({"study", "amend", study, "--protocol", "punch-counterbalanced"});
+  EXPECT_NE(other.out.find("New sessions use"), std::string::npos) << other.out;
+}
+
 TEST_F(CommandLineTest, NeverOverwrites) {
   const auto study = made("punch-face-validity", 1);
   expectRefused(
@@ -203,6 +251,23 @@ TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
     EXPECT_EQ(finished.status, 0) << finished.error;
     EXPECT_TRUE(json::accept(finished.out)) << inWords(call);
   }
+}
+
+TEST_F(CommandLineTest, PrintsEveryTestOfAStudyForPrograms) {
+  const auto study = made("punch-face-validity", 12);
+  const auto finished = palpate({"stats", "run", study, "--run-mode", "simulated", "--json"});
+  const auto results = json::parse(finished.out);
+  const auto& family = results["families"].at(0);
+  const auto& within = family["cohorts"].at(0)["within"];
+  EXPECT_TRUE(within["anova"]["f"].is_number());
+  EXPECT_TRUE(within["anova"]["p_greenhouse_geisser"].is_number());
+  ASSERT_FALSE(family["between"].empty());
+  for (const auto* test : {"mann_whitney", "brunner_munzel", "cliff_delta"}) {
+    const auto& result = family["between"].at(0)[test];
+    EXPECT_TRUE(result.contains("reason")) << test;
+  }
+  EXPECT_TRUE(family["between"].at(0)["mann_whitney"]["p"].is_number());
+  EXPECT_TRUE(results["votes"].at(0)["p_exact"].is_number());
 }
 
 TEST_F(CommandLineTest, SaysThatItCouldNotPrint) {

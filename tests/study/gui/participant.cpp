@@ -29,6 +29,12 @@ QPushButton* buttonSaying(QWidget* parent, const QString& text) {
   return nullptr;
 }
 
+void photograph(QWidget& window, const QString& name) {
+  const char* folder = std::getenv("PALPATE_PICTURES");
+  if (folder == nullptr) return;
+  window.grab().save(QStringLiteral("%1/%2.png").arg(QString::fromUtf8(folder), name));
+}
+
 QWidget* Participant::page() const {
   return window_.participantWindow();
 }

@@ -44,6 +44,9 @@ class Participant {
   int pictures_ = 0;
 };
 
+/// With PALPATE_PICTURES=FOLDER saves how a window looks as NAME.png there.
+void photograph(QWidget& window, const QString& name);
+
 /// The button in @p parent that says @p text; nullptr where there is none to be seen.
 QPushButton* buttonSaying(QWidget* parent, const QString& text);
 

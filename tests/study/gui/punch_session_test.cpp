@@ -97,12 +97,12 @@ TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
   goToTheFirstTrial();
   const auto step = window_.controller()->session().stepIndex();
   participant_.cut(1);
-  window_.rig().unplug("punch");
+  dynamic_cast<SimulatedRig&>(window_.rig()).unplug("punch");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.controller()->isTrialRunning(); }, 2000));
-  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "device_gone");
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "aborted_hardware");
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 
-  window_.rig().plugIn("punch");
+  dynamic_cast<SimulatedRig&>(window_.rig()).plugIn("punch");
   window_.controller()->repeatStep(QStringLiteral("cable"));
   EXPECT_EQ(window_.controller()->session().stepIndex(), step);
   participant_.doStep();

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QImage>
 #include <QString>
 #include <QXmlStreamReader>
 
+#include "study/apa_text.h"
+#include "study/report/html_report.h"
+#include "study/report/pdf_report.h"
 #include "tests/study/report/section.h"
 
 namespace study::report {
@@ -29,13 +33,15 @@ ReportSection painted() {
 
 TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
   const auto figures = painted().figures;
-  EXPECT_EQ(figures.likert.size(), 1U);
+  ASSERT_EQ(figures.families.size(), 1U);
+  EXPECT_FALSE(figures.families.front().people.empty());
   EXPECT_EQ(figures.felt.size(), 1U);
   EXPECT_FALSE(figures.votes.empty());
+  EXPECT_FALSE(figures.timing.empty());
 }
 
 TEST(Figures, SayHowOftenEachPointWasChosen) {
-  const auto texts = textsIn(painted().figures.likert.front());
+  const auto texts = textsIn(painted().figures.families.front().answers);
   for (const auto* words : {"Interpolation", "FEM", "KF", "Orthopaedic surgeons", "17", "13", "μ 4.1",
                             "μ 2.6", "strongly disagree", "strongly agree"}) {
     EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
@@ -49,10 +55,73 @@ TEST(Figures, NameTheirAxesAndUnits) {
   EXPECT_NE(texts.find("4 trials"), std::string::npos);
 }
 
+TEST(Figures, ShowEffectsWithTheirNumbers) {
+  const auto section = painted();
+  const auto texts = textsIn(section.figures.families.front().effects);
+  const auto& row = section.results.families.front().cohorts.front().within.rows.front();
+  EXPECT_NE(texts.find(rounded(row.paired.meanDifference, 2) + " " + intervalInWords(row.interval)), std::string::npos)
+      << texts;
+  EXPECT_NE(texts.find("Interpolation − FEM"), std::string::npos);
+  EXPECT_NE(texts.find("difference of participants’ means [points]"), std::string::npos);
+}
+
+TEST(Figures, ShowEveryParticipantOnce) {
+  const auto section = painted();
+  const auto& svg = section.figures.families.front().people;
+  std::size_t dots = 0;
+  for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++dots;
+  EXPECT_EQ(dots, 3U * 6U + 3U * 5U);
+}
+
+TEST(Figures, SayHowManyVotesOfHowMany) {
+  const auto texts = textsIn(painted().figures.votes);
+  for (const auto* words : {"4 / 6", "0 / 6", "2 / 6", "Wilson’s 95 % interval"}) {
+    EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
+  }
+}
+
+TEST(Figures, BecomePdfAndPngOfTheirSize) {
+  const auto svg = painted().figures.families.front().effects;
+  EXPECT_EQ(figureAsPdf(svg).substr(0, 5), "%PDF-");
+  const auto png = figureAsPng(svg);
+  QImage image;
+  ASSERT_TRUE(image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size())));
+  EXPECT_EQ(image.width(), 2563);  // 820 px at 96 dpi are so many at 300
+}
+
+TEST(PdfReport, HasPagesWithTheFiguresInThem) {
+  const auto section = painted();
+  const auto pdf = asPdf(asHtml({section}), "A study");
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  const auto bare = asPdf("<html><body><p>Nothing</p></body></html>", "A study");
+  const auto pagesOf = [](const std::string& bytes) {
+    std::size_t pages = 0;
+    for (auto at = bytes.find("/Type /Page\n"); at != std::string::npos; at = bytes.find("/Type /Page\n", at + 1)) {
+      ++pages;
+    }
+    return pages;
+  };
+  EXPECT_EQ(pagesOf(bare), 1U);
+  EXPECT_GE(pagesOf(pdf), 4U);
+}
+
+TEST(Figures, SpeakTheLanguageOfTheReport) {
+  for (const auto* language : {"de", "nb"}) {
+    auto section = tests::madeUpSection();
+    section.words = words::wordsIn(language);
+    paintFigures(section);
+    EXPECT_TRUE(section.words.missing().empty()) << language << ": " << *section.words.missing().begin();
+  }
+}
+
 TEST(Figures, AreTheSameBytesEveryTime) {
   const auto first = painted().figures;
   const auto second = painted().figures;
-  EXPECT_EQ(first.likert, second.likert);
+  for (const auto part : {&FamilyFigures::answers, &FamilyFigures::people, &FamilyFigures::effects,
+                          &FamilyFigures::positions}) {
+    EXPECT_EQ(first.families.front().*part, second.families.front().*part);
+  }
+  EXPECT_EQ(first.timing, second.timing);
   EXPECT_EQ(first.votes, second.votes);
   EXPECT_EQ(first.felt, second.felt);
 }
@@ -61,11 +130,17 @@ TEST(Figures, SurviveAStudyWithoutAnyAnswer) {
   auto section = tests::madeUpSection();
   for (auto& cohort : section.results.families.front().cohorts) {
     for (auto& condition : cohort.conditions) condition.counts = analysis::LikertCounts(1, 5);
+    cohort.table.answers.clear();
+    cohort.within = analysis::compareWithin(
+        cohort.table, std::vector<analysis::DeclaredPair>{{"interpolation", "kalman"}}, {});
+    cohort.position = analysis::positionEffect(cohort.table);
   }
   section.results.votes.front().votes = analysis::VoteCounts({"interpolation", "kalman"});
   section.curves.clear();
   paintFigures(section);
-  for (const auto& svg : {section.figures.likert.front(), section.figures.votes}) {
+  const auto& family = section.figures.families.front();
+  for (const auto& svg :
+       {family.answers, family.people, family.effects, family.positions, section.figures.votes}) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_FALSE(textsIn(svg).empty());
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/report/print_html.h"
 #include "tests/study/report/section.h"
 
 namespace study::report {
@@ -35,6 +36,43 @@ TEST(HtmlReport, SaysWhyATestIsNotDefinedAndPrintsNoNan) {
   EXPECT_FALSE(has(page, ">inf"));
 }
 
+TEST(HtmlReport, KeepsVotesBetweenOtherRenderingsApart) {
+  auto section = tests::madeUpSection();
+  analysis::VoteCounts others({"kalman", "interpolation"});
+  others.add("interpolation", 3);
+  section.results.votes.push_back({"professional", "preference-2", "round-2", others, {}, {}});
+  const auto page = asHtml({section});
+  EXPECT_TRUE(has(page, "<th>After</th><th>Interpolation</th><th>FEM</th><th>KF</th>"));
+  EXPECT_TRUE(has(page, "<th>After</th><th>KF</th><th>Interpolation</th>"));
+  EXPECT_TRUE(has(page, "<td>round-2</td><td>0</td><td>3</td>"));
+}
+
+TEST(HtmlReport, NamesNobody) {
+  const auto section = tests::madeUpSection();
+  const auto page = asHtml({section});
+  const auto& people = section.results.families.front().cohorts.front().table.participants;
+  ASSERT_EQ(people.size(), 6U);
+  for (const auto& person : people) EXPECT_FALSE(has(page, person)) << person;
+}
+
+TEST(HtmlReport, SetsTheNameOfACorrectionLow) {
+  const auto page = asHtml({tests::madeUpSection()});
+  EXPECT_TRUE(has(page, "p<sub>Bonferroni</sub>"));
+  EXPECT_TRUE(has(page, "g<sub>z</sub> = "));
+  EXPECT_FALSE(has(page, "p_Bonferroni"));
+}
+
+TEST(PrintHtml, PutsCaptionsIntoHeadsAndTakesFiguresOut) {
+  const auto page = forPrint(
+      "<style>x</style><table><caption>What</caption><thead><tr><th>A</th><th>B</th><th colspan=\"2\">C</th></tr></thead></table>"
+      "<figure><svg a></svg><figcaption>Words</figcaption></figure>");
+  EXPECT_EQ(page.figures, std::vector<std::string>{"<svg a></svg>"});
+  EXPECT_TRUE(has(page.html, "<td class=\"caption\" colspan=\"4\" align=\"left\">What</td></tr><tr><th"));
+  EXPECT_TRUE(has(page.html, "<th align=\"left\">A</th><th align=\"right\">B</th>"));
+  EXPECT_TRUE(has(page.html, "<img src=\"figure:0\">"));
+  EXPECT_FALSE(has(page.html, "<caption>"));
+}
+
 TEST(HtmlReport, EscapesWhatResearchersWrote) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_FALSE(has(page, "<script>"));
@@ -48,6 +86,29 @@ TEST(HtmlReport, SaysInPlainSightThatNobodyTookPart) {
   EXPECT_FALSE(has(asHtml({section}), "nobody took part"));
   section.results.runMode = RunMode::Pilot;
   EXPECT_TRUE(has(asHtml({section}), "not for publication"));
+}
+
+TEST(HtmlReport, SaysInPlainSightWhatNobodyMeasured) {
+  auto section = tests::madeUpSection();
+  section.sources = {
+      {.kind = "material",
+       .file = "bone.json",
+       .title = "Specimen <7>",
+       .origin = "test set static",
+       .isSynthetic = true,
+       .conditions = {"interpolation", "kalman"}},
+      {.kind = "cut",
+       .file = "cut.json",
+       .title = "A recorded cut",
+       .origin = "recorded in 'punch.txt'",
+       .isSynthetic = false,
+       .conditions = {"finite-elements"}}};
+  const auto page = asHtml({section});
+  EXPECT_TRUE(has(page, "<p class=\"banner\">SYNTHETIC"));
+  EXPECT_TRUE(has(page, "SYNTHETIC: Specimen &lt;7&gt; (material 'bone.json'), test set static"));
+  EXPECT_TRUE(has(page, "<li>A recorded cut (cut "));
+  section.sources[0].isSynthetic = false;
+  EXPECT_FALSE(has(asHtml({section}), "SYNTHETIC"));
 }
 
 TEST(HtmlReport, NeedsNothingBesideItself) {

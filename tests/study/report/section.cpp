@@ -1,5 +1,6 @@
 #include "tests/study/report/section.h"
 
+#include "analysis/share_interval.h"
 #include "protocols/loaded_protocol.h"
 
 namespace tests {
@@ -9,16 +10,58 @@ using study::CohortResult;
 
 namespace {
 
+/// Answers with these counts, dealt out to @p people one after the other; of six people the orders
+/// are balanced, of fewer there is one order and every method has statements of its own.
+analysis::AnswerTable dealt(
+    std::size_t people, const std::vector<std::pair<std::string, std::vector<std::uint64_t>>>& counts) {
+  analysis::AnswerTable table{.rounds = {"round-1", "round-2"}, .statements = {"1", "2", "3", "4", "5"}};
+  for (std::size_t i = 0; i < people; ++i) table.participants.push_back("SIM-00" + std::to_string(i + 1));
+  for (std::size_t method = 0; method < counts.size(); ++method) {
+    table.methods.push_back(counts[method].first);
+    std::size_t number = 0;
+    for (std::size_t point = 0; point < counts[method].second.size(); ++point) {
+      for (std::uint64_t i = 0; i < counts[method].second[point]; ++i, ++number) {
+        const std::size_t turn = number / people;
+        const bool isBalanced = people == 6;
+        table.answers.push_back(
+            {.participant = number % people,
+             .method = method,
+             .round = turn / 3,
+             .statement = turn % 3 + (isBalanced ? 0 : method),
+             .position =
+                 static_cast<int>((method + (isBalanced ? number % people : 0)) % counts.size()) + 1,
+             .score = static_cast<int>(point) + 1});
+      }
+    }
+  }
+  return table;
+}
+
 CohortResult cohort(
     const std::string& id, const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b,
     const std::vector<std::uint64_t>& c) {
   CohortResult result{.cohort = id, .conditions = {}, .comparisons = {}};
+  result.table = dealt(
+      id == "professional" ? 6 : 5, {{"interpolation", a}, {"finite-elements", b}, {"kalman", c}});
   result.conditions.push_back({"interpolation", LikertCounts(1, a)});
   result.conditions.push_back({"finite-elements", LikertCounts(1, b)});
   result.conditions.push_back({"kalman", LikertCounts(1, c)});
   const std::vector<analysis::DeclaredPair> pairs{
       {"interpolation", "finite-elements"}, {"interpolation", "kalman"}, {"kalman", "finite-elements"}};
   result.comparisons = analysis::comparePairwise(result.conditions, pairs, 0.05);
+  result.within = analysis::compareWithin(result.table, pairs, {});
+  result.checks = analysis::scaleChecks(result.table);
+  result.position = analysis::positionEffect(result.table);
+  result.flags = analysis::flagsOf(
+      result.table,
+      {.isDeclared = false,
+       .tests = 3,
+       .relativeStatements = {1},
+       .pValues = {0.01668},
+       .expected = {7, 7, 7},
+       .trials = 9,
+       .lateTrials = 2,
+       .saturatedTrials = 1});
   return result;
 }
 
@@ -40,6 +83,7 @@ study::report::ReportSection madeUpSection() {
   study::report::ReportSection section;
   section.protocol = loaded.protocol;
   section.instruments = loaded.instruments;
+  section.sources = loaded.sources;
   section.protocolHash = "abc";
   section.uuid = "def";
   section.seed = 7;
@@ -53,9 +97,13 @@ study::report::ReportSection madeUpSection() {
   analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});
   votes.add("interpolation", 4);
   votes.add("kalman", 2);
-  section.results.votes.push_back({"professional", "preference-1", "round-1", votes});
+  section.results.votes.push_back(
+      {"professional", "preference-1", "round-1", votes, analysis::equalSharesTest(votes),
+       {analysis::wilsonInterval(4, 6), analysis::wilsonInterval(0, 6), analysis::wilsonInterval(2, 6)}});
   section.curves = {curve("interpolation", 3.0), curve("finite-elements", 5.0)};
   section.quality = {.trials = 36, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
+  section.quality.worstLateness = 84.0;
+  for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
   section.quality.reasons = {"3 of 4000 ticks were late"};
   section.warnings = problems.all();
   return section;

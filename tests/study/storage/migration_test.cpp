@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "study/results_text.h"
+#include "study/storage/coded_answers.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/identity_store.h"
 #include "study/storage/records.h"
@@ -40,7 +42,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 2);
+  EXPECT_EQ(format(), 3);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -48,6 +50,16 @@ TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
   EXPECT_EQ(answers[1].answer.response, questionnaires::Response(std::int64_t{4}));
   EXPECT_TRUE(study.protocols().current().frozenUtc);
   EXPECT_TRUE(verify(study).isSound());
+}
+
+TEST_F(FormatOneTest, CountsItsAnswersAsThoseToTheirQuestions) {
+  auto study = Study::open(folder_, clock_);
+  const CodedAnswers answers(study.database());
+  EXPECT_EQ(answers.questionsAfter(0).size(), 2U);
+  EXPECT_TRUE(answers.misplaced().empty());
+  std::vector<std::int64_t> points;
+  answers.visitAll([&](const CodedAnswer& answer) { points.push_back(answer.point); });
+  EXPECT_EQ(points, std::vector<std::int64_t>{4});
 }
 
 TEST_F(FormatOneTest, IsOnlyReadByNobodyWhoMayNotChangeIt) {
@@ -87,6 +99,53 @@ TEST_F(FormatOneTest, StaysWhatItWasWhenBringingItUpToDateFails) {
   EXPECT_EQ(
       tests::Sql(folder_ + "/study.db").text("SELECT group_concat(sql) FROM sqlite_master"),
       before);
+}
+
+/// What a study of the present format says, as one of format 2.
+void writeAsFormatTwo(const std::string& from, const std::string& to) {
+  const Schema now = studySchema();
+  Database::create(to, {now.applicationId, now.name, now.steps.first(2)});
+  tests::Sql sql(to);
+  sql.run("ATTACH '" + from + "' AS now");
+  for (const std::string table :
+       {"study",
+        "protocol_file",
+        "protocol",
+        "participant",
+        "session",
+        "step",
+        "allocation",
+        "visit",
+        "trial",
+        "cut",
+        "event"}) {
+    sql.run("INSERT INTO main." + table + " SELECT * FROM now." + table + " ORDER BY rowid");
+  }
+  sql.run(
+      "INSERT INTO main.answer SELECT session_id, step, attempt, item, item_order, kind, point, "
+      "number, text, first_touch_s, response_s, changes, language, saved_utc FROM now.answer");
+}
+
+TEST(FormatTwo, GivesTheSameResults) {
+  tests::MadeStudy made;
+  for (const char* cohort : {"surgeons", "students", "surgeons", "students"}) {
+    auto session = Session::enrol(*made, {.cohort = cohort});
+    tests::walkToTheEnd(session);
+  }
+  const auto before = resultsAsText(*made, computeResults(*made, RunMode::Live), {});
+  made.close();
+  writeAsFormatTwo(made.file("study.db"), made.file("old.db"));
+  for (const char* rest : {"-wal", "-shm"}) {
+    std::filesystem::remove(made.file("study.db") + rest);
+    std::filesystem::remove(made.file("old.db") + rest);
+  }
+  std::filesystem::rename(made.file("old.db"), made.file("study.db"));
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
+  made.reopen();
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 3);
+  EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Live), {}), before);
+  EXPECT_TRUE(CodedAnswers(made->database()).misplaced().empty());
+  EXPECT_TRUE(verify(*made).isSound());
 }
 
 TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {

@@ -34,13 +34,13 @@ class SchemaTest : public testing::Test {
 TEST_F(SchemaTest, RefusesASecondAnswerToTheSameQuestion) {
   const std::string copy =
       "INSERT INTO answer SELECT session_id, step, attempt, item, item_order, kind, point, number, "
-      "text, first_touch_s, response_s, changes, language, saved_utc FROM answer LIMIT 1";
+      "text, first_touch_s, response_s, changes, language, saved_utc, NULL FROM answer LIMIT 1";
   expectRefused(copy);
 }
 
 TEST_F(SchemaTest, RefusesAnAnswerOfTwoKindsOrOfNone) {
   const auto answer = [](const std::string& values) {
-    return "INSERT INTO answer VALUES (1, 0, 1, 'new', 1, " + values + ", 0, 0, 0, 'en', '')";
+    return "INSERT INTO answer VALUES (1, 0, 1, 'new', 1, " + values + ", 0, 0, 0, 'en', '', NULL)";
   };
   expectAllowed(answer("'point', 3, NULL, NULL"));
   expectRefused(answer("'point', NULL, NULL, NULL"));
@@ -54,15 +54,17 @@ TEST_F(SchemaTest, RefusesAnAnswerOfTwoKindsOrOfNone) {
 
 TEST_F(SchemaTest, RefusesAnAnswerToNothing) {
   expectRefused(
-      "INSERT INTO answer VALUES (1, 77, 1, 'new', 1, 'point', 3, NULL, NULL, 0, 0, 0, 'en', '')");
+      "INSERT INTO answer VALUES (1, 77, 1, 'new', 1, 'point', 3, NULL, NULL, 0, 0, 0, 'en', '', "
+      "NULL)");
   expectRefused(
-      "INSERT INTO answer VALUES (9, 0, 1, 'new', 1, 'point', 3, NULL, NULL, 0, 0, 0, 'en', '')");
+      "INSERT INTO answer VALUES (9, 0, 1, 'new', 1, 'point', 3, NULL, NULL, 0, 0, 0, 'en', '', "
+      "NULL)");
 }
 
 TEST_F(SchemaTest, RefusesTimesThatCannotBe) {
   const auto answer = [](const std::string& times) {
     return "INSERT INTO answer VALUES (1, 0, 1, 'new', 1, 'point', 3, NULL, NULL, " + times +
-           ", 'en', '')";
+           ", 'en', '', NULL)";
   };
   expectAllowed(answer("1.0, 1.0, 0"));
   expectRefused(answer("-0.1, 1.0, 0"));

@@ -1,0 +1,190 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "questionnaires/document.h"
+#include "questionnaires/instrument_file.h"
+#include "questionnaires/library.h"
+#include "questionnaires/text_reader.h"
+#include "questionnaires/wording.h"
+#include "study/app/commands.h"
+#include "study/app/instrument_keys.h"
+#include "study/new_file.h"
+
+namespace study::app {
+namespace {
+
+namespace fs = std::filesystem;
+using questionnaires::Instrument;
+
+struct InstrumentArguments {
+  std::string name;
+  std::string folder;
+  std::string language = "en";
+  std::string out;
+};
+
+constexpr const char* kNameHelp = "An instrument's file, or one of the library by name";
+
+/// The text of a file, or of one of the library.
+std::string textOf(const std::string& name) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(name, ignored)) {
+    for (const auto& file : questionnaires::libraryFiles()) {
+      const bool isSchema = file.name.ends_with(".schema.json");
+      if (!isSchema && (file.name == name || file.name == name + ".json")) {
+        return std::string(file.content);
+      }
+    }
+  }
+  return questionnaires::readTextFile(name);
+}
+
+Instrument readOrExplain(const std::string& name) {
+  return questionnaires::readSoundInstrument(textOf(name), name);
+}
+
+/// Where the wording files lie: beside a file; for one of the library, where we are.
+fs::path folderOf(const InstrumentArguments& options) {
+  if (!options.folder.empty()) return options.folder;
+  std::error_code ignored;
+  return fs::is_regular_file(options.name, ignored) ? fs::path(options.name).parent_path()
+                                                    : fs::path();
+}
+
+int list(const InstrumentArguments& /*options*/) {
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name.ends_with(".schema.json")) continue;
+    const auto instrument =
+        questionnaires::readSoundInstrument(file.content, std::string(file.name));
+    std::string languages;
+    for (const auto& language : instrument.languages) languages += " " + language;
+    fmt::print(
+        "{:<22} {:>3} items {:<10} {}{}\n",
+        instrument.id,
+        instrument.items.size(),
+        languages,
+        instrument.title.in("en"),
+        instrument.isWithheld() ? " (its words come from a wording file)" : "");
+  }
+  return 0;
+}
+
+int check(const InstrumentArguments& options) {
+  questionnaires::Problems problems;
+  auto instrument = questionnaires::readInstrument(textOf(options.name), problems);
+  if (instrument) {
+    const auto folder = folderOf(options);
+    const auto find = [&](const std::string& name) -> std::optional<std::string> {
+      std::error_code absent;
+      if (!fs::exists(folder / name, absent)) return std::nullopt;
+      return questionnaires::readTextFile((folder / name).string());
+    };
+    questionnaires::completeWording(*instrument, {options.language}, find, "$.items", problems);
+  }
+  std::fputs(questionnaires::inWords(problems.all()).c_str(), stdout);
+  if (problems.hasErrors()) {
+    fmt::print("{} cannot be used yet.\n", options.name);
+    return 1;
+  }
+  std::string languages;
+  for (const auto& language : instrument->languages) languages += " " + language;
+  fmt::print("{} can be asked in:{}.\n", options.name, languages);
+  return 0;
+}
+
+int keys(const InstrumentArguments& options) {
+  std::fputs(keysInWords(readOrExplain(options.name)).c_str(), stdout);
+  return 0;
+}
+
+int wording(const InstrumentArguments& options) {
+  const auto instrument = readOrExplain(options.name);
+  const auto missing = questionnaires::missingTexts(instrument, options.language);
+  if (missing.empty()) {
+    fmt::print("{} has all its words in '{}' already.\n", instrument.id, options.language);
+    return 0;
+  }
+  const std::string text = questionnaires::wordingTemplate(instrument, options.language);
+  if (options.out.empty()) {
+    std::fputs(text.c_str(), stdout);
+    return 0;
+  }
+  const fs::path file(options.out);
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  writeNewFile(options.out, text);
+  fmt::print(
+      "{} has room for {} texts. Fill them in, with their source. Palpate looks for them in {}, in "
+      "the folder of the protocol.\n",
+      options.out,
+      missing.size(),
+      questionnaires::wordingFileName(instrument.id, options.language));
+  return 0;
+}
+
+CLI::App* addVerb(
+    CLI::App& noun,
+    const char* name,
+    const char* help,
+    const std::shared_ptr<InstrumentArguments>& options,
+    Action& action,
+    int (*perform)(const InstrumentArguments&)) {
+  auto* verb = noun.add_subcommand(name, help);
+  verb->callback(
+      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  return verb;
+}
+
+void addLanguage(CLI::App& verb, const std::shared_ptr<InstrumentArguments>& options) {
+  verb.add_option("--language", options->language, "Of the words: en, de, nb …")
+      ->check([](const std::string& tag) {
+        return questionnaires::isLanguageTag(tag) ? std::string()
+                                                  : "'" + tag + "' is no language tag";
+      })
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addInstrumentCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand(
+      "instrument", "Questionnaires: what ships, how they are scored, where their words go");
+  noun->require_subcommand(1);
+  auto options = std::make_shared<InstrumentArguments>();
+
+  addVerb(*noun, "list", "What the library has", options, action, app::list);
+
+  auto* check = addVerb(
+      *noun,
+      "check",
+      "All problems of an instrument and its wording files at once",
+      options,
+      action,
+      app::check);
+  check->add_option("NAME", options->name, kNameHelp)->required();
+  check->add_option(
+      "--folder", options->folder, "Where 'wording' lies (default: beside the file, or here)");
+  addLanguage(*check, options);
+
+  auto* keys = addVerb(
+      *noun, "keys", "Which answer counts how, before anybody answers", options, action, app::keys);
+  keys->add_option("NAME", options->name, kNameHelp)->required();
+
+  auto* wording = addVerb(
+      *noun,
+      "wording",
+      "A file for the words that an instrument may not ship, or lacks in a language",
+      options,
+      action,
+      app::wording);
+  wording->add_option("NAME", options->name, kNameHelp)->required();
+  addLanguage(*wording, options);
+  wording->add_option("--out", options->out, "File to make (default: print it)");
+}
+
+}  // namespace study::app

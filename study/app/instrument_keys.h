@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "questionnaires/instrument.h"
+
+namespace study::app {
+
+/// Which answer counts how: a line for each item that is scored, and one for each score with its
+/// formula, so that a key can be compared with the publication before anybody answers.
+std::string keysInWords(const questionnaires::Instrument& instrument);
+
+}  // namespace study::app

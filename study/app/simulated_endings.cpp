@@ -1,0 +1,65 @@
+#include "study/app/simulated_endings.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace study::app {
+namespace {
+
+bool isCompleted(const SimulatedEnding& ending) noexcept {
+  return ending.state == SessionState::Completed;
+}
+
+/// Without the full stop that it may end with.
+std::string_view phraseOf(const SimulatedEnding& ending) noexcept {
+  std::string_view reason = ending.reason;
+  while (reason.ends_with('.')) reason.remove_suffix(1);
+  return reason;
+}
+
+}  // namespace
+
+int completedOf(const std::vector<SimulatedEnding>& endings) noexcept {
+  return static_cast<int>(std::count_if(endings.begin(), endings.end(), isCompleted));
+}
+
+std::string inWords(const SimulatedEnding& ending) {
+  std::string text = fmt::format(
+      "{} ended as {} at step {} after {} attempt{}",
+      ending.participant,
+      nameOf(ending.state),
+      ending.step,
+      ending.attempts,
+      ending.attempts == 1 ? "" : "s");
+  if (!ending.reason.empty()) text += fmt::format(": {}", phraseOf(ending));
+  text += ".";
+  if (ending.trials > 0) {
+    text += fmt::format(" Trials finished: {} of {}.", ending.trialsFinished, ending.trials);
+  }
+  return text;
+}
+
+std::string othersInWords(const std::vector<SimulatedEnding>& endings) {
+  std::map<SessionState, std::pair<int, std::string>> others;
+  for (const auto& ending : endings) {
+    if (isCompleted(ending)) continue;
+    auto& [count, who] = others[ending.state];
+    constexpr int kNamed = 5;
+    if (++count <= kNamed) {
+      who += fmt::format("{}{} at step {}", count > 1 ? "; " : "", ending.participant, ending.step);
+      if (!ending.reason.empty()) who += fmt::format(": {}", phraseOf(ending));
+    } else if (count == kNamed + 1) {
+      who += "; …";
+    }
+  }
+  std::string text;
+  for (const auto& [state, told] : others) {
+    text += fmt::format(", {} ended as {} ({})", told.first, nameOf(state), told.second);
+  }
+  return text;
+}
+
+}  // namespace study::app

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "haptics/devices/iiwa_device.h"
+#include "haptics/devices/punch_device.h"
+#include "questionnaires/problem.h"
+
+namespace study {
+
+/// A stand-in in this program.
+struct SimulatedSettings {
+  haptics::devices::DeviceKind kind = haptics::devices::DeviceKind::Punch;
+};
+
+/// A punch, and who renders its scenes.
+struct SerialPunchSettings {
+  haptics::devices::PunchSettings punch;
+  bool rendersOnDevice = false;
+};
+
+/// A device of a laboratory, by the name that protocols give it.
+struct DeviceEntry {
+  std::string id;
+  std::variant<SimulatedSettings, SerialPunchSettings, haptics::devices::IiwaSettings> settings;
+};
+
+haptics::devices::DeviceKind kindOf(const DeviceEntry& entry) noexcept;
+
+/// The name of the device file in a study's folder that is used where none is named.
+inline constexpr std::string_view kDeviceFileName = "devices.json";
+
+/// Which devices a laboratory has, and how they are connected (docs/devices.md), and everything
+/// that is wrong with it; nothing where there are errors.
+std::optional<std::vector<DeviceEntry>> readDevices(
+    std::string_view json, questionnaires::Problems& problems);
+
+/// The same from a file. @throws NotNow  with everything that is wrong with it, in words.
+std::vector<DeviceEntry> loadDevices(const std::string& file);
+
+/// Device entries as such a file, for the ones that palpate starts itself.
+std::string devicesAsJson(const std::vector<DeviceEntry>& devices);
+
+}  // namespace study

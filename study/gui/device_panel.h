@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QWidget>
+
+#include "protocols/protocol.h"
+
+namespace study {
+class HardwareRig;
+class Rig;
+}  // namespace study
+
+namespace study::gui {
+
+/// How the instruments of this study are: a line each, and a button that checks them. Of virtual
+/// instruments it says just that.
+class DevicePanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Protocol and rig outlive it.
+  DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent = nullptr);
+
+  /// While a trial runs nothing is checked.
+  void setBusy(bool isBusy);
+
+ public slots:
+  /// Checks every device of the protocol, and shows what was found.
+  void check();
+
+ private:
+  void refresh();
+
+  const protocols::Protocol& protocol_;
+  HardwareRig* rig_;  ///< null: virtual instruments
+  std::map<std::string, QLabel*> lines_;
+  QPushButton* button_ = nullptr;
+  QTimer timer_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,284 @@
+# Computes the numbers of the statistics and votes tables again, from the responses, with base R:
+#   Rscript analysis.R [folder of the export]
+# It prints how far each number is from the exported one, and ends with 1 where one is further than
+# 1e-9. Mixed models (they want lme4) are not computed here.
+
+arguments <- commandArgs(trailingOnly = TRUE)
+folder <- if (length(arguments) > 0) arguments[1] else "."
+table_of <- function(name) {
+  path <- list.files(folder, paste0(name, "(_data)?[.]csv$"), recursive = TRUE, full.names = TRUE)[1]
+  read.csv(path, na.strings = "", stringsAsFactors = FALSE, encoding = "UTF-8")
+}
+responses <- table_of("responses")
+statistics <- table_of("statistics")
+responses <- responses[responses$included == "true" | responses$included == TRUE, ]
+everything <- responses
+responses <- responses[responses$item_type == "likert" & !is.na(responses$condition_code), ]
+
+worst <- c()
+check <- function(row, column, value) {
+  expected <- as.numeric(row[[column]])
+  if (is.na(expected)) return(invisible())
+  distance <- abs(value - expected) / max(abs(expected), 1e-3)
+  if (is.na(distance)) distance <- Inf
+  name <- paste(row$method, column)
+  worst[name] <<- max(distance, if (name %in% names(worst)) worst[name] else 0)
+}
+
+answers_to <- function(row, cohort) {
+  blocks <- strsplit(row$blocks, " ")[[1]]
+  responses[responses$run_mode == row$run_mode & responses$cohort == cohort &
+              responses$instrument == row$instrument & responses$block %in% blocks, ]
+}
+scores <- function(row, group) {
+  answers <- answers_to(row, row$cohort)
+  answers$response_keyed[answers$condition_code == group]
+}
+# Means of a few whole numbers, without the rounding of their last digits.
+means <- function(row, group, cohort = row$cohort) {
+  answers <- answers_to(row, cohort)
+  answers <- answers[answers$condition_code == group, ]
+  tapply(answers$response_keyed, answers$participant_id, mean)
+}
+differences <- function(row) {
+  first <- means(row, row$group1)
+  second <- means(row, row$group2)
+  both <- intersect(names(first), names(second))
+  list(first = first[both], second = second[both], d = round(first[both] - second[both], 12))
+}
+
+# All choices of signs, a row each.
+signs <- function(n) as.matrix(expand.grid(rep(list(c(-1, 1)), n)))
+
+welch <- function(row) {
+  x <- scores(row, row$group1)
+  y <- scores(row, row$group2)
+  check(row, "n1", length(x)); check(row, "n2", length(y))
+  check(row, "mean1", mean(x)); check(row, "mean2", mean(y))
+  check(row, "sd1", sd(x)); check(row, "sd2", sd(y))
+  test <- t.test(x, y, conf.level = row$conf_level)
+  check(row, "estimate", mean(x) - mean(y)); check(row, "se", test$stderr)
+  check(row, "statistic", test$statistic); check(row, "df", test$parameter); check(row, "p", test$p.value)
+  check(row, "conf_low", test$conf.int[1]); check(row, "conf_high", test$conf.int[2])
+  adjusted <- t.test(x, y, conf.level = 1 - row$alpha_per_test)
+  check(row, "conf_low_adj", adjusted$conf.int[1]); check(row, "conf_high_adj", adjusted$conf.int[2])
+  test$p.value
+}
+
+paired_t <- function(row) {
+  pairs <- differences(row)
+  n <- length(pairs$d)
+  check(row, "n1", n)
+  check(row, "mean1", mean(pairs$first)); check(row, "mean2", mean(pairs$second))
+  test <- t.test(pairs$d, conf.level = row$conf_level)
+  check(row, "estimate", mean(pairs$d)); check(row, "se", test$stderr)
+  check(row, "statistic", test$statistic); check(row, "df", test$parameter); check(row, "p", test$p.value)
+  check(row, "conf_low", test$conf.int[1]); check(row, "conf_high", test$conf.int[2])
+  adjusted <- t.test(pairs$d, conf.level = 1 - row$alpha_per_test)
+  check(row, "conf_low_adj", adjusted$conf.int[1]); check(row, "conf_high_adj", adjusted$conf.int[2])
+  df <- n - 1
+  j <- exp(lgamma(df / 2) - lgamma((df - 1) / 2)) / sqrt(df / 2)
+  check(row, "effect", j * mean(pairs$d) / sd(pairs$d))
+  test$p.value
+}
+
+most_signs <- 18  # 2^18 choices; beyond, nothing is computed again
+sign_flip <- function(row) {
+  d <- differences(row)$d
+  if (length(d) > most_signs) return(NA)
+  sums <- signs(length(d)) %*% d
+  mean(abs(sums) >= abs(sum(d)) - 1e-9)
+}
+
+signed_rank <- function(row) {
+  d <- differences(row)$d
+  d <- d[abs(d) > 1e-9]
+  ranks <- rank(round(abs(d), 9))
+  v <- sum(ranks[d > 0])
+  check(row, "statistic", v)
+  if (length(d) > most_signs) return(NA)
+  all <- (signs(length(d)) > 0) %*% ranks
+  min(1, 2 * min(mean(all <= v + 1e-9), mean(all >= v - 1e-9)))
+}
+
+friedman <- function(row) {
+  answers <- answers_to(row, row$cohort)
+  groups <- strsplit(row$groups, " ")[[1]]
+  cells <- tapply(answers$response_keyed, list(answers$participant_id, answers$condition_code), mean)
+  cells <- round(cells[, groups, drop = FALSE], 12)
+  cells <- cells[complete.cases(cells), , drop = FALSE]
+  test <- friedman.test(cells)
+  check(row, "n1", nrow(cells))
+  check(row, "statistic", test$statistic); check(row, "df", test$parameter)
+  test$p.value
+}
+
+mann_whitney <- function(row) {
+  x <- round(means(row, row$group1), 12)
+  y <- round(means(row, row$group1, row$cohort2), 12)
+  ranks <- rank(c(x, y))
+  n <- length(x)
+  u <- sum(ranks[seq_len(n)]) - n * (n + 1) / 2
+  check(row, "n1", n); check(row, "n2", length(y)); check(row, "statistic", u)
+  delta <- mean(sign(outer(x, y, "-")))
+  check(row, "effect", delta)
+  if (choose(length(ranks), n) > 2e5) return(NA)
+  all <- combn(length(ranks), n, function(chosen) sum(ranks[chosen])) - n * (n + 1) / 2
+  min(1, 2 * min(mean(all <= u + 1e-9), mean(all >= u - 1e-9)))
+}
+
+brunner_munzel <- function(row) {
+  x <- round(means(row, row$group1), 12)
+  y <- round(means(row, row$group1, row$cohort2), 12)
+  n <- length(x); m <- length(y)
+  all <- rank(c(x, y)); rx <- all[seq_len(n)]; ry <- all[-seq_len(n)]
+  sx <- var(rx - rank(x)); sy <- var(ry - rank(y))
+  w <- n * m * (mean(ry) - mean(rx)) / ((n + m) * sqrt(n * sx + m * sy))
+  df <- (n * sx + m * sy)^2 / ((n * sx)^2 / (n - 1) + (m * sy)^2 / (m - 1))
+  check(row, "n1", n); check(row, "n2", m); check(row, "statistic", w); check(row, "df", df)
+  2 * pt(-abs(w), df)
+}
+
+cells_of <- function(row) {
+  answers <- answers_to(row, row$cohort)
+  groups <- strsplit(row$groups, " ")[[1]]
+  cells <- tapply(answers$response_keyed, list(answers$participant_id, answers$condition_code), mean)
+  cells[, groups, drop = FALSE]
+}
+
+rm_anova <- function(row) {
+  cells <- cells_of(row)
+  cells <- cells[complete.cases(cells), , drop = FALSE]
+  n <- nrow(cells)
+  long <- data.frame(y = as.vector(cells), person = factor(rep(seq_len(n), ncol(cells))),
+                     group = factor(rep(seq_len(ncol(cells)), each = n)))
+  within <- summary(aov(y ~ group + Error(person / group), long))[["Error: person:group"]][[1]]
+  check(row, "n1", n); check(row, "statistic", within[1, "F value"])
+  check(row, "df", within[1, "Df"]); check(row, "df2", within[2, "Df"])
+  check(row, "effect", within[1, "Sum Sq"] / sum(within[, "Sum Sq"]))
+  within[1, "Pr(>F)"]
+}
+
+order_slope <- function(row) {
+  answers <- answers_to(row, row$cohort)
+  answers$rest <- answers$response_keyed - ave(answers$response_keyed, answers$condition_code)
+  by <- aggregate(rest ~ participant_id + position, answers, mean)
+  slopes <- sapply(split(by, by$participant_id), function(own)
+    if (nrow(own) > 1) cov(own$position, own$rest) / var(own$position) else NA)
+  slopes <- slopes[!is.na(slopes)]
+  test <- t.test(slopes, conf.level = row$conf_level)
+  check(row, "n1", length(slopes)); check(row, "estimate", mean(slopes)); check(row, "se", test$stderr)
+  check(row, "statistic", test$statistic); check(row, "df", test$parameter)
+  check(row, "conf_low", test$conf.int[1]); check(row, "conf_high", test$conf.int[2])
+  test$p.value
+}
+
+cronbach_alpha <- function(row) {
+  answers <- answers_to(row, row$cohort)
+  answers <- answers[answers$condition_code == row$group1, ]
+  cells <- tapply(answers$response_keyed, list(answers$participant_id, answers$item_id), mean)
+  cells <- cells[complete.cases(cells), , drop = FALSE]
+  n <- nrow(cells); k <- ncol(cells)
+  alpha <- k / (k - 1) * (1 - sum(apply(cells, 2, var)) / var(rowSums(cells)))
+  check(row, "n1", n); check(row, "effect", alpha)
+  tail <- (1 - row$conf_level) / 2  # Feldt
+  check(row, "effect_low", 1 - (1 - alpha) * qf(1 - tail, n - 1, (n - 1) * (k - 1)))
+  check(row, "effect_high", 1 - (1 - alpha) * qf(tail, n - 1, (n - 1) * (k - 1)))
+  NA
+}
+
+shapiro_wilk <- function(row) {
+  test <- shapiro.test(round(means(row, row$group1), 12))
+  check(row, "statistic", test$statistic)
+  test$p.value
+}
+
+brown_forsythe <- function(row) {
+  cells <- round(cells_of(row), 12)
+  away <- abs(sweep(cells, 2, apply(cells, 2, median, na.rm = TRUE)))
+  long <- data.frame(y = as.vector(away), group = factor(col(away)))
+  found <- anova(lm(y ~ group, long))
+  check(row, "statistic", found[1, "F value"]); check(row, "df", found[1, "Df"]); check(row, "df2", found[2, "Df"])
+  found[1, "Pr(>F)"]
+}
+
+adjustments <- c(bonferroni = "bonferroni", holm = "holm", hochberg = "hochberg",
+                 hommel = "hommel", bh = "BH", by = "BY", none = "none")
+adjusted <- function(p, method) {
+  if (method != "holm-sidak") return(p.adjust(p, adjustments[[method]]))
+  order <- order(p)
+  steps <- 1 - (1 - p[order])^(length(p) - seq_along(p) + 1)
+  pmin(1, cummax(steps))[order(order)]
+}
+
+tests <- list(welch = welch, paired_t = paired_t, sign_flip = sign_flip, signed_rank = signed_rank,
+              friedman = friedman, mann_whitney = mann_whitney, rm_anova = rm_anova,
+              brunner_munzel = brunner_munzel,
+              order_slope = order_slope, cronbach_alpha = cronbach_alpha,
+              shapiro_wilk = shapiro_wilk, brown_forsythe = brown_forsythe)
+statistics$again <- NA
+for (i in seq_len(nrow(statistics))) {
+  row <- statistics[i, ]
+  if (is.null(tests[[row$method]]) || (is.na(row$p) && is.na(row$effect))) next
+  p <- tests[[row$method]](row)
+  statistics$again[i] <- p
+  if (!is.na(p)) check(row, "p", p)
+}
+family <- with(statistics, paste(run_mode, cohort, family_id, method))
+for (members in split(seq_len(nrow(statistics)), family)) {
+  rows <- statistics[members, ]
+  if (anyNA(rows$again) || anyNA(rows$p_adj)) next
+  p <- adjusted(rows$again, rows$p_adj_method[1])
+  for (i in seq_along(members)) check(rows[i, ], "p_adj", p[i])
+}
+# How often each rendering was preferred. Who said "2" meant what they had felt as Alternative 2.
+votes <- table_of("votes")
+trials <- table_of("trials")
+key_of <- function(table, block, label) paste(table$participant_id, table$session_num, block, label)
+felt_as <- setNames(trials$condition_code, key_of(trials, trials$block, trials$alternative))
+cast <- function(row) {
+  r <- everything[everything$run_mode == row$run_mode & everything$cohort == row$cohort &
+                    everything$block == row$preference &
+                    everything$item_id %in% strsplit(row$item_id, " ")[[1]], ]
+  felt_as[key_of(r, row$block, r$response)]
+}
+# All ways in which n votes may fall on k renderings, a row each.
+outcomes <- function(n, k) {
+  if (k == 1) return(matrix(n, 1, 1))
+  do.call(rbind, lapply(0:n, function(v) cbind(v, outcomes(n - v, k - 1))))
+}
+equal_shares <- function(counts) {
+  n <- sum(counts)
+  k <- length(counts)
+  if (choose(n + k - 1, k - 1) > 2e5) return(NA)
+  terms <- apply(outcomes(n, k), 1, dmultinom, prob = rep(1 / k, k))
+  sum(terms[terms <= dmultinom(counts, prob = rep(1 / k, k)) * (1 + 1e-9)])
+}
+most_votes <- function(rows) {
+  given <- cast(rows[1, ])
+  counts <- sapply(rows$condition_code, function(code) sum(given == code, na.rm = TRUE))
+  n <- sum(counts)
+  rows$method <- "votes"
+  p <- if (n > 0) equal_shares(counts) else NA
+  for (i in seq_along(counts)) {
+    row <- rows[i, ]
+    v <- counts[[i]]
+    check(row, "votes", v); check(row, "votes_total", n)
+    if (n == 0) next
+    wilson <- suppressWarnings(prop.test(v, n, conf.level = row$conf_level, correct = FALSE)$conf.int)
+    exact <- binom.test(v, n, conf.level = row$conf_level)$conf.int
+    check(row, "share", v / n)
+    check(row, "share_low", wilson[1]); check(row, "share_high", wilson[2])
+    check(row, "share_low_exact", exact[1]); check(row, "share_high_exact", exact[2])
+    expected <- n / length(counts)
+    chi2 <- sum((counts - expected)^2 / expected)
+    check(row, "chi2", chi2); check(row, "chi2_df", length(counts) - 1)
+    check(row, "p_chi2", pchisq(chi2, length(counts) - 1, lower.tail = FALSE))
+    if (!is.na(p)) check(row, "p_exact", p)
+  }
+}
+for (rows in split(votes, paste(votes$run_mode, votes$cohort, votes$preference))) most_votes(rows)
+
+for (name in sort(names(worst))) cat(sprintf("%-28s %.1e\n", name, worst[[name]]))
+cat(length(worst), "kinds of numbers; the worst is", format(max(worst, 0), digits = 2), "off\n")
+quit(status = if (length(worst) == 0 || max(worst) > 1e-9) 1 else 0)

@@ -1,0 +1,104 @@
+#include "study/report/effect_figure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/apa_text.h"
+#include "study/report/palette.h"
+#include "study/report/rows_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kNames = 250.0;
+constexpr double kNumbers = 180.0;
+constexpr double kRow = 34.0;
+
+/// Wide enough for all intervals, the bounds, and none at all.
+AxisScale effectScale(const FamilyResult& family) {
+  double most = family.family.equivalenceBound.value_or(0.0);
+  for (const auto& cohort : family.cohorts) {
+    for (const auto& row : cohort.within.rows) {
+      for (const auto& interval : {row.interval, row.adjustedInterval}) {
+        if (interval) most = std::max({most, -interval->low, interval->high});
+      }
+      most = std::max(most, std::abs(row.paired.meanDifference.value_or(0.0)));
+    }
+  }
+  most = most > 0.0 ? 1.05 * most : 1.0;
+  return {{.title = {}, .least = -most, .most = most}, -most, most};
+}
+
+class EffectPainter {
+ public:
+  EffectPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
+      : painter_(painter),
+        section_(section),
+        family_(family),
+        canvas_(painter, kNames, kNumbers, effectScale(family)) {}
+
+  void paint() {
+    const double bottom = effectFigureSize(family_).height() - RowsCanvas::kAxis;
+    const double top = RowsCanvas::kHeading;
+    if (const auto bound = family_.family.equivalenceBound) {
+      painter_.setPen(Qt::NoPen);
+      painter_.setBrush(QColor(0xee, 0xee, 0xee));
+      painter_.drawRect(
+          QRectF(QPointF(canvas_.x(-*bound), top), QPointF(canvas_.x(*bound), bottom)));
+    }
+    canvas_.axis(top, bottom, section_.words("difference of participants’ means [points]"));
+    canvas_.reference(0.0, top, bottom);
+    double y = 0.0;
+    for (const auto& cohort : family_.cohorts) {
+      canvas_.heading(section_.cohortTitle(cohort.cohort), y);
+      y += RowsCanvas::kHeading;
+      for (const auto& row : cohort.within.rows) {
+        effect(row, y);
+        y += kRow;
+      }
+    }
+  }
+
+ private:
+  void effect(const analysis::WithinComparison& row, double y) {
+    canvas_.name(
+        section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2), y, kRow);
+    const auto difference = row.paired.meanDifference;
+    if (!difference) {
+      canvas_.words(section_.words("not defined"), y, kRow);
+      return;
+    }
+    const double middle = y + kRow / 2;
+    const QColor colour = categoryColour(0);
+    if (row.adjustedInterval) {
+      canvas_.interval(row.adjustedInterval->low, row.adjustedInterval->high, middle, colour, 1.4);
+    }
+    if (row.interval) {
+      canvas_.interval(row.interval->low, row.interval->high, middle, colour, 4.0);
+    }
+    canvas_.dot(*difference, middle, colour, 5.5);
+    canvas_.words(rounded(difference, 2) + " " + intervalInWords(row.interval), y, kRow);
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  const FamilyResult& family_;
+  RowsCanvas canvas_;
+};
+
+}  // namespace
+
+QSizeF effectFigureSize(const FamilyResult& family) {
+  double height = RowsCanvas::kAxis;
+  for (const auto& cohort : family.cohorts) {
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.within.rows.size()) * kRow;
+  }
+  return {RowsCanvas::kWidth, height};
+}
+
+void paintEffectFigure(
+    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
+  EffectPainter(painter, section, family).paint();
+}
+
+}  // namespace study::report

@@ -1,0 +1,129 @@
+#include "study/report/family_checks.h"
+
+#include "study/apa_text.h"
+#include "study/report/html_writer.h"
+
+namespace study::report {
+namespace {
+
+/// Writes one family's checks.
+class ChecksWriter : HtmlWriter {
+ public:
+  ChecksWriter(const ReportSection& section, const FamilyResult& family)
+      : HtmlWriter(section), f_(family) {}
+
+  std::string all(const std::string& positions) {
+    put("<h4>{}</h4>", say("The order"));
+    order();
+    figure(
+        positions,
+        "How methods were judged that came first, second and so on: means over participants with "
+        "95 % intervals, after the mean of each method has been taken away. Where orders are not "
+        "balanced, part of the order’s effect has gone with it.");
+    put("<h4>{}</h4>", say("The scale"));
+    scale();
+    flags();
+    return std::move(html_);
+  }
+
+ private:
+  void order() {
+    put("<ul>");
+    for (const auto& part : f_.cohorts) {
+      const auto& slope = part.position.slope;
+      if (!slope.p) {
+        put("<li>{}: {}</li>",
+            cohort(part.cohort),
+            say("no slope over positions: {}.", s_.words.known(slope.reason)));
+        continue;
+      }
+      put("<li>{}: {}</li>",
+          cohort(part.cohort),
+          say("{} points from one position to the next, 95 % CI {}, t({:g}) = {}, p {}.",
+              rounded(slope.meanDifference, 2),
+              intervalInWords(part.position.slopeInterval),
+              slope.degreesOfFreedom.value_or(0.0),
+              rounded(slope.t, 2),
+              pEquals(slope.p)));
+    }
+    put("</ul>");
+  }
+
+  static std::string pEquals(const std::optional<double>& p) {
+    const auto words = pInWords(p);
+    return words.front() == '<' ? words : "= " + words;
+  }
+
+  void scale() {
+    table(
+        say("Reliability of the statements and distribution of participants’ means"),
+        {say("Method"),
+         say("Statements"),
+         say("Cronbach’s α"),
+         say("95 % CI"),
+         say("McDonald’s ω"),
+         say("Shapiro–Wilk W"),
+         "p"});
+    for (const auto& part : f_.cohorts) {
+      const auto& spread = part.checks.spread;
+      rowOver(
+          cohort(part.cohort) + (spread.p ? say(": Brown–Forsythe F({:g}, {:g}) = {}, p {}",
+                                                *spread.degreesOfFreedom1,
+                                                *spread.degreesOfFreedom2,
+                                                rounded(spread.f, 2),
+                                                pEquals(spread.p))
+                                          : std::string()),
+          7);
+      for (const auto& method : part.checks.methods) {
+        row(
+            {condition(method.method),
+             std::to_string(method.alpha.items),
+             rounded(method.alpha.value, 2),
+             intervalInWords(method.alpha.interval),
+             rounded(method.omega.value, 2) + (method.omega.isImproper ? " †" : ""),
+             rounded(method.normality.w, 3),
+             escaped(pInWords(method.normality.p))});
+      }
+    }
+    endTable();
+    note(
+        "Information, not a switch between tests: means of points of a scale are never exactly "
+        "normal, and Brown and Forsythe’s test takes the methods’ means for those of different "
+        "people. α and ω tell whether the statements about a method pull together; † marks an ω "
+        "whose factor "
+        "explains a statement completely, a hint at most.");
+  }
+
+  void flags() {
+    const auto raised = flagsByKind(f_);
+    if (raised.empty()) return;
+    put("<h4>{}</h4><dl class=\"flags\">", say("What a reader has to know"));
+    for (const auto& [flag, found] : raised) {
+      put("<dt>{}</dt><dd>", escaped(flag->id));
+      for (const auto& [name, own] : found) {
+        std::string what;
+        for (const auto& [pattern, arguments] : own->what) {
+          what += analysis::filled(s_.words(pattern), arguments);
+        }
+        put("<p><em>{}</em>: {}</p>", cohort(name), escaped(what));
+      }
+      put("<p>{} <strong>{}</strong> {} <span class=\"source\">({})</span></p></dd>",
+          say(flag->why),
+          say("What to do:"),
+          say(flag->remedy),
+          escaped(flag->source));
+    }
+    put("</dl>");
+  }
+
+  const FamilyResult& f_;
+};
+
+}  // namespace
+
+std::string checksAsHtml(
+    const ReportSection& section, const FamilyResult& family, const std::string& figure) {
+  return ChecksWriter(section, family).all(figure);
+}
+
+}  // namespace study::report

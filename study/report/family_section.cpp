@@ -1,0 +1,123 @@
+#include "study/report/family_section.h"
+
+#include "study/data_table.h"
+#include "study/report/family_checks.h"
+#include "study/report/family_tests.h"
+#include "study/report/html_writer.h"
+#include "study/results_text.h"
+
+namespace study::report {
+namespace {
+
+/// Writes what was answered, and the pooled tests.
+class FamilyWriter : HtmlWriter {
+ public:
+  FamilyWriter(
+      const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures)
+      : HtmlWriter(section), f_(family), figures_(figures) {}
+
+  std::string all() {
+    put("<h3>{}</h3>", escaped(f_.family.title));
+    means();
+    figure(
+        figures_.answers,
+        "How often each point was chosen. Answers to negative statements are reversed, so that "
+        "right is good; the middle of the scale is centred. Numbers are counts.");
+    figure(
+        figures_.people,
+        "What every participant thought: a dot is the mean of all that one person answered about a "
+        "method. Above, their density; the box holds the middle half, with the median; the diamond "
+        "is the mean.");
+    pooled();
+    html_ += withinAsHtml(s_, f_, figures_.effects);
+    html_ += checksAsHtml(s_, f_, figures_.positions);
+    return std::move(html_);
+  }
+
+ private:
+  void means() {
+    const auto& conditions = f_.cohorts.front().conditions;
+    put("<table><caption>{}</caption><thead><tr><th></th>",
+        say("Mean μ and variance σ² of the answers (n answers)"));
+    for (const auto& c : conditions) put("<th colspan=\"3\">{}</th>", condition(c.name));
+    put("</tr><tr><th></th>");
+    for (std::size_t i = 0; i < conditions.size(); ++i) put("<th>μ</th><th>σ²</th><th>n</th>");
+    put("</tr></thead><tbody>");
+    for (const auto& part : f_.cohorts) {
+      std::vector<std::string> cells{cohort(part.cohort)};
+      for (const auto& c : part.conditions) {
+        cells.push_back(rounded(c.counts.mean(), 1));
+        cells.push_back(rounded(c.counts.variance(), 1));
+        cells.push_back(std::to_string(c.counts.total()));
+      }
+      row(cells);
+    }
+    endTable();
+  }
+
+  /// As in the punch paper.
+  void pooled() {
+    const bool isDeclared = f_.family.test == protocols::TestType::Welch;
+    const auto correction =
+        nameOf(isDeclared ? f_.family.correction : protocols::CorrectionType::Bonferroni);
+    table(
+        correction.empty() ? say("Welch’s t-tests, α = {}", exactly(f_.family.alpha))
+                           : say("Welch’s t-tests with {} correction, α = {}",
+                                 correction,
+                                 exactly(f_.family.alpha)),
+        {say("Comparison"),
+         say("Difference"),
+         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha)),
+         "t",
+         "df",
+         "p",
+         say("adjusted p")});
+    for (const auto& part : f_.cohorts) {
+      const auto& perTest = part.comparisons.alphaPerTest;
+      rowOver(
+          cohort(part.cohort) + (perTest ? say(", α per test {:.4f}", *perTest) : std::string()),
+          7);
+      for (const auto& comparison : part.comparisons.rows) pooled(comparison);
+    }
+    endTable();
+    note(
+        "Profile as-published ({}): answers of all statements and rounds are pooled per "
+        "participant "
+        "and method and treated as independent, as in the punch paper; bold: adjusted p ≤ α. "
+        "Several answers of one person are not independent, so these p values may be too small or "
+        "too large.",
+        s_.words(isDeclared ? "declared in the protocol: confirmatory" : "exploratory"));
+  }
+
+  void pooled(const analysis::PairwiseComparison& comparison) {
+    const auto& w = comparison.welch;
+    put("<tr{}><td>{} vs. {}</td>",
+        comparison.isSignificant.value_or(false) ? " class=\"yes\"" : "",
+        condition(comparison.group1),
+        condition(comparison.group2));
+    if (!w.p) {
+      put("<td class=\"words\" colspan=\"6\">{}</td></tr>",
+          say("not defined: {}", s_.words.known(w.reason)));
+      return;
+    }
+    put("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+        rounded(w.difference, 2),
+        intervalInWords(comparison.interval),
+        rounded(w.t, 2),
+        rounded(w.degreesOfFreedom, 2),
+        escaped(pInWords(w.p)),
+        escaped(pInWords(comparison.adjustedP)));
+  }
+
+  const FamilyResult& f_;
+  const FamilyFigures& figures_;
+};
+
+}  // namespace
+
+std::string familyAsHtml(
+    const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures) {
+  return FamilyWriter(section, family, figures).all();
+}
+
+}  // namespace study::report

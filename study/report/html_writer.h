@@ -1,0 +1,80 @@
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "study/report/html_text.h"
+#include "study/report/report_section.h"
+
+namespace study::report {
+
+/// Writes one part of a study's page. What is said goes through the section's words, and comes out
+/// escaped; put() takes markup.
+class HtmlWriter {
+ public:
+  explicit HtmlWriter(const ReportSection& section) : s_(section) {}
+
+ protected:
+  template <typename... Args>
+  void put(fmt::format_string<Args...> format, Args&&... args) {
+    html_ += fmt::format(format, std::forward<Args>(args)...);
+    html_ += '\n';
+  }
+
+  template <typename... Args>
+  std::string say(std::string_view english, Args&&... args) const {
+    return escaped(s_.words.say(english, std::forward<Args>(args)...));
+  }
+
+  template <typename... Args>
+  void heading(std::string_view english, Args&&... args) {
+    put("<h3>{}</h3>", say(english, std::forward<Args>(args)...));
+  }
+
+  template <typename... Args>
+  void paragraph(std::string_view english, Args&&... args) {
+    put("<p>{}</p>", say(english, std::forward<Args>(args)...));
+  }
+
+  template <typename... Args>
+  void note(std::string_view english, Args&&... args) {
+    put("<p class=\"note\">{}</p>", say(english, std::forward<Args>(args)...));
+  }
+
+  /// Opens a table with a caption and its head; the first column is for names.
+  void table(const std::string& caption, const std::vector<std::string>& columns) {
+    std::string heads;
+    for (const auto& column : columns) heads += "<th>" + column + "</th>";
+    put("<table><caption>{}</caption><thead><tr>{}</tr></thead><tbody>", caption, heads);
+  }
+  void row(const std::vector<std::string>& cells) {
+    std::string all;
+    for (const auto& cell : cells) all += "<td>" + cell + "</td>";
+    put("<tr>{}</tr>", all);
+  }
+  void rowOver(const std::string& text, std::size_t columns) {
+    put("<tr><td colspan=\"{}\"><em>{}</em></td></tr>", columns, text);
+  }
+  void endTable() { put("</tbody></table>"); }
+
+  /// @param caption  in English; what stands below the figure, or instead of it.
+  void figure(const std::string& svg, std::string_view caption) {
+    if (svg.empty()) {
+      put("<p class=\"note\">{} {}</p>",
+          say("(No figure: this palpate was built without Qt.)"),
+          say(caption));
+      return;
+    }
+    put("<figure>{}<figcaption>{}</figcaption></figure>", svg, say(caption));
+  }
+
+  std::string condition(const std::string& id) const { return escaped(s_.conditionTitle(id)); }
+  std::string cohort(const std::string& id) const { return escaped(s_.cohortTitle(id)); }
+
+  const ReportSection& s_;
+  std::string html_;
+};
+
+}  // namespace study::report

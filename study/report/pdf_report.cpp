@@ -1,0 +1,212 @@
+#include "study/report/pdf_report.h"
+
+#include <memory>
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QImage>
+#include <QPageLayout>
+#include <QPainter>
+#include <QPalette>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+#include <QTextBlock>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QTextObjectInterface>
+
+#include "study/report/print_html.h"
+#include "study/study.h"
+
+namespace study::report {
+namespace {
+
+constexpr int kFigure = QTextFormat::UserObject + 1;
+constexpr int kNumber = QTextFormat::UserProperty + 1;
+constexpr double kPrintedWidth = 480.0;  // of a figure [pt], within A4 and its margins
+
+QByteArray bytesOf(std::string_view text) {
+  return {text.data(), static_cast<qsizetype>(text.size())};
+}
+
+/// Draws figures into a text as what they are, not as pixels.
+class FigureObjects : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+
+ public:
+  explicit FigureObjects(const std::vector<std::string>& figures) {
+    for (const auto& svg : figures) {
+      renderers_.push_back(std::make_unique<QSvgRenderer>(bytesOf(svg)));
+    }
+  }
+
+  QSizeF intrinsicSize(QTextDocument* document, int /*at*/, const QTextFormat& format) override {
+    const QSizeF size = renderer(format).viewBoxF().size();
+    const auto* paper = document->documentLayout()->paintDevice();
+    const double dpi = paper != nullptr ? paper->logicalDpiX() : 96.0;
+    const double scale = std::min(dpi / 96.0, kPrintedWidth * dpi / 72.0 / size.width());
+    return size * scale;
+  }
+
+  void drawObject(
+      QPainter* painter,
+      const QRectF& where,
+      QTextDocument* /*document*/,
+      int /*at*/,
+      const QTextFormat& format) override {
+    renderer(format).render(painter, where);
+  }
+
+ private:
+  QSvgRenderer& renderer(const QTextFormat& format) const {
+    return *renderers_.at(static_cast<std::size_t>(format.property(kNumber).toInt()));
+  }
+
+  std::vector<std::unique_ptr<QSvgRenderer>> renderers_;
+};
+
+/// Every image that stands for a figure becomes one.
+void placeFigures(QTextDocument& document) {
+  static const QString kPrefix = QStringLiteral("figure:");
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    for (auto it = block.begin(); !it.atEnd(); ++it) {
+      const auto format = it.fragment().charFormat();
+      const QString name = format.toImageFormat().name();
+      if (!format.isImageFormat() || !name.startsWith(kPrefix)) continue;
+      QTextCharFormat figure;
+      figure.setObjectType(kFigure);
+      figure.setProperty(kNumber, name.mid(kPrefix.size()).toInt());
+      QTextCursor cursor(&document);
+      cursor.setPosition(it.fragment().position());
+      cursor.setPosition(it.fragment().position() + 1, QTextCursor::KeepAnchor);
+      cursor.setCharFormat(figure);
+      break;  // the block is another now; one figure is all that a paragraph holds
+    }
+  }
+}
+
+/// Where the first line of a block ends, from the top of the document.
+double endOfFirstLine(const QTextDocument& document, const QTextBlock& block) {
+  const double top = document.documentLayout()->blockBoundingRect(block).top();
+  const auto* lines = block.layout();
+  return lines->lineCount() > 0 ? top + lines->lineAt(0).rect().bottom() : top;
+}
+
+/// All of it: what Qt lays out anew by itself after a change leaves some blocks undrawn (Qt 6.4).
+void layOutAnew(QTextDocument& document) {
+  const QSizeF size = document.pageSize();
+  document.setPageSize(size + QSizeF(1.0, 1.0));
+  document.setPageSize(size);
+}
+
+/// Headings stay with what they stand above.
+void keepWithNext(QTextDocument& document) {
+  const double page = document.pageSize().height();
+  const auto pageOf = [&](double y) { return static_cast<int>(y / page); };
+  bool hasMoved = true;
+  for (int round = 0; hasMoved && round < 100; ++round) {
+    hasMoved = false;
+    for (auto block = document.begin(); block.isValid() && !hasMoved; block = block.next()) {
+      const auto next = block.next();
+      auto format = block.blockFormat();
+      const bool isFree = format.headingLevel() > 0 && next.isValid() &&
+                          format.pageBreakPolicy() == QTextFormat::PageBreak_Auto;
+      const double top = document.documentLayout()->blockBoundingRect(block).top();
+      if (!isFree || pageOf(top) == pageOf(endOfFirstLine(document, next))) continue;
+      format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+      QTextCursor(block).setBlockFormat(format);
+      layOutAnew(document);
+      hasMoved = true;
+    }
+  }
+}
+
+/// Page after page, with its number below.
+void paintPages(QTextDocument& document, QPdfWriter& writer) {
+  const QSizeF page = document.pageSize();
+  QPainter painter(&writer);
+  QAbstractTextDocumentLayout::PaintContext context;
+  context.palette.setColor(QPalette::Text, Qt::black);
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPointSizeF(8.0);
+  painter.setFont(font);
+  for (int number = 0; number < document.pageCount(); ++number) {
+    if (number > 0) writer.newPage();
+    painter.drawText(
+        QRectF(0.0, page.height(), page.width(), writer.height() - page.height()),
+        Qt::AlignRight | Qt::AlignBottom,
+        QString::number(number + 1));
+    context.clip = QRectF(QPointF(0.0, number * page.height()), page);
+    painter.save();
+    painter.translate(0.0, -context.clip.top());
+    painter.setClipRect(context.clip);
+    document.documentLayout()->draw(&painter, context);
+    painter.restore();
+  }
+}
+
+}  // namespace
+
+std::string asPdf(std::string_view html, std::string_view title) {
+  const auto page = forPrint(html);
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageMargins(QMarginsF(20, 18, 20, 14), QPageLayout::Millimeter);
+  writer.setTitle(QString::fromUtf8(bytesOf(title)));
+  writer.setCreator(QStringLiteral("palpate ") + QString::fromUtf8(bytesOf(appVersion())));
+  QTextDocument document;
+  FigureObjects figures(page.figures);
+  document.documentLayout()->registerHandler(kFigure, &figures);
+  document.documentLayout()->setPaintDevice(&writer);
+  document.setDocumentMargin(0.0);
+  document.setHtml(QString::fromStdString(page.html));
+  placeFigures(document);
+  constexpr double kFooter = 12.0 / 25.4;  // [in]
+  document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
+  keepWithNext(document);
+  paintPages(document, writer);
+  return buffer.data().toStdString();
+}
+
+std::string figureAsPdf(std::string_view svg) {
+  QSvgRenderer renderer(bytesOf(svg));
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  constexpr double kPointsPerPixel = 72.0 / 96.0;
+  writer.setPageSize(QPageSize(
+      renderer.viewBoxF().size() * kPointsPerPixel,
+      QPageSize::Point,
+      QString(),
+      QPageSize::ExactMatch));
+  writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+  QPainter painter(&writer);
+  renderer.render(&painter);
+  painter.end();
+  return buffer.data().toStdString();
+}
+
+std::string figureAsPng(std::string_view svg) {
+  QSvgRenderer renderer(bytesOf(svg));
+  constexpr double kScale = 300.0 / 96.0;
+  QImage image((renderer.viewBoxF().size() * kScale).toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  constexpr int kDotsPerMetre = 11811;  // 300 dpi
+  image.setDotsPerMeterX(kDotsPerMetre);
+  image.setDotsPerMeterY(kDotsPerMetre);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  renderer.render(&painter);
+  painter.end();
+  QBuffer buffer;
+  image.save(&buffer, "PNG");
+  return buffer.data().toStdString();
+}
+
+}  // namespace study::report
+
+#include "pdf_report.moc"

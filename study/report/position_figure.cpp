@@ -1,0 +1,64 @@
+#include "study/report/position_figure.h"
+
+#include <algorithm>
+
+#include "study/apa_text.h"
+#include "study/report/palette.h"
+#include "study/report/rows_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kNames = 190.0;
+constexpr double kNumbers = 180.0;
+constexpr double kRow = 26.0;
+
+}  // namespace
+
+QSizeF positionFigureSize(const FamilyResult& family) {
+  double height = RowsCanvas::kAxis;
+  for (const auto& cohort : family.cohorts) {
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.position.positions.size()) * kRow;
+  }
+  return {RowsCanvas::kWidth, height};
+}
+
+void paintPositionFigure(
+    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
+  const auto& table = family.cohorts.front().table;
+  const double low = table.lowest;
+  const double high = table.highest;
+  RowsCanvas canvas(
+      painter,
+      kNames,
+      kNumbers,
+      AxisScale({.title = {}, .least = low - 0.1, .most = high + 0.1}, low, high));
+  const double bottom = positionFigureSize(family).height() - RowsCanvas::kAxis;
+  canvas.axis(
+      RowsCanvas::kHeading, bottom, section.words("mean score, all methods alike [points]"));
+  double y = 0.0;
+  for (const auto& cohort : family.cohorts) {
+    canvas.heading(section.cohortTitle(cohort.cohort), y);
+    y += RowsCanvas::kHeading;
+    for (const auto& position : cohort.position.positions) {
+      canvas.name(
+          section.words.say("position {} (n = {})", position.position, position.participants),
+          y,
+          kRow);
+      const QColor colour = categoryColour(0);
+      if (const auto& interval = position.interval) {
+        canvas.interval(
+            std::max(interval->low, low - 0.1),
+            std::min(interval->high, high + 0.1),
+            y + kRow / 2,
+            colour,
+            1.8);
+      }
+      canvas.dot(position.mean, y + kRow / 2, colour, 5.0);
+      canvas.words(rounded(position.mean, 2) + " " + intervalInWords(position.interval), y, kRow);
+      y += kRow;
+    }
+  }
+}
+
+}  // namespace study::report

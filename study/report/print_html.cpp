@@ -1,0 +1,114 @@
+#include "study/report/print_html.h"
+
+namespace study::report {
+namespace {
+
+constexpr const char* kStyle = R"css(
+body { font-family: "DejaVu Sans"; font-size: 9pt; }
+h1 { font-size: 16pt; } h2 { font-size: 13pt; } h3 { font-size: 11pt; } h4 { font-size: 9.5pt; }
+p.note, p.figcaption { font-size: 8pt; color: #444444; }
+p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
+p.pilot { background-color: #7a5200; }
+td, th { font-size: 7.5pt; padding-left: 6px; }
+td.caption { font-weight: bold; font-size: 9pt; }
+dt { font-weight: bold; } dd { margin-left: 12px; }
+)css";
+
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+/// From the first @p begin to the end of the next @p end, both included; both npos if there is
+/// none.
+struct Span {
+  std::string::size_type begin = std::string::npos;
+  std::string::size_type end = std::string::npos;
+};
+
+Span spanOf(
+    const std::string& text, std::string_view begin, std::string_view end, std::size_t from) {
+  const auto first = text.find(begin, from);
+  if (first == std::string::npos) return {};
+  const auto last = text.find(end, first);
+  if (last == std::string::npos) return {};
+  return {first, last + end.size()};
+}
+
+void takeFigures(PrintHtml& page) {
+  for (auto span = spanOf(page.html, "<svg", "</svg>", 0); span.begin != std::string::npos;
+       span = spanOf(page.html, "<svg", "</svg>", span.begin)) {
+    page.figures.push_back(page.html.substr(span.begin, span.end - span.begin));
+    page.html.replace(
+        span.begin,
+        span.end - span.begin,
+        "<img src=\"figure:" + std::to_string(page.figures.size() - 1) + "\">");
+  }
+}
+
+/// How many columns the first row of a table's head has, from @p at on.
+int columnsAt(const std::string& html, std::size_t at) {
+  const auto end = html.find("</tr>", at);
+  int columns = 0;
+  for (auto cell = html.find("<th", html.find("<tr>", at)); cell < end;
+       cell = html.find("<th", cell + 1)) {
+    constexpr std::string_view kSpan = "<th colspan=\"";
+    columns += html.compare(cell, kSpan.size(), kSpan) == 0
+                   ? std::stoi(html.substr(cell + kSpan.size()))
+                   : 1;
+  }
+  return columns;
+}
+
+/// A caption becomes the first row of its table's head, so that it stays with it.
+void captionsInHead(std::string& html) {
+  constexpr std::string_view kTable = "<table><caption>";
+  constexpr std::string_view kEnd = "</caption><thead>";
+  for (auto span = spanOf(html, kTable, kEnd, 0); span.begin != std::string::npos;
+       span = spanOf(html, kTable, kEnd, span.begin + 1)) {
+    const auto words = html.substr(
+        span.begin + kTable.size(), span.end - kEnd.size() - span.begin - kTable.size());
+    html.replace(
+        span.begin,
+        span.end - span.begin,
+        "<table border=\"0\" cellspacing=\"0\" cellpadding=\"4\"><thead><tr><td class=\"caption\" "
+        "colspan=\"" +
+            std::to_string(columnsAt(html, span.end)) + "\" align=\"left\">" + words +
+            "</td></tr>");
+  }
+}
+
+void cells(std::string& html) {
+  for (const std::string_view cell : {"td", "th"}) {
+    const auto open = "<" + std::string(cell) + ">";
+    const auto first = "<" + std::string(cell) + " align=\"left\">";
+    replaceAll(html, "<tr>" + open, "<tr>" + first);
+    replaceAll(html, "<tr>\n" + open, "<tr>\n" + first);
+    replaceAll(html, "<tr class=\"yes\">" + open, "<tr style=\"font-weight: bold\">" + first);
+    replaceAll(html, open, "<" + std::string(cell) + " align=\"right\">");
+  }
+}
+
+}  // namespace
+
+PrintHtml forPrint(std::string_view html) {
+  PrintHtml page{.html = std::string(html), .figures = {}};
+  takeFigures(page);
+  auto& text = page.html;
+  if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {
+    text.replace(
+        style.begin, style.end - style.begin, "<style>" + std::string(kStyle) + "</style>");
+  }
+  captionsInHead(text);
+  cells(text);
+  replaceAll(text, "<figure>", "<p>");
+  replaceAll(text, "<figcaption>", "</p><p class=\"figcaption\">");
+  replaceAll(text, "</figcaption></figure>", "</p>");
+  replaceAll(text, "<details open><summary>", "<p><b>");
+  replaceAll(text, "</summary>", "</b></p>");
+  replaceAll(text, "</details>", "");
+  return page;
+}
+
+}  // namespace study::report

@@ -1,0 +1,186 @@
+#include "study/report/raincloud_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <QPainterPath>
+
+#include "study/apa_text.h"
+#include "study/report/palette.h"
+#include "study/report/rows_canvas.h"
+
+namespace study::report {
+namespace {
+
+constexpr double kNames = 190.0;
+constexpr double kNumbers = 110.0;
+constexpr double kRow = 84.0;
+constexpr double kCloud = 34.0;  // of a row, from its top
+constexpr double kBox = 9.0;
+constexpr double kDot = 3.6;
+
+std::vector<double> valuesOf(const analysis::AnswerTable& table, std::size_t method) {
+  std::vector<double> values;
+  for (const auto& row : table.participantMeans()) {
+    if (row[method]) values.push_back(*row[method]);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+double meanOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+/// Between the sorted values, as R's default (type 7).
+double quantile(const std::vector<double>& sorted, double share) {
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const auto above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/// Silverman's rule of thumb; something for values that are all the same.
+double bandwidthOf(const std::vector<double>& sorted) {
+  const double mean = meanOf(sorted);
+  double squares = 0.0;
+  for (const double value : sorted) squares += (value - mean) * (value - mean);
+  const auto n = static_cast<double>(sorted.size());
+  const double deviation = std::sqrt(squares / std::max(n - 1.0, 1.0));
+  const double middleHalf = (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / 1.34;
+  const double spread = middleHalf > 0.0 ? std::min(deviation, middleHalf) : deviation;
+  return std::max(0.9 * spread * std::pow(n, -0.2), 0.08);
+}
+
+class RaincloudPainter {
+ public:
+  RaincloudPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
+      : painter_(painter),
+        section_(section),
+        family_(family),
+        lowest_(family.cohorts.front().table.lowest),
+        highest_(family.cohorts.front().table.highest),
+        canvas_(
+            painter,
+            kNames,
+            kNumbers,
+            AxisScale(
+                {.title = {}, .least = lowest_ - 0.3, .most = highest_ + 0.3}, lowest_, highest_)) {
+  }
+
+  void paint() {
+    const double bottom = raincloudFigureSize(family_).height() - RowsCanvas::kAxis;
+    canvas_.axis(
+        RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
+    double y = 0.0;
+    for (const auto& cohort : family_.cohorts) {
+      canvas_.heading(section_.cohortTitle(cohort.cohort), y);
+      y += RowsCanvas::kHeading;
+      for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
+        row(cohort.table, method, y);
+        y += kRow;
+      }
+    }
+  }
+
+ private:
+  void row(const analysis::AnswerTable& table, std::size_t method, double y) {
+    canvas_.name(section_.conditionTitle(table.methods[method]), y, kRow);
+    const auto values = valuesOf(table, method);
+    canvas_.words("n = " + std::to_string(values.size()), y, kRow / 2);
+    if (values.empty()) return;
+    canvas_.words("μ = " + rounded(meanOf(values), 2), y + kRow / 2 - 12, kRow / 2);
+    const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
+    if (values.size() > 2) cloud(values, y + kCloud, colour);
+    box(values, y + kCloud + 4 + kBox / 2, colour);
+    rain(values, y + kCloud + kBox + 10, colour);
+  }
+
+  /// The density within the scale, as high as its row allows.
+  void cloud(const std::vector<double>& values, double ground, QColor colour) {
+    const double width = bandwidthOf(values);
+    std::vector<QPointF> points;
+    double most = 0.0;
+    constexpr int kSteps = 160;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double at = lowest_ + (highest_ - lowest_) * static_cast<double>(i) / kSteps;
+      double density = 0.0;
+      for (const double value : values)
+        density += std::exp(-0.5 * std::pow((at - value) / width, 2));
+      most = std::max(most, density);
+      points.emplace_back(at, density);
+    }
+    QPainterPath path(QPointF(canvas_.x(lowest_), ground));
+    for (const auto& point : points) {
+      path.lineTo(canvas_.x(point.x()), ground - (kCloud - 6) * point.y() / most);
+    }
+    path.lineTo(canvas_.x(highest_), ground);
+    path.closeSubpath();
+    painter_.setPen(QPen(colour, 1.2));
+    colour.setAlphaF(0.28F);
+    painter_.setBrush(colour);
+    painter_.drawPath(path);
+  }
+
+  void box(const std::vector<double>& values, double middle, const QColor& colour) {
+    const double low = canvas_.x(quantile(values, 0.25));
+    const double high = canvas_.x(quantile(values, 0.75));
+    painter_.setPen(QPen(colour, 1.4));
+    painter_.setBrush(Qt::white);
+    painter_.drawRect(QRectF(low, middle - kBox / 2, high - low, kBox));
+    const double median = canvas_.x(quantile(values, 0.5));
+    painter_.setPen(QPen(colour, 2.6));
+    painter_.drawLine(QPointF(median, middle - kBox / 2), QPointF(median, middle + kBox / 2));
+    const double mean = canvas_.x(meanOf(values));
+    painter_.setPen(QPen(Qt::white, 0.8));
+    painter_.setBrush(Qt::black);
+    painter_.drawPolygon(QPolygonF(
+        {{mean, middle - 6}, {mean + 5, middle}, {mean, middle + 6}, {mean - 5, middle}}));
+  }
+
+  /// Dots that would cover each other stand below each other, closer where there are many.
+  void rain(const std::vector<double>& values, double top, const QColor& colour) {
+    std::map<int, std::vector<double>> columns;
+    for (const double value : values) {
+      columns[static_cast<int>(std::lround(canvas_.x(value) / (2.0 * kDot)))].push_back(value);
+    }
+    std::size_t highest = 1;
+    for (const auto& [place, column] : columns) highest = std::max(highest, column.size());
+    const double room = kRow - (kCloud + kBox + 10) - kDot;
+    const double step = std::min(2.0 * kDot, room / static_cast<double>(highest));
+    for (const auto& [place, column] : columns) {
+      double y = top;
+      for (const double value : column) {
+        canvas_.dot(value, y, colour, kDot);
+        y += step;
+      }
+    }
+  }
+
+  QPainter& painter_;
+  const ReportSection& section_;
+  const FamilyResult& family_;
+  int lowest_;
+  int highest_;
+  RowsCanvas canvas_;
+};
+
+}  // namespace
+
+QSizeF raincloudFigureSize(const FamilyResult& family) {
+  double height = RowsCanvas::kAxis;
+  for (const auto& cohort : family.cohorts) {
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) * kRow;
+  }
+  return {RowsCanvas::kWidth, height};
+}
+
+void paintRaincloudFigure(
+    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
+  RaincloudPainter(painter, section, family).paint();
+}
+
+}  // namespace study::report

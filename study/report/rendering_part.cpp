@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include "study/apa_text.h"
+#include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
+
+namespace study::report {
+namespace {
+
+class RenderingWriter : HtmlWriter {
+ public:
+  using HtmlWriter::HtmlWriter;
+
+  std::string all() {
+    heading("What each alternative felt like");
+    if (s_.quality.trials == 0) {
+      paragraph("There are no trials that count.");
+      return std::move(html_);
+    }
+    for (const auto& svg : s_.figures.felt) {
+      figure(
+          svg,
+          "Force at the handle while the tool closed or advanced, over travel: median and the "
+          "middle 80 % of all samples of all trials. Dashed, for bone: what its material gives "
+          "where nothing has been reamed away. Where bone is taken away, the first stroke and the "
+          "later ones, which go through its hole, are in this together: the median then lies "
+          "between both.");
+    }
+    if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
+    manipulation();
+    againstMaterial();
+    quality();
+    return std::move(html_);
+  }
+
+ private:
+  void manipulation() {
+    table(
+        say("Manipulation check: root mean square difference of the median forces"),
+        {say("Pair"), say("All samples [N]"), "n", say("By participant [N]"), say("95 % CI")});
+    for (const auto& d : feltDifferences(s_.curves)) {
+      row(
+          {condition(d.condition1) + " vs. " + condition(d.condition2),
+           rounded(d.pooled, 2),
+           std::to_string(d.participants),
+           rounded(d.mean, 2),
+           intervalInWords(d.interval)});
+    }
+    endTable();
+    note(
+        "A mean square is never below zero: also two alternatives that are alike differ by what "
+        "hands do differently from one cut to the next.");
+  }
+
+  void againstMaterial() {
+    const bool isBone = std::any_of(
+        s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return rmsFromMeant(curve); });
+    if (!isBone) return;
+    table(
+        say("Felt against the material: root mean square difference of the median force"),
+        {say("Alternative"), "[N]"});
+    for (const auto& curve : s_.curves) {
+      const auto difference = rmsFromMeant(curve);
+      if (difference) row({condition(curve.condition), rounded(difference, 2)});
+    }
+    endTable();
+  }
+
+  void quality() {
+    const auto& q = s_.quality;
+    heading("Rendering quality");
+    paragraph(
+        "{} trials with {} cuts or strokes: {} PASS, {} WARN, {} FAIL. The scene asked for more "
+        "than the force limit for {:.1f} s of {:.1f} s of contact.",
+        q.trials,
+        q.cuts,
+        q.pass,
+        q.warn,
+        q.fail,
+        q.saturated,
+        q.contact);
+    if (q.worstLateness) {
+      paragraph(
+          "In the worst trial 99 % of the ticks were at most {:.0f} µs late.", *q.worstLateness);
+      figure(
+          s_.figures.timing,
+          "How late the ticks of every trial were: 99 % of them at most, and the latest.");
+    } else {
+      paragraph("The trials ran in virtual time, so there is no lateness to report.");
+    }
+    if (q.reasons.empty()) return;
+    put("<ul>");
+    for (const auto& reason : q.reasons) put("<li>{}</li>", escaped(reason));
+    put("</ul>");
+  }
+};
+
+}  // namespace
+
+std::string renderingAsHtml(const ReportSection& section) {
+  return RenderingWriter(section).all();
+}
+
+}  // namespace study::report

@@ -1,0 +1,74 @@
+#include "study/report/rows_canvas.h"
+
+#include "study/report/svg_canvas.h"
+
+namespace study::report {
+
+void RowsCanvas::heading(const std::string& text, double y) {
+  painter_.setPen(Qt::black);
+  drawText(
+      painter_,
+      {0, y, kWidth, kHeading},
+      Qt::AlignLeft | Qt::AlignVCenter,
+      QString::fromStdString(text),
+      14,
+      true);
+}
+
+void RowsCanvas::name(const std::string& text, double y, double height) {
+  painter_.setPen(Qt::black);
+  drawText(
+      painter_,
+      {0, y, left_ - 14, height},
+      Qt::AlignRight | Qt::AlignVCenter | Qt::TextWordWrap,
+      QString::fromStdString(text));
+}
+
+void RowsCanvas::words(const std::string& text, double y, double height) {
+  painter_.setPen(Qt::black);
+  drawText(
+      painter_,
+      {right_ + 14, y, kWidth - right_ - 14, height},
+      Qt::AlignLeft | Qt::AlignVCenter,
+      QString::fromStdString(text),
+      12);
+}
+
+void RowsCanvas::axis(double top, double bottom, const std::string& title, const QString& suffix) {
+  for (const auto& tick : scale_.ticks()) {
+    const double at = x(tick.value);
+    painter_.setPen(QPen(QColor(226, 226, 226), 1));
+    painter_.drawLine(QPointF(at, top), QPointF(at, bottom));
+    painter_.setPen(Qt::black);
+    drawText(painter_, {at - 36, bottom + 3, 72, 18}, Qt::AlignCenter, tick.text + suffix, 12);
+  }
+  drawText(
+      painter_,
+      {left_, bottom + 22, right_ - left_, 20},
+      Qt::AlignCenter,
+      QString::fromStdString(title),
+      13);
+}
+
+void RowsCanvas::reference(double value, double top, double bottom, Qt::PenStyle style) {
+  painter_.setPen(QPen(QColor(70, 70, 70), 1.2, style));
+  painter_.drawLine(QPointF(x(value), top), QPointF(x(value), bottom));
+}
+
+void RowsCanvas::interval(
+    double low, double high, double y, const QColor& colour, double thickness) {
+  painter_.setPen(QPen(colour, thickness, Qt::SolidLine, Qt::FlatCap));
+  painter_.drawLine(QPointF(x(low), y), QPointF(x(high), y));
+  painter_.setPen(QPen(colour, 1.2));
+  for (const double end : {low, high}) {
+    painter_.drawLine(QPointF(x(end), y - 4), QPointF(x(end), y + 4));
+  }
+}
+
+void RowsCanvas::dot(double value, double y, const QColor& colour, double radius) {
+  painter_.setPen(QPen(Qt::white, 1));
+  painter_.setBrush(colour);
+  painter_.drawEllipse(QPointF(x(value), y), radius, radius);
+}
+
+}  // namespace study::report

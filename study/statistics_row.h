@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/interval.h"
+#include "study/data_table.h"
+#include "study/results.h"
+
+namespace study {
+
+/// A row of the statistics table by the names of its columns.
+using StatisticsRow = std::map<std::string, Cell>;
+
+/// What every row of a family says: whose it is, what was asked where, and at which level.
+StatisticsRow headOfRow(
+    const protocols::Family& family,
+    const protocols::Protocol& protocol,
+    std::string_view runMode,
+    const std::string& cohort);
+
+/// Rows about a cohort as a whole, without their heads: overall tests, the order, reliability and
+/// distribution.
+/// @param codes  of conditions
+std::vector<StatisticsRow> overallRows(
+    const CohortResult& cohort, const std::map<std::string, std::string>& codes);
+
+template <typename T>
+Cell cellOf(const std::optional<T>& value) {
+  return value ? Cell(*value) : Cell();
+}
+
+/// Infinite statistics have no place in a table; their reason says so.
+inline Cell finite(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Cell(*value) : Cell();
+}
+
+inline std::int64_t whole(std::uint64_t value) {
+  return static_cast<std::int64_t>(value);
+}
+
+inline void addInterval(
+    StatisticsRow& row,
+    const std::string& name,
+    const std::optional<analysis::Interval>& interval,
+    const std::string& suffix = "") {
+  if (!interval) return;
+  row[name + "_low" + suffix] = interval->low;
+  row[name + "_high" + suffix] = interval->high;
+}
+
+inline void addReason(StatisticsRow& row, const std::string& reason) {
+  if (!reason.empty()) row["reason"] = reason;
+}
+
+}  // namespace study

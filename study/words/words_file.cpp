@@ -1,0 +1,35 @@
+#include <stdexcept>
+
+#include <nlohmann/json.hpp>
+
+#include "study/words/library.h"
+#include "study/words/words.h"
+
+namespace study::words {
+
+std::vector<std::string> languages() {
+  std::vector<std::string> all{"en"};
+  for (const auto& file : libraryFiles())
+    all.emplace_back(file.name.substr(0, file.name.find('.')));
+  return all;
+}
+
+Words wordsIn(std::string_view language) {
+  if (language == "en") return {};
+  for (const auto& file : libraryFiles()) {
+    if (file.name.substr(0, file.name.find('.')) != language) continue;
+    std::map<std::string, std::string, std::less<>> catalogue;
+    const auto json = nlohmann::json::parse(file.content);
+    for (const auto& [english, translated] : json.items()) {
+      catalogue.emplace(english, translated.get<std::string>());
+    }
+    return {std::string(language), std::move(catalogue)};
+  }
+  std::string known;
+  for (const auto& one : languages()) known += (known.empty() ? "" : ", ") + one;
+  throw std::invalid_argument(
+      "There is no report in the language '" + std::string(language) + "'. There are: " + known +
+      ".");
+}
+
+}  // namespace study::words

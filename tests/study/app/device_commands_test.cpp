@@ -1,0 +1,418 @@
+// A study on both devices at once, on their real wires, with stand-ins that are processes of their
+// own: that it works, and what happens when something breaks in the middle of a trial.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "haptics/emulators/pseudo_terminal.h"
+#include "tests/study/app/emulated_devices.h"
+
+namespace {
+
+using tests::EmulatedLaboratory;
+using tests::Emulator;
+
+/// The number behind a word in a text: "lost 2, …".
+std::uint64_t numberAfter(const std::string& text, const std::string& word) {
+  const auto at = text.find(word + " ");
+  if (at == std::string::npos) return 0;
+  return std::stoull(text.substr(at + word.size() + 1));
+}
+
+/// Over all trials on one device, which is told by what its round trip cannot be.
+std::uint64_t sumOver(const std::vector<std::string>& links, const std::string& word) {
+  std::uint64_t sum = 0;
+  for (const auto& link : links) sum += numberAfter(link, word);
+  return sum;
+}
+
+/// Reads on until a line holds @p part; false at the end.
+bool readUntil(tests::ChildProcess& process, const std::string& part) {
+  for (std::string line; process.readLine(line);) {
+    if (line.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// How much processor a process has had [s].
+double processorTime(pid_t id) {
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  std::istringstream fields(line.substr(line.rfind(')') + 2));
+  std::string field;
+  double ticks = 0.0;
+  for (int i = 3; i <= 15 && fields >> field; ++i) {
+    if (i == 14 || i == 15) ticks += std::stod(field);
+  }
+  return ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+class DeviceCommands : public testing::Test {
+ protected:
+  /// The study has come to its end, with every trial felt once, and nothing is wrong with it.
+  void expectWholeStudy(std::size_t trials) {
+    const auto endings = laboratory_.endings();
+    EXPECT_EQ(
+        static_cast<std::size_t>(std::count(endings.begin(), endings.end(), "finished")), trials)
+        << testing::PrintToString(endings)
+        << testing::PrintToString(laboratory_.events("device_fault"));
+    const auto verified = laboratory_.palpate({"study", "verify", laboratory_.study()});
+    EXPECT_EQ(verified.status, 0) << verified.out;
+  }
+
+  explicit DeviceCommands(int cuts = 1, int strokes = 1) : laboratory_(cuts, strokes) {}
+
+  EmulatedLaboratory laboratory_;
+};
+
+/// Asks until @p isSo of its status, three seconds long; the status.
+template <typename Predicate>
+std::map<std::string, std::string> statusWhen(Emulator& emulator, Predicate isSo) {
+  const auto until = tests::monotonic() + 3'000'000'000;
+  auto status = emulator.status();
+  while (!isSo(status) && tests::monotonic() < until) status = emulator.status();
+  return status;
+}
+
+/// Trials that last long enough for something to break in the middle.
+class PunchFaults : public DeviceCommands {
+ protected:
+  PunchFaults() : DeviceCommands(4, 1) {}
+};
+class ArmFaults : public DeviceCommands {
+ protected:
+  ArmFaults() : DeviceCommands(1, 2) {}
+};
+
+constexpr std::size_t kTrials = 3 + 2;  // of the shipped protocol for both devices
+
+TEST_F(DeviceCommands, FindBothEmulatorsFitForTheProtocol) {
+  const auto checked = laboratory_.palpate(
+      {"device",
+       "check",
+       laboratory_.deviceFile(),
+       "--protocol",
+       laboratory_.protocol(),
+       "--seconds",
+       "1.5",
+       "--json"});
+  ASSERT_EQ(checked.status, 0) << checked.out << checked.error;
+  const auto json = nlohmann::json::parse(checked.out);
+  EXPECT_TRUE(json["fit"]);
+  ASSERT_EQ(json["devices"].size(), 2U);
+  for (const auto& device : json["devices"]) {
+    EXPECT_TRUE(device["fit"]) << device;
+    EXPECT_GE(device["findings"].size(), 8U);
+  }
+}
+
+TEST_F(DeviceCommands, LetAWholeParticipantFeelBoth) {
+  auto participant = laboratory_.participant();
+  const auto finished = participant->finish();
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  expectWholeStudy(kTrials);
+  const auto links = laboratory_.events("device_link");
+  ASSERT_GE(links.size(), kTrials);  // a computer that stood still for a while repeats a trial
+  for (const auto& link : links) {
+    EXPECT_EQ(numberAfter(link, "lost") + numberAfter(link, "damaged"), 0U) << link;
+  }
+  EXPECT_GT(sumOver(links, "received"), 50U * kTrials);
+}
+
+TEST_F(DeviceCommands, RefuseAPortThatAnotherProgramHas) {
+  auto participant = laboratory_.participant();
+  ASSERT_TRUE(EmulatedLaboratory::waitForForce(laboratory_.punch(), 0.5));
+  const auto checked =
+      laboratory_.palpate({"device", "check", laboratory_.deviceFile(), "--seconds", "0.5"});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_NE(checked.out.find("in use by another program"), std::string::npos) << checked.out;
+}
+
+TEST_F(PunchFaults, LetGoWhenThePunchFailsAndGoOnAfterwards) {
+  auto participant = laboratory_.participant();
+  auto& punch = laboratory_.punch();
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {"unplug", "plug"},
+      {"mute 400", ""},
+      {"stall 400", ""},
+      {"leap 5000", "mend"},
+      {"driver-fault", "mend"},
+      {"reset", ""}};
+  for (const auto& [fault, mend] : faults) {
+    ASSERT_TRUE(EmulatedLaboratory::waitForForce(punch, 0.5)) << fault;
+    ASSERT_EQ(punch.ask(fault), "ok " + fault);
+    ASSERT_TRUE(readUntil(*participant, "broken off")) << fault;
+    // A line of an earlier fault may have been the one that was read.
+    const auto status =
+        statusWhen(punch, [](auto& told) { return std::stod(told.at("let_go_ms")) >= 0.0; });
+    EXPECT_GE(std::stod(status.at("let_go_ms")), 0.0) << fault;
+    EXPECT_LE(std::stod(status.at("let_go_ms")), 50.0) << fault;
+    if (fault == "unplug") {
+      const double before = processorTime(participant->id());
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+      EXPECT_LT(processorTime(participant->id()) - before, 0.05) << "of a second";
+    }
+    if (!mend.empty()) {
+      ASSERT_EQ(punch.ask(mend), "ok " + mend);
+    }
+  }
+  const auto finished = participant->finish();
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  expectWholeStudy(kTrials);
+  const auto endings = laboratory_.endings();
+  EXPECT_GE(std::count(endings.begin(), endings.end(), "aborted_hardware"), 6);
+  EXPECT_GE(laboratory_.events("device_fault").size(), 6U);
+}
+
+TEST_F(PunchFaults, ThatLastEndTheSessionAndAreNoSuccess) {
+  auto participant = laboratory_.participant();
+  ASSERT_TRUE(EmulatedLaboratory::waitForForce(laboratory_.punch(), 0.5));
+  ASSERT_EQ(laboratory_.punch().ask("driver-fault"), "ok driver-fault");
+  const auto finished = participant->finish();
+  EXPECT_EQ(finished.status, 1) << finished.out;
+  for (const std::string part :
+       {"SIM-001 step ",
+        "attempt 2: broken off: ",
+        "; repeated\n",
+        "the motor's driver reports a fault; given up\n",
+        "0 simulated participants have finished, 1 ended as aborted_hardware (SIM-001 at step "}) {
+    EXPECT_NE(finished.out.find(part), std::string::npos) << part << "\n" << finished.out;
+  }
+  EXPECT_LE(laboratory_.endings().size(), 1U + 2 * 5U);
+}
+
+TEST_F(ArmFaults, LetGoWhenTheArmFailsAndGoOnAfterwards) {
+  auto participant = laboratory_.participant();
+  auto& iiwa = laboratory_.iiwa();
+  const std::vector<std::pair<std::string, std::string>> faults{
+      {"stall 400", ""},
+      {"safety-stop", "safety-reset"},
+      {"quality poor", "quality good"},
+      {"wrong-version", "wrong-version"},
+      {"six-joints 60", ""},
+      {"restart", ""}};
+  for (const auto& [fault, mend] : faults) {
+    ASSERT_TRUE(EmulatedLaboratory::waitForForce(iiwa, 5.0)) << fault << ": " << iiwa.ask("status");
+    const auto at = tests::monotonic();
+    ASSERT_EQ(iiwa.ask(fault), "ok " + fault);
+    ASSERT_TRUE(readUntil(*participant, "broken off")) << fault;
+    const auto status =
+        statusWhen(iiwa, [at](auto& told) { return std::stoll(told.at("zero_at_ns")) >= at; });
+    const double after = 1e-6 * static_cast<double>(std::stoll(status.at("zero_at_ns")) - at);
+    EXPECT_GT(after, 0.0) << fault;
+    EXPECT_LE(after, 50.0 + 10.0) << fault << ": two periods go by before it is seen";
+    if (!mend.empty()) {
+      ASSERT_EQ(iiwa.ask(mend), "ok " + mend);
+    }
+    iiwa.ask("motion");
+  }
+  const auto finished = participant->finish();
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  expectWholeStudy(kTrials);
+}
+
+TEST_F(DeviceCommands, CountWhatHappensToMessagesExactly) {
+  auto participant = laboratory_.participant();
+  auto& punch = laboratory_.punch();
+  auto& iiwa = laboratory_.iiwa();
+  const std::vector<std::string> orders{"drop 7", "double 5", "reorder 4", "damage 3"};
+  ASSERT_TRUE(EmulatedLaboratory::waitForForce(punch, 0.5));
+  for (const auto& order : orders) ASSERT_EQ(punch.ask(order), "ok " + order);
+  ASSERT_TRUE(EmulatedLaboratory::waitForForce(iiwa, 5.0));
+  for (const auto* order : {"drop 3", "double 6", "reorder 2", "garbage 4", "impostor 8"}) {
+    ASSERT_EQ(iiwa.ask(order), std::string("ok ") + order);
+  }
+  ASSERT_EQ(participant->finish().status, 0);
+  // Damage counts as damaged, and the frame that it hit as lost besides.
+  const auto links = laboratory_.events("device_link");
+  EXPECT_EQ(sumOver(links, "lost"), 7U + 3U + 3U);
+  EXPECT_EQ(sumOver(links, "doubled"), 5U + 6U);
+  EXPECT_EQ(sumOver(links, "late"), 4U + 2U);
+  EXPECT_EQ(sumOver(links, "damaged"), 3U + 4U);
+  EXPECT_EQ(sumOver(links, "foreign"), 8U);
+  expectWholeStudy(kTrials);
+}
+
+TEST(DeviceFirmware, UnderQemuFeelsLikeTheNativeOneAndItsEndIsNoticed) {
+  const std::string firmware = PALPATE_PUNCH_FIRMWARE;
+  if (firmware.empty()) GTEST_SKIP() << "needs arm-none-eabi-g++ and QEMU: ./setup --firmware";
+  tests::ScratchFolder folder;
+  const std::string port = folder / "port";
+  Emulator board({"punch", "--link", port, "--firmware", firmware});
+  const auto file = folder.write(
+      "devices.json",
+      R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "punch-serial", "port": ")" +
+          port + R"(", "newtons_per_volt": 0.667}]})");
+  const auto check = [&] {
+    return tests::run({PALPATE_PROGRAM, "device", "check", file, "--seconds", "1", "--json"});
+  };
+  auto checked = check();
+  // A computer that shares its processors may keep QEMU from them for longer than a punch waits.
+  for (int i = 0; i < 9 && checked.status != 0; ++i) checked = check();
+  ASSERT_EQ(checked.status, 0) << checked.out << checked.error;
+
+  const std::string study = folder / "study";
+  ASSERT_EQ(
+      tests::run({PALPATE_PROGRAM, "study", "create", study, "--protocol", "punch-face-validity"})
+          .status,
+      0);
+  tests::ChildProcess participant(
+      {PALPATE_PROGRAM,
+       "study",
+       "simulate",
+       study,
+       "--participants",
+       "1",
+       "--devices",
+       file,
+       "--verbose"});
+  ASSERT_TRUE(readUntil(participant, "benchmark done"));
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  ASSERT_EQ(board.ask("kill"), "ok kill");
+  EXPECT_TRUE(readUntil(participant, "broken off"));
+}
+
+TEST(DeviceEmulators, AnswerHelpAndWrongNumbersAlike) {
+  tests::ScratchFolder folder;
+  Emulator punch({"punch", "--link", folder / "port"});
+  Emulator iiwa({"iiwa"});
+  for (auto* emulator : {&punch, &iiwa}) {
+    const auto help = emulator->ask("help");
+    EXPECT_EQ(help.rfind("There are: drop N, double N, ", 0), 0U) << help;
+    EXPECT_NE(help.find(", status, help, quit; N"), std::string::npos) << help;
+    EXPECT_EQ(help.find("status"), help.rfind("status")) << help;
+    const auto unknown = emulator->ask("dance");
+    EXPECT_EQ(unknown, "error 'dance' is no command. " + help);
+  }
+  EXPECT_NE(iiwa.ask("help").find("delay N MS, "), std::string::npos);
+  EXPECT_EQ(
+      punch.ask("drop x"),
+      "error 'drop x': N is a whole number from 1 to 1000000, such as \"drop 3\"");
+  EXPECT_EQ(
+      punch.ask("stall"),
+      "error 'stall': MS is a whole number from 1 to 1000000, such as \"stall 400\"");
+  EXPECT_EQ(
+      iiwa.ask("delay 3"),
+      "error 'delay 3': the command is \"delay N MS\"; N and MS are whole numbers from 1 to "
+      "1000000");
+}
+
+TEST(DeviceEmulators, DoNotTakeANameThatAnotherHas) {
+  tests::ScratchFolder folder;
+  const std::string port = folder / "port";
+  Emulator punch({"punch", "--link", port});
+  const auto second =
+      tests::run({PALPATE_PROGRAM, "device", "emulate", "punch", "--link", port, "--seconds", "1"});
+  EXPECT_EQ(second.status, 1);
+  EXPECT_NE(second.error.find("another emulator has it"), std::string::npos) << second.error;
+  EXPECT_NE(punch.ask("status").find("plugged=1"), std::string::npos);
+}
+
+TEST(DeviceRehearsal, TakesItsStandInsWithItHoweverItEnds) {
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    tests::ScratchFolder folder;
+    const std::filesystem::path port = std::string(folder / "rehearsal/punch-port");
+    tests::ChildProcess rehearsal(
+        {PALPATE_PROGRAM, "device", "rehearse", "--out", folder / "rehearsal"});
+    const auto becomesTrue = [](const auto& isSo) {
+      const auto until = tests::monotonic() + 20'000'000'000;
+      while (!isSo() && tests::monotonic() < until) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      return isSo();
+    };
+    // The device file is written when both emulators are there.
+    ASSERT_TRUE(
+        becomesTrue([&] { return std::filesystem::exists(folder / "rehearsal/devices.json"); }));
+    ASSERT_TRUE(std::filesystem::is_symlink(port));
+    rehearsal.kill(signal);
+    EXPECT_TRUE(becomesTrue([&] { return !std::filesystem::is_symlink(port); }))
+        << "an emulator removes its name when it ends";
+    EXPECT_EQ(rehearsal.finish().status, -signal);
+  }
+}
+
+TEST(DeviceRehearsal, LeavesNothingWhereNothingWasRecorded) {
+  tests::ScratchFolder folder;
+  const std::string out = folder / "rehearsal";
+  const auto refused = tests::run(
+      {PALPATE_PROGRAM,
+       "device",
+       "rehearse",
+       "--out",
+       out,
+       "--protocol",
+       "punch-face-validity",
+       "--firmware",
+       "nope.elf"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(
+      refused.error.find("A stand-in for a device did not begin: nope.elf is no firmware"),
+      std::string::npos)
+      << refused.error;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(DeviceFiles, ThatCannotBeUsedAreToldToPeopleAndPrograms) {
+  tests::ScratchFolder folder;
+  const std::string none = folder / "none.json";
+  const auto listed = tests::run({PALPATE_PROGRAM, "device", "list", none});
+  EXPECT_EQ(listed.status, 1);
+  const auto checked = tests::run({PALPATE_PROGRAM, "device", "check", none});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_NE(checked.error.find("docs/devices.md"), std::string::npos) << checked.error;
+  const auto bad = folder.write("bad.json", R"({"format": "palpate-devices-1", "devices": []})");
+  for (const auto& file : {none, bad}) {
+    const auto told = tests::run({PALPATE_PROGRAM, "device", "check", file, "--json"});
+    EXPECT_EQ(told.status, 1);
+    const auto json = nlohmann::json::parse(told.out);
+    EXPECT_FALSE(json["fit"]);
+    ASSERT_EQ(json["problems"].size(), 1U);
+    EXPECT_NE(json["problems"][0].get<std::string>().find(file), std::string::npos);
+    EXPECT_TRUE(json["devices"].empty());
+  }
+}
+
+TEST(DeviceListen, SaysWhatToLookAtWhereNothingComes) {
+  tests::ScratchFolder folder;
+  const haptics::emulators::PseudoTerminal line(folder / "port");
+  const std::string out = folder / "heard.csv";
+  const auto heard = tests::run(
+      {PALPATE_PROGRAM, "device", "listen", line.port(), "--seconds", "0.3", "--out", out});
+  EXPECT_EQ(heard.status, 1);
+  EXPECT_NE(heard.error.find("the published sketch on the board"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(DeviceListen, WritesDownWhatThePublishedSketchPrints) {
+  tests::ScratchFolder folder;
+  haptics::emulators::PseudoTerminal line(folder / "port");
+  tests::ChildProcess listening(
+      {PALPATE_PROGRAM, "device", "listen", line.port(), "--seconds", "2"});
+  std::string header;
+  ASSERT_TRUE(listening.readLine(header));
+  const auto print = [&](const std::string& text) {
+    line.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  };
+  print("0.10,0.20,0.30,0.40,0.50\r\n");
+  print("1.50\t2.25\t1.75\t\r\n");
+  print("Motor ready\r\n");
+  const auto heard = listening.finish();
+  EXPECT_EQ(heard.status, 0) << heard.error;
+  EXPECT_NE(heard.out.find(",mesh,0.4,"), std::string::npos) << heard.out;
+  EXPECT_NE(heard.out.find(",forces,,1.5,2.25,1.75"), std::string::npos) << heard.out;
+  EXPECT_NE(heard.error.find("2 lines of the published sketch, 1 others"), std::string::npos);
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace tests {
+
+/// An emulator as a process of its own, and its control line.
+class Emulator {
+ public:
+  explicit Emulator(std::vector<std::string> arguments);
+
+  /// What it says of itself when it is ready.
+  const std::string& ready() const noexcept { return ready_; }
+  /// An order ("drop 3"), and its answer.
+  std::string ask(const std::string& line);
+  /// Its status by keys.
+  std::map<std::string, std::string> status();
+  double number(const std::string& key) { return std::stod(status().at(key)); }
+
+ private:
+  ChildProcess process_;
+  std::string ready_;
+};
+
+/// Both emulators, a device file that leads to them, and a study in which both devices are felt, as
+/// few times as can be.
+class EmulatedLaboratory {
+ public:
+  /// Cuts and strokes in every trial.
+  explicit EmulatedLaboratory(int cuts = 1, int strokes = 1);
+
+  Emulator& punch() noexcept { return *punch_; }
+  Emulator& iiwa() noexcept { return *iiwa_; }
+  const std::string& deviceFile() const noexcept { return deviceFile_; }
+  const std::string& study() const noexcept { return study_; }
+  const std::string& protocol() const noexcept { return protocol_; }
+  const std::string& port() const noexcept { return port_; }
+  std::string operator/(std::string_view name) const { return folder_ / name; }
+
+  /// Runs the program.
+  Finished palpate(std::vector<std::string> call) const;
+  /// One simulated participant on the devices, under way.
+  std::unique_ptr<ChildProcess> participant() const;
+  /// Waits until @p emulator feels a force of more than @p newtons; false if it does not come.
+  static bool waitForForce(Emulator& emulator, double newtons);
+  /// The detail of every event of this kind, in order.
+  std::vector<std::string> events(const std::string& kind) const;
+  /// Endings of all trials, in order.
+  std::vector<std::string> endings() const;
+
+ private:
+  std::vector<std::string> column(const std::string& of, const std::string& from) const;
+
+  ScratchFolder folder_;
+  std::string port_;
+  std::string deviceFile_;
+  std::string protocol_;
+  std::string study_;
+  std::unique_ptr<Emulator> punch_;
+  std::unique_ptr<Emulator> iiwa_;
+};
+
+/// CLOCK_MONOTONIC [ns], as emulators have it.
+std::int64_t monotonic();
+
+}  // namespace tests

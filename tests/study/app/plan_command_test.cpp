@@ -1,0 +1,143 @@
+// 'palpate plan' from outside.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+using nlohmann::json;
+using tests::Finished;
+
+Finished plan(std::vector<std::string> arguments) {
+  std::vector<std::string> call{PALPATE_PROGRAM, "plan"};
+  call.insert(call.end(), arguments.begin(), arguments.end());
+  return tests::run(call);
+}
+
+json planned(std::vector<std::string> arguments) {
+  arguments.emplace_back("--json");
+  const auto found = plan(arguments);
+  EXPECT_EQ(found.status, 0) << found.error;
+  return json::parse(found.out);
+}
+
+void expectPhrases(const std::string& text, const std::vector<std::string>& phrases) {
+  for (const auto& phrase : phrases) {
+    EXPECT_NE(text.find(phrase), std::string::npos) << phrase << "\nin\n" << text;
+  }
+}
+
+TEST(PlanCommand, SaysThatSixAndFivePeopleCannotBeEnough) {
+  const auto found = plan({"punch-face-validity", "--studies", "200"});
+  ASSERT_EQ(found.status, 0) << found.error;
+  expectPhrases(
+      found.out,
+      {"the same order for everybody",
+       "smallest exact p of a pair .0312: above .0167",
+       "NO exact paired test can ever be significant",
+       "At least 7 are needed",
+       "power of a paired t-test for d_z = 1 at the strictest step of the correction: .27",
+       "N for 0.8      45      20      14      11       8",
+       "N for 0.9      57      25      17      13      10",
+       "professional against non-professional: smallest exact p of Mann and Whitney's test .0043",
+       "For an application to an ethics committee"});
+}
+
+TEST(PlanCommand, SaysHowManyParticipantsBalanceTheOrders) {
+  const auto found = plan({"punch-counterbalanced", "--participants", "14", "--studies", "0"});
+  ASSERT_EQ(found.status, 0) << found.error;
+  expectPhrases(
+      found.out,
+      {"balanced for every multiple of 6",
+       "14 participants do NOT balance every block; 12 or 18 do",
+       "14 participants a cohort; 18 balance the orders as well"});
+  EXPECT_EQ(found.out.find("simulated:"), std::string::npos);
+  const auto twelve = planned({"punch-counterbalanced", "--participants", "12", "--studies", "0"});
+  EXPECT_EQ(twelve["balanced_by"], 6);
+  EXPECT_TRUE(twelve["cohorts"][0]["balanced"]);
+}
+
+TEST(PlanCommand, TakesEffectAlphaAndPowerFromTheCall) {
+  const auto found = planned(
+      {"punch-face-validity",
+       "--participants",
+       "20",
+       "--effect",
+       "0.8",
+       "--alpha",
+       "0.05",
+       "--power",
+       "0.9",
+       "--studies",
+       "0"});
+  const auto& family = found["families"][0];
+  EXPECT_EQ(family["participants_for_power"], 25);
+  EXPECT_EQ(family["answers"], 6);  // three statements, two rounds
+  EXPECT_EQ(family["points"], 5);
+  EXPECT_NEAR(family["alpha_per_test"], 0.05 / 3.0, 1e-15);
+  EXPECT_EQ(family["prospects"][0]["participants"], 20);
+  EXPECT_NEAR(family["prospects"][0]["power"], 0.818383298514, 1e-9);
+  EXPECT_TRUE(family["prospects"][0]["can_find_pairs"]);
+  EXPECT_TRUE(family["prospects"][0]["simulated"].is_null());
+}
+
+TEST(PlanCommand, SimulatesTheSameForTheSameSeed) {
+  const std::vector<std::string> call{"punch-face-validity", "--studies", "300", "--seed", "4"};
+  const auto first = planned(call);
+  EXPECT_EQ(first, planned(call));
+  const auto& simulated = first["families"][0]["prospects"][0]["simulated"];
+  EXPECT_EQ(simulated["signed_rank"]["rate"], 0.0);  // six people
+  EXPECT_NEAR(simulated["paired_t"]["rate"], 0.27, 0.1);
+}
+
+TEST(PlanCommand, WarnsWithTheErrorOfPooledAnswers) {
+  const auto found =
+      planned({"punch-face-validity", "--participants", "6", "--shares", "0.1", "0.4", "0.5"});
+  const auto& none = found["families"][0]["prospects"][0]["simulated_without_effect"];
+  EXPECT_GT(none["any_pooled_welch"]["rate"], 0.25);
+  EXPECT_LT(none["any_paired_t"]["rate"], 0.08);
+}
+
+TEST(PlanCommand, AddsUpASession) {
+  const auto usual = planned({"punch-counterbalanced", "--studies", "0"});
+  const auto& session = usual["session"];
+  double sum = 0.0;
+  for (const auto& part : session["parts"]) sum += part["seconds"].get<double>();
+  EXPECT_NEAR(session["seconds"], sum, 1e-9);
+  EXPECT_DOUBLE_EQ(session["seconds_of_force"], 18 * 8.0);  // two rounds of three, three cuts each
+  const auto slower =
+      planned({"punch-counterbalanced", "--studies", "0", "--seconds-per-cut", "18"});
+  EXPECT_NEAR(
+      slower["session"]["seconds"].get<double>() - session["seconds"].get<double>(),
+      (18 + 3) * 10.0,  // with those on the real tool
+      1e-9);
+}
+
+TEST(PlanCommand, SaysHowManyVotesDecide) {
+  const auto found = planned({"punch-face-validity", "--studies", "0"});
+  EXPECT_EQ(found["votes"][0]["votes"], 6);
+  EXPECT_EQ(found["votes"][0]["to_win"], 6);  // 5 of 6 have p = 39/729
+  const auto few = plan({"punch-face-validity", "--participants", "2", "--studies", "0"});
+  expectPhrases(few.out, {"too few: not even all votes for one"});
+  const auto many = plan({"punch-face-validity", "--participants", "200", "--studies", "0"});
+  expectPhrases(many.out, {"too many to be counted out"});
+}
+
+TEST(PlanCommand, SaysWhatIsWrong) {
+  const auto nowhere = plan({"nowhere.json"});
+  EXPECT_EQ(nowhere.status, 1);
+  expectPhrases(nowhere.error, {"nowhere.json"});
+  const auto shares = plan({"punch-face-validity", "--shares", "0.5", "0.5", "0.5"});
+  EXPECT_EQ(shares.status, 1);
+  expectPhrases(shares.error, {"add up to 1"});
+  EXPECT_EQ(plan({"punch-face-validity", "--effect", "nan"}).status, 2);
+  tests::ScratchFolder folder;
+  const auto file = folder.write("bad.json", R"({"$schema": "protocol-1.schema.json"})");
+  const auto bad = plan({file});
+  EXPECT_EQ(bad.status, 1);
+  expectPhrases(bad.error, {"'conditions'"});
+}
+
+}  // namespace

@@ -1,0 +1,164 @@
+// The windows with a punch on its wire: the device's own program at the other end, in this process.
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTest>
+#include <QTimer>
+
+#include "haptics/emulators/punch_emulator.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+#include "protocols/loaded_protocol.h"
+#include "study/gui/operator_window.h"
+#include "study/storage/records.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+namespace timing = haptics::timing;
+using haptics::emulators::PunchEmulator;
+
+/// An emulated punch that goes on by itself; orders are obeyed between two turns of its loop.
+class RunningPunch {
+ public:
+  explicit RunningPunch(const PunchEmulator::Options& options)
+      : punch_(options), loop_([this](const std::stop_token& stop) {
+          timing::makeUrgent(timing::kStandInUrgency);
+          for (std::int64_t due = timing::now(); !stop.stop_requested();
+               due += timing::kMillisecond) {
+            timing::sleepUntil(due);
+            if (const char* order = order_.exchange(nullptr)) punch_.command(order);
+            punch_.step();
+          }
+        }) {}
+
+  void order(const char* line) { order_.store(line); }
+
+ private:
+  PunchEmulator punch_;
+  std::atomic<const char*> order_{nullptr};
+  std::jthread loop_;
+};
+
+/// A study on an emulated punch, in a folder of its own.
+class PunchOnItsWire : public testing::Test {
+ protected:
+  static PunchEmulator::Options optionsFor(const std::string& port) {
+    PunchEmulator::Options options;
+    options.link = port;
+    options.person.closed = 13.8;
+    return options;
+  }
+
+  tests::ScratchFolder folder_;
+  std::string port_ = folder_ / "port";
+  RunningPunch punch_{optionsFor(port_)};
+  std::string devices_ = folder_.write(
+      "devices.json",
+      R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "punch-serial", "port": ")" +
+          port_ + R"(", "newtons_per_volt": 0.667}]})");
+  SystemClock clock_;
+  questionnaires::Problems problems_;
+  Study study_ = Study::create(
+      folder_ / "study", *protocols::loadProtocolFile("punch-face-validity", problems_), clock_, 7);
+};
+
+TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
+  OperatorWindow window(study_, devices_);
+  window.show();
+  window.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  tests::Participant participant(window);
+  const auto& plan = window.controller()->session().plan();
+  int trial = 0;
+  while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+  participant.takePart(trial);
+
+  auto& controller = *window.controller();
+  // A computer that stands still for longer than a punch waits ends a trial too: it is begun again.
+  const auto felt = [&](const auto& isFelt) {
+    if (controller.session().state() == SessionState::Interrupted) {
+      controller.repeatStep(QStringLiteral("again"));
+      QTest::qWait(100);
+    }
+    if (!controller.isTrialRunning()) controller.beginTrial();
+    return isFelt(controller.trialStatus());
+  };
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return felt([](const auto& status) { return status.force > 0.5; }); }, 20'000));
+  punch_.order("unplug");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.isTrialRunning(); }, 5000));
+  EXPECT_EQ(controller.session().state(), SessionState::Interrupted);
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "aborted_hardware");
+
+  punch_.order("plug");
+  QTest::qWait(100);
+  const int cuts = controller.session().step().minimumCuts;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return felt([&](const auto& status) { return status.cuts >= cuts; }); }, 120'000));
+  controller.finishTrial();
+  EXPECT_EQ(window.controller()->session().stepIndex(), trial + 1);
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "finished");
+}
+
+/// What the dialog of findings says, row by row; it is closed then.
+std::vector<QStringList> readFindings(QWidget& window) {
+  std::vector<QStringList> rows;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, &look, [&] {
+    for (auto* dialog : window.findChildren<QDialog*>()) {
+      auto* table = dialog->findChild<QTableWidget*>();
+      if (table == nullptr || !dialog->isVisible()) continue;
+      for (int row = 0; row < table->rowCount(); ++row) {
+        auto& cells = rows.emplace_back();
+        for (int column = 0; column < table->columnCount(); ++column) {
+          cells << table->item(row, column)->text();
+        }
+      }
+      tests::photograph(*dialog, QStringLiteral("check-devices"));
+      dialog->reject();
+    }
+  });
+  look.start(100);
+  QTest::mouseClick(
+      window.findChild<QPushButton*>(QStringLiteral("check-devices")), Qt::LeftButton);
+  return rows;
+}
+
+TEST_F(PunchOnItsWire, IsCheckedFromTheWindow) {
+  OperatorWindow window(study_, devices_);
+  window.show();
+  auto sound = readFindings(window);
+  // A computer that stands still for longer than a punch waits fails a check too.
+  for (int i = 0; i < 4 && sound.size() < 8; ++i) sound = readFindings(window);
+  ASSERT_GE(sound.size(), 8U);
+  for (const auto& row : sound) {
+    EXPECT_EQ(row[0], QStringLiteral("punch"));
+    EXPECT_NE(row[1], QStringLiteral("FAIL")) << row.join(u' ').toStdString();
+    EXPECT_FALSE(row[3].isEmpty()) << row[2].toStdString();
+  }
+  EXPECT_TRUE(std::any_of(sound.begin(), sound.end(), [](const auto& row) {
+    return row[1] == QStringLiteral("PASS");
+  }));
+
+  punch_.order("unplug");
+  QTest::qWait(300);
+  const auto gone = readFindings(window);
+  ASSERT_FALSE(gone.empty());
+  EXPECT_EQ(gone.front()[1], QStringLiteral("FAIL"));
+  EXPECT_FALSE(gone.front()[4].isEmpty()) << "what to do";
+  auto* line = window.findChild<QLabel*>(QStringLiteral("device-punch"));
+  EXPECT_TRUE(line->text().contains(QStringLiteral("unplugged"))) << line->text().toStdString();
+}
+
+}  // namespace
+}  // namespace study::gui

@@ -1,0 +1,244 @@
+// What goes to strangers: nobody stands out in it, and nothing leads back.
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv_table.h"
+#include "study/export.h"
+#include "study/public_tables.h"
+#include "study/simulated_participant.h"
+#include "study/storage/records.h"
+#include "tests/study/everything_instrument.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> filesOf(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[fs::relative(entry.path(), folder).generic_string()] = tests::contentOf(entry.path());
+  }
+  return files;
+}
+
+std::vector<std::string> columnOf(const analysis::CsvTable& table, const std::string& name) {
+  std::vector<std::string> cells;
+  for (const auto& row : table.rows) cells.push_back(row.cells[table.columnIndex(name)]);
+  return cells;
+}
+
+class PublicExportTest : public testing::Test {
+ protected:
+  void take(int people) {
+    simulateCohorts(*study_, study_.clock, people, 3, [](const std::string&) {});
+  }
+
+  std::map<std::string, std::string> exported(
+      const std::string& name,
+      ExportFormat format = ExportFormat::Csv,
+      std::size_t k = kSmallestPublicClass) {
+    exportStudy(
+        *study_,
+        folder_ / name,
+        {.format = format, .runMode = RunMode::Simulated, .publicClass = k});
+    return filesOf(folder_ / name);
+  }
+
+  tests::ScratchFolder folder_;
+  tests::MadeStudy study_{tests::libraryProtocol("punch-counterbalanced.json"), 1};
+};
+
+/// How many people there are of whom a table says the same.
+std::size_t smallestClassIn(const analysis::CsvTable& participants) {
+  std::map<std::vector<std::string>, std::size_t> classes;
+  for (const auto& row : participants.rows) {
+    ++classes[{row.cells.begin() + 1, row.cells.end()}];
+  }
+  std::size_t smallest = participants.rows.size();
+  for (const auto& [said, count] : classes) smallest = std::min(smallest, count);
+  return smallest;
+}
+
+TEST_F(PublicExportTest, LeavesNobodyAlone) {
+  take(20);
+  for (const std::size_t k : {5U, 8U}) {
+    auto files = exported("out" + std::to_string(k), ExportFormat::Csv, k);
+    const auto participants = analysis::readCsv(files.at("participants.csv"));
+    EXPECT_EQ(participants.rows.size(), 20U);
+    EXPECT_GT(participants.columns.size(), 2U);  // something is told
+    EXPECT_GE(smallestClassIn(participants), k);
+    EXPECT_NE(files.at("README.md").find("k = " + std::to_string(k)), std::string::npos);
+  }
+}
+
+TEST_F(PublicExportTest, HoldsNoIdAndNoDate) {
+  take(12);
+  std::set<std::string> secrets{study_->uuid()};
+  const storage::Records records(study_->database());
+  for (const auto& session : records.sessions()) {
+    secrets.insert({session.participant, session.startedUtc.substr(0, 10)});
+  }
+  ASSERT_GE(secrets.size(), 14U);
+  for (const auto format : {ExportFormat::Csv, ExportFormat::Json, ExportFormat::PsychDs}) {
+    for (const auto& [name, content] :
+         exported("out" + std::to_string(static_cast<int>(format)), format)) {
+      for (const auto& secret : secrets) {
+        EXPECT_EQ(content.find(secret), std::string::npos) << name << ": " << secret;
+        EXPECT_EQ(name.find(secret), std::string::npos) << name;
+      }
+      EXPECT_EQ(content.find("_utc"), std::string::npos) << name;
+    }
+  }
+}
+
+/// Live people who write, and say a number that is theirs alone.
+TEST(PublicExport, HoldsNoWordsAndNoNumbersOfAPerson) {
+  tests::MadeStudy study(tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}}));
+  for (int person = 0; person < 6; ++person) {
+    auto session = Session::enrol(*study, {.cohort = person % 2 == 0 ? "surgeons" : "students"});
+    tests::walkTo(session, StepKind::Form);
+    session.record({.item = "agree", .response = std::int64_t{1}, .itemOrder = 1});
+    session.record({.item = "count", .response = 31.4 + person, .itemOrder = 2});
+    session.record({.item = "line", .response = std::string("sentinel one"), .itemOrder = 3});
+    session.record({.item = "story", .response = std::string("sentinel two"), .itemOrder = 4});
+    session.record({.item = "name", .response = std::string("sentinel three"), .itemOrder = 5});
+    session.finishStep();
+    tests::walkToTheEnd(session);
+  }
+  const tests::ScratchFolder folder;
+  exportStudy(*study, folder / "out", {.publicClass = kSmallestPublicClass});
+  const auto files = filesOf(folder / "out");
+  for (const auto& [name, content] : files) {
+    for (const auto* secret : {"sentinel", "31.4", "33.4", "P001", "surgeons,", "PILOT"}) {
+      EXPECT_EQ(content.find(secret), std::string::npos) << name << ": " << secret;
+    }
+  }
+  EXPECT_NE(files.at("responses.csv").find("agree"), std::string::npos);
+}
+
+TEST_F(PublicExportTest, HasOtherIdsAndAnotherOrderEachTime) {
+  take(12);
+  const auto first = analysis::readCsv(exported("first").at("participants.csv"));
+  const auto second = analysis::readCsv(exported("second").at("participants.csv"));
+  const auto ids = columnOf(first, "participant_id");
+  const auto others = columnOf(second, "participant_id");
+  EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), 12U);
+  for (const auto& id : ids) EXPECT_EQ(std::count(others.begin(), others.end(), id), 0) << id;
+  const auto one = analysis::readCsv(tests::contentOf(folder_ / "first/responses.csv"));
+  const auto two = analysis::readCsv(tests::contentOf(folder_ / "second/responses.csv"));
+  EXPECT_NE(columnOf(one, "item_id"), columnOf(two, "item_id"));
+}
+
+TEST_F(PublicExportTest, TellsEveryOpinionAsItWasGiven) {
+  take(12);
+  const auto responses = analysis::readCsv(exported("out").at("responses.csv"));
+  std::map<std::string, int> told;
+  for (const auto& row : responses.rows) {
+    const auto cell = [&](const char* name) { return row.cells[responses.columnIndex(name)]; };
+    if (cell("item_type") == "likert")
+      ++told[cell("condition_code") + " " + cell("item_id") + " " + cell("response")];
+  }
+  std::map<std::string, int> given;
+  const auto codes = conditionCodes(*study_);
+  for (const auto& answer : storage::Records(study_->database()).answers()) {
+    const auto* point = std::get_if<std::int64_t>(&answer.answer.response);
+    if (point == nullptr || answer.step.kind == "benchmark") continue;
+    const auto code = codes.find(answer.step.condition);
+    ++given
+        [(code == codes.end() ? "" : code->second) + " " + answer.answer.item + " " +
+         std::to_string(*point)];
+  }
+  EXPECT_EQ(told, given);
+  EXPECT_FALSE(told.empty());
+}
+
+TEST_F(PublicExportTest, NamesThePreferredRenderingByItsCode) {
+  take(12);
+  const auto responses = analysis::readCsv(exported("out").at("responses.csv"));
+  int votes = 0;
+  for (const auto& row : responses.rows) {
+    if (row.cells[responses.columnIndex("item_id")] != "preferred") continue;
+    ++votes;
+    EXPECT_EQ(row.cells[responses.columnIndex("response")].front(), 'C');
+  }
+  EXPECT_GE(votes, 12);
+}
+
+TEST_F(PublicExportTest, NeedsAsManyPeopleAsAClass) {
+  take(4);
+  try {
+    exported("out");
+    FAIL() << "four people were told";
+  } catch (const storage::StorageError& error) {
+    const std::string words = error.what();
+    EXPECT_NE(words.find("4 people have completed"), std::string::npos) << words;
+    EXPECT_NE(words.find("Publish the report's tables"), std::string::npos) << words;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(PublicExportTest, HasNoSmallerClassesAndNoTraces) {
+  take(6);
+  EXPECT_THROW(exported("small", ExportFormat::Csv, 4), storage::StorageError);
+  EXPECT_THROW(
+      exportStudy(
+          *study_,
+          folder_ / "traces",
+          {.runMode = RunMode::Simulated,
+           .isBlinded = false,
+           .hasTraces = true,
+           .publicClass = kSmallestPublicClass},
+          "for a test"),
+      storage::StorageError);
+}
+
+TEST_F(PublicExportTest, IsWrittenIntoTheAuditTrail) {
+  take(6);
+  exported("out");
+  const auto last = study_->events().read().back();
+  EXPECT_EQ(last.kind, "public_export");
+  EXPECT_EQ(last.detail.substr(0, 15), "k = 5, 6 people");
+}
+
+TEST_F(PublicExportTest, SaysWhoMayBeFoundAmongWhom) {
+  take(12);
+  const auto words = inWords(
+      publicRelease(*study_, {.runMode = RunMode::Simulated, .publicClass = kSmallestPublicClass}));
+  EXPECT_NE(
+      words.find("As answered: 12 of 12 people in classes of fewer than 5"), std::string::npos)
+      << words;
+  EXPECT_NE(words.find("background_surgery_years: by it alone 1"), std::string::npos) << words;
+  EXPECT_NE(words.find("As told: "), std::string::npos) << words;
+}
+
+TEST_F(PublicExportTest, ExplainsItsColumns) {
+  take(20);
+  const auto files = exported("out");
+  const auto codebook = nlohmann::json::parse(files.at("codebook.json"));
+  EXPECT_EQ(codebook["k"], 5);
+  EXPECT_FALSE(codebook.contains("study_uuid"));
+  const auto participants = analysis::readCsv(files.at("participants.csv"));
+  const auto& columns = codebook["tables"]["participants"]["columns"];
+  ASSERT_EQ(columns.size(), participants.columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::set<std::string> levels{""};
+    if (!columns[i].contains("levels")) continue;
+    for (const auto& level : columns[i]["levels"]) levels.insert(level["value"]);
+    for (const auto& cell : columnOf(participants, participants.columns[i])) {
+      EXPECT_EQ(levels.count(cell), 1U) << participants.columns[i] << " " << cell;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace study
