@@ -3,6 +3,7 @@ cmake_minimum_required(VERSION 3.25)
 set(forbidden
     "analysis/a.cpp|\"haptics/engine/force_engine.h\""
     "analysis/a.h|<nlohmann/json.hpp>"
+    "analysis/a.h|<Eigen/Dense>"
     "haptics/engine/a.cpp|\"questionnaires/answer.h\""
     "haptics/engine/a.cpp|\"protocols/protocol.h\""
     "haptics/models/a.h|\"haptics/engine/force_engine.h\""
