@@ -97,6 +97,12 @@ ChildProcess::~ChildProcess() {
   close(error_);
 }
 
+bool ChildProcess::hasEnded() const {
+  siginfo_t ended{};
+  return waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         ended.si_pid == id_;
+}
+
 void ChildProcess::say(const std::string& line) const {
   const std::string text = line + "\n";
   if (write(in_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {

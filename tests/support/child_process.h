@@ -30,6 +30,8 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t id() const noexcept { return id_; }
+  /// Whether it has come to its end by itself; what it wrote can still be read.
+  bool hasEnded() const;
 
   /// The next line of its output, without its end; false where there is none any more.
   bool readLine(std::string& line);

@@ -110,10 +110,11 @@ std::unique_ptr<ChildProcess> EmulatedLaboratory::participant() const {
       "--verbose"});
 }
 
-bool EmulatedLaboratory::waitForForce(Emulator& emulator, double newtons) {
+bool EmulatedLaboratory::waitForForce(
+    Emulator& emulator, double newtons, const std::function<bool()>& isWorthWaiting) {
   using Clock = std::chrono::steady_clock;
   const auto until = Clock::now() + std::chrono::seconds(60);
-  while (Clock::now() < until) {
+  while (Clock::now() < until && isWorthWaiting()) {
     if (std::abs(emulator.number("force_n")) > newtons) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -48,8 +49,10 @@ class EmulatedLaboratory {
   Finished palpate(std::vector<std::string> call) const;
   /// One simulated participant on the devices, under way.
   std::unique_ptr<ChildProcess> participant() const;
-  /// Waits until @p emulator feels a force of more than @p newtons; false if it does not come.
-  static bool waitForForce(Emulator& emulator, double newtons);
+  /// Waits until @p emulator feels a force of more than @p newtons; false if it does not come
+  /// within a minute, or as long as it @p isWorthWaiting.
+  static bool waitForForce(
+      Emulator& emulator, double newtons, const std::function<bool()>& isWorthWaiting);
   /// The detail of every event of this kind, in order.
   std::vector<std::string> events(const std::string& kind) const;
   /// Endings of all trials, in order.
