@@ -1,6 +1,7 @@
 #include "study/gui/control_panel.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QVBoxLayout>
 
@@ -13,10 +14,16 @@ ControlPanel::ControlPanel(QWidget* parent)
       stop_(new QPushButton(tr("STOP: no force"), this)),
       resume_(new QPushButton(tr("Continue after the pause"), this)),
       interviewDone_(new QPushButton(tr("Finish the interview"), this)),
-      close_(new QPushButton(tr("Close this session's windows"), this)),
-      note_(new QLineEdit(this)) {
+      handOver_(new QPushButton(tr("Hand over the screen…"), this)),
+      close_(new QPushButton(tr("Close this session"), this)),
+      note_(new QLineEdit(this)),
+      notes_(new QListWidget(this)) {
   stop_->setProperty("role", QStringLiteral("stop"));
-  stop_->setToolTip(tr("Also Esc"));
+  stop_->setToolTip(tr("Also Esc, Pause, F12, or a foot switch that types one of them"));
+  handOver_->setToolTip(tr("The participant's window covers the screen until your PIN"));
+  notes_->setAccessibleName(tr("Notes of this session"));
+  notes_->setMaximumHeight(76);
+  notes_->setFocusPolicy(Qt::NoFocus);
   note_->setPlaceholderText(tr("Note, with the time; Enter saves it"));
   note_->setAccessibleName(tr("Note"));
   auto* layout = new QVBoxLayout(this);
@@ -41,7 +48,14 @@ ControlPanel::ControlPanel(QWidget* parent)
   }
   layout->addLayout(grid);
   layout->addWidget(note_);
-  layout->addWidget(close_);
+  layout->addWidget(notes_);
+  auto* last = new QHBoxLayout;
+  last->addWidget(handOver_, 1);
+  last->addWidget(close_, 1);
+  layout->addLayout(last);
+  for (auto* button : findChildren<QPushButton*>()) {
+    if (button != stop_) button->setProperty("role", QStringLiteral("tool"));
+  }
 
   connect(stop_, &QPushButton::clicked, this, [this] {
     if (controller_ != nullptr) controller_->stop();
@@ -50,11 +64,8 @@ ControlPanel::ControlPanel(QWidget* parent)
     if (controller_ != nullptr) controller_->resume();
   });
   connect(interviewDone_, &QPushButton::clicked, this, &ControlPanel::interviewFinished);
-  connect(note_, &QLineEdit::returnPressed, this, [this] {
-    if (controller_ == nullptr || note_->text().trimmed().isEmpty()) return;
-    controller_->note(note_->text());
-    note_->clear();
-  });
+  connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::keepNote);
+  connect(handOver_, &QPushButton::clicked, this, &ControlPanel::handOverRequested);
   connect(close_, &QPushButton::clicked, this, &ControlPanel::closeSessionRequested);
   refresh();
 }
@@ -62,10 +73,7 @@ ControlPanel::ControlPanel(QWidget* parent)
 QPushButton* ControlPanel::add(const QString& text, SessionEvent event, Perform action) {
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event});
-  connect(
-      button, &QPushButton::clicked, this, [this, action, text] {
-    askAndDo(action, text);
-  });
+  connect(button, &QPushButton::clicked, this, [this, action, text] { askAndDo(action, text); });
   return button;
 }
 
@@ -77,8 +85,25 @@ void ControlPanel::askAndDo(Perform action, const QString& what) {
   if (isMeant && controller_ != nullptr) (controller_->*action)(reason);
 }
 
+void ControlPanel::keepNote() {
+  if (controller_ == nullptr || note_->text().trimmed().isEmpty()) return;
+  if (controller_->note(note_->text())) note_->clear();
+  showNotes();
+}
+
+/// The newest first.
+void ControlPanel::showNotes() {
+  notes_->clear();
+  if (controller_ == nullptr) return;
+  for (const auto& note : controller_->notes()) {
+    notes_->insertItem(
+        0, note.when.toString(QStringLiteral("HH:mm:ss")) + QStringLiteral("  ") + note.text);
+  }
+}
+
 void ControlPanel::follow(SessionController* controller) {
   controller_ = controller;
+  showNotes();
   refresh();
 }
 
@@ -98,6 +123,7 @@ void ControlPanel::refresh() {
   resume_->setEnabled(isPaused);
   interviewDone_->setEnabled(isInterview);
   note_->setEnabled(isOpen);
+  handOver_->setEnabled(isOpen);
   close_->setEnabled(isOpen && !isRunning);
 }
 

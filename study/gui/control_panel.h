@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QWidget>
 
@@ -27,12 +28,16 @@ class ControlPanel final : public QWidget {
 
  signals:
   void interviewFinished();
+  /// The screen is to be the participant's.
+  void handOverRequested();
   void closeSessionRequested();
 
  private:
   using Perform = void (SessionController::*)(const QString& reason);
   QPushButton* add(const QString& text, SessionEvent event, Perform action);
   void askAndDo(Perform action, const QString& what);
+  void keepNote();
+  void showNotes();
 
   struct Choice {
     QPushButton* button;
@@ -43,8 +48,10 @@ class ControlPanel final : public QWidget {
   QPushButton* stop_;
   QPushButton* resume_;
   QPushButton* interviewDone_;
+  QPushButton* handOver_;
   QPushButton* close_;
   QLineEdit* note_;
+  QListWidget* notes_;
   std::vector<Choice> choices_;
 };
 

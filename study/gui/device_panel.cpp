@@ -2,11 +2,7 @@
 
 #include <thread>
 
-#include <QDialog>
-#include <QDialogButtonBox>
 #include <QEventLoop>
-#include <QHeaderView>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "study/gui/labels.h"
@@ -15,80 +11,11 @@
 namespace study::gui {
 namespace {
 
-using haptics::devices::CheckResult;
 using haptics::devices::Finding;
-using haptics::devices::Lifecycle;
+using Found = std::vector<FindingsDialog::Found>;
 
 constexpr int kLookEvery = 500;     // [ms]
 constexpr double kListenFor = 2.0;  // [s]
-
-/// What was found of one device.
-struct Found {
-  std::string device;
-  std::vector<CheckResult> results;
-};
-
-QColor colourOf(Finding finding) {
-  switch (finding) {
-    case Finding::Pass:
-      return {0xe3, 0xf1, 0xe6};
-    case Finding::Warn:
-      return {0xff, 0xf1, 0xd6};
-    case Finding::Fail:
-      return {0xf9, 0xdc, 0xda};
-  }
-  return {};
-}
-
-QTableWidget* tableOf(const std::vector<Found>& found, QWidget* parent) {
-  auto* table = new QTableWidget(0, 5, parent);
-  table->setHorizontalHeaderLabels(
-      {QObject::tr("Device"),
-       QObject::tr("Result"),
-       QObject::tr("What"),
-       QObject::tr("Measured"),
-       QObject::tr("What to do")});
-  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table->setSelectionMode(QAbstractItemView::NoSelection);
-  table->setFocusPolicy(Qt::NoFocus);
-  table->setWordWrap(true);
-  table->verticalHeader()->hide();
-  for (const auto& device : found) {
-    for (const auto& result : device.results) {
-      const int row = table->rowCount();
-      table->insertRow(row);
-      const std::string cells[] = {
-          device.device,
-          haptics::devices::nameOf(result.finding),
-          result.what,
-          result.measured,
-          result.mend};
-      for (int column = 0; column < 5; ++column) {
-        auto* cell = new QTableWidgetItem(QString::fromStdString(cells[column]));
-        if (column == 1) cell->setBackground(colourOf(result.finding));
-        table->setItem(row, column, cell);
-      }
-    }
-  }
-  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
-  table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Stretch);
-  // Rows follow the widths that the long columns get when the window is shown.
-  table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  return table;
-}
-
-void showFindings(const std::vector<Found>& found, QWidget* parent) {
-  QDialog dialog(parent);
-  dialog.setWindowTitle(QObject::tr("Devices"));
-  auto* layout = new QVBoxLayout(&dialog);
-  layout->addWidget(tableOf(found, &dialog));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  layout->addWidget(buttons);
-  dialog.resize(1000, 520);
-  dialog.exec();
-}
 
 }  // namespace
 
@@ -137,6 +64,18 @@ void DevicePanel::refresh() {
 }
 
 void DevicePanel::check() {
+  FindingsDialog(listen(), FindingsDialog::Asks::Nothing, window()).exec();
+}
+
+bool DevicePanel::mayBegin() {
+  if (rig_ == nullptr) return true;
+  const auto found = listen();
+  if (!FindingsDialog::hasFailed(found)) return true;
+  FindingsDialog question(found, FindingsDialog::Asks::GoWithout, window());
+  return question.exec() == QDialog::Accepted;
+}
+
+Found DevicePanel::listen() {
   // Nobody may begin a trial meanwhile: the note takes all clicks until the devices have answered.
   QDialog note(window());
   note.setWindowModality(Qt::ApplicationModal);
@@ -146,7 +85,7 @@ void DevicePanel::check() {
   note.show();
 
   timer_.stop();  // the rig belongs to the worker until it is done
-  std::vector<Found> found;
+  Found found;
   QEventLoop loop;
   std::jthread worker([&] {
     for (const auto& need : protocol_.devices) {
@@ -169,7 +108,7 @@ void DevicePanel::check() {
   note.close();
   refresh();
   timer_.start(kLookEvery);
-  showFindings(found, window());
+  return found;
 }
 
 }  // namespace study::gui

@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "protocols/protocol.h"
+#include "study/gui/findings_dialog.h"
 
 namespace study {
 class HardwareRig;
@@ -30,12 +31,18 @@ class DevicePanel final : public QWidget {
   /// While a trial runs nothing is checked.
   void setBusy(bool isBusy);
 
+  /// Before a session: checks every device, and asks where one has failed; No is what Enter says.
+  /// Virtual instruments are always fit.
+  bool mayBegin();
+
  public slots:
   /// Checks every device of the protocol, and shows what was found.
   void check();
 
  private:
   void refresh();
+  /// A few seconds, during which the window draws but takes no clicks.
+  std::vector<FindingsDialog::Found> listen();
 
   const protocols::Protocol& protocol_;
   HardwareRig* rig_;  ///< null: virtual instruments

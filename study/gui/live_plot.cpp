@@ -1,10 +1,35 @@
 #include "study/gui/live_plot.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QVBoxLayout>
+#include <qcustomplot.h>
 
 namespace study::gui {
 namespace {
-constexpr double kShown = 10.0;  // [s]
+
+const std::array<QColor, 3> kColours{
+    QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x9a, 0x9a, 0x9a)};
+
+void name(QCPAxis* axis, const QString& words, const QColor& colour) {
+  axis->setVisible(true);
+  axis->setLabel(words);
+  axis->setLabelColor(colour);
+}
+
+}  // namespace
+
+void LivePlot::Slice::add(double time, double value) {
+  if (isEmpty || value < least) {
+    least = value;
+    leastAt = time;
+  }
+  if (isEmpty || value > largest) {
+    largest = value;
+    largestAt = time;
+  }
+  isEmpty = false;
 }
 
 LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
@@ -13,41 +38,75 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   layout->addWidget(plot_);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
-  plot_->addGraph(plot_->xAxis, plot_->yAxis);
-  plot_->addGraph(plot_->xAxis, plot_->yAxis2);
-  plot_->graph(0)->setPen(QPen(QColor(0x00, 0x72, 0xb2), 1));
-  plot_->graph(1)->setPen(QPen(QColor(0xd5, 0x5e, 0x00), 1));
+  auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
+  const std::array<QCPAxis*, 3> axes{plot_->yAxis, plot_->yAxis2, speed};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    plot_->addGraph(plot_->xAxis, axes[i])->setPen(QPen(kColours[i], 1));
+  }
   plot_->xAxis->setLabel(tr("time [s]"));
-  plot_->yAxis->setLabel(tr("force [N]"));
-  plot_->yAxis->setLabelColor(QColor(0x00, 0x72, 0xb2));
-  plot_->yAxis2->setVisible(true);
-  plot_->yAxis2->setLabel(tr("travel"));
-  plot_->yAxis2->setLabelColor(QColor(0xd5, 0x5e, 0x00));
-  setMinimumHeight(220);
-  clear();
+  name(plot_->yAxis, tr("force [N]"), kColours[0]);
+  name(plot_->yAxis2, tr("travel"), kColours[1]);
+  name(speed, tr("velocity [/s]"), kColours[2]);
+  setMinimumHeight(200);
+  begin(1000.0);
 }
 
-void LivePlot::clear() {
-  plot_->graph(0)->data()->clear();
-  plot_->graph(1)->data()->clear();
+void LivePlot::begin(double rate) {
+  for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
+  slices_ = {};
+  period_ = 1.0 / rate;
+  slice_ = 0;
   last_ = 0.0;
   plot_->xAxis->setRange(0.0, kShown);
   plot_->yAxis->setRange(0.0, 8.0);
   plot_->yAxis2->setRange(0.0, 12.0);
+  plot_->graph(2)->valueAxis()->setRange(-50.0, 50.0);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void LivePlot::add(double time, double force, double travel) {
-  plot_->graph(0)->addData(time, force);
-  plot_->graph(1)->addData(time, travel);
+void LivePlot::add(const haptics::engine::TickSample& sample) {
+  const double time = static_cast<double>(sample.tick) * period_;
+  constexpr double kRounding = 1e-6;
+  const auto slice = static_cast<std::int64_t>(std::floor(time / kSlice + kRounding));
+  if (slice != slice_) endSlice();
+  slice_ = slice;
+  slices_[0].add(time, sample.force);
+  slices_[1].add(time, sample.travel);
+  slices_[2].add(time, sample.velocity);
   last_ = time;
 }
 
+void LivePlot::endSlice() {
+  for (std::size_t i = 0; i < slices_.size(); ++i) {
+    auto& slice = slices_[i];
+    if (slice.isEmpty) continue;
+    auto* graph = plot_->graph(static_cast<int>(i));
+    const bool leastFirst = slice.leastAt <= slice.largestAt;
+    graph->addData(
+        leastFirst ? slice.leastAt : slice.largestAt, leastFirst ? slice.least : slice.largest);
+    if (slice.leastAt != slice.largestAt) {
+      graph->addData(
+          leastFirst ? slice.largestAt : slice.leastAt, leastFirst ? slice.largest : slice.least);
+    }
+    slice = {};
+  }
+}
+
+std::vector<QPointF> LivePlot::channel(int index) const {
+  std::vector<QPointF> points;
+  const auto shown = plot_->graph(index)->data();
+  for (auto point = shown->constBegin(); point != shown->constEnd(); ++point) {
+    points.emplace_back(point->key, point->value);
+  }
+  return points;
+}
+
 void LivePlot::refresh() {
-  for (int i = 0; i < 2; ++i) plot_->graph(i)->data()->removeBefore(last_ - kShown);
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    plot_->graph(i)->data()->removeBefore(last_ - kShown);
+    plot_->graph(i)->rescaleValueAxis(true);
+  }
   plot_->xAxis->setRange(std::max(0.0, last_ - kShown), std::max(kShown, last_));
-  plot_->graph(0)->rescaleValueAxis(true);
-  plot_->graph(1)->rescaleValueAxis(true);
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

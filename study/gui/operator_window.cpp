@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QMessageBox>
 #include <QScreen>
 #include <QVBoxLayout>
@@ -13,6 +12,7 @@
 #include "study/gui/control_panel.h"
 #include "study/gui/device_panel.h"
 #include "study/gui/labels.h"
+#include "study/gui/pin_dialog.h"
 #include "study/gui/questionnaire_page.h"
 #include "study/gui/session_table.h"
 #include "study/gui/trial_panel.h"
@@ -59,10 +59,14 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   setCentralWidget(inside);
   resize(1280, 860);
 
-  connect(sessions_, &SessionTable::enrolRequested, this, &OperatorWindow::enrol);
-  connect(sessions_, &SessionTable::resumeRequested, this, [this](qlonglong id) {
-    resume(SessionId{id});
+  connect(sessions_, &SessionTable::enrolRequested, this, [this](const Enrolment& enrolment) {
+    if (devices_->mayBegin()) enrol(enrolment);
   });
+  connect(sessions_, &SessionTable::resumeRequested, this, [this](qlonglong id) {
+    if (devices_->mayBegin()) resume(SessionId{id});
+  });
+  connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
+  connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
   connect(controls_, &ControlPanel::interviewFinished, this, &OperatorWindow::finishInterview);
   connect(controls_, &ControlPanel::closeSessionRequested, this, &OperatorWindow::endSession);
 }
@@ -84,30 +88,44 @@ void OperatorWindow::resume(SessionId id) {
 
 void OperatorWindow::begin(Session session) {
   controller_ = std::make_unique<SessionController>(study_, *rig_, std::move(session));
-  connect(controller_.get(), &SessionController::stepChanged, this, &OperatorWindow::updateAll);
-  connect(controller_.get(), &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
-  connect(
-      controller_.get(),
-      &SessionController::languageChanged,
-      this,
-      &OperatorWindow::speakTheSessionsLanguage);
-  connect(controller_.get(), &SessionController::failed, this, [this](const QString& why) {
-    QMessageBox::warning(this, tr("That did not work"), why);
-  });
+  followSession();
   speakTheSessionsLanguage();
-  participant_ =
-      std::make_unique<ParticipantWindow>(*controller_, [this](double share) { moveHand(share); });
-  connect(
-      participant_.get(),
-      &ParticipantWindow::stopRequested,
-      controller_.get(),
-      &SessionController::stop);
+  participant_ = std::make_unique<ParticipantWindow>(
+      *controller_, pin_, [this](double share) { moveHand(share); });
   sessions_->setOpen(true);
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
   sessions_->refresh();
   updateAll();
   showParticipant();
+}
+
+void OperatorWindow::followSession() {
+  const auto* session = controller_.get();
+  connect(session, &SessionController::stepChanged, this, &OperatorWindow::updateAll);
+  connect(session, &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
+  connect(
+      session,
+      &SessionController::languageChanged,
+      this,
+      &OperatorWindow::speakTheSessionsLanguage);
+  connect(session, &SessionController::failed, this, [this](const QString& why) {
+    QMessageBox::warning(this, tr("That did not work"), why);
+  });
+}
+
+void OperatorWindow::stop() {
+  if (controller_) controller_->stop();
+}
+
+void OperatorWindow::handOver() {
+  if (!participant_) return;
+  if (!pin_.isChosen()) {
+    const auto chosen = askForNewPin(this);
+    if (!chosen) return;
+    pin_.choose(*chosen);
+  }
+  participant_->lock().lock();
 }
 
 void OperatorWindow::showParticipant() {
@@ -140,6 +158,7 @@ void OperatorWindow::moveHand(double share) {
 
 void OperatorWindow::updateAll() {
   trial_->updateSteps();
+  stopKey_.setArmed(controller_->isTrialRunning());
   devices_->setBusy(controller_->isTrialRunning());
   controls_->refresh();
   showInterview();
@@ -192,11 +211,6 @@ void OperatorWindow::endSession() {
   controller_.reset();
   sessions_->setOpen(false);
   sessions_->refresh();
-}
-
-void OperatorWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && controller_) controller_->stop();
-  QMainWindow::keyPressEvent(event);
 }
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {

@@ -8,8 +8,10 @@
 #include <QStackedWidget>
 #include <QTranslator>
 
+#include "study/gui/operator_pin.h"
 #include "study/gui/participant_window.h"
 #include "study/gui/session_controller.h"
+#include "study/gui/stop_key.h"
 #include "study/rig.h"
 
 namespace study::gui {
@@ -45,11 +47,13 @@ class OperatorWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void begin(Session session);
+  void followSession();
   void showParticipant();
+  void handOver();
+  void stop();
   void showInterview();
   void finishInterview();
   void endSession();
@@ -63,6 +67,8 @@ class OperatorWindow final : public QMainWindow {
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;
   QTranslator translator_;
+  OperatorPin pin_;
+  StopKey stopKey_;
   QStackedWidget* middle_;
   QuestionnairePage* interview_ = nullptr;
   SessionTable* sessions_;

@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -26,14 +25,19 @@ QString nativeName(const QString& language) {
 }
 
 ParticipantWindow::ParticipantWindow(
-    SessionController& controller, std::function<void(double)> moveHand, QWidget* parent)
+    SessionController& controller,
+    OperatorPin& pin,
+    std::function<void(double)> moveHand,
+    QWidget* parent)
     : QWidget(parent),
       controller_(controller),
       moveHand_(std::move(moveHand)),
       progress_(new QProgressBar(this)),
       languages_(new QComboBox(this)),
       place_(new QVBoxLayout),
-      next_(new QPushButton(this)) {
+      next_(new QPushButton(this)),
+      operator_(new QPushButton(this)),
+      lock_(new ScreenLock(*this, *operator_, pin)) {
   setWindowTitle(QStringLiteral("Palpate"));
   progress_->setTextVisible(false);
   progress_->setFocusPolicy(Qt::NoFocus);
@@ -49,6 +53,7 @@ ParticipantWindow::ParticipantWindow(
   top->addWidget(progress_, 1);
   top->addSpacing(24);
   top->addWidget(languages_);
+  top->addWidget(operator_);
   auto* bottom = new QHBoxLayout;
   bottom->addStretch(1);
   bottom->addWidget(next_);
@@ -66,7 +71,6 @@ ParticipantWindow::ParticipantWindow(
   connect(&controller_, &SessionController::stepChanged, this, &ParticipantWindow::showStep);
   connect(&controller_, &SessionController::languageChanged, this, &ParticipantWindow::showStep);
   connect(&controller_, &SessionController::trialChanged, this, &ParticipantWindow::updateTrial);
-  retranslate();
   showStep();
 }
 
@@ -82,6 +86,9 @@ QString ParticipantWindow::alternativeName(const QString& label) const {
 void ParticipantWindow::retranslate() {
   next_->setText(tr("Next"));
   languages_->setAccessibleName(tr("Language"));
+  operator_->setText(tr("Researcher"));
+  const QLocale locale(QString::fromStdString(controller_.session().language()));
+  setLayoutDirection(locale.textDirection());
 }
 
 void ParticipantWindow::changeEvent(QEvent* event) {
@@ -101,6 +108,7 @@ void ParticipantWindow::showStep() {
     feel_->setRunning(true);
     return;
   }
+  retranslate();
   updateProgress();
   QSignalBlocker quiet(languages_);
   languages_->setCurrentIndex(languages_->findData(QString::fromStdString(session.language())));
@@ -126,7 +134,7 @@ QWidget* ParticipantWindow::makePage() {
   const auto& session = controller_.session();
   if (session.isOver()) {
     next_->setVisible(false);
-    return makeMessage(tr("Thank you"), tr("This session is over. Please tell the researcher."));
+    return makeEnd();
   }
   if (session.state() == SessionState::Paused || session.state() == SessionState::Interrupted) {
     next_->setVisible(false);
@@ -215,6 +223,20 @@ QWidget* ParticipantWindow::makeBreak() {
   return makeMessage(tr("A short break"), localized(phase->text));
 }
 
+QWidget* ParticipantWindow::makeEnd() {
+  switch (controller_.session().state()) {
+    case SessionState::Declined:
+      return makeMessage(
+          tr("You do not take part"),
+          tr("You need not say why. Please tell the researcher that you have decided."));
+    case SessionState::Withdrawn:
+      return makeMessage(
+          tr("You have left the study"), tr("You need not say why. Please tell the researcher."));
+    default:
+      return makeMessage(tr("Thank you"), tr("This session is over. Please tell the researcher."));
+  }
+}
+
 QWidget* ParticipantWindow::makeMessage(const QString& title, const QString& words) {
   auto* page = new QWidget(this);
   auto* layout = new QVBoxLayout(page);
@@ -245,14 +267,6 @@ void ParticipantWindow::updateTrial() {
   if (feel_->tissue() != nullptr && mesh != nullptr) {
     feel_->tissue()->show(status.travel, mesh->under(status.force));
   }
-}
-
-void ParticipantWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) {
-    emit stopRequested();
-    return;
-  }
-  QWidget::keyPressEvent(event);
 }
 
 void ParticipantWindow::closeEvent(QCloseEvent* event) {

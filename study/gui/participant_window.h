@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 
+#include "study/gui/screen_lock.h"
 #include "study/gui/session_controller.h"
 
 namespace study::gui {
@@ -22,22 +23,22 @@ class ParticipantWindow final : public QWidget {
   Q_OBJECT
 
  public:
+  /// @param pin  what opens the window when it is locked; outlives it.
   /// @param moveHand  where the pointer hand of a virtual instrument goes, 0 (open) … 1 (closed).
   ParticipantWindow(
       SessionController& controller,
+      OperatorPin& pin,
       std::function<void(double)> moveHand,
       QWidget* parent = nullptr);
 
   /// The operator closes the session; only then does this window close.
   void allowClosing() { mayClose_ = true; }
 
- signals:
-  /// Somebody pressed Esc while something is felt.
-  void stopRequested();
+  /// The screen is the participant's until the operator's PIN.
+  ScreenLock& lock() noexcept { return *lock_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -52,6 +53,7 @@ class ParticipantWindow final : public QWidget {
   QWidget* makeFeelPage();
   QWidget* makeBenchmark();
   QWidget* makeBreak();
+  QWidget* makeEnd();
   QWidget* makeMessage(const QString& title, const QString& words);
   QString localized(const questionnaires::LocalizedText& text) const;
   QString alternativeName(const QString& label) const;
@@ -63,6 +65,8 @@ class ParticipantWindow final : public QWidget {
   QComboBox* languages_;
   QVBoxLayout* place_;
   QPushButton* next_;
+  QPushButton* operator_;
+  ScreenLock* lock_;
   QWidget* page_ = nullptr;
   FeelPage* feel_ = nullptr;
   QuestionnairePage* questions_ = nullptr;

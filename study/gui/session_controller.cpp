@@ -7,7 +7,7 @@
 
 namespace study::gui {
 namespace {
-constexpr int kLookEvery = 33;  // [ms]
+constexpr int kLookEvery = 16;  // [ms]: sixty pictures a second
 }
 
 SessionController::SessionController(Study& study, Rig& rig, Session session, QObject* parent)
@@ -38,6 +38,18 @@ const haptics::engine::MeshView* SessionController::mesh() const {
 QString SessionController::deviceName() const {
   if (session_.isOver() || session_.step().kind != StepKind::Trial) return {};
   return QString::fromStdString(deviceFor(session_).id);
+}
+
+haptics::devices::DeviceKind SessionController::deviceKind() const {
+  return deviceFor(session_).kind;
+}
+
+int SessionController::attempts(int step) const {
+  return study_.sessions().attempts(session_.id(), step);
+}
+
+storage::VisitStatus SessionController::statusOf(int step) const {
+  return study_.sessions().statusOf({session_.id(), step, attempts(step)});
 }
 
 void SessionController::answer(const study::GivenAnswer& answer) {
@@ -141,8 +153,18 @@ void SessionController::giveUpOnDevice(const QString& reason) {
   if (tryTo([&] { session_.giveUpOnDevice(reason.toStdString()); })) emit stepChanged();
 }
 
-void SessionController::note(const QString& text) {
-  tryTo([&] { session_.note(text.toStdString()); });
+std::vector<SessionController::Note> SessionController::notes() const {
+  std::vector<Note> notes;
+  for (const auto& event : study_.events().read(session_.id())) {
+    if (event.kind != "note") continue;
+    notes.push_back(
+        {QDateTime::fromMSecsSinceEpoch(event.when.wall), QString::fromStdString(event.detail)});
+  }
+  return notes;
+}
+
+bool SessionController::note(const QString& text) {
+  return tryTo([&] { session_.note(text.toStdString()); });
 }
 
 void SessionController::chooseLanguage(const QString& language) {

@@ -2,7 +2,9 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -10,6 +12,7 @@
 #include "study/live_trial.h"
 #include "study/rig.h"
 #include "study/session.h"
+#include "study/storage/session_repository.h"
 #include "study/trial.h"
 
 namespace study::gui {
@@ -36,8 +39,21 @@ class SessionController final : public QObject {
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
   }
-  /// Whether the device that the present trial needs is there.
+  /// The device that the present trial needs; empty where the step is none.
   QString deviceName() const;
+  haptics::devices::DeviceKind deviceKind() const;
+  double trialRate() const { return trial_ ? trial_->rate() : 0.0; }  ///< [Hz]
+
+  /// How often a step has been begun, and how its last attempt stands.
+  int attempts(int step) const;
+  storage::VisitStatus statusOf(int step) const;
+
+  /// What the operator has written down in this session, in order.
+  struct Note {
+    QDateTime when;  ///< local time
+    QString text;
+  };
+  std::vector<Note> notes() const;
 
  public slots:
   void answer(const study::GivenAnswer& answer);
@@ -56,7 +72,8 @@ class SessionController final : public QObject {
   void withdraw(const QString& reason);
   void reject(const QString& reason);
   void giveUpOnDevice(const QString& reason);
-  void note(const QString& text);
+  /// Returns whether it is kept.
+  bool note(const QString& text);
   void chooseLanguage(const QString& language);
 
  signals:

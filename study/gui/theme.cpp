@@ -26,9 +26,13 @@ QPushButton[role="next"]:disabled { background: #d4d9de; color: #7c8791; border-
 QPushButton[role="next"]:focus { border: 3px solid #e07b00; }
 QPushButton[role="point"] { font-size: 20px; min-width: 56px; min-height: 52px; padding: 4px; }
 QPushButton[role="option"] { text-align: left; min-height: 44px; font-size: 18px; }
+QPushButton[role="tool"] { min-height: 22px; padding: 5px 10px; }
 QPushButton[role="stop"] { background: #b3261e; color: #ffffff; border-color: #7d150f; font-size: 24px;
                            font-weight: 700; min-height: 64px; }
 QPushButton[role="stop"]:disabled { background: #e3c5c3; border-color: #e3c5c3; }
+QLabel[role="good"] { background: #1e6b3a; color: #ffffff; border-radius: 6px; font-weight: 600; }
+QLabel[role="resting"] { background: #e3e6e9; color: #3b434d; border-radius: 6px; font-weight: 600; }
+QLabel[role="bad"] { background: #b3261e; color: #ffffff; border-radius: 6px; font-weight: 600; }
 QLineEdit, QPlainTextEdit, QComboBox { background: #ffffff; border: 2px solid #9aa4ae; border-radius: 6px;
                                        padding: 6px; }
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid #e07b00; }

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <QLabel>
-#include <QTableWidget>
 #include <QWidget>
 
-#include "study/gui/live_plot.h"
 #include "study/gui/session_controller.h"
 
 namespace study::gui {
 
-/// Where the session is, step by step, and how the device and its clock are: red until healthy.
+class CutTable;
+class LivePlot;
+class ServoPanel;
+class TimelineTable;
+
+/// Where the session is, step by step, and what is felt just now: force, position and velocity, the
+/// cuts, and how punctually it is rendered. Red until healthy.
 class TrialPanel final : public QWidget {
   Q_OBJECT
 
@@ -24,14 +28,20 @@ class TrialPanel final : public QWidget {
   void updateTrial();
 
  private:
-  void showHealth(const QString& words, bool isHealthy);
+  enum class Health { Good, Resting, Bad };
+
+  void beginTrial();
+  void showHealth(const QString& words, Health health);
+  void showState();
 
   SessionController* controller_ = nullptr;
-  QTableWidget* steps_;
+  TimelineTable* steps_;
   QLabel* health_;
-  QLabel* cuts_;
-  QLabel* clock_;
+  QLabel* cutCount_;
+  QLabel* numbers_;
   LivePlot* plot_;
+  ServoPanel* servo_;
+  CutTable* cuts_;
   bool wasRunning_ = false;
 };
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "haptics/devices/device_check.h"
+
+namespace study::gui {
+
+/// What a check of the devices has found: PASS, WARN, FAIL, what was measured, what to do.
+class FindingsDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// What was found of one device.
+  struct Found {
+    std::string device;
+    std::vector<haptics::devices::CheckResult> results;
+  };
+
+  /// Whether to show them, or also to ask whether to go on without what has failed.
+  enum class Asks { Nothing, GoWithout };
+
+  FindingsDialog(const std::vector<Found>& found, Asks asks, QWidget* parent);
+
+  static bool hasFailed(const std::vector<Found>& found);
+};
+
+}  // namespace study::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "haptics/engine/tick_sample.h"
+#include "haptics/timing/lateness_histogram.h"
+
+namespace study::gui {
+
+/// How well a trial is rendered while it runs, tick by tick: lateness, what the limiter had to hold
+/// back, and the energy of the contact. Nothing of it depends on a clock of its own.
+class ServoHealth {
+ public:
+  /// Upper edges of the bars of lateness [µs]; the last bar has none.
+  static constexpr std::array<double, 7> kEdges{10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
+
+  void add(const haptics::engine::TickSample& sample);
+
+  std::uint64_t ticks() const noexcept { return ticks_; }
+  /// Ticks per bar, the first up to kEdges[0].
+  const std::array<std::uint64_t, kEdges.size() + 1>& bars() const noexcept { return bars_; }
+  /// The lateness that a share @p q of all ticks did not exceed [µs].
+  double lateness(double q) const noexcept { return histogram_.quantile(q); }
+  double largestLateness() const noexcept { return histogram_.largest(); }  ///< [µs]
+  /// The share of ticks in which the scene asked for more force than the limit, 0 … 1.
+  double saturatedShare() const noexcept { return share(saturated_); }
+  /// … and those in which the device gave no measurement.
+  double invalidShare() const noexcept { return share(invalid_); }
+  /// What the present contact has taken up, and the least that any came down to; below 0 it gave
+  /// more than it was given [N·device's travel unit].
+  double energy() const noexcept { return energy_; }
+  double leastEnergy() const noexcept { return leastEnergy_; }
+
+ private:
+  double share(std::uint64_t ticks) const noexcept {
+    return ticks_ == 0 ? 0.0 : static_cast<double>(ticks) / static_cast<double>(ticks_);
+  }
+
+  haptics::timing::LatenessHistogram histogram_;
+  std::array<std::uint64_t, kEdges.size() + 1> bars_{};
+  std::uint64_t ticks_ = 0;
+  std::uint64_t saturated_ = 0;
+  std::uint64_t invalid_ = 0;
+  double energy_ = 0.0;
+  double leastEnergy_ = 0.0;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,133 @@
+// What the operator sees of a trial while it runs: plot, health of the clock, cuts.
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "haptics/engine/force_limiter.h"
+#include "study/gui/cut_table.h"
+#include "study/gui/live_plot.h"
+#include "study/gui/servo_health.h"
+#include "study/gui/servo_panel.h"
+
+namespace study::gui {
+namespace {
+
+using haptics::engine::ForceLimiter;
+using haptics::engine::TickSample;
+
+TickSample sampleAt(std::uint64_t tick, double travel, double force) {
+  TickSample sample;
+  sample.tick = tick;
+  sample.travel = travel;
+  sample.force = force;
+  sample.status = haptics::devices::DeviceStatus::Ok;
+  return sample;
+}
+
+TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
+  LivePlot plot;
+  plot.begin(1000.0);
+  for (std::uint64_t tick = 0; tick < 25'000; ++tick) {
+    // One tick in the middle of the last ten seconds stands out of all others.
+    plot.add(
+        sampleAt(tick, 0.0, tick == 20'003 ? 7.5 : std::sin(0.01 * static_cast<double>(tick))));
+  }
+  plot.refresh();
+  const auto force = plot.channel(0);
+  double largest = 0.0;
+  double largestAt = 0.0;
+  for (const auto& point : force) {
+    if (point.y() <= largest) continue;
+    largest = point.y();
+    largestAt = point.x();
+  }
+  EXPECT_EQ(largest, 7.5);
+  EXPECT_NEAR(largestAt, 20.003, 1e-9);
+  EXPECT_GE(force.front().x(), 25.0 - LivePlot::kShown - LivePlot::kSlice);
+  const auto most = static_cast<std::size_t>(2.0 * LivePlot::kShown / LivePlot::kSlice) + 4;
+  EXPECT_LE(force.size(), most);
+  EXPECT_GT(force.size(), most / 3);
+}
+
+TEST(LivePlot, DrawsTimeForwardsOnly) {
+  LivePlot plot;
+  plot.begin(8000.0);
+  for (std::uint64_t tick = 0; tick < 40'000; ++tick) {
+    plot.add(sampleAt(tick, std::cos(0.02 * static_cast<double>(tick)), 0.0));
+  }
+  double before = -1.0;
+  const auto travel = plot.channel(1);
+  for (const auto& point : travel) {
+    EXPECT_GE(point.x(), before);
+    before = point.x();
+  }
+}
+
+TEST(ServoHealth, CountsLatenessInTheRightBars) {
+  ServoHealth health;
+  for (const float late : {0.0F, 10.0F, 11.0F, 20.0F, 999.0F, 1000.0F, 1001.0F, -3.0F}) {
+    auto sample = sampleAt(0, 0.0, 0.0);
+    sample.lateness = late;
+    health.add(sample);
+  }
+  const std::array<std::uint64_t, 8> expected{3, 2, 0, 0, 0, 0, 2, 1};
+  EXPECT_EQ(health.bars(), expected);
+  EXPECT_EQ(health.ticks(), 8U);
+  EXPECT_EQ(health.largestLateness(), 1001.0);
+}
+
+TEST(ServoHealth, TellsWhatTheLimiterAndTheDeviceDid) {
+  ServoHealth health;
+  for (int i = 0; i < 10; ++i) {
+    auto sample = sampleAt(0, 0.0, 0.0);
+    sample.energy = i == 4 ? -0.5 : 2.0;
+    if (i < 3) sample.interventions = ForceLimiter::Saturated;
+    if (i == 9) sample.marks = TickSample::Invalid;
+    health.add(sample);
+  }
+  EXPECT_DOUBLE_EQ(health.saturatedShare(), 0.3);
+  EXPECT_DOUBLE_EQ(health.invalidShare(), 0.1);
+  EXPECT_EQ(health.energy(), 2.0);
+  EXPECT_EQ(health.leastEnergy(), -0.5);
+}
+
+TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
+  ServoPanel panel;
+  auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
+  EXPECT_EQ(words->text(), QStringLiteral("Nothing is felt just now."));
+  panel.begin(1000.0);
+  auto sample = sampleAt(1, 0.0, 0.0);
+  sample.lateness = 37.0F;
+  panel.add(sample);
+  panel.refresh();
+  EXPECT_TRUE(words->text().contains(QStringLiteral("of 1000 Hz"))) << words->text().toStdString();
+  EXPECT_TRUE(words->text().contains(QStringLiteral("most 37 µs")));
+}
+
+TEST(CutTable, FillsARowWithEachCutAsItHappens) {
+  CutTable table;
+  table.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  // Three strokes over tissue that is felt from 4 on and gives way at 8.
+  for (std::uint64_t tick = 0; tick < 3000; ++tick) {
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(tick) / 1000.0;
+    const double travel = 5.5 - 5.5 * std::cos(phase);
+    const bool isClosing = std::sin(phase) >= 0.0;
+    const double force = isClosing && travel > 4.0 && travel < 8.0 ? 1.2 * (travel - 4.0) : 0.0;
+    table.add(sampleAt(tick, travel, force));
+    if (tick == 400) {
+      ASSERT_EQ(table.rowCount(), 1) << "a landmark is shown before the cut is over";
+      EXPECT_TRUE(table.item(0, 0)->text().startsWith(QStringLiteral("after")));
+    }
+  }
+  ASSERT_EQ(table.rowCount(), 3);
+  EXPECT_TRUE(table.item(0, 0)->text().contains(QStringLiteral(" N at 4")))
+      << table.item(0, 0)->text().toStdString();
+  const double largest = table.item(1, 4)->text().split(u' ').front().toDouble();
+  EXPECT_NEAR(largest, 4.8, 0.1);
+  table.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  EXPECT_EQ(table.rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace study::gui
