@@ -45,22 +45,27 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   }
   plot_->xAxis->setLabel(tr("time [s]"));
   name(plot_->yAxis, tr("force [N]"), kColours[0]);
-  name(plot_->yAxis2, tr("travel"), kColours[1]);
-  name(speed, tr("velocity [/s]"), kColours[2]);
+  name(plot_->yAxis2, {}, kColours[1]);
+  name(speed, {}, kColours[2]);
   setMinimumHeight(200);
-  begin(1000.0);
+  begin(haptics::devices::DeviceKind::Punch, 1000.0);
 }
 
-void LivePlot::begin(double rate) {
+void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {
   for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
   slices_ = {};
   period_ = 1.0 / rate;
   slice_ = 0;
   last_ = 0.0;
   plot_->xAxis->setRange(0.0, kShown);
-  plot_->yAxis->setRange(0.0, 8.0);
-  plot_->yAxis2->setRange(0.0, 12.0);
-  plot_->graph(2)->valueAxis()->setRange(-50.0, 50.0);
+  // What an ordinary hand does; more makes the scale grow.
+  const bool isPunch = device == haptics::devices::DeviceKind::Punch;
+  auto* speed = plot_->graph(2)->valueAxis();
+  plot_->yAxis->setRange(0.0, isPunch ? 8.0 : 40.0);
+  plot_->yAxis2->setRange(0.0, isPunch ? 12.0 : 0.03);
+  speed->setRange(isPunch ? -50.0 : -0.05, isPunch ? 50.0 : 0.05);
+  plot_->yAxis2->setLabel(isPunch ? tr("travel") : tr("travel [m]"));
+  speed->setLabel(isPunch ? tr("velocity [/s]") : tr("velocity [m/s]"));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -6,6 +6,7 @@
 #include <QPointF>
 #include <QWidget>
 
+#include "haptics/devices/device.h"
 #include "haptics/engine/tick_sample.h"
 
 class QCustomPlot;
@@ -26,8 +27,8 @@ class LivePlot final : public QWidget {
 
   explicit LivePlot(QWidget* parent = nullptr);
 
-  /// Ticks from now on are of @p rate [Hz].
-  void begin(double rate);
+  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  void begin(haptics::devices::DeviceKind device, double rate);
   void add(const haptics::engine::TickSample& sample);
   /// Draws what was added.
   void refresh();

@@ -65,7 +65,7 @@ void TrialPanel::updateSteps() {
 
 void TrialPanel::beginTrial() {
   const double rate = controller_->trialRate();
-  plot_->begin(rate);
+  plot_->begin(controller_->deviceKind(), rate);
   servo_->begin(rate);
   cuts_->begin(controller_->deviceKind(), rate);
 }

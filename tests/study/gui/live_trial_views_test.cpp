@@ -27,7 +27,7 @@ TickSample sampleAt(std::uint64_t tick, double travel, double force) {
 
 TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
   LivePlot plot;
-  plot.begin(1000.0);
+  plot.begin(haptics::devices::DeviceKind::Punch, 1000.0);
   for (std::uint64_t tick = 0; tick < 25'000; ++tick) {
     // One tick in the middle of the last ten seconds stands out of all others.
     plot.add(
@@ -52,7 +52,7 @@ TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
 
 TEST(LivePlot, DrawsTimeForwardsOnly) {
   LivePlot plot;
-  plot.begin(8000.0);
+  plot.begin(haptics::devices::DeviceKind::Punch, 8000.0);
   for (std::uint64_t tick = 0; tick < 40'000; ++tick) {
     plot.add(sampleAt(tick, std::cos(0.02 * static_cast<double>(tick)), 0.0));
   }

@@ -5,7 +5,6 @@
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -14,6 +13,8 @@
 #include "study/gui/answer_slider.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/option_buttons.h"
+#include "study/trial_setup.h"
+#include "tests/study/gui/visible_words.h"
 
 namespace tests {
 
@@ -45,22 +46,8 @@ bool Participant::waitFor(const std::function<bool()>& condition, int millisecon
 
 void Participant::look() {
   QCoreApplication::processEvents();
-  seen_.insert(page()->windowTitle());
-  for (auto* widget : page()->findChildren<QWidget*>()) {
-    for (const auto& words :
-         {widget->accessibleName(),
-          widget->accessibleDescription(),
-          widget->toolTip(),
-          widget->objectName(),
-          widget->windowTitle(),
-          widget->statusTip(),
-          widget->whatsThis()}) {
-      seen_.insert(words);
-    }
-    if (auto* label = qobject_cast<QLabel*>(widget)) seen_.insert(label->text());
-    if (auto* button = qobject_cast<QAbstractButton*>(widget)) seen_.insert(button->text());
-    if (auto* line = qobject_cast<QLineEdit*>(widget)) seen_.insert(line->placeholderText());
-  }
+  seen_.merge(wordsIn(*page()));
+  seenByOperator_.merge(wordsIn(window_));
   photograph();
 }
 
@@ -93,14 +80,34 @@ void Participant::cut(int cuts) {
   QCoreApplication::processEvents();  // the page may be new
   auto* feel = page()->findChild<FeelPage*>();
   auto* controller = window_.controller();
+  const double far = study::farthestFor(study::deviceFor(controller->session()));
   QTest::mouseClick(buttonSaying(feel, QStringLiteral("Begin")), Qt::LeftButton);
   for (int made = controller->trialStatus().cuts; made < cuts;) {
     QTest::keyPress(feel, Qt::Key_Space);
-    waitFor([&] { return controller->trialStatus().travel > 10.0; }, 2000);
+    double before = -1.0;
+    // Bone is not gone through at once: as far as the hand comes.
+    const auto isThrough = [&] {
+      const double travel = controller->trialStatus().travel;
+      const bool isAtRest = travel > 0.25 * far && travel - before < 1e-3 * far;
+      before = travel;
+      return travel > 0.75 * far || isAtRest;
+    };
+    waitFor(isThrough, 2000);
     QTest::keyRelease(feel, Qt::Key_Space);
-    waitFor([&] { return controller->trialStatus().travel < 2.0; }, 2000);
+    waitFor([&] { return controller->trialStatus().travel < 0.04 * far; }, 2000);
     made = controller->trialStatus().cuts;
   }
+}
+
+void Participant::doInterview() {
+  for (auto* lines : window_.findChildren<QPlainTextEdit*>()) {
+    if (lines->isVisible()) QTest::keyClicks(lines, QStringLiteral("Like bone."));
+  }
+  for (auto* buttons : window_.findChildren<OptionButtons*>()) {
+    QTest::mouseClick(buttons->button(0), Qt::LeftButton);
+  }
+  look();
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Finish the interview")), Qt::LeftButton);
 }
 
 void Participant::doStep() {
@@ -112,6 +119,10 @@ void Participant::doStep() {
     auto* enough = buttonSaying(page(), QStringLiteral("I have felt enough"));
     waitFor([&] { return enough->isEnabled(); }, 2000);
     QTest::mouseClick(enough, Qt::LeftButton);
+    return;
+  }
+  if (step.kind == StepKind::Interview) {
+    doInterview();
     return;
   }
   if (step.kind == StepKind::Benchmark) {

@@ -31,16 +31,20 @@ class Participant {
   /// Everything that was written anywhere in the participant's window: labels, buttons, titles,
   /// names for screen readers, tool tips, object names.
   const std::set<QString>& seen() const noexcept { return seen_; }
+  /// … and in the operator's, at the same times.
+  const std::set<QString>& seenByOperator() const noexcept { return seenByOperator_; }
 
  private:
   QWidget* page() const;
 
   void answerAll();
+  void doInterview();
   void photograph();
   bool waitFor(const std::function<bool()>& condition, int milliseconds) const;
 
   study::gui::OperatorWindow& window_;
   std::set<QString> seen_;
+  std::set<QString> seenByOperator_;
   int pictures_ = 0;
 };
 

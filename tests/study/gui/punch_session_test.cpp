@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -9,9 +10,11 @@
 #include "study/gui/feel_page.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/option_buttons.h"
+#include "study/gui/timeline_table.h"
 #include "study/results.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/gui/visible_words.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -65,18 +68,6 @@ TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
   }
 }
 
-TEST_F(PunchSession, ShowsNoConditionAnywhere) {
-  participant_.takePart();
-  ASSERT_GT(participant_.seen().size(), 60U);  // it has really looked
-  for (const auto& words : participant_.seen()) {
-    for (const auto* secret :
-         {"interpolation", "finite", "element", "fem", "kalman", "hysteresis", "parametric"}) {
-      EXPECT_FALSE(words.contains(QLatin1String(secret), Qt::CaseInsensitive))
-          << words.toStdString();
-    }
-  }
-}
-
 TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
   goToTheFirstTrial();
   participant_.cut(1);
@@ -109,6 +100,33 @@ TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
   EXPECT_EQ(window_.controller()->session().stepIndex(), step + 1);
 }
 
+TEST_F(PunchSession, StopsWhileTheOperatorTypesANote) {
+  goToTheFirstTrial();
+  participant_.cut(1);
+  auto* note = window_.findChild<QLineEdit*>();
+  QTest::keyClicks(note, QStringLiteral("the cable hu"));
+  QTest::keyClick(note, Qt::Key_Escape);
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
+  QTest::keyClick(note, Qt::Key_Return);
+  ASSERT_EQ(window_.controller()->notes().size(), 1U) << "and what was typed is still there";
+  EXPECT_EQ(window_.controller()->notes().front().text, QStringLiteral("the cable hu"));
+}
+
+TEST_F(PunchSession, ShowsAttemptsAndWhatWasSkipped) {
+  goToTheFirstTrial();
+  const int trial = window_.controller()->session().stepIndex();
+  participant_.cut(1);
+  window_.controller()->stop();
+  window_.controller()->repeatStep(QStringLiteral("stopped by mistake"));
+  const auto* timeline = window_.findChild<TimelineTable*>();
+  EXPECT_EQ(timeline->item(trial - 1, 4)->text(), QStringLiteral("done"));
+  EXPECT_EQ(timeline->item(trial, 3)->text(), QStringLiteral("2"));
+  EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("▶ now"));
+  window_.controller()->skipStep(QStringLiteral("no time"));
+  EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("skipped"));
+  EXPECT_EQ(timeline->item(trial + 1, 4)->text(), QStringLiteral("skipped")) << "its questions";
+}
+
 TEST_F(PunchSession, RefusesToCloseWhileATrialRuns) {
   goToTheFirstTrial();
   participant_.cut(1);
@@ -127,6 +145,24 @@ TEST_F(PunchSession, KeepsAnswersWhenTheLanguageIsSwitched) {
   EXPECT_EQ(window_.controller()->session().answers().size(), before.size() + 1);
   EXPECT_EQ(window_.participantWindow()->findChild<OptionButtons*>()->chosen(), 0);
   EXPECT_NE(buttonSaying(window_.participantWindow(), QStringLiteral("Weiter")), nullptr);
+}
+
+TEST_F(PunchSession, LetsSomebodyDeclineAndAsksNothingMore) {
+  participant_.takePart(1);  // at the consent form
+  auto* consent = window_.participantWindow()->findChild<OptionButtons*>();
+  QTest::mouseClick(consent->button(1), Qt::LeftButton);
+  const auto rest = window_.participantWindow()->findChildren<OptionButtons*>();
+  for (auto* other : rest) {
+    if (other != consent) QTest::mouseClick(other->button(1), Qt::LeftButton);
+  }
+  QTest::mouseClick(
+      buttonSaying(window_.participantWindow(), QStringLiteral("Next")), Qt::LeftButton);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Declined);
+  const auto words = tests::wordsIn(*window_.participantWindow());
+  EXPECT_EQ(words.count(QStringLiteral("You do not take part")), 1U);
+  EXPECT_EQ(buttonSaying(window_.participantWindow(), QStringLiteral("Next")), nullptr);
+  participant_.look();
 }
 
 TEST_F(PunchSession, GoesOnWhereItWasAfterTheWindowsWereClosed) {

@@ -1,0 +1,77 @@
+// The program is killed while somebody cuts; another one goes on.
+#include <csignal>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "protocols/loaded_protocol.h"
+#include "study/gui/operator_window.h"
+#include "study/storage/records.h"
+#include "study/verification.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+constexpr const char* kFolder = "PALPATE_TEST_STUDY";
+
+int firstTrial(const Session& session) {
+  int trial = 0;
+  while (session.plan()[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+  return trial;
+}
+
+/// Runs in a process of its own, which the test below begins: it does not come to an end.
+TEST(KilledSession, DISABLED_IsUnderWayAndKilled) {
+  SystemClock clock;
+  auto study = Study::open(std::getenv(kFolder), clock);
+  OperatorWindow window(study);
+  window.show();
+  window.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  tests::Participant participant(window);
+  participant.takePart(firstTrial(window.controller()->session()));
+  participant.cut(1);
+  ASSERT_TRUE(window.controller()->isTrialRunning());
+  raise(SIGKILL);
+}
+
+TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
+  tests::ScratchFolder folder;
+  const std::string place = folder / "study";
+  SystemClock clock;
+  questionnaires::Problems problems;
+  auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
+  Study::create(place, *protocol, clock, 7);
+  const auto killed = tests::run(
+      {GUI_TESTS,
+       "--gtest_also_run_disabled_tests",
+       "--gtest_filter=KilledSession.DISABLED_IsUnderWayAndKilled"},
+      {std::string(kFolder) + "=" + place});
+  ASSERT_EQ(killed.status, -SIGKILL) << killed.out;
+
+  auto study = Study::open(place, clock);
+  const auto before = storage::Records(study.database());
+  const auto answered = before.answers().size();
+  ASSERT_GT(answered, 3U);
+  OperatorWindow window(study);
+  window.show();
+  window.resume(before.sessions().front().id);
+  ASSERT_NE(window.controller(), nullptr);
+  const auto& session = window.controller()->session();
+  EXPECT_EQ(session.stepIndex(), firstTrial(session));
+  EXPECT_EQ(session.state(), SessionState::Interrupted);
+  EXPECT_EQ(storage::Records(study.database()).answers().size(), answered);
+  EXPECT_EQ(storage::Records(study.database()).trials().front().ending, "program_ended");
+
+  window.controller()->repeatStep(QStringLiteral("the power failed"));
+  tests::Participant participant(window);
+  participant.doStep();
+  EXPECT_EQ(session.stepIndex(), firstTrial(session) + 1);
+  window.close();
+  EXPECT_TRUE(verify(study).isSound());
+}
+
+}  // namespace
+}  // namespace study::gui
