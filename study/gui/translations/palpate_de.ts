@@ -88,6 +88,26 @@
         <source>Step %1 of %2</source>
         <translation>Schritt %1 von %2</translation>
     </message>
+    <message>
+        <source>Researcher</source>
+        <translation>Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>You do not take part</source>
+        <translation>Sie nehmen nicht teil</translation>
+    </message>
+    <message>
+        <source>You need not say why. Please tell the researcher that you have decided.</source>
+        <translation>Sie müssen das nicht begründen. Bitte sagen Sie der Versuchsleitung, dass Sie sich entschieden haben.</translation>
+    </message>
+    <message>
+        <source>You have left the study</source>
+        <translation>Sie haben die Studie verlassen</translation>
+    </message>
+    <message>
+        <source>You need not say why. Please tell the researcher.</source>
+        <translation>Sie müssen das nicht begründen. Bitte sagen Sie der Versuchsleitung Bescheid.</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::PointItem</name>
@@ -101,6 +121,33 @@
     <message>
         <source>You may leave this out.</source>
         <translation>Diese Angabe ist freiwillig.</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::ScreenLock</name>
+    <message>
+        <source>Only for the researcher: the PIN, please.</source>
+        <translation>Nur für die Versuchsleitung: bitte die PIN.</translation>
+    </message>
+    <message>
+        <source>PIN of the researcher</source>
+        <translation>PIN der Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. Please wait %1 s.</source>
+        <translation>Das ist nicht die PIN. Bitte warten Sie %1 s.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN.</source>
+        <translation>Das ist nicht die PIN.</translation>
     </message>
 </context>
 <context>

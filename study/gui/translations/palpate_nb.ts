@@ -88,6 +88,26 @@
         <source>Step %1 of %2</source>
         <translation>Steg %1 av %2</translation>
     </message>
+    <message>
+        <source>Researcher</source>
+        <translation>Forsker</translation>
+    </message>
+    <message>
+        <source>You do not take part</source>
+        <translation>Du deltar ikke</translation>
+    </message>
+    <message>
+        <source>You need not say why. Please tell the researcher that you have decided.</source>
+        <translation>Du trenger ikke å si hvorfor. Si fra til forskeren at du har bestemt deg.</translation>
+    </message>
+    <message>
+        <source>You have left the study</source>
+        <translation>Du har forlatt studien</translation>
+    </message>
+    <message>
+        <source>You need not say why. Please tell the researcher.</source>
+        <translation>Du trenger ikke å si hvorfor. Si fra til forskeren.</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::PointItem</name>
@@ -101,6 +121,33 @@
     <message>
         <source>You may leave this out.</source>
         <translation>Dette kan du hoppe over.</translation>
+    </message>
+</context>
+<context>
+    <name>study::gui::ScreenLock</name>
+    <message>
+        <source>Only for the researcher: the PIN, please.</source>
+        <translation>Bare for forskeren: PIN-koden, takk.</translation>
+    </message>
+    <message>
+        <source>PIN of the researcher</source>
+        <translation>Forskerens PIN-kode</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbake</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpne</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. Please wait %1 s.</source>
+        <translation>Det er ikke PIN-koden. Vent i %1 s.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN.</source>
+        <translation>Det er ikke PIN-koden.</translation>
     </message>
 </context>
 <context>
