@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
+void addConsentCommand(CLI::App& noun, Action& action);  // of the noun "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);

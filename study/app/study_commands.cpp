@@ -293,6 +293,8 @@ void addStudyCommands(CLI::App& program, Action& action) {
       action,
       app::verify);
   verify->add_flag("--json", options->json, "For programs");
+
+  addConsentCommand(*noun, action);
 }
 
 }  // namespace study::app

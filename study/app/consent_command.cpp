@@ -1,0 +1,45 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/app/commands.h"
+#include "study/app/paint_figures.h"
+#include "study/new_file.h"
+#include "study/report/consent_copy.h"
+
+namespace study::app {
+namespace {
+
+struct ConsentArguments {
+  std::string folder;
+  std::string participant;
+  std::string out;
+};
+
+int copyConsent(const ConsentArguments& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  const auto html = report::consentCopy(study, options.participant);
+  const bool isPdf = std::filesystem::path(options.out).extension() == ".pdf";
+  writeNewFile(options.out, isPdf ? pdfOf(html, study.protocol().protocol.study.title) : html);
+  fmt::print("{} is for {} to keep.\n", options.out, options.participant);
+  return 0;
+}
+
+}  // namespace
+
+void addConsentCommand(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<ConsentArguments>();
+  auto* verb =
+      noun.add_subcommand("consent", "A copy of what somebody agreed to, for them to keep");
+  verb->add_option("DIR", options->folder, "The study's folder")->required();
+  verb->add_option("--participant", options->participant, "Their code")->required();
+  verb->add_option("--out", options->out, "What to write: .html or .pdf; nothing is overwritten")
+      ->required();
+  verb->callback([&action, options] { action = [options] { return copyConsent(*options); }; });
+}
+
+}  // namespace study::app

@@ -1,0 +1,148 @@
+#include "study/report/consent_copy.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "study/report/html_text.h"
+#include "study/session.h"
+#include "study/storage/records.h"
+#include "study/words/words.h"
+
+namespace study::report {
+namespace {
+
+using questionnaires::Item;
+
+/// What was chosen, as it stood on the screen; empty for what is neither a choice nor a number.
+std::string chosen(
+    const Item& item, const questionnaires::Response& response, const std::string& language) {
+  const auto textOf = [&](const std::string& id) -> std::string {
+    const auto option = std::find_if(
+        item.options.begin(), item.options.end(), [&](const auto& o) { return o.id == id; });
+    return option == item.options.end() ? id : option->text.in(language);
+  };
+  if (const auto* id = std::get_if<std::string>(&response)) return textOf(*id);
+  std::string all;
+  if (const auto* ids = std::get_if<std::vector<std::string>>(&response)) {
+    for (const auto& id : *ids) all += (all.empty() ? "" : ", ") + textOf(id);
+  }
+  return all;
+}
+
+/// Of the newest session of @p code that has come to the end of a consent form: what was answered.
+struct Consent {
+  storage::SessionRecord session;
+  std::map<std::string, storage::AnswerRecord> answers;  ///< by item
+  std::string instrument;
+};
+
+std::optional<Consent> findConsent(Study& study, const std::string& code) {
+  const storage::Records records(study.database());
+  std::optional<Consent> found;
+  for (const auto& session : records.sessions()) {
+    if (session.participant == code) found = Consent{.session = session};
+  }
+  if (!found) return std::nullopt;
+  for (const auto& record : records.answers()) {
+    const bool isTheirs = record.step.visit.session == found->session.id;
+    const bool isOfTheEnd = record.step.visitStatus == "finished";
+    if (!isTheirs || !isOfTheEnd || record.step.kind != nameOf(StepKind::Consent)) continue;
+    found->instrument = record.step.instrument;
+    found->answers[record.answer.item] = record;
+  }
+  return found->answers.empty() ? std::nullopt : found;
+}
+
+class ConsentPage {
+ public:
+  ConsentPage(const protocols::LoadedProtocol& protocol, const Consent& consent)
+      : protocol_(protocol),
+        consent_(consent),
+        language_(consent.answers.begin()->second.answer.language) {
+    const auto known = words::languages();
+    const bool isKnown = std::find(known.begin(), known.end(), language_) != known.end();
+    words_ = words::wordsIn(isKnown ? language_ : "en");
+  }
+
+  std::string html() {
+    const auto& study = protocol_.protocol.study;
+    tag("h1", study.title);
+    tag("p", words_.say("Copy for the participant {}", consent_.session.participant));
+    for (const auto& phase : protocol_.protocol.phases) {
+      const bool isConsent = phase.type == protocols::PhaseType::Consent;
+      if (!isConsent && phase.type != protocols::PhaseType::Information) continue;
+      text(*protocol_.instrument(phase.instrument));
+      if (isConsent) break;
+    }
+    choices(*protocol_.instrument(consent_.instrument));
+    end();
+    return htmlPage(study.title, html_, language_);
+  }
+
+ private:
+  void tag(const std::string& name, const std::string& words) {
+    html_ += "<" + name + ">" + escaped(words) + "</" + name + ">\n";
+  }
+
+  void text(const questionnaires::Instrument& instrument) {
+    tag("h2", instrument.title.in(language_));
+    std::string rest = instrument.introduction.in(language_);
+    for (auto end = rest.find("\n\n"); end != std::string::npos; end = rest.find("\n\n")) {
+      tag("p", rest.substr(0, end));
+      rest.erase(0, end + 2);
+    }
+    tag("p", rest);
+  }
+
+  void choices(const questionnaires::Instrument& instrument) {
+    for (const auto& item : instrument.items) {
+      const auto answer = consent_.answers.find(item.id);
+      if (item.isIdentifying) continue;
+      tag("h3", item.text.in(language_));
+      tag("p",
+          answer == consent_.answers.end()
+              ? words_("not answered")
+              : "→ " + chosen(item, answer->second.answer.response, language_));
+    }
+  }
+
+  void end() {
+    const auto& last =
+        std::max_element(
+            consent_.answers.begin(),
+            consent_.answers.end(),
+            [](const auto& a, const auto& b) { return a.second.savedUtc < b.second.savedUtc; })
+            ->second;
+    const auto& instrument = *protocol_.instrument(consent_.instrument);
+    tag("p", words_("Signature, if one is asked for: ______________________________"));
+    html_ += "<p class=\"note\">" +
+             escaped(words_.say(
+                 "Answered at {} (UTC). Text {}, version {}; protocol {}, SHA-256 {}.",
+                 last.savedUtc,
+                 instrument.id,
+                 instrument.version,
+                 protocol_.protocol.study.version,
+                 consent_.session.protocolHash)) +
+             "</p>\n";
+  }
+
+  const protocols::LoadedProtocol& protocol_;
+  const Consent& consent_;
+  std::string language_;
+  words::Words words_;
+  std::string html_;
+};
+
+}  // namespace
+
+std::string consentCopy(Study& study, const std::string& participant) {
+  const auto consent = findConsent(study, participant);
+  if (!consent) {
+    throw NotNow(
+        "Nobody of the code '" + participant + "' has come to the end of a consent form here.");
+  }
+  return ConsentPage(study.protocol(consent->session.protocol), *consent).html();
+}
+
+}  // namespace study::report

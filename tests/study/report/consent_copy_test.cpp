@@ -1,0 +1,68 @@
+#include "study/report/consent_copy.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study::report {
+namespace {
+
+bool has(const std::string& page, const std::string& words) {
+  return page.find(words) != std::string::npos;
+}
+
+class ConsentCopy : public testing::Test {
+ protected:
+  Session participant(const char* language) {
+    return tests::consenting(study_, {.cohort = "professional", .language = language});
+  }
+
+  tests::ScratchFolder folder_;
+  SimulatedClock clock_;
+  Study study_ =
+      Study::create(folder_ / "study", tests::libraryProtocol("punch-face-validity"), clock_, 7);
+};
+
+TEST_F(ConsentCopy, HoldsInformationTermsAndChoiceInTheirLanguage) {
+  const auto session = participant("de");
+  const auto page = consentCopy(study_, session.participant());
+  const auto& protocol = session.protocol();
+  const auto* consent = protocol.instrument("consent-punch");
+  EXPECT_TRUE(has(page, "<html lang=\"de\">"));
+  EXPECT_TRUE(has(page, "Mir ist bekannt, dass die Teilnahme freiwillig ist"));
+  EXPECT_TRUE(has(page, "→ Ja, ich nehme teil"));
+  EXPECT_TRUE(has(page, "nicht beantwortet")) << "the video, which nobody was asked to allow";
+  EXPECT_TRUE(has(page, "consent-punch, Version " + consent->version));
+  EXPECT_TRUE(has(page, study_.protocols().current().sha256));
+  EXPECT_TRUE(has(page, session.participant()));
+  const auto information = protocol.protocol.phases.front().instrument;
+  EXPECT_TRUE(has(page, protocol.instrument(information)->title.in("de")));
+}
+
+TEST_F(ConsentCopy, NamesNobody) {
+  auto session = Session::enrol(study_, {.cohort = "professional"});
+  tests::walkTo(session, StepKind::Consent);
+  auto signature = session.items().back();
+  ASSERT_TRUE(signature.isIdentifying);
+  session.record({.item = signature.id, .response = std::string("Erika Muster"), .language = "en"});
+  tests::answerStep(session);
+  session.finishStep();
+  const auto page = consentCopy(study_, session.participant());
+  EXPECT_FALSE(has(page, "Erika"));
+  EXPECT_TRUE(has(page, "Signature, if one is asked for"));
+}
+
+TEST_F(ConsentCopy, IsRefusedForWhoeverHasNotDecidedYet) {
+  const auto session = Session::enrol(study_, {.cohort = "professional"});
+  try {
+    consentCopy(study_, session.participant());
+    FAIL();
+  } catch (const NotNow& refusal) {
+    EXPECT_TRUE(has(refusal.what(), session.participant()));
+  }
+  EXPECT_THROW(consentCopy(study_, "nobody"), NotNow);
+}
+
+}  // namespace
+}  // namespace study::report
