@@ -1,14 +1,15 @@
 #include "study/pooled_answers.h"
 
 #include <algorithm>
+#include <future>
 
 #include "questionnaires/answer.h"
 #include "study/answer_tables.h"
 #include "study/storage/completed_sessions.h"
 
 namespace study {
-
-PooledAnswers::PooledAnswers(Study& study, RunMode mode) : study_(study), mode_(mode) {
+PooledAnswers::PooledAnswers(Study& study, RunMode mode, std::int64_t worthAThread)
+    : study_(study), mode_(mode), worthAThread_(worthAThread) {
   countAll();
 }
 
@@ -21,9 +22,7 @@ void PooledAnswers::layOut() {
     families_.push_back({table.methods, table.lowest, table.highest, placesOfACohort_});
     placesOfACohort_ += table.methods.size() * families_.back().points();
   }
-  counts_.assign(placesOfACohort_ * loaded_->protocol.cohorts.size(), 0);
   uses_.assign(1, {});  // questions are counted from 1
-  sessions_ = {};
 }
 
 std::vector<PooledAnswers::Use> PooledAnswers::usesOf(const storage::Question& question) const {
@@ -83,10 +82,10 @@ void PooledAnswers::addPlaces(
   }
 }
 
-void PooledAnswers::keep(SessionId session, const std::vector<Place>& places) {
+void PooledAnswers::keep(SessionId session, const std::vector<Place>& places, Part& part) {
   if (places.empty()) return;
-  sessions_.put(session, places);
-  for (const auto place : places) ++counts_[place];
+  part.sessions.put(session, places);
+  for (const auto place : places) ++part.counts[place];
 }
 
 void PooledAnswers::countAll() {
@@ -96,14 +95,35 @@ void PooledAnswers::countAll() {
   learnQuestions();
   const storage::CodedAnswers answers(study_.database());
   const auto withMore = answers.sessionsWithMore();
-  storage::CompletedSessions completed(study_.database(), mode_);
+  const auto last = static_cast<std::int64_t>(answers.lastSession());
+  const bool isLarge = last >= worthAThread_;
+  secondFrom_ = isLarge ? SessionId{last / 2} : storage::SessionRange{}.end;
+  std::future<Part> second;
+  if (isLarge) {
+    second = std::async(std::launch::async, [this, &withMore] {
+      auto reader = study_.openReader();
+      return counted(reader, {.first = secondFrom_}, withMore);
+    });
+  }
+  parts_[0] = counted(study_.database(), {.end = secondFrom_}, withMore);
+  parts_[1] =
+      isLarge ? second.get() : Part{std::vector<std::uint64_t>(parts_[0].counts.size()), {}};
+  for (const auto left : withMore) countAnew(left);
+}
 
+PooledAnswers::Part PooledAnswers::counted(
+    storage::Database& database,
+    const storage::SessionRange& range,
+    const std::vector<SessionId>& withMore) const {
+  Part part;
+  part.counts.assign(placesOfACohort_ * loaded_->protocol.cohorts.size(), 0);
+  storage::CompletedSessions completed(database, mode_, range.first);
   SessionId session{};
   std::optional<std::size_t> cohort;
   std::vector<Place> places;
-  answers.visitAll([&](const storage::CodedAnswer& answer) {
+  const auto add = [&](const storage::CodedAnswer& answer) {
     if (answer.session != session) {
-      keep(session, places);
+      keep(session, places, part);
       places.clear();
       session = answer.session;
       const bool counts = completed.isThere(session) &&
@@ -111,13 +131,15 @@ void PooledAnswers::countAll() {
       cohort = counts ? cohortNamed(completed.cohort()) : std::nullopt;
     }
     if (cohort) addPlaces(answer, *cohort, places);
-  });
-  keep(session, places);
-  for (const auto left : withMore) countAnew(left);
+  };
+  storage::CodedAnswers(database).visitAll(add, range);
+  keep(session, places, part);
+  return part;
 }
 
 void PooledAnswers::countAnew(SessionId session) {
-  for (const auto place : sessions_.take(session)) --counts_[place];
+  auto& part = partOf(session);
+  for (const auto place : part.sessions.take(session)) --part.counts[place];
   const auto row = study_.sessions().load(session);
   const auto cohort = cohortNamed(row.cohort);
   if (row.runMode != mode_ || row.state != SessionState::Completed || !cohort) return;
@@ -125,7 +147,7 @@ void PooledAnswers::countAnew(SessionId session) {
   storage::CodedAnswers(study_.database()).visitFinished(session, [&](const auto& answer) {
     addPlaces(answer, *cohort, places);
   });
-  keep(session, places);
+  keep(session, places, part);
 }
 
 bool PooledAnswers::refresh() {
@@ -147,11 +169,13 @@ std::vector<analysis::NamedCounts> PooledAnswers::of(std::size_t family, std::si
   const auto& layout = families_.at(family);
   const auto points = layout.points();
   std::vector<analysis::NamedCounts> conditions;
+  std::vector<std::uint64_t> sums(points);
   for (std::size_t i = 0; i < layout.conditions.size(); ++i) {
     const auto first = cohort * placesOfACohort_ + layout.first + i * points;
-    conditions.push_back(
-        {layout.conditions[i],
-         analysis::LikertCounts(layout.lowest, std::span(counts_).subspan(first, points))});
+    for (std::size_t k = 0; k < points; ++k) {
+      sums[k] = parts_[0].counts[first + k] + parts_[1].counts[first + k];
+    }
+    conditions.push_back({layout.conditions[i], analysis::LikertCounts(layout.lowest, sums)});
   }
   return conditions;
 }

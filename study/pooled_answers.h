@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,13 +19,18 @@ namespace study {
 /// profile as published compares (docs/statistics.md). Keyed so that more is better; only completed
 /// sessions count, and of those only visits that were finished and not repeated.
 ///
-/// Everything is counted once, from an index of whole numbers. Afterwards the audit trail says
+/// Everything is counted once, from an index of whole numbers; of a large study two threads count
+/// half the sessions each. Afterwards the audit trail says
 /// which sessions anything has happened to: refresh() takes back what they had added and counts
 /// those anew, and no other.
 class PooledAnswers {
  public:
+  /// From so many sessions on a second thread, with a connection of its own, is worth its
+  /// beginning.
+  static constexpr std::int64_t kWorthAThread = 5000;
+
   /// The study outlives it. @throws storage::StorageError
-  PooledAnswers(Study& study, RunMode mode);
+  PooledAnswers(Study& study, RunMode mode, std::int64_t worthAThread = kWorthAThread);
   PooledAnswers(const PooledAnswers&) = delete;
   PooledAnswers& operator=(const PooledAnswers&) = delete;
 
@@ -60,25 +66,37 @@ class PooledAnswers {
     std::size_t first = 0;  ///< place of its condition among those of a cohort
   };
 
+  /// What some sessions have added.
+  struct Part {
+    std::vector<std::uint64_t> counts;  ///< cohort by cohort
+    CountedSessions sessions;
+  };
+
   void layOut();
   void learnQuestions();
   std::vector<Use> usesOf(const storage::Question& question) const;
   void countAll();
+  Part counted(
+      storage::Database& database,
+      const storage::SessionRange& range,
+      const std::vector<SessionId>& withMore) const;
   void countAnew(SessionId session);
-  void keep(SessionId session, const std::vector<Place>& places);
+  Part& partOf(SessionId session) noexcept { return parts_[session < secondFrom_ ? 0 : 1]; }
+  static void keep(SessionId session, const std::vector<Place>& places, Part& part);
   std::optional<std::size_t> cohortNamed(const std::string& cohort) const;
   void addPlaces(
       const storage::CodedAnswer& answer, std::size_t cohort, std::vector<Place>& to) const;
 
   Study& study_;
   RunMode mode_;
+  std::int64_t worthAThread_;
   const protocols::LoadedProtocol* loaded_ = nullptr;
   std::int64_t lastEvent_ = 0;
   std::vector<FamilyCounts> families_;
   std::size_t placesOfACohort_ = 0;
   std::vector<std::vector<Use>> uses_;  ///< by number of the question
-  std::vector<std::uint64_t> counts_;   ///< cohort by cohort
-  CountedSessions sessions_;
+  std::array<Part, 2> parts_;           ///< the second of a large study's later sessions
+  SessionId secondFrom_{};              ///< the first session that belongs there
 };
 
 /// The comparisons that a family declares, by Welch's test, of answers that were pooled; corrected

@@ -119,6 +119,10 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
   });
 }
 
+storage::Database Study::openReader() const {
+  return Database::open(database_.path(), storage::studySchema(), Database::Access::ReadOnly);
+}
+
 storage::TraceStore Study::openTraces() const {
   return storage::TraceStore(Database::open(
       StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));

@@ -14,7 +14,8 @@ namespace {
 constexpr const char* kVisit = "palpate_visit";
 constexpr const char* kVisitAll =
     "SELECT palpate_visit(session_id, question, point) "
-    "FROM answer INDEXED BY answers_to_be_counted WHERE point IS NOT NULL";
+    "FROM answer INDEXED BY answers_to_be_counted "
+    "WHERE point IS NOT NULL AND session_id >= ? AND session_id < ?";
 
 struct Visiting {
   const CodedAnswers::Visitor& visitor;
@@ -87,11 +88,20 @@ std::vector<Question> CodedAnswers::questionsAfter(std::int64_t known) const {
   return questions;
 }
 
-void CodedAnswers::visitAll(const Visitor& visitor) const {
+SessionId CodedAnswers::lastSession() const {
+  Statement select(database_, "SELECT coalesce(max(id), 0) FROM session");
+  select.step();
+  return SessionId{select.number(0)};
+}
+
+void CodedAnswers::visitAll(const Visitor& visitor, const SessionRange& sessions) const {
   Visiting visiting{visitor, nullptr};
   const VisitFunction function(database_, visiting);
   try {
-    Statement(database_, kVisitAll).run();
+    Statement select(database_, kVisitAll);
+    select.bind(1, static_cast<std::int64_t>(sessions.first));
+    select.bind(2, static_cast<std::int64_t>(sessions.end));
+    select.run();
   } catch (const StorageError&) {
     if (!visiting.failure) throw;
   }

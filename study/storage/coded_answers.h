@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct CodedAnswer {
   std::int64_t point = 0;
 };
 
+/// Sessions by their numbers: from @p first on, and before @p end.
+struct SessionRange {
+  SessionId first{};
+  SessionId end{std::numeric_limits<std::int64_t>::max()};
+};
+
 /// The answers that are points on a scale, read from an index that holds nothing else.
 ///
 /// Ten million of them pass within a second, one at a time; none is kept. Belongs to the thread of
@@ -43,7 +50,10 @@ class CodedAnswers {
 
   /// Shows all of them to @p visitor, session by session, whether or not they count.
   /// @throws StorageError  and whatever the visitor throws.
-  void visitAll(const Visitor& visitor) const;
+  void visitAll(const Visitor& visitor, const SessionRange& sessions = {}) const;
+
+  /// The last session's number; 0 before the first.
+  SessionId lastSession() const;
 
   /// Those of one session that were given in visits that were finished and not repeated.
   void visitFinished(SessionId session, const Visitor& visitor) const;

@@ -4,12 +4,13 @@
 
 namespace study::storage {
 
-CompletedSessions::CompletedSessions(Database& database, RunMode mode)
+CompletedSessions::CompletedSessions(Database& database, RunMode mode, SessionId first)
     : select_(
           database,
           "SELECT id, cohort FROM session INDEXED BY sessions_by_outcome "
-          "WHERE run_mode = ? AND state = ? ORDER BY id") {
+          "WHERE run_mode = ? AND state = ? AND id >= ? ORDER BY id") {
   select_.bind(1, nameOf(mode)).bind(2, nameOf(SessionState::Completed));
+  select_.bind(3, static_cast<std::int64_t>(first));
 }
 
 bool CompletedSessions::next() {

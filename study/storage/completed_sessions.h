@@ -13,8 +13,8 @@ namespace study::storage {
 /// an index that holds nothing else. None is kept.
 class CompletedSessions {
  public:
-  /// The database outlives it. @throws StorageError
-  CompletedSessions(Database& database, RunMode mode);
+  /// From @p first on. The database outlives it. @throws StorageError
+  CompletedSessions(Database& database, RunMode mode, SessionId first = {});
 
   /// On to the next one; false where there is none. @throws StorageError
   bool next();

@@ -79,6 +79,26 @@ class PooledAnswersTest : public testing::Test {
     return sum;
   }
 
+  /// Its first answer to item 2.2 becomes the next higher point, or the lowest.
+  VisitKey correctAnAnswerOf(std::int64_t session) {
+    storage::Statement one(
+        study_->database(),
+        "SELECT step, attempt FROM answer WHERE item = '2.2' AND session_id = ? LIMIT 1");
+    one.bind(1, session);
+    if (!one.step()) throw std::runtime_error("there is no such answer");
+    const VisitKey visit{
+        SessionId{session}, static_cast<int>(one.number(0)), static_cast<int>(one.number(1))};
+    one.reset();
+    storage::AnswerRepository answers(study_->database());
+    auto answer = answers.find(visit, "2.2").value();
+    answer.response = std::get<std::int64_t>(answer.response) % 5 + 1;
+    study_->transact([&] {
+      answers.put(visit, answer, "later");
+      study_->events().append({.visit = visit, .kind = "answered", .detail = auditWords(answer)});
+    });
+    return visit;
+  }
+
   tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
   int next_ = 0;
 };
@@ -126,30 +146,31 @@ TEST_F(PooledAnswersTest, FollowAnAnswerThatIsCorrected) {
   takePart("non-professional");
   PooledAnswers pooled(*study_, RunMode::Live);
   const auto before = countsOf(pooled);
-  storage::Statement one(
-      study_->database(),
-      "SELECT session_id, step, attempt FROM answer WHERE item = '2.2' LIMIT 1");
-  ASSERT_TRUE(one.step());
-  const VisitKey visit{
-      SessionId{one.number(0)}, static_cast<int>(one.number(1)), static_cast<int>(one.number(2))};
-  one.reset();
-  storage::AnswerRepository answers(study_->database());
-  auto answer = answers.find(visit, "2.2").value();
-  answer.response = std::get<std::int64_t>(answer.response) % 5 + 1;
-  study_->transact([&] {
-    answers.put(visit, answer, "later");
-    study_->events().append({.visit = visit, .kind = "answered", .detail = auditWords(answer)});
-  });
+  const auto visit = correctAnAnswerOf(1);
   EXPECT_TRUE(pooled.refresh());
   EXPECT_NE(countsOf(pooled), before);
   EXPECT_EQ(countsOf(pooled), countedByRows());
   study_->transact([&] {
-    answers.remove(visit, "2.2");
+    storage::AnswerRepository(study_->database()).remove(visit, "2.2");
     study_->events().append({.visit = visit, .kind = "retracted", .detail = "2.2"});
   });
   EXPECT_TRUE(pooled.refresh());
   EXPECT_EQ(countsOf(pooled), countedByRows());
   EXPECT_EQ(total(countsOf(pooled)), 2U * 18U - 1U);
+}
+
+TEST_F(PooledAnswersTest, AreTheSameWhenTwoThreadsCountHalfEach) {
+  for (int i = 0; i < 5; ++i) takePart(i % 2 == 0 ? "professional" : "non-professional");
+  PooledAnswers halves(*study_, RunMode::Live, 1);
+  EXPECT_EQ(total(countsOf(halves)), 5U * 18U);
+  EXPECT_EQ(countsOf(halves), countedNow());
+  // What is corrected in either half, and who comes later.
+  correctAnAnswerOf(1);
+  correctAnAnswerOf(5);
+  takePart("professional");
+  EXPECT_TRUE(halves.refresh());
+  EXPECT_EQ(countsOf(halves), countedByRows());
+  EXPECT_EQ(total(countsOf(halves)), 6U * 18U);
 }
 
 TEST_F(PooledAnswersTest, FollowAProtocolThatIsAmended) {
