@@ -1,0 +1,63 @@
+// `palpate stats run --watch`: the tables follow what another process writes.
+#include <csignal>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+/// The lines up to and with the next one that warns of looking at interim numbers.
+std::string nextTables(tests::ChildProcess& watching) {
+  std::string tables;
+  for (std::string line; watching.readLine(line);) {
+    tables += line + "\n";
+    if (line.rfind("INTERIM", 0) == 0) return tables;
+  }
+  return tables;
+}
+
+TEST(StatsWatch, FollowsWhatAnotherProcessWrites) {
+  tests::ScratchFolder folder;
+  const std::string study = folder / "study";
+  const auto simulate = [&](const char* participants) {
+    const auto finished =
+        tests::run({PALPATE_PROGRAM, "study", "simulate", study, "--participants", participants});
+    ASSERT_EQ(finished.status, 0) << finished.error;
+  };
+  ASSERT_EQ(
+      tests::run({PALPATE_PROGRAM, "study", "create", study, "--protocol", "punch-face-validity"})
+          .status,
+      0);
+  simulate("2");
+  tests::ChildProcess watching(
+      {PALPATE_PROGRAM, "stats", "run", study, "--watch", "--run-mode", "simulated"});
+  const auto before = nextTables(watching);
+  simulate("5");
+  auto after = nextTables(watching);
+  // Each look may come between two of the three.
+  const auto everybody = tests::run(
+      {PALPATE_PROGRAM,
+       "stats",
+       "run",
+       study,
+       "--profile",
+       "as-published",
+       "--run-mode",
+       "simulated"});
+  const auto rowOf = [](const std::string& tables) -> std::string {
+    const auto at = tables.find("\nOrthopaedic surgeons   ");
+    return at == std::string::npos ? "" : tables.substr(at, tables.find('\n', at + 1) - at);
+  };
+  for (int looks = 0; looks < 3 && rowOf(after) != rowOf(everybody.out); ++looks) {
+    after = nextTables(watching);
+  }
+  EXPECT_NE(rowOf(before), "") << before;
+  EXPECT_NE(rowOf(before), rowOf(after));
+  EXPECT_EQ(rowOf(after), rowOf(everybody.out));
+  watching.kill(SIGINT);
+  EXPECT_EQ(watching.finish().status, -SIGINT);
+}
+
+}  // namespace
