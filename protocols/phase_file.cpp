@@ -106,9 +106,10 @@ void readBreak(const Node& node, Phase& phase) {
 }
 
 void readPreference(const Node& node, Phase& phase) {
-  if (!node.isObjectWith({"id", "type", "instrument", "block"})) return;
+  if (!node.isObjectWith({"id", "type", "instrument", "block", "feel_again"})) return;
   phase.instrument = node.id("instrument");
   phase.block = node.id("block");
+  phase.mayFeelAgain = node.flag("feel_again", false);
 }
 
 void readWithInstrument(const Node& node, Phase& phase) {

@@ -143,12 +143,13 @@ enum class PhaseType {
 struct Phase {
   std::string id;
   PhaseType type = PhaseType::Information;
-  std::string instrument;  ///< of all but Block, Benchmark and Break
-  LocalizedText text;      ///< Benchmark, Break: what the participant reads
-  int minimumCuts = 0;     ///< Benchmark
-  double seconds = 0.0;    ///< Break: lasts at least so long [s]; 0: as long as they like
-  Block trials;            ///< Block
-  std::string block;       ///< Preference: between the alternatives of this one
+  std::string instrument;     ///< of all but Block, Benchmark and Break
+  LocalizedText text;         ///< Benchmark, Break: what the participant reads
+  int minimumCuts = 0;        ///< Benchmark
+  double seconds = 0.0;       ///< Break: lasts at least so long [s]; 0: as long as they like
+  Block trials;               ///< Block
+  std::string block;          ///< Preference: between the alternatives of this one
+  bool mayFeelAgain = false;  ///< Preference: each of them is offered once more before
 };
 
 /// Which pairs of conditions are compared.

@@ -85,6 +85,10 @@ class Session {
   /// @throws NotNow  if something required is missing, or this is a trial.
   void finishStep();
 
+  /// Goes on without feeling what is offered once more.
+  /// @throws NotNow  if nothing is offered in this step.
+  void declineOffer();
+
   void beginTrial();
   /// @param record  of a trial that was finished; any other is broken off.
   void finishTrial(const TrialRecord& record);

@@ -37,6 +37,28 @@ void addTrials(
   }
 }
 
+/// Before a choice, each alternative once more, by its label: felt by whoever wants to.
+void offerAgain(
+    const protocols::Protocol& protocol,
+    const Phase& preference,
+    const protocols::PlannedBlock& block,
+    std::vector<Step>& steps) {
+  auto trials = block.trials;
+  std::sort(
+      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+  const auto& seen = protocol.phase(preference.block)->trials.isVisualised;
+  for (const auto& trial : trials) {
+    steps.push_back(
+        {.kind = StepKind::Trial,
+         .phase = preference.id,
+         .label = trial.label,
+         .condition = trial.condition,
+         .isVisualised = seen.value_or(protocol.condition(trial.condition)->scene.isVisualised),
+         .minimumCuts = 1,
+         .isOffered = true});
+  }
+}
+
 std::vector<std::string> labelsOf(const protocols::PlannedBlock& block) {
   std::vector<int> numbers;
   for (const auto& trial : block.trials) numbers.push_back(trial.label);
@@ -97,6 +119,7 @@ std::vector<Step> sessionPlan(
         .seconds = phase.seconds};
     if (phase.type == PhaseType::Preference) {
       step.alternatives = labelsOf(*schedule.block(phase.block));
+      if (phase.mayFeelAgain) offerAgain(protocol, phase, *schedule.block(phase.block), steps);
     }
     steps.push_back(std::move(step));
   }

@@ -33,6 +33,7 @@ struct Step {
   std::string condition;      ///< … and what that is. For the engine and the analyst; nobody else
   bool isVisualised = false;  ///< Trial
   int minimumCuts = 0;        ///< Trial, Benchmark
+  bool isOffered = false;     ///< Trial: once more, before a preference; may be declined
   double seconds = 0.0;       ///< Break: at least [s]
   std::vector<std::string> alternatives;  ///< Preference: the labels to choose from
 

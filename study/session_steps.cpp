@@ -40,6 +40,17 @@ void Session::finishStep() {
   });
 }
 
+void Session::declineOffer() {
+  require(!isOver() && step().isOffered, "Nothing is offered in this step.");
+  require(SessionEvent::SkippedStep);
+  transact([&] {
+    const std::string reason = "not wanted";
+    leaveStep(VisitStatus::Skipped, reason);
+    enter(SessionEvent::SkippedStep, Actor::Participant, reason);
+    moveTo(row_.step + 1);
+  });
+}
+
 void Session::beginTrial() {
   require(SessionEvent::BeganTrial);
   transact([&] { enter(SessionEvent::BeganTrial, Actor::Program); });

@@ -22,7 +22,7 @@ constexpr int kMostFailures = 30;
 constexpr double kAtOnce = 0.5;  // [s]: a trial that breaks off sooner has not been felt
 constexpr int kMostAtOnce = 5;   // of those, one after the other: the device is not mended
 constexpr std::chrono::milliseconds kBetweenTries{500};
-constexpr std::chrono::seconds kLongestWait{30};  // for a device to come back
+constexpr std::chrono::seconds kLongestWait{30};          // for a device to come back
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
 /// One simulated sitting.
@@ -52,6 +52,10 @@ class Sitting {
       const std::string phase = session_.step().phase;
       if (session_.state() == SessionState::Interrupted) {
         session_.repeatStep("a trial had been broken off");
+        continue;
+      }
+      if (session_.step().isOffered) {
+        session_.declineOffer();
         continue;
       }
       if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
@@ -218,7 +222,7 @@ SimulatedEnding endingOf(Study& study, const Session& session) {
   const SessionId id = session.visit().session;
   auto ending = endingOf(sessions.load(id));
   for (std::size_t i = 0; i < session.plan().size(); ++i) {
-    if (session.plan()[i].kind != StepKind::Trial) continue;
+    if (session.plan()[i].kind != StepKind::Trial || session.plan()[i].isOffered) continue;
     const int step = static_cast<int>(i);
     const int attempts = sessions.attempts(id, step);
     ++ending.trials;

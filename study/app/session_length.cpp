@@ -60,6 +60,7 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
       protocols::scheduleFor(protocol, protocol.seed.value_or(1), protocol.cohorts.front().id, 0);
   SessionLength length;
   for (const auto& step : sessionPlan(protocol, schedule)) {
+    if (step.isOffered) continue;  // hardly anybody takes all of them
     const auto part = partOf(loaded, step, pace);
     add(length.parts, part);
     length.seconds += part.seconds;

@@ -75,7 +75,7 @@ class TerminalSession {
     }
     if (session_.state() == SessionState::Paused) session_.resumeAfterPause();
     if (session_.step().kind == StepKind::Trial) {
-      feel();
+      wantsToFeel() ? feel() : session_.declineOffer();
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -88,6 +88,16 @@ class TerminalSession {
     if (session_.step().kind == StepKind::Benchmark) countCuts();
     askAll();
     session_.finishStep();
+  }
+
+  /// What is offered once more is felt by whoever says so.
+  bool wantsToFeel() {
+    const auto& step = session_.step();
+    if (!step.isOffered) return true;
+    const auto& prefix = session_.protocol().protocol.labels.prefix;
+    fmt::print("\nFeel {} {} again before you choose? [y/N] ", prefix.in(language()), step.label);
+    const auto answer = readLine();
+    return answer == "y" || answer == "Y";
   }
 
   void countCuts() {

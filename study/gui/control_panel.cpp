@@ -1,7 +1,6 @@
 #include "study/gui/control_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QVBoxLayout>
 
@@ -15,6 +14,7 @@ ControlPanel::ControlPanel(QWidget* parent)
       resume_(new QPushButton(tr("Continue after the pause"), this)),
       interviewDone_(new QPushButton(tr("Finish the interview"), this)),
       handOver_(new QPushButton(tr("Hand over the screen…"), this)),
+      consent_(new QPushButton(tr("Copy of the consent…"), this)),
       close_(new QPushButton(tr("Close this session"), this)),
       note_(new QLineEdit(this)),
       notes_(new QListWidget(this)) {
@@ -42,17 +42,16 @@ ControlPanel::ControlPanel(QWidget* parent)
       add(tr("Give up on the device…"),
           SessionEvent::GaveUpOnDevice,
           &SessionController::giveUpOnDevice),
-      interviewDone_};
+      interviewDone_,
+      handOver_,
+      consent_};
   for (std::size_t i = 0; i < buttons.size(); ++i) {
     grid->addWidget(buttons[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
   }
   layout->addLayout(grid);
   layout->addWidget(note_);
   layout->addWidget(notes_);
-  auto* last = new QHBoxLayout;
-  last->addWidget(handOver_, 1);
-  last->addWidget(close_, 1);
-  layout->addLayout(last);
+  layout->addWidget(close_);
   for (auto* button : findChildren<QPushButton*>()) {
     if (button != stop_) button->setProperty("role", QStringLiteral("tool"));
   }
@@ -66,6 +65,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   connect(interviewDone_, &QPushButton::clicked, this, &ControlPanel::interviewFinished);
   connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::keepNote);
   connect(handOver_, &QPushButton::clicked, this, &ControlPanel::handOverRequested);
+  connect(consent_, &QPushButton::clicked, this, &ControlPanel::consentCopyRequested);
   connect(close_, &QPushButton::clicked, this, &ControlPanel::closeSessionRequested);
   refresh();
 }
@@ -124,6 +124,7 @@ void ControlPanel::refresh() {
   interviewDone_->setEnabled(isInterview);
   note_->setEnabled(isOpen);
   handOver_->setEnabled(isOpen);
+  consent_->setEnabled(isOpen && !isRunning);
   close_->setEnabled(isOpen && !isRunning);
 }
 

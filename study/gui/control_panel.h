@@ -30,6 +30,8 @@ class ControlPanel final : public QWidget {
   void interviewFinished();
   /// The screen is to be the participant's.
   void handOverRequested();
+  /// The participant wants a copy of what they agreed to.
+  void consentCopyRequested();
   void closeSessionRequested();
 
  private:
@@ -49,6 +51,7 @@ class ControlPanel final : public QWidget {
   QPushButton* resume_;
   QPushButton* interviewDone_;
   QPushButton* handOver_;
+  QPushButton* consent_;
   QPushButton* close_;
   QLineEdit* note_;
   QListWidget* notes_;

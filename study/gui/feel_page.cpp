@@ -20,7 +20,8 @@ FeelPage::FeelPage(const Content& content, QWidget* parent)
       count_(nullptr),
       hint_(nullptr),
       begin_(new QPushButton(tr("Begin"), this)),
-      enough_(new QPushButton(tr("I have felt enough"), this)) {
+      enough_(new QPushButton(tr("I have felt enough"), this)),
+      decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(20);
@@ -34,16 +35,21 @@ FeelPage::FeelPage(const Content& content, QWidget* parent)
   count_->setAlignment(Qt::AlignCenter);
   layout->addWidget(count_);
   hint_ = quietLabel(tr("Press Begin when you hold the instrument."), this);
+  if (content.isOffered) {
+    count_->setText(tr("Would you like to feel it once more before you choose?"));
+    begin_->setText(tr("Feel it again"));
+  }
   hint_->setAlignment(Qt::AlignCenter);
   layout->addWidget(hint_);
   layout->addStretch(1);
-  for (auto* button : {begin_, enough_}) {
+  for (auto* button : {begin_, enough_, decline_}) {
     button->setProperty("role", QStringLiteral("next"));
     layout->addWidget(button, 0, Qt::AlignCenter);
   }
   layout->addStretch(1);
   connect(begin_, &QPushButton::clicked, this, &FeelPage::beginRequested);
   connect(enough_, &QPushButton::clicked, this, &FeelPage::enoughRequested);
+  connect(decline_, &QPushButton::clicked, this, &FeelPage::declined);
   setRunning(false);
 }
 
@@ -56,6 +62,7 @@ void FeelPage::setRunning(bool isRunning) {
   isRunning_ = isRunning;
   begin_->setVisible(!isRunning);
   enough_->setVisible(isRunning);
+  decline_->setVisible(!isRunning && content_.isOffered);
   enough_->setEnabled(false);
   if (!isRunning) {
     begin_->setFocus();

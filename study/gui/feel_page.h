@@ -20,6 +20,7 @@ class FeelPage final : public QWidget {
   struct Content {
     QString name;  ///< "Alternative 2"
     int minimumCuts = 3;
+    bool isOffered = false;  ///< once more, to whoever wants to
     bool isVisualised = false;
     bool isReamer = false;
   };
@@ -36,6 +37,8 @@ class FeelPage final : public QWidget {
  signals:
   void beginRequested();
   void enoughRequested();
+  /// It is not wanted once more.
+  void declined();
   /// Where the hand means to be, from 0 (open) to 1 (closed).
   void handMoved(double share);
 
@@ -55,6 +58,7 @@ class FeelPage final : public QWidget {
   QLabel* hint_;
   QPushButton* begin_;
   QPushButton* enough_;
+  QPushButton* decline_;
   bool isRunning_ = false;
   double pressedAt_ = 0.0;
 };

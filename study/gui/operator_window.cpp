@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/attempt.h"
+#include "study/gui/consent_copy_dialog.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/device_panel.h"
 #include "study/gui/labels.h"
@@ -67,6 +68,9 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   });
   connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
   connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
+  connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
+    if (controller_) saveConsentCopy(study_, controller_->session().participant(), this);
+  });
   connect(controls_, &ControlPanel::interviewFinished, this, &OperatorWindow::finishInterview);
   connect(controls_, &ControlPanel::closeSessionRequested, this, &OperatorWindow::endSession);
 }

@@ -188,10 +188,12 @@ QWidget* ParticipantWindow::makeFeelPage() {
   feel_ = new FeelPage(
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
+       .isOffered = step.isOffered,
        .isVisualised = step.isVisualised,
        .isReamer = need->kind == haptics::devices::DeviceKind::Reamer},
       this);
   connect(feel_, &FeelPage::beginRequested, &controller_, &SessionController::beginTrial);
+  connect(feel_, &FeelPage::declined, &controller_, &SessionController::declineOffer);
   connect(feel_, &FeelPage::enoughRequested, &controller_, &SessionController::finishTrial);
   connect(feel_, &FeelPage::handMoved, this, [this](double share) { moveHand_(share); });
   return feel_;

@@ -68,6 +68,10 @@ void SessionController::finishStep() {
   if (tryTo([&] { session_.finishStep(); })) emit stepChanged();
 }
 
+void SessionController::declineOffer() {
+  if (tryTo([&] { session_.declineOffer(); })) emit stepChanged();
+}
+
 void SessionController::beginTrial() {
   if (live_) return;
   const bool isRunning = tryTo([&] {

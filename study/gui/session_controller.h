@@ -60,6 +60,8 @@ class SessionController final : public QObject {
   void retract(const QString& item);
   void countBenchmarkCut();
   void finishStep();
+  /// What is offered once more is not wanted.
+  void declineOffer();
   void beginTrial();
   /// Enough was felt.
   void finishTrial();

@@ -14,6 +14,8 @@ QString words(std::string_view text) {
 /// A step as an operator may read it: the alternative, never what it is.
 QString describe(const Step& step) {
   const QString phase = QString::fromStdString(step.phase);
+  if (step.isOffered)
+    return TimelineTable::tr("%1: Alternative %2 again?").arg(phase).arg(step.label);
   if (step.kind == StepKind::Trial) {
     return TimelineTable::tr("%1: Alternative %2").arg(phase).arg(step.label);
   }

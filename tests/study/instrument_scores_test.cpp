@@ -33,7 +33,12 @@ class InstrumentScoresTest : public testing::Test {
 
   questionnaires::Instrument& instrument() { return loaded_.instruments.back(); }
 
-  void answer(int person, int step, const std::string& condition, std::int64_t a, std::optional<std::int64_t> b) {
+  void answer(
+      int person,
+      int step,
+      const std::string& condition,
+      std::int64_t a,
+      std::optional<std::int64_t> b) {
     storage::AnswerRecord record{};
     record.step.visit = {SessionId{person}, step, 1};
     record.step.instrument = "made-up";

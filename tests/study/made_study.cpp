@@ -98,9 +98,11 @@ std::string shortProtocol(const ShortProtocol& options) {
       options.form.empty()
           ? ""
           : R"({"id": "form", "type": "form", "instrument": ")" + options.form + R"("},)";
+  const std::string again = options.offersAgain ? R"(, "feel_again": true)" : "";
   const std::string preference =
       options.hasPreference
-          ? R"({"id": "choice", "type": "preference", "instrument": "preference", "block": "felt"},)"
+          ? R"({"id": "choice", "type": "preference", "instrument": "preference", "block": "felt")" +
+                again + "},"
           : "";
   return R"({"$schema": "protocol-1.schema.json",
     "study": {"id": "short", "title": "A short study", "version": "1"},

@@ -29,6 +29,7 @@ struct ShortProtocol {
   std::string form;                              ///< an instrument after the consent; empty: none
   std::string files;                             ///< instrument files: "\"everything.json\""
   bool hasPreference = true;
+  bool offersAgain = false;  ///< before the preference
   int minimumCuts = 1;
 };
 

@@ -1,4 +1,6 @@
 // How a session goes on: steps, trials, and what the operator may decide.
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "study/storage/records.h"
@@ -235,6 +237,50 @@ TEST_F(SessionStepsTest, SaysInTheAuditTrailWhoDidWhatAndWhy) {
   EXPECT_EQ(events.back().detail, "no time");
   EXPECT_EQ(events.back().actor, storage::Actor::Operator);
   EXPECT_EQ(events.front().actor, storage::Actor::Program);
+}
+
+class OfferedAgain : public testing::Test {
+ protected:
+  OfferedAgain() {
+    tests::walkUntil(session_, [](const Step& step) { return step.isOffered; });
+  }
+
+  MadeStudy study_{tests::protocolFrom(tests::shortProtocol({.offersAgain = true})), 3};
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_F(OfferedAgain, EachAlternativeByItsLabelAndAsWhatItWas) {
+  std::map<int, std::string> before;
+  int label = 0;
+  for (const auto& step : session_.plan()) {
+    if (step.kind != StepKind::Trial) continue;
+    if (!step.isOffered) {
+      before[step.label] = step.condition;
+      continue;
+    }
+    EXPECT_EQ(step.label, ++label);
+    EXPECT_EQ(step.condition, before.at(step.label));
+    EXPECT_EQ(step.phase, "choice");
+    EXPECT_EQ(step.position, 0) << "it has no place in the order";
+  }
+  EXPECT_EQ(label, 3);
+}
+
+TEST_F(OfferedAgain, IsFeltByWhoeverWantsToAndDeclinedByOthers) {
+  const int first = session_.stepIndex();
+  session_.declineOffer();
+  session_.beginTrial();
+  session_.finishTrial(tests::feltTrial());
+  session_.declineOffer();
+  EXPECT_EQ(session_.step().kind, StepKind::Preference);
+  EXPECT_THROW(session_.declineOffer(), NotNow);
+  const auto id = session_.id();
+  EXPECT_EQ(study_->sessions().statusOf({id, first, 1}), storage::VisitStatus::Skipped);
+  EXPECT_EQ(study_->sessions().statusOf({id, first + 1, 1}), storage::VisitStatus::Finished);
+  tests::walkToTheEnd(session_);
+  EXPECT_EQ(session_.state(), SessionState::Completed);
+  EXPECT_EQ(storage::Records(study_->database()).trials().size(), 3U + 1U);
+  EXPECT_TRUE(verify(*study_).isSound());
 }
 
 }  // namespace

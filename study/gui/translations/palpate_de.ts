@@ -38,6 +38,18 @@
         <source>No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open.</source>
         <translation>Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen.</translation>
     </message>
+    <message>
+        <source>No, go on</source>
+        <translation>Nein, weiter</translation>
+    </message>
+    <message>
+        <source>Would you like to feel it once more before you choose?</source>
+        <translation>Möchten Sie es noch einmal fühlen, bevor Sie wählen?</translation>
+    </message>
+    <message>
+        <source>Feel it again</source>
+        <translation>Noch einmal fühlen</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::NumberItem</name>

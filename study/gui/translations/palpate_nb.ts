@@ -38,6 +38,18 @@
         <source>No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open.</source>
         <translation>Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på denne siden, for å lukke; slipp for å åpne.</translation>
     </message>
+    <message>
+        <source>No, go on</source>
+        <translation>Nei, gå videre</translation>
+    </message>
+    <message>
+        <source>Would you like to feel it once more before you choose?</source>
+        <translation>Vil du kjenne på det en gang til før du velger?</translation>
+    </message>
+    <message>
+        <source>Feel it again</source>
+        <translation>Kjenn på det igjen</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::NumberItem</name>

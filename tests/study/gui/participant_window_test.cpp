@@ -1,6 +1,8 @@
 // The participant's window in other directions and for other senses.
 #include "study/gui/participant_window.h"
 
+#include <fstream>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +12,7 @@
 #include <QTest>
 
 #include "protocols/loaded_protocol.h"
+#include "study/gui/consent_copy_dialog.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/option_buttons.h"
 #include "tests/study/gui/participant.h"
@@ -152,6 +155,60 @@ TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
   }
   EXPECT_EQ(session.stepIndex(), questions + 1);
+}
+
+/// The published study, with every alternative offered again before the first choice.
+class OfferedPages : public testing::Test {
+ protected:
+  protocols::LoadedProtocol protocol() {
+    questionnaires::Problems problems;
+    const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
+    auto json = nlohmann::ordered_json::parse(shipped->text);
+    for (auto& phase : json["phases"]) {
+      if (phase["type"] == "preference") phase["feel_again"] = true;
+    }
+    return *protocols::loadProtocolFile(folder_.write("protocol.json", json.dump()), problems);
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(OfferedPages, AreFeltAgainOrDeclined) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& session = window_.controller()->session();
+  int offer = 0;
+  while (!session.plan()[static_cast<std::size_t>(offer)].isOffered) ++offer;
+  participant_.takePart(offer);
+  ASSERT_EQ(session.stepIndex(), offer);
+  participant_.look();
+  auto* page = window_.participantWindow();
+  QTest::mouseClick(tests::buttonSaying(page, QStringLiteral("No, go on")), Qt::LeftButton);
+  EXPECT_EQ(session.stepIndex(), offer + 1);
+  QCoreApplication::processEvents();
+  QTest::mouseClick(tests::buttonSaying(page, QStringLiteral("Feel it again")), Qt::LeftButton);
+  EXPECT_TRUE(window_.controller()->isTrialRunning());
+  EXPECT_EQ(tests::buttonSaying(page, QStringLiteral("No, go on")), nullptr);
+  window_.controller()->stop();
+}
+
+TEST_F(OfferedPages, WriteACopyOfTheConsentOnRequest) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto code = window_.controller()->session().participant();
+  const std::string pdf = folder_ / "copy.pdf";
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), NotNow) << "nobody has agreed yet";
+  participant_.takePart(3);
+  writeConsentCopy(study_, code, pdf);
+  std::ifstream file(pdf, std::ios::binary);
+  std::string head(5, ' ');
+  file.read(head.data(), 5);
+  EXPECT_EQ(head, "%PDF-");
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "nothing overwritten";
 }
 
 }  // namespace
