@@ -1,5 +1,3 @@
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -111,21 +109,6 @@ void noteExport(Study& study, const ExportOptions& options, const std::string& r
   if (!options.isBlinded) study.note("unblinded_export", reason);
 }
 
-/// An empty folder beside @p target that nobody else has.
-fs::path folderBeside(const fs::path& target) {
-  std::error_code error;
-  const auto parent = fs::absolute(target).parent_path();
-  fs::create_directories(parent, error);
-  std::string name = (parent / (target.filename().string() + ".unfinished-XXXXXX")).string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    const auto why = error ? error.message() : std::generic_category().message(errno);
-    throw storage::StorageError(
-        "Could not make the folder " + target.string() + " (" + why + "). Choose another place.");
-  }
-  fs::permissions(name, fs::perms(0755), error);
-  return name;
-}
-
 }  // namespace
 
 std::vector<DataTable> tablesFor(Study& study, const ExportOptions& options) {
@@ -165,7 +148,7 @@ std::size_t exportStudy(
   }
   refuseWhatMayNotLeave(options, reason);
   noteExport(study, options, reason);
-  const fs::path unfinished = folderBeside(target);
+  const fs::path unfinished = newFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
     fs::rename(unfinished, target, error);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 
 #include "study/storage/storage_error.h"
@@ -41,6 +42,20 @@ void writeNewFile(const std::string& path, const std::string& content) {
   }
   if (fsync(file) != 0) fail(path, file);
   close(file);
+}
+
+std::filesystem::path newFolderBeside(const std::filesystem::path& target) {
+  std::error_code error;
+  const auto parent = std::filesystem::absolute(target).parent_path();
+  std::filesystem::create_directories(parent, error);
+  std::string name = (parent / (target.filename().string() + ".unfinished-XXXXXX")).string();
+  if (error || mkdtemp(name.data()) == nullptr) {
+    const auto why = error ? error.message() : std::generic_category().message(errno);
+    throw storage::StorageError(
+        "Could not make the folder " + target.string() + " (" + why + "). Choose another place.");
+  }
+  std::filesystem::permissions(name, std::filesystem::perms(0755), error);
+  return name;
 }
 
 }  // namespace study

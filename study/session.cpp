@@ -135,21 +135,29 @@ Session Session::resume(Study& study, SessionId id) {
 }
 
 bool Session::allows(SessionEvent event) const noexcept {
-  if (!next(row_.state, event)) return false;
-  if (isOver()) return false;
-  const bool isTrial = step().kind == StepKind::Trial;
-  if (event == SessionEvent::BeganTrial) return isTrial;
-  if (event == SessionEvent::FinishedStep) return !isTrial;
-  if (event == SessionEvent::RepeatedStep) return !isRightAfterConsent();
-  if (event == SessionEvent::SkippedStep) return step().kind != StepKind::Consent;
-  return true;
+  return study::allows(row_.state, plan_, row_.step, event);
+}
+
+bool Session::isRightAfterConsent() const noexcept {
+  return study::isRightAfterConsent(row_.state, plan_, row_.step);
 }
 
 /// What comes before is no step that is ever done again.
-bool Session::isRightAfterConsent() const noexcept {
-  const bool isAgain = row_.state == SessionState::Interrupted;
-  const auto before = static_cast<std::size_t>(row_.step) - 1;
-  return !isAgain && (row_.step == 0 || plan_[before].kind == StepKind::Consent);
+bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept {
+  const bool isAgain = state == SessionState::Interrupted;
+  const auto before = static_cast<std::size_t>(step) - 1;
+  return !isAgain && (step == 0 || plan[before].kind == StepKind::Consent);
+}
+
+bool allows(
+    SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept {
+  if (!next(state, event) || isOver(state)) return false;
+  const auto kind = plan[static_cast<std::size_t>(step)].kind;
+  if (event == SessionEvent::BeganTrial) return kind == StepKind::Trial;
+  if (event == SessionEvent::FinishedStep) return kind != StepKind::Trial;
+  if (event == SessionEvent::RepeatedStep) return !isRightAfterConsent(state, plan, step);
+  if (event == SessionEvent::SkippedStep) return kind != StepKind::Consent;
+  return true;
 }
 
 void Session::require(SessionEvent event) const {

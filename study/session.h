@@ -145,4 +145,12 @@ class Session {
   bool isInDoubt_ = false;            ///< whether the last transaction arrived
 };
 
+/// Whether @p event can happen to a session that is in @p state at step @p step of @p plan: what
+/// the state allows, and what this step does.
+bool allows(
+    SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept;
+
+/// Whether the step before is one that is never done again.
+bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept;
+
 }  // namespace study

@@ -1,6 +1,7 @@
 #include "study/verification.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
@@ -16,6 +17,10 @@ namespace study {
 namespace {
 
 using Problems = std::vector<std::string>;
+
+constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
+constexpr double kShareBeforeTraces =
+    0.2;  // of the time, taken roughly: traces are most of a study
 
 std::string nameOf(const VisitKey& visit) {
   return "session " + std::to_string(static_cast<std::int64_t>(visit.session)) + ", step " +
@@ -167,11 +172,14 @@ void checkTrace(
   }
 }
 
-Problems traces(Study& study) {
+Problems traces(Study& study, const Progress& progress) {
   Problems problems;
   std::set<VisitKey> expected;
   auto kept = keptTraces(study);
-  for (const auto& trial : storage::Records(study.database()).trials()) {
+  const auto trials = storage::Records(study.database()).trials();
+  for (const auto& trial : trials) {
+    const double done = static_cast<double>(expected.size()) / static_cast<double>(trials.size());
+    tell(progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kOfTraces);
     expected.insert(trial.step.visit);
     checkTrace(study, trial, kept[trial.step.visit], problems);
   }
@@ -191,9 +199,12 @@ bool Verification::isSound() const noexcept {
       checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
 }
 
-Verification verify(Study& study) {
+Verification verify(Study& study, const Progress& progress) {
+  constexpr double kChecksBeforeTraces = 8.0;
   Verification result;
-  const auto check = [&](const char* what, Problems (*look)(Study&)) {
+  const auto check = [&](const char* what, const std::function<Problems(Study&)>& look) {
+    const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
+    tell(progress, kShareBeforeTraces * done, what);
     Problems problems;
     try {
       problems = look(study);
@@ -210,7 +221,7 @@ Verification verify(Study& study) {
   check("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);
-  check("every trial has its trace, sample for sample", traces);
+  check(kOfTraces, [&](Study& of) { return traces(of, progress); });
   return result;
 }
 

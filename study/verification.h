@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "study/progress.h"
 #include "study/study.h"
 
 namespace study {
@@ -22,6 +23,7 @@ struct Verification {
 /// Reads a study to its last byte: files and their relations, the audit trail, every answer against
 /// it, the names and the protocols against their hashes, every order against the one that the seed
 /// draws, every trace against its trial. Changes nothing.
-Verification verify(Study& study);
+/// @param progress  told before every check and every trace; whatever it throws ends it.
+Verification verify(Study& study, const Progress& progress = {});
 
 }  // namespace study

@@ -10,8 +10,10 @@
 #include "study/app/json_file.h"
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
+#include "study/backup.h"
 #include "study/simulated_participant.h"
 #include "study/storage/records.h"
+#include "study/unfinished_sessions.h"
 #include "study/verification.h"
 
 namespace study::app {
@@ -30,6 +32,7 @@ struct StudyArguments {
   std::string participant;
   std::string devices;
   std::string language = "en";
+  std::string out;
   int participants = 0;
   std::uint64_t seed = 0;
   bool hasSeed = false;
@@ -185,7 +188,34 @@ int status(const StudyArguments& options) {
         s.status,
         s.startedUtc);
   }
+  for (const auto& session : unfinishedSessions(study)) {
+    fmt::print("\n{}\n", inWords(session));
+    for (const auto& choice : session.choices) fmt::print("  - {}\n", choice);
+  }
   return 0;
+}
+
+void printChecks(const Verification& verification) {
+  for (const auto& check : verification.checks) {
+    fmt::print("{}  {}\n", check.problems.empty() ? "ok  " : "FAIL", check.what);
+    for (const auto& problem : check.problems) fmt::print("      {}\n", problem);
+  }
+}
+
+int backup(const StudyArguments& options) {
+  const auto copy = backUp(options.folder, options.out);
+  fmt::print(
+      "{} holds a copy of {}: {:.1f} MB.\n",
+      options.out,
+      options.folder,
+      1e-6 * static_cast<double>(copy.bytes));
+  if (copy.verification.isSound()) {
+    fmt::print("It was read again to the last byte: everything is what was written.\n");
+    return 0;
+  }
+  fmt::print("It is NOT sound, and so is the study that it was made of:\n");
+  printChecks(copy.verification);
+  return 1;
 }
 
 int verify(const StudyArguments& options) {
@@ -195,10 +225,7 @@ int verify(const StudyArguments& options) {
   if (options.json) {
     std::fputs(verificationAsJson(verification).c_str(), stdout);
   } else {
-    for (const auto& check : verification.checks) {
-      fmt::print("{}  {}\n", check.problems.empty() ? "ok  " : "FAIL", check.what);
-      for (const auto& problem : check.problems) fmt::print("      {}\n", problem);
-    }
+    printChecks(verification);
   }
   return verification.isSound() ? 0 : 1;
 }
@@ -284,6 +311,15 @@ void addStudyCommands(CLI::App& program, Action& action) {
   auto* status = addVerb(
       *noun, "status", "Who has taken part, and how it stands", options, action, app::status);
   status->add_flag("--json", options->json, "For programs");
+
+  auto* backup = addVerb(
+      *noun,
+      "backup",
+      "Copy a study's folder, also while sessions are open, and read the copy again",
+      options,
+      action,
+      app::backup);
+  backup->add_option("--out", options->out, "Folder to make; nothing is overwritten")->required();
 
   auto* verify = addVerb(
       *noun,

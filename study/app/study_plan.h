@@ -9,7 +9,7 @@
 #include "analysis/attainable_p.h"
 #include "analysis/simulated_power.h"
 #include "protocols/loaded_protocol.h"
-#include "study/app/session_length.h"
+#include "study/session_length.h"
 
 namespace study::app {
 

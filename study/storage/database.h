@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,6 +51,18 @@ class Database {
   /// What is wrong with the file, by SQLite's own integrity check and the foreign keys; empty if
   /// nothing.
   std::string integrityProblems();
+
+  /// The same, without looking at indices and references: a fraction of the time.
+  std::string quickProblems();
+
+  /// Keeps seeing the file as it is now, whatever others write, until this object goes.
+  void holdStill();
+
+  /// Writes the file, as this connection sees it, to @p path, where none is. Others may go on
+  /// writing; a connection that holds still copies what it holds.
+  /// @param progress  told the share that is done, 0 to 1; whatever it throws ends the copying.
+  /// @throws StorageError
+  void copyTo(const std::string& path, const std::function<void(double share)>& progress) const;
 
   std::int64_t lastInsertedId() const noexcept;
   const std::string& path() const noexcept { return path_; }

@@ -75,13 +75,11 @@ bool isAlive(const std::string& station, std::int64_t pid, const std::string& to
 
 Lease::Lease(Database& database, SessionId session, const std::string& utc)
     : database_(&database), session_(session), token_(tokens().make()) {
-  Statement held(
-      database, "SELECT station, pid, taken_utc, process FROM lease WHERE session_id = ?");
-  held.bind(1, static_cast<std::int64_t>(session));
-  if (held.step() && isAlive(held.text(0), held.number(1), held.text(3))) {
+  const auto held = holder(database, session);
+  if (held && held->isAlive) {
     throw StorageError(
-        "This session is open already, on " + held.text(0) + " (process " +
-            std::to_string(held.number(1)) + ", since " + held.text(2) +
+        "This session is open already, on " + held->station + " (process " +
+            std::to_string(held->pid) + ", since " + held->since +
             "). Go on there, or close it there first.",
         StorageError::Kind::Busy);
   }
@@ -95,6 +93,18 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc)
       .bind(4, utc)
       .bind(5, token_);
   take.run();
+}
+
+std::optional<Lease::Holder> Lease::holder(const Database& database, SessionId session) {
+  Statement held(
+      database, "SELECT station, pid, taken_utc, process FROM lease WHERE session_id = ?");
+  held.bind(1, static_cast<std::int64_t>(session));
+  if (!held.step()) return std::nullopt;
+  return Holder{
+      .station = held.text(0),
+      .pid = held.number(1),
+      .since = held.text(2),
+      .isAlive = isAlive(held.text(0), held.number(1), held.text(3))};
 }
 
 Lease::Lease(Lease&& other) noexcept

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "study/ids.h"
@@ -16,6 +18,17 @@ class Lease {
   /// @throws StorageError  (Busy) if somebody is running this session; says who.
   Lease(Database& database, SessionId session, const std::string& utc);
   ~Lease();
+
+  /// Who has a session, without taking it.
+  struct Holder {
+    std::string station;   ///< computer
+    std::int64_t pid = 0;  ///< process there
+    std::string since;     ///< UTC
+    bool isAlive = false;  ///< otherwise that program ended without giving it back
+  };
+  /// Nothing where nobody has.
+  static std::optional<Holder> holder(const Database& database, SessionId session);
+
   Lease(Lease&& other) noexcept;
   Lease& operator=(Lease&&) = delete;
 

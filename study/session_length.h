@@ -6,7 +6,7 @@
 #include "protocols/loaded_protocol.h"
 #include "study/session_plan.h"
 
-namespace study::app {
+namespace study {
 
 /// How fast people are taken to be.
 struct Pace {
@@ -33,8 +33,12 @@ struct SessionLength {
   double secondsOfForce = 0.0;  ///< of that in trials on the device
 };
 
+/// One step of a session.
+PartOfSession partOf(
+    const protocols::LoadedProtocol& loaded, const Step& step, const Pace& pace = {});
+
 /// The sum over all steps of a session, which is the same for every participant. A trial lasts its
 /// least number of cuts, and one where the protocol names none.
 SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace);
 
-}  // namespace study::app
+}  // namespace study

@@ -1,11 +1,11 @@
-#include "study/app/session_length.h"
+#include "study/session_length.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "protocols/schedule.h"
 
-namespace study::app {
+namespace study {
 namespace {
 
 using questionnaires::ItemType;
@@ -21,6 +21,20 @@ double secondsToAnswer(const questionnaires::Item& item, const Pace& pace) {
   const bool isText = item.type == ItemType::ShortText || item.type == ItemType::LongText;
   return isText ? pace.perText : pace.perItem;
 }
+
+void add(std::vector<PartOfSession>& parts, const PartOfSession& part) {
+  const auto found = std::ranges::find(parts, part.kind, &PartOfSession::kind);
+  if (found == parts.end()) {
+    parts.push_back(part);
+    return;
+  }
+  found->steps += part.steps;
+  found->items += part.items;
+  found->cuts += part.cuts;
+  found->seconds += part.seconds;
+}
+
+}  // namespace
 
 PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, const Pace& pace) {
   PartOfSession part{.kind = step.kind, .steps = 1, .seconds = step.seconds};
@@ -40,20 +54,6 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
   return part;
 }
 
-void add(std::vector<PartOfSession>& parts, const PartOfSession& part) {
-  const auto found = std::ranges::find(parts, part.kind, &PartOfSession::kind);
-  if (found == parts.end()) {
-    parts.push_back(part);
-    return;
-  }
-  found->steps += part.steps;
-  found->items += part.items;
-  found->cuts += part.cuts;
-  found->seconds += part.seconds;
-}
-
-}  // namespace
-
 SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace) {
   const auto& protocol = loaded.protocol;
   const auto schedule =
@@ -69,4 +69,4 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
   return length;
 }
 
-}  // namespace study::app
+}  // namespace study

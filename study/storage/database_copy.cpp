@@ -1,0 +1,61 @@
+// A database file as it is at one moment, copied while others write.
+#include <filesystem>
+#include <memory>
+
+#include <sqlite3.h>
+
+#include "study/storage/database.h"
+#include "study/storage/statement.h"
+
+namespace study::storage {
+namespace {
+
+constexpr int kPagesAtATime = 256;  // a megabyte: often enough to be told of, and to be cancelled
+
+struct EndsBackup {
+  void operator()(sqlite3_backup* backup) const noexcept { sqlite3_backup_finish(backup); }
+};
+
+}  // namespace
+
+void Database::holdStill() {
+  execute("BEGIN");
+  Statement look(*this, "SELECT count(*) FROM sqlite_schema");
+  look.step();
+}
+
+void Database::copyTo(
+    const std::string& path, const std::function<void(double share)>& progress) const {
+  if (std::filesystem::exists(path)) {
+    throw StorageError(
+        path + " is there already. Nothing is ever overwritten: choose another folder.");
+  }
+  const Database copy(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  const std::unique_ptr<sqlite3_backup, EndsBackup> backup(
+      sqlite3_backup_init(copy.handle_, "main", handle_, "main"));
+  if (!backup) copy.fail(sqlite3_errcode(copy.handle_), "write to");
+  int code = SQLITE_OK;
+  while (code == SQLITE_OK) {
+    code = sqlite3_backup_step(backup.get(), kPagesAtATime);
+    const int pages = sqlite3_backup_pagecount(backup.get());
+    const int left = sqlite3_backup_remaining(backup.get());
+    if (code == SQLITE_OK && progress && pages > 0) progress(1.0 - 1.0 * left / pages);
+  }
+  if (code != SQLITE_DONE) {
+    throw StorageError(
+        "Could not copy " + path_ + " to " + path + " (" + sqlite3_errstr(code) +
+            "). Check the room on both disks, and who may write there.",
+        code == SQLITE_FULL ? StorageError::Kind::DiskFull : StorageError::Kind::Other);
+  }
+}
+
+std::string Database::quickProblems() {
+  std::string problems;
+  Statement check(*this, "PRAGMA quick_check(20)");
+  while (check.step()) {
+    if (check.text(0) != "ok") problems += path_ + ": " + check.text(0) + "\n";
+  }
+  return problems;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,31 @@
+#include "study/storage/disk_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/study/made_study.h"
+#include "tests/study/storage/refusals.h"
+#include "tests/study/storage/sql.h"
+
+namespace study::storage {
+namespace {
+
+TEST(DiskCheck, MeasuresEveryCommitAndLeavesNothingBehind) {
+  const tests::ScratchFolder folder;
+  const auto times = measureCommits(folder.path(), 5);
+  EXPECT_EQ(times.commits, 5);
+  EXPECT_GT(times.median, 0.0);
+  EXPECT_GE(times.longest, times.median);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(DiskCheck, SaysWhichFolderCannotBeWritten) {
+  tests::expectClear(tests::refusalOf([] { measureCommits("/proc/palpate", 1); }), "/proc/palpate");
+}
+
+TEST(DiskCheck, FindsNothingWrongWithASoundFile) {
+  tests::MadeStudy study;
+  EXPECT_EQ(study->database().quickProblems(), "");
+}
+
+}  // namespace
+}  // namespace study::storage
