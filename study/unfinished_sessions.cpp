@@ -115,8 +115,9 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
 }
 
 std::string inWords(const UnfinishedSession& session) {
-  return session.participant + " (" + std::string(nameOf(session.runMode)) + "), begun " +
-         session.startedUtc + ", is in step " + std::to_string(session.step + 1) + " of " +
+  const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
+  return session.participant + " (" + std::string(nameOf(session.runMode)) + "), begun " + begun +
+         " UTC, is in step " + std::to_string(session.step + 1) + " of " +
          std::to_string(session.steps) + " (" + session.place + "). " + whatHappened(session);
 }
 

@@ -6,12 +6,13 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFileDialog>
-#include <QMessageBox>
 
 #include "study/gui/attempt.h"
+#include "study/gui/home/help_window.h"
+#include "study/gui/home/home_window.h"
+#include "study/gui/home/tour.h"
 #include "study/gui/operator_window.h"
-#include "study/gui/theme.h"
+#include "study/gui/theme_choice.h"
 #include "study/study.h"
 
 namespace {
@@ -38,7 +39,8 @@ void describe(QCommandLineParser& parser) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(
-      QStringLiteral("DIR"), QStringLiteral("The study's folder; asked for where it is left out."));
+      QStringLiteral("DIR"),
+      QStringLiteral("The study's folder; left out: all studies of this computer."));
   parser.addOption(
       {QStringLiteral("devices"),
        QStringLiteral("The laboratory's device file (default: devices.json in DIR)."),
@@ -63,21 +65,24 @@ int main(int argc, char** argv) {
     return 1;
   }
   QApplication application(argc, argv);
-  study::gui::applyTheme(application);
+  study::gui::applyChosenTheme(application);
+  study::gui::home::offerHelp(application);
   parser.process(application);
 
-  QString folder = parser.positionalArguments().value(0);
+  const QString folder = parser.positionalArguments().value(0);
+  const std::string devices = parser.value(QStringLiteral("devices")).toStdString();
   if (folder.isEmpty()) {
-    folder = QFileDialog::getExistingDirectory(
-        nullptr, QCoreApplication::translate("main", "Choose the folder of a study"));
+    study::gui::home::HomeWindow home(devices);
+    home.show();
+    if (study::gui::home::Tour::isNew()) home.showTour();
+    return QApplication::exec();
   }
-  if (folder.isEmpty()) return 0;
 
   study::SystemClock clock;
   int status = 1;
   study::gui::attempt(nullptr, [&] {
     auto study = study::Study::open(folder.toStdString(), clock);
-    study::gui::OperatorWindow window(study, parser.value(QStringLiteral("devices")).toStdString());
+    study::gui::OperatorWindow window(study, devices);
     window.show();
     status = QApplication::exec();
   });

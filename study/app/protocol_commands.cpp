@@ -9,6 +9,7 @@
 #include "protocols/schedule.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
+#include "study/balance_words.h"
 
 namespace study::app {
 namespace {
@@ -83,36 +84,6 @@ void printOrders(
   }
 }
 
-void printBalance(
-    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
-  for (const auto& phase : protocol.phases) {
-    if (phase.type != protocols::PhaseType::Block) continue;
-    const auto balance = protocols::balanceOf(
-        protocol, phase, seed, protocol.cohorts.front().id, options.participants);
-    fmt::print("\n{}: ", phase.id);
-    if (balance.multipleOf == 1) {
-      fmt::print("the same order for everybody, balanced for no number of participants.\n");
-    } else if (balance.multipleOf == 0) {
-      fmt::print("drawn for everybody; no number of participants balances it exactly.\n");
-    } else {
-      fmt::print(
-          "{} participants a cohort {} it; suitable for a multiple of {}.\n",
-          options.participants,
-          balance.isBalanced ? "balance" : "do NOT balance",
-          balance.multipleOf);
-    }
-    for (std::size_t i = 0; i < balance.conditions.size(); ++i) {
-      fmt::print("  {:<20} at position:", balance.conditions[i]);
-      for (const int count : balance.atPosition[i]) fmt::print(" {:>3}", count);
-      fmt::print("   right after:");
-      for (std::size_t j = 0; j < balance.conditions.size(); ++j) {
-        if (j != i) fmt::print(" {} {}", balance.conditions[j], balance.after[i][j]);
-      }
-      fmt::print("\n");
-    }
-  }
-}
-
 int orders(const OrdersOptions& options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
@@ -127,7 +98,9 @@ int orders(const OrdersOptions& options) {
         "The protocol has no seed; every study draws its own. These are the orders of seed 1.\n\n");
   }
   printOrders(protocol, options, seed);
-  if (!options.csv) printBalance(protocol, options, seed);
+  if (!options.csv) {
+    std::fputs(balanceInWords(protocol, options.participants, seed).c_str(), stdout);
+  }
   return 0;
 }
 

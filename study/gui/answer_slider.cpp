@@ -6,6 +6,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "study/gui/theme.h"
+
 namespace study::gui {
 namespace {
 constexpr int kMargin = 18;  // [px]: half a handle
@@ -65,13 +67,13 @@ void AnswerSlider::paintEvent(QPaintEvent* /*event*/) {
   const double y = height() / 2.0;
   const double left = kMargin;
   const double right = width() - kMargin;
-  painter.setPen(QPen(QColor(0x9a, 0xa4, 0xae), 3));
+  painter.setPen(QPen(themeOf(*this).border, 3));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   for (const double x : {left, (left + right) / 2.0, right}) {
     painter.drawLine(QPointF(x, y - 9), QPointF(x, y + 9));
   }
   if (hasFocus()) {
-    painter.setPen(QPen(QColor(0xe0, 0x7b, 0x00), 3));
+    painter.setPen(QPen(themeOf(*this).focus, 3));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), 8, 8);
   }
@@ -80,7 +82,7 @@ void AnswerSlider::paintEvent(QPaintEvent* /*event*/) {
       static_cast<double>(value() - minimum()) / std::max(1, maximum() - minimum());
   const double place = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(QColor(0x1f, 0x5f, 0x99));
+  painter.setBrush(themeOf(*this).accent.background);
   painter.drawEllipse(QPointF(left + place * (right - left), y), 14, 14);
 }
 

@@ -3,22 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QEvent>
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
+#include "study/gui/theme.h"
+
 namespace study::gui {
-namespace {
-
-const std::array<QColor, 3> kColours{
-    QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x9a, 0x9a, 0x9a)};
-
-void name(QCPAxis* axis, const QString& words, const QColor& colour) {
-  axis->setVisible(true);
-  axis->setLabel(words);
-  axis->setLabelColor(colour);
-}
-
-}  // namespace
 
 void LivePlot::Slice::add(double time, double value) {
   if (isEmpty || value < least) {
@@ -39,16 +30,43 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
-  const std::array<QCPAxis*, 3> axes{plot_->yAxis, plot_->yAxis2, speed};
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    plot_->addGraph(plot_->xAxis, axes[i])->setPen(QPen(kColours[i], 1));
+  for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed}) {
+    plot_->addGraph(plot_->xAxis, axis);
+    axis->setVisible(true);
   }
   plot_->xAxis->setLabel(tr("time [s]"));
-  name(plot_->yAxis, tr("force [N]"), kColours[0]);
-  name(plot_->yAxis2, {}, kColours[1]);
-  name(speed, {}, kColours[2]);
+  plot_->yAxis->setLabel(tr("force [N]"));
   setMinimumHeight(200);
+  paintAsTheTheme();
   begin(haptics::devices::DeviceKind::Punch, 1000.0);
+}
+
+void LivePlot::paintAsTheTheme() {
+  const auto& colours = themeOf(*this);
+  plot_->setBackground(colours.field.background);
+  const auto paint = [&](QCPAxis* axis) {
+    axis->setBasePen(QPen(colours.quiet));
+    axis->setTickPen(QPen(colours.quiet));
+    axis->setSubTickPen(QPen(colours.quiet));
+    axis->setTickLabelColor(colours.field.text);
+    axis->setLabelColor(colours.field.text);
+    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
+    axis->grid()->setZeroLinePen(QPen(colours.line));
+  };
+  paint(plot_->xAxis);
+  const std::array<QColor, 3> channels{colours.force, colours.travel, colours.quiet};
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    auto* graph = plot_->graph(static_cast<int>(i));
+    graph->setPen(QPen(channels[i], 1));
+    paint(graph->valueAxis());
+    graph->valueAxis()->setLabelColor(channels[i]);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlot::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::StyleChange) paintAsTheTheme();
+  QWidget::changeEvent(event);
 }
 
 void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {

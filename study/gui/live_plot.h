@@ -36,6 +36,9 @@ class LivePlot final : public QWidget {
   /// What a channel (0 force, 1 travel, 2 velocity) shows: x the time [s], y the value.
   std::vector<QPointF> channel(int index) const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   /// The least and the largest value of a slice of time.
   struct Slice {
@@ -47,6 +50,7 @@ class LivePlot final : public QWidget {
   };
 
   void endSlice();
+  void paintAsTheTheme();
 
   QCustomPlot* plot_;
   std::array<Slice, 3> slices_;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "protocols/protocol.h"
+
+namespace study {
+
+/// How often every condition stands at every place, and right after every other, if so many of a
+/// cohort take part: a few lines for each block of a sound protocol.
+std::string balanceInWords(
+    const protocols::Protocol& protocol, std::size_t participants, std::uint64_t seed);
+
+}  // namespace study

@@ -1,0 +1,158 @@
+#include "study/gui/home/help_window.h"
+
+#include <array>
+#include <utility>
+
+#include <QAbstractTextDocumentLayout>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QPointer>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextBlock>
+
+#include "study/gui/participant_window.h"
+
+namespace study::gui::home {
+namespace {
+
+constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
+constexpr const char* kHelpProperty = "help";
+
+/// What the windows are about, by the name of their class and a word of a heading.
+constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>>({
+    {"HomeWindow", "The studio"},
+    {"NewStudyDialog", "Make the study"},
+    {"ProtocolWindow", "Write the protocol"},
+    {"OperatorWindow", "The day"},
+    {"BackupDialog", "After each day"},
+    {"VerifyDialog", "After each day"},
+    {"ReportDialog", "The results"},
+    {"ExportDialog", "The results"},
+    {"SelfTestDialog", "Is this computer fit"},
+    {"Tour", "Try it"},
+    {"QMessageBox", "When something goes wrong"},
+});
+
+QPointer<HelpWindow>& helpWindow() {
+  static QPointer<HelpWindow> window;
+  return window;
+}
+
+bool belongsToParticipant(const QWidget& widget) {
+  for (const auto* w = &widget; w != nullptr; w = w->parentWidget()) {
+    if (qobject_cast<const ParticipantWindow*>(w) != nullptr) return true;
+  }
+  return false;
+}
+
+class HelpKey final : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::KeyPress) return false;
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (widget == nullptr || key->key() != Qt::Key_F1) return false;
+    if (!belongsToParticipant(*widget)) showHelp(helpTopicOf(*widget), widget);
+    return true;
+  }
+};
+
+}  // namespace
+
+QString helpTopicOf(const QWidget& widget) {
+  for (const auto* w = &widget; w != nullptr; w = w->parentWidget()) {
+    const QString own = w->property(kHelpProperty).toString();
+    if (!own.isEmpty()) return own;
+    const QString name = QString::fromUtf8(w->metaObject()->className());
+    for (const auto& [window, topic] : kTopics) {
+      if (name.section(QStringLiteral("::"), -1) == QLatin1String(window)) {
+        return QString::fromUtf8(topic);
+      }
+    }
+  }
+  return {};
+}
+
+HelpWindow* openHelp() noexcept {
+  return helpWindow().data();
+}
+
+void showHelp(const QString& topic, const QWidget* beside) {
+  // A modal window keeps all others from being used, but for those that belong to it.
+  auto* modal = QApplication::activeModalWidget();
+  if (openHelp() != nullptr && modal != nullptr && openHelp()->parentWidget() != modal) {
+    delete openHelp();
+  }
+  if (openHelp() == nullptr) {
+    auto* window = new HelpWindow(modal);
+    window->setWindowFlag(Qt::Window);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    // Over the window that asks, so that it never covers what a participant sees on another screen.
+    constexpr QPoint kAside(60, 40);
+    if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
+    helpWindow() = window;
+  }
+  openHelp()->showTopic(topic);
+  openHelp()->raise();
+}
+
+void offerHelp(QApplication& application) {
+  application.installEventFilter(new HelpKey(&application));
+}
+
+HelpWindow::HelpWindow(QWidget* parent)
+    : QMainWindow(parent), contents_(new QListWidget(this)), text_(new QTextBrowser(this)) {
+  setWindowTitle(tr("Help — Palpate"));
+  contents_->setAccessibleName(tr("Contents"));
+  contents_->setWordWrap(true);
+  text_->setOpenExternalLinks(false);
+  text_->setAccessibleName(tr("Help"));
+  text_->document()->setDocumentMargin(16);
+  auto* sides = new QSplitter(this);
+  sides->addWidget(contents_);
+  sides->addWidget(text_);
+  sides->setSizes({240, 720});
+  setCentralWidget(sides);
+  resize(980, 720);
+  connect(text_, &QTextBrowser::sourceChanged, this, &HelpWindow::listHeadings);
+  connect(contents_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+    goTo(item->data(Qt::UserRole).toInt());
+  });
+  text_->setSource(QUrl(QString::fromUtf8(kFirstPage)));
+}
+
+void HelpWindow::listHeadings() {
+  contents_->clear();
+  for (auto block = text_->document()->begin(); block.isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0) continue;
+    auto* item = new QListWidgetItem(block.text(), contents_);
+    item->setData(Qt::UserRole, block.blockNumber());
+  }
+}
+
+void HelpWindow::goTo(int number) {
+  const auto block = text_->document()->findBlockByNumber(number);
+  heading_ = block.text();
+  const auto place = text_->document()->documentLayout()->blockBoundingRect(block);
+  text_->verticalScrollBar()->setValue(static_cast<int>(place.top()));
+}
+
+void HelpWindow::showTopic(const QString& topic) {
+  const QUrl first(QString::fromUtf8(kFirstPage));
+  if (text_->source() != first) text_->setSource(first);
+  show();  // only then does the text know how long its lines are
+  for (int row = 0; row < contents_->count(); ++row) {
+    if (row > 0 && !contents_->item(row)->text().contains(topic)) continue;
+    if (row == 0 && !topic.isEmpty()) continue;
+    contents_->setCurrentRow(row);
+    return goTo(contents_->item(row)->data(Qt::UserRole).toInt());
+  }
+  contents_->setCurrentRow(0);
+  if (contents_->count() > 0) goTo(contents_->item(0)->data(Qt::UserRole).toInt());
+}
+
+}  // namespace study::gui::home

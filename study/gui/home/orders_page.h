@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTextBrowser>
+#include <QWidget>
+
+#include "protocols/protocol.h"
+
+namespace study::gui::home {
+
+/// Everybody's order before anybody comes, and how balanced it is, as `palpate protocol orders`
+/// tells it.
+class OrdersPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OrdersPage(QWidget* parent = nullptr);
+
+  void show(const protocols::Protocol& protocol);
+  using QWidget::show;
+  void clear();
+
+ private:
+  void fill();
+  std::uint64_t seed() const;
+
+  std::optional<protocols::Protocol> protocol_;
+  QSpinBox* participants_;
+  QLineEdit* seed_;
+  QTableWidget* table_;
+  QTextBrowser* balance_;
+};
+
+}  // namespace study::gui::home

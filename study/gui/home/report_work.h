@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "study/progress.h"
+#include "study/run_mode.h"
+
+namespace study::gui::home {
+
+/// Which report, of what.
+struct ReportOrder {
+  std::string folder;  ///< of the study
+  RunMode mode = RunMode::Live;
+  std::string language = "en";
+  std::string out;  ///< .html or .pdf; nothing is overwritten
+};
+
+/// Writes it, as `palpate report` does. May run in any thread.
+/// @throws storage::StorageError, NotNow  in words.
+void write(const ReportOrder& order, const Progress& progress);
+
+}  // namespace study::gui::home

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+namespace study::gui::home {
+
+/// A session as a bar: every phase as long as it lasts. What is felt is filled, what is read and
+/// answered is not; each says so below in words.
+class TimelineBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Part {
+    QString name;
+    double seconds = 0.0;
+    bool isFelt = false;
+  };
+
+  explicit TimelineBar(QWidget* parent = nullptr);
+
+  void show(std::vector<Part> parts);
+  using QWidget::show;
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<Part> parts_;
+  double whole_ = 0.0;  ///< [s]
+};
+
+}  // namespace study::gui::home

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "protocols/protocol.h"
+#include "study/live_trial.h"
+#include "study/rig.h"
+#include "study/trial.h"
+
+namespace study::gui::home {
+
+/// A punch that is not there, under somebody's mouse: ticks a thousand times a second as in a
+/// study, and keeps what was felt in memory only.
+class VirtualPunch {
+ public:
+  /// @param need, scene  of a sound protocol.
+  VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene);
+  ~VirtualPunch();
+
+  bool isRunning() const noexcept { return live_ != nullptr; }
+  void begin();
+  /// Where the hand means to be, from 0 (open) to 1 (closed).
+  void moveTo(double share);
+  LiveTrial::Status status() const { return live_ ? live_->status() : LiveTrial::Status{}; }
+  bool nextToPlot(haptics::engine::TickSample& sample) {
+    return live_ && live_->nextToPlot(sample);
+  }
+  TrialRecord finish();
+
+  /// What was kept of the last time.
+  const std::vector<storage::TraceSample>& samples() const noexcept { return samples_; }
+
+ private:
+  protocols::DeviceNeed need_;
+  haptics::engine::SceneSpec scene_;
+  haptics::devices::PointerHand* hand_ = nullptr;
+  SimulatedRig rig_;
+  std::vector<storage::TraceSample> samples_;
+  std::unique_ptr<Trial> trial_;
+  std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
+};
+
+}  // namespace study::gui::home

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QTest>
+#include <QTextBlock>
+
+#include "study/gui/feel_page.h"
+#include "study/gui/home/export_dialog.h"
+#include "study/gui/home/help_window.h"
+#include "study/gui/home/home_window.h"
+#include "study/gui/home/new_study_dialog.h"
+#include "study/gui/home/protocol_window.h"
+#include "study/gui/home/self_test_dialog.h"
+#include "study/gui/home/study_dialogs.h"
+#include "study/gui/home/tour.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+class HelpTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    offerHelp(*qobject_cast<QApplication*>(QApplication::instance()));
+  }
+  void TearDown() override { delete openHelp(); }
+
+  /// The heading that F1 brings up in a window; empty where nothing opens.
+  static QString pressF1(QWidget& window) {
+    delete openHelp();
+    window.show();
+    QTest::keyClick(&window, Qt::Key_F1);
+    return openHelp() == nullptr ? QString() : openHelp()->heading();
+  }
+};
+
+TEST_F(HelpTest, OpensInEveryWindowOfTheDeskAtItsSection) {
+  const StudySummary study{.folder = "/nowhere", .title = "A study"};
+  HomeWindow home;
+  NewStudyDialog make;
+  ProtocolWindow protocol(QStringLiteral("punch-face-validity"));
+  BackupDialog backup(study);
+  VerifyDialog verify(study);
+  ReportDialog report(study);
+  ExportDialog exporting(study);
+  SelfTestDialog test(SelfTestOrder{});
+  Tour tour;
+  const std::pair<QWidget*, const char*> expected[]{
+      {&home, "The studio"},
+      {&make, "Make the study"},
+      {&protocol, "Write the protocol"},
+      {&backup, "After each day"},
+      {&verify, "After each day"},
+      {&report, "The results"},
+      {&exporting, "The results"},
+      {&test, "Is this computer fit"},
+      {&tour, "Try it"}};
+  for (const auto& [window, topic] : expected) {
+    EXPECT_TRUE(pressF1(*window).contains(QString::fromUtf8(topic)))
+        << window->metaObject()->className() << ": " << pressF1(*window).toStdString();
+  }
+}
+
+TEST_F(HelpTest, KnowsTheOperatorsWindowAndWhatIsInIt) {
+  const tests::ScratchFolder folder;
+  SystemClock clock;
+  questionnaires::Problems problems;
+  auto study = Study::create(
+      folder / "study", *protocols::loadProtocolFile("punch-face-validity", problems), clock, 7);
+  OperatorWindow window(study);
+  EXPECT_TRUE(pressF1(window).contains(QStringLiteral("The day")));
+  QMessageBox box(&window);
+  EXPECT_EQ(helpTopicOf(box), QStringLiteral("When something goes wrong"));
+  window.enrol({.cohort = "professional", .language = "en", .code = {}});
+  ASSERT_NE(window.participantWindow(), nullptr);
+  EXPECT_EQ(pressF1(*window.participantWindow()), QString());
+}
+
+TEST_F(HelpTest, TakesTheTopicOfAWidgetThatHasOneOfItsOwn) {
+  HomeWindow home;
+  QWidget part(&home);
+  part.setProperty("help", QStringLiteral("Copies"));
+  EXPECT_EQ(helpTopicOf(part), QStringLiteral("Copies"));
+}
+
+TEST_F(HelpTest, ShowsItsPicturesAndTheOtherPages) {
+  HelpWindow help;
+  help.showTopic({});
+  EXPECT_EQ(help.heading(), QStringLiteral("Running a study"));
+  auto* text = help.findChild<QTextBrowser*>();
+  int pictures = 0;
+  for (auto block = text->document()->begin(); block.isValid(); block = block.next()) {
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+      const auto image = part.fragment().charFormat().toImageFormat();
+      if (!image.isValid()) continue;
+      ++pictures;
+      EXPECT_FALSE(text->loadResource(QTextDocument::ImageResource, QUrl(image.name())).isNull())
+          << image.name().toStdString();
+    }
+  }
+  EXPECT_GE(pictures, 3);
+  text->setSource(QUrl(QStringLiteral("qrc:/help/protocol-format.md")));
+  EXPECT_GT(text->document()->blockCount(), 50);
+  help.showTopic(QStringLiteral("The day"));
+  EXPECT_TRUE(help.heading().contains(QStringLiteral("The day")));
+  tests::photographInAllThemes(help, QStringLiteral("help"));
+}
+
+}  // namespace
+}  // namespace study::gui::home

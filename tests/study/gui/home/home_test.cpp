@@ -1,0 +1,186 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QTest>
+#include <QTextBrowser>
+
+#include "protocols/library.h"
+#include "study/gui/home/home_window.h"
+#include "study/gui/home/new_study_dialog.h"
+#include "study/gui/home/recent_studies.h"
+#include "study/gui/studio_settings.h"
+#include "tests/study/gui/participant.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+using tests::buttonSaying;
+
+protocols::LoadedProtocol punchProtocol() {
+  questionnaires::Problems problems;
+  return *protocols::loadProtocolFile("punch-face-validity", problems);
+}
+
+class HomeTest : public testing::Test {
+ protected:
+  void SetUp() override { studioSettings().clear(); }
+
+  QString makeStudy(const std::string& name) {
+    Study::create(folder_ / name, punchProtocol(), clock_, 7);
+    return QString::fromStdString(folder_ / name);
+  }
+
+  /// A study in which somebody was in the middle of a trial when the program ended.
+  QString makeCrashedStudy() {
+    const QString folder = makeStudy("crashed");
+    auto study = Study::open(folder.toStdString(), clock_);
+    OperatorWindow window(study);
+    window.show();
+    window.enrol({.cohort = "professional", .language = "en", .code = {}});
+    tests::Participant participant(window);
+    const auto& plan = window.controller()->session().plan();
+    int trial = 0;
+    while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+    participant.takePart(trial);
+    window.controller()->session().beginTrial();
+    return folder;
+  }
+
+  template <typename Widget>
+  static Widget* shownWindow() {
+    for (auto* window : QApplication::topLevelWidgets()) {
+      auto* wanted = qobject_cast<Widget*>(window);
+      if (wanted != nullptr && wanted->isVisible()) return wanted;
+    }
+    return nullptr;
+  }
+
+  static QTableWidget* listOf(HomeWindow& home) {
+    return home.findChild<QTableWidget*>(QStringLiteral("studies"));
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+};
+
+TEST_F(HomeTest, SaysWhatToDoFirst) {
+  HomeWindow home;
+  home.show();
+  EXPECT_EQ(listOf(home)->rowCount(), 0);
+  EXPECT_FALSE(home.findChild<QPushButton*>(QStringLiteral("open"))->isEnabled());
+  EXPECT_NE(buttonSaying(&home, QStringLiteral("New study…")), nullptr);
+  tests::photographInAllThemes(home, QStringLiteral("home-empty"));
+}
+
+TEST_F(HomeTest, MakesAStudyOnceItsProtocolHasBeenMended) {
+  std::string text;
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == "punch-face-validity.json") text = file.content;
+  }
+  const auto place = text.find("\"phases\"");
+  ASSERT_NE(place, std::string::npos);
+  const auto mended = text;
+  text.replace(place, 8, "\"phasen\"");
+  const auto file = folder_.write("mine.json", text);
+
+  HomeWindow home;
+  home.show();
+  QTest::mouseClick(buttonSaying(&home, QStringLiteral("New study…")), Qt::LeftButton);
+  auto* dialog = shownWindow<NewStudyDialog>();
+  ASSERT_NE(dialog, nullptr);
+  tests::photographInAllThemes(*dialog, QStringLiteral("new-study"));
+  dialog->setProtocolFile(QString::fromStdString(file));
+  const QString folder = QString::fromStdString(folder_ / "made");
+  dialog->findChild<PathField*>(QStringLiteral("folder"))->setPath(folder);
+  auto* go = dialog->findChild<QPushButton*>(QStringLiteral("go"));
+  EXPECT_FALSE(go->isEnabled());
+  questionnaires::Problems problems;
+  protocols::loadProtocolFile(file, problems);
+  EXPECT_EQ(
+      dialog->findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText().toStdString(),
+      questionnaires::inWords(problems.all()));
+  tests::photographInAllThemes(*dialog, QStringLiteral("new-study-broken"));
+
+  folder_.write("mine.json", mended);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return go->isEnabled(); }));
+  QTest::mouseClick(go, Qt::LeftButton);
+  ASSERT_EQ(listOf(home)->rowCount(), 1);
+  auto study = Study::open(folder.toStdString(), clock_);
+  EXPECT_EQ(study.protocol().text, mended);
+  tests::photographInAllThemes(home, QStringLiteral("home"));
+}
+
+TEST_F(HomeTest, OpensTheOperatorsWindowAndIsThereAgainAfterwards) {
+  HomeWindow home;
+  home.show();
+  home.choose(makeStudy("one"));
+  QTest::mouseClick(home.findChild<QPushButton*>(QStringLiteral("open")), Qt::LeftButton);
+  ASSERT_NE(home.operatorWindow(), nullptr);
+  EXPECT_TRUE(home.operatorWindow()->isVisible());
+  EXPECT_FALSE(home.isVisible());
+  home.operatorWindow()->close();
+  EXPECT_TRUE(home.isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return home.operatorWindow() == nullptr; }));
+}
+
+TEST_F(HomeTest, MarksAStudyThatIsGoneAndTakesItOffTheList) {
+  HomeWindow home;
+  home.show();
+  home.choose(makeStudy("one"));
+  home.choose(makeStudy("two"));
+  std::filesystem::remove_all(folder_ / "two");
+  home.refresh();
+  ASSERT_EQ(listOf(home)->rowCount(), 2);
+  EXPECT_TRUE(listOf(home)->item(0, 1)->text().contains(QStringLiteral("gone")));
+  listOf(home)->selectRow(0);
+  EXPECT_FALSE(home.findChild<QPushButton*>(QStringLiteral("open"))->isEnabled());
+  EXPECT_TRUE(home.findChild<QLabel*>(QStringLiteral("problem"))->isVisible());
+  tests::photographInAllThemes(home, QStringLiteral("home-gone"));
+  QTest::mouseClick(home.findChild<QPushButton*>(QStringLiteral("forget")), Qt::LeftButton);
+  EXPECT_EQ(listOf(home)->rowCount(), 1);
+}
+
+TEST_F(HomeTest, PutsWhatWasOpenedLastFirstAndKeepsItOverAStart) {
+  const QString one = makeStudy("one");
+  const QString two = makeStudy("two");
+  {
+    HomeWindow home;
+    home.choose(one);
+    home.choose(two);
+    home.choose(one);
+  }
+  const auto recent = recentStudies();
+  ASSERT_EQ(recent.size(), 2U);
+  EXPECT_EQ(recent[0].folder, one);
+  EXPECT_EQ(recent[1].folder, two);
+}
+
+TEST_F(HomeTest, OffersWhatCanBeDoneAfterACrashAndGoesOnThere) {
+  HomeWindow home;
+  home.resize(1240, 900);
+  home.show();
+  home.choose(makeCrashedStudy());
+  EXPECT_TRUE(listOf(home)->item(0, 1)->text().contains(QStringLiteral("1 unfinished")));
+  auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
+  ASSERT_NE(card, nullptr);
+  QCoreApplication::processEvents();  // what was put into the window is shown by and by
+  QString words;
+  for (auto* label : card->findChildren<QLabel*>()) words += label->text();
+  EXPECT_TRUE(words.contains(QStringLiteral("Repeat the trial"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("Give up on the device"))) << words.toStdString();
+  tests::photographInAllThemes(home, QStringLiteral("home-crashed"));
+  QTest::mouseClick(buttonSaying(card, QStringLiteral("Open with P001")), Qt::LeftButton);
+  ASSERT_NE(home.operatorWindow(), nullptr);
+  ASSERT_NE(home.operatorWindow()->controller(), nullptr);
+  EXPECT_EQ(home.operatorWindow()->controller()->session().state(), SessionState::Interrupted);
+  home.operatorWindow()->close();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return home.operatorWindow() == nullptr; }));
+}
+
+}  // namespace
+}  // namespace study::gui::home

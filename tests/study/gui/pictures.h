@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+namespace tests {
+
+/// With PALPATE_PICTURES=FOLDER saves how a window looks in every theme as NAME-THEME.png, and on a
+/// large screen as NAME-large.png, for people to look at. Otherwise nothing happens.
+void photographInAllThemes(QWidget& window, const QString& name);
+
+}  // namespace tests
