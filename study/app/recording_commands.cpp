@@ -14,8 +14,8 @@
 #include "haptics/recordings/recording_survey.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
-#include "study/app/import_recording.h"
 #include "study/app/json_file.h"
+#include "study/import_recording.h"
 #include "study/new_file.h"
 #include "study/session.h"
 

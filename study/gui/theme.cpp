@@ -78,6 +78,7 @@ QTableView, QTreeView, QListView, QTextBrowser {
 QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border: 2px solid @focus; }
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
+QListView::item { padding: 5px 6px; }
 QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }

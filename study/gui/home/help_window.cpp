@@ -30,6 +30,9 @@ constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>
     {"ReportDialog", "The results"},
     {"ExportDialog", "The results"},
     {"SelfTestDialog", "Is this computer fit"},
+    {"ImportCutDialog", "Write the protocol"},
+    {"FitMaterialDialog", "Write the protocol"},
+    {"BuildBoneDialog", "Write the protocol"},
     {"Tour", "Try it"},
     {"QMessageBox", "When something goes wrong"},
 });
@@ -44,6 +47,16 @@ bool belongsToParticipant(const QWidget& widget) {
     if (qobject_cast<const ParticipantWindow*>(w) != nullptr) return true;
   }
   return false;
+}
+
+/// Qt sets what it reads from Markdown without air between paragraphs.
+void makeRoomRound(const QTextBlock& block) {
+  const bool isHeading = block.blockFormat().headingLevel() > 0;
+  const bool isCode = block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
+  QTextBlockFormat format;
+  format.setTopMargin(isHeading ? 22.0 : 0.0);
+  format.setBottomMargin(isCode ? 0.0 : 8.0);
+  QTextCursor(block).mergeBlockFormat(format);
 }
 
 class HelpKey final : public QObject {
@@ -128,6 +141,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 void HelpWindow::listHeadings() {
   contents_->clear();
   for (auto block = text_->document()->begin(); block.isValid(); block = block.next()) {
+    makeRoomRound(block);
     if (block.blockFormat().headingLevel() == 0) continue;
     auto* item = new QListWidgetItem(block.text(), contents_);
     item->setData(Qt::UserRole, block.blockNumber());

@@ -15,6 +15,7 @@
 #include "study/gui/attempt.h"
 #include "study/gui/home/export_dialog.h"
 #include "study/gui/home/help_window.h"
+#include "study/gui/home/measurement_dialogs.h"
 #include "study/gui/home/new_study_dialog.h"
 #include "study/gui/home/protocol_window.h"
 #include "study/gui/home/recent_studies.h"
@@ -98,6 +99,13 @@ QWidget* HomeWindow::makeList() {
   return side;
 }
 
+template <typename Dialog>
+void HomeWindow::openTool() {
+  auto* dialog = new Dialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
 void HomeWindow::makeMenus() {
   auto* study = menuBar()->addMenu(tr("&Study"));
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
@@ -107,6 +115,11 @@ void HomeWindow::makeMenus() {
   study->addAction(tr("&Look again"), QKeySequence::Refresh, this, &HomeWindow::refresh);
   study->addSeparator();
   study->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  auto* measured = menuBar()->addMenu(tr("&Measurements"));
+  measured->addAction(tr("&Import a recording…"), this, &HomeWindow::openTool<ImportCutDialog>);
+  measured->addAction(tr("&Fit a material…"), this, &HomeWindow::openTool<FitMaterialDialog>);
+  measured->addAction(
+      tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
   addThemesTo(*menuBar()->addMenu(tr("&View")));
   auto* help = menuBar()->addMenu(tr("&Help"));
   // F1 itself is seen by offerHelp(), wherever the keyboard is.

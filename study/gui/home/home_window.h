@@ -53,7 +53,9 @@ class HomeWindow final : public QMainWindow {
   void forgetChosen();
   void askForProtocol();
   template <typename Dialog>
-  void openDialog();
+  void openDialog();  ///< about the chosen study
+  template <typename Dialog>
+  void openTool();  ///< about none
 
   std::string deviceFile_;
   std::vector<StudySummary> studies_;  ///< as in the list

@@ -106,8 +106,11 @@ QStringList ProtocolWindow::filesToWatch() const {
 void ProtocolWindow::reload() {
   checked_ = checkProtocol(source_.toStdString());
   watch_.watch(filesToWatch());
-  readAt_->setText(tr("%1, read at %2; read again whenever it changes")
-                       .arg(source_, QTime::currentTime().toString(QStringLiteral("HH:mm:ss"))));
+  const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
+  readAt_->setText(
+      filesToWatch().isEmpty()
+          ? tr("%1 ships with the program").arg(source_)
+          : tr("%1, read at %2; read again whenever it changes").arg(source_, now));
   showVerdict();
   showText();
   showProblems();

@@ -4,7 +4,7 @@
 
 #include "haptics/recordings/cut_import.h"
 
-namespace study::app {
+namespace study {
 
 /// Takes a cut, under a name that a protocol can use.
 haptics::recordings::ImportedCut importRecording(
@@ -13,4 +13,4 @@ haptics::recordings::ImportedCut importRecording(
 /// The cut file, with the SHA-256 of the recording it was taken from.
 std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut);
 
-}  // namespace study::app
+}  // namespace study

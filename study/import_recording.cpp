@@ -1,4 +1,4 @@
-#include "study/app/import_recording.h"
+#include "study/import_recording.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,7 +8,7 @@
 #include "protocols/cut_file.h"
 #include "study/storage/protocol_repository.h"
 
-namespace study::app {
+namespace study {
 
 haptics::recordings::ImportedCut importRecording(
     const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options) {
@@ -26,4 +26,4 @@ std::string cutAsJsonFrom(const std::string& recording, const haptics::recording
   return protocols::cutAsJson(cut, storage::sha256(bytes));
 }
 
-}  // namespace study::app
+}  // namespace study

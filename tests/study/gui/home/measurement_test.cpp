@@ -1,0 +1,103 @@
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QTest>
+#include <QTextBrowser>
+
+#include "haptics/reaming/series_text.h"
+#include "haptics/reaming/synthetic_series.h"
+#include "protocols/cut_file.h"
+#include "protocols/packing_file.h"
+#include "study/gui/home/measurement_dialogs.h"
+#include "study/gui/home/measurement_work.h"
+#include "study/session.h"
+#include "tests/haptics/recordings/made_recording.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+class MeasurementTest : public testing::Test {
+ protected:
+  static void set(QDialog& dialog, const char* name, const std::string& path) {
+    dialog.findChild<PathField*>(QString::fromUtf8(name))->setPath(QString::fromStdString(path));
+  }
+  /// Presses the button, waits, and returns the line that says how it came out.
+  static std::string press(QDialog& dialog) {
+    dialog.show();
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+    return dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().toStdString();
+  }
+
+  tests::ScratchFolder folder_;
+};
+
+TEST_F(MeasurementTest, ARecordingBecomesACutThatAProtocolCanName) {
+  ImportCutDialog dialog;
+  set(dialog, "recording", folder_.write("recording.txt", tests::textOf({})));
+  set(dialog, "target", folder_ / "cut.json");
+  EXPECT_TRUE(press(dialog).starts_with("✓"));
+  questionnaires::Problems problems;
+  EXPECT_TRUE(protocols::readCut(tests::contentOf(folder_ / "cut.json"), problems).has_value())
+      << questionnaires::inWords(problems.all());
+  tests::photographInAllThemes(dialog, QStringLiteral("import"));
+}
+
+TEST_F(MeasurementTest, AFolderOfSeriesBecomesAMaterial) {
+  std::filesystem::create_directory(folder_ / "series");
+  int count = 0;
+  for (const auto& series : haptics::reaming::syntheticStudy(1)) {
+    if (++count > 9) break;
+    std::string name = series.name;
+    for (char& c : name) c = c == ' ' || c == ',' ? '-' : c;
+    folder_.write("series/" + name + ".csv", haptics::reaming::asText(series));
+  }
+  FitMaterialDialog dialog;
+  set(dialog, "series", folder_ / "series");
+  set(dialog, "target", folder_ / "bone.json");
+  EXPECT_TRUE(press(dialog).starts_with("✓"));
+  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  EXPECT_TRUE(more.contains(QStringLiteral("dynamic-1"))) << more.toStdString();
+  EXPECT_TRUE(more.contains(QStringLiteral("SYNTHETIC"))) << more.toStdString();
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "bone.json"));
+}
+
+TEST_F(MeasurementTest, ASeriesOfNobodyKnowsWhichTestIsRefused) {
+  folder_.write("series.csv", "time_s,displacement_mm,force_n\n0,0,0\n1,1,1\n2,2,2\n");
+  try {
+    fitMaterialTo(folder_.path().string(), "x", folder_ / "m.json", {});
+    FAIL() << "was not refused";
+  } catch (const NotNow& error) {
+    EXPECT_NE(std::string(error.what()).find("series.csv"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(MeasurementTest, ACupIsFilledWithAsManySpheresAsWereAskedFor) {
+  BuildBoneDialog dialog;
+  dialog.findChild<QSpinBox*>(QStringLiteral("spheres"))->setValue(400);
+  set(dialog, "target", folder_ / "cup.packing");
+  EXPECT_TRUE(press(dialog).starts_with("✓"));
+  const auto more = dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  EXPECT_TRUE(more.startsWith(QStringLiteral("400 spheres"))) << more.toStdString();
+}
+
+TEST_F(MeasurementTest, ABoneThatIsCancelledLeavesNoFile) {
+  int told = 0;
+  const auto giveUp = [&](double, const std::string&) {
+    if (++told == 3) throw Cancelled();
+  };
+  EXPECT_THROW(buildBoneTo(20'000, 1, folder_ / "cup.packing", giveUp), Cancelled);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+TEST_F(MeasurementTest, NothingIsOverwritten) {
+  const auto mine = folder_.write("cup.packing", "mine");
+  EXPECT_THROW(buildBoneTo(400, 1, mine, {}), NotNow);
+  EXPECT_EQ(tests::contentOf(mine), "mine");
+}
+
+}  // namespace
+}  // namespace study::gui::home
