@@ -186,7 +186,6 @@ void Tour::begin() {
 }
 
 void Tour::look() {
-  constexpr double kTick = 0.001;  // [s]
   haptics::engine::TickSample sample;
   while (punch_.nextToPlot(sample)) {
     plot_->add(sample);
