@@ -209,7 +209,7 @@ class Tables {
       const auto session = sessions_.find(event.visit->session);
       if (session == sessions_.end()) continue;
       // How stiff a scene is says which one it is.
-      if (options_.isBlinded && event.kind == "passivity") continue;
+      if (options_.isBlinded && (event.kind == "passivity" || event.kind == "view")) continue;
       // Answers stand in responses.csv; here it matters that and when one was given.
       const bool isAnswer = event.kind == "answered";
       table.rows.push_back(

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <exception>
 
+#include "haptics/timing/monotonic_clock.h"
+
 namespace study {
 namespace {
 
@@ -28,15 +30,27 @@ LiveTrial::~LiveTrial() {
 }
 
 void LiveTrial::tick(double dt, double lateness) noexcept {
+  const std::int64_t sampleTime = haptics::timing::now();
   TickSample sample = trial_.step(dt, static_cast<int>(lateness * 1e-6 / dt));
   sample.lateness = static_cast<float>(lateness);
   cuts_.store(static_cast<int>(sample.cuts), std::memory_order_relaxed);
   travel_.store(sample.travel, std::memory_order_relaxed);
   force_.store(sample.force, std::memory_order_relaxed);
+  sampleTime_.store(sampleTime, std::memory_order_relaxed);
+  followTheCut(sample.landmark);
   if (sample.status == DeviceStatus::Gone || sample.status == DeviceStatus::Faulted) {
     isDeviceGone_.store(true, std::memory_order_relaxed);
   }
   toKeep_->push(sample);
+}
+
+void LiveTrial::followTheCut(haptics::models::CutDetector<double>::Event landmark) noexcept {
+  using enum haptics::models::CutDetector<double>::Event;
+  if (landmark == Yield || landmark == BottomOut) {
+    isCutThrough_.store(true, std::memory_order_relaxed);
+  } else if (landmark == CutCompleted) {
+    isCutThrough_.store(false, std::memory_order_relaxed);
+  }
 }
 
 void LiveTrial::record(const std::stop_token& stop) {
@@ -66,6 +80,8 @@ LiveTrial::Status LiveTrial::status() const noexcept {
       .cuts = cuts_.load(std::memory_order_relaxed),
       .travel = travel_.load(std::memory_order_relaxed),
       .force = force_.load(std::memory_order_relaxed),
+      .sampleTime = sampleTime_.load(std::memory_order_relaxed),
+      .isCutThrough = isCutThrough_.load(std::memory_order_relaxed),
       .ticks = loop_->ticks(),
       .lateTicks = loop_->lateTicks(),
       .isRealtime = loop_->isRealtime(),

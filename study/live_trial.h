@@ -28,8 +28,10 @@ class LiveTrial {
   /// How things are, for whoever looks on.
   struct Status {
     int cuts = 0;
-    double travel = 0.0;  ///< [device's travel unit]
-    double force = 0.0;   ///< [N]
+    double travel = 0.0;          ///< [device's travel unit]
+    double force = 0.0;           ///< [N]
+    std::int64_t sampleTime = 0;  ///< when the device was last read [ns on CLOCK_MONOTONIC]
+    bool isCutThrough = false;    ///< the tissue has yielded, or the jaws have met, in this closure
     std::uint64_t ticks = 0;
     std::uint64_t lateTicks = 0;
     bool isRealtime = false;
@@ -54,6 +56,7 @@ class LiveTrial {
   using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
   void tick(double dt, double lateness) noexcept;
+  void followTheCut(haptics::models::CutDetector<double>::Event landmark) noexcept;
   void record(const std::stop_token& stop);
   void drain();
 
@@ -63,6 +66,8 @@ class LiveTrial {
   std::atomic<int> cuts_{0};
   std::atomic<double> travel_{0.0};
   std::atomic<double> force_{0.0};
+  std::atomic<std::int64_t> sampleTime_{0};
+  std::atomic<bool> isCutThrough_{false};
   std::atomic<bool> isDeviceGone_{false};
   std::atomic<bool> isTraceLost_{false};
   bool isFinished_ = false;

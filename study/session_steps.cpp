@@ -95,6 +95,7 @@ void Session::keepTrial(const TrialRecord& record) {
           record.leastEnergy));
   if (record.link.isThere) say(Actor::Program, "device_link", inWords(record.link));
   if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
+  if (record.view) say(Actor::Program, "view", inWords(*record.view));
   for (const auto& event : record.safety) {
     say(Actor::Program,
         "safety_" + std::string(nameOf(event.kind)),

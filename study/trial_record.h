@@ -8,6 +8,7 @@
 #include "haptics/devices/link_report.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/models/cut_detector.h"
+#include "study/view_report.h"
 
 namespace study {
 
@@ -87,6 +88,7 @@ struct TrialRecord {
   double leastEnergy = 0.0;              ///< that a contact ever came down to [N·travel unit]
   haptics::devices::LinkReport link;     ///< what came over the device's wire, if it has one
   std::string deviceFault;               ///< why the device ended the trial, in words; or empty
+  std::optional<ViewReport> view;        ///< how well it was seen; nothing where it was felt alone
 
   /// Whether what the participant felt may be relied on, and why (not).
   struct Judgement {

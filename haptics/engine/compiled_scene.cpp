@@ -21,6 +21,7 @@ constexpr const char* kFilter = "Kalman filter";
 constexpr const char* kMaterial = "bone material";
 constexpr const char* kPacking = "sphere packing";
 constexpr const char* kRemoval = "removal of bone";
+constexpr const char* kBoneView = "bone: what changes in it";
 
 /// The reading of the paper that is rendered, by the names that protocols use.
 std::string inWords(const models::FiniteElements<double>::Parameters& p) {
@@ -48,7 +49,9 @@ std::string inWords(const KalmanSpec& spec) {
 
 /// What each model needs: built here, and nowhere else.
 struct Builder {
+  bool isSeen = false;
   std::unique_ptr<ForceModel> model;
+  BoneView* bone = nullptr;
   std::vector<Pass> passes;
 
   void in(const char* name, std::string why, std::size_t bytes) {
@@ -130,7 +133,8 @@ struct Builder {
     const std::string spheres =
         "this is the force: " + std::to_string(spec.bone->packing.spheres.size()) + " spheres";
     if (spec.isRemoved) {
-      auto removal = std::make_unique<RemovalModel>(spec);
+      auto removal = std::make_unique<RemovalModel>(spec, isSeen);
+      bone = removal->view();
       in(kPacking, spheres, removal->bytes());
       in(kRemoval, "what the reamer goes through is taken away", removal->bytes());
       model = std::move(removal);
@@ -174,7 +178,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   for (const auto& problem : problemsOf(spec)) wrong += (wrong.empty() ? "" : "; ") + problem;
   if (!wrong.empty()) throw std::invalid_argument(wrong);
 
-  Builder builder;
+  Builder builder{.isSeen = spec.isVisualised};
   std::visit(builder, spec.model);
   const bool isPunch = spec.device == devices::DeviceKind::Punch;
   if (spec.isVisualised && isPunch) {
@@ -182,6 +186,13 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
     builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
   } else {
     builder.out(kMesh, isPunch ? "nothing is shown" : "no meniscus is shown");
+  }
+  bone_ = builder.bone;
+  if (bone_ != nullptr) {
+    builder.in(
+        kBoneView, "the bone is shown; the tick names the spheres that change", sizeof(BoneView));
+  } else {
+    builder.out(kBoneView, spec.isVisualised ? "nothing in it changes" : "nothing is shown");
   }
   model_ = std::move(builder.model);
   passes_ = std::move(builder.passes);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/engine/bone_view.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
 
@@ -53,12 +54,16 @@ class CompiledScene {
   /// Nothing, where the condition is felt without being seen.
   const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }
 
+  /// Nothing, where no bone is taken away, or nobody sees it.
+  BoneView* bone() const noexcept { return bone_; }
+
   /// What is in, what was left out, and why.
   const std::vector<Pass>& passes() const noexcept { return passes_; }
 
  private:
   std::unique_ptr<ForceModel> model_;
   std::optional<MeshView> mesh_;
+  BoneView* bone_ = nullptr;  ///< the model's
   std::vector<Pass> passes_;
 };
 

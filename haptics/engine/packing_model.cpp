@@ -41,28 +41,33 @@ models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
   return {forceAt(tool.travel), 0.0, true};
 }
 
-RemovalModel::RemovalModel(const PackingSpec& spec)
+RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen)
     : bone_(
           spec.bone->packing,
           spec.bone->densities(spec.hardness, spec.forceScale),
           optionsOf(spec)),
       plunge_(reaming::plungeInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
-      changes_(std::make_unique<SphereChanges>()) {}
+      view_(isSeen ? std::make_unique<BoneView>() : nullptr) {}
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
+  if (view_) tellTheEye();
+  return {-felt.force.z, 0.0, felt.isDefined};
+}
+
+void RemovalModel::tellTheEye() noexcept {
   if (bone_.restorations() != restorations_) {
     restorations_ = bone_.restorations();
-    changes_->push({SphereChange::kAllAnew, {}});
+    view_->tell({SphereChange::kAllAnew, {}});
   }
-  untold_.store(bone_.untoldChanges(), std::memory_order_relaxed);
+  view_->tellUntold(bone_.untoldChanges());
+  view_->tellDepth(bone_.tool().centre.z - plunge_.start);
   for (const auto slot : bone_.changed()) {
     const auto& group = bone_.field().group(slot);
     const std::size_t lane = slot % reaming::kLanes;
-    changes_->push({slot, {group.x[lane], group.y[lane], group.z[lane], group.radius[lane]}});
+    view_->tell({slot, {group.x[lane], group.y[lane], group.z[lane], group.radius[lane]}});
   }
-  return {-felt.force.z, 0.0, felt.isDefined};
 }
 
 }  // namespace haptics::engine

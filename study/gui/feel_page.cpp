@@ -7,14 +7,13 @@
 #include <QVBoxLayout>
 
 #include "study/gui/labels.h"
-#include "study/gui/tissue_view.h"
 
 namespace study::gui {
 namespace {
 constexpr double kWholeStroke = 220.0;  // [px] of dragging close the handle altogether
 }
 
-FeelPage::FeelPage(const Content& content, QWidget* parent)
+FeelPage::FeelPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       content_(content),
       count_(nullptr),
@@ -24,13 +23,11 @@ FeelPage::FeelPage(const Content& content, QWidget* parent)
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);
-  layout->setSpacing(20);
-  layout->addStretch(1);
+  // A picture wants the room; words make do with what is left.
+  layout->setSpacing(picture == nullptr ? 20 : 8);
+  if (picture == nullptr) layout->addStretch(1);
   layout->addWidget(hugeLabel(content.name, this));
-  if (content.isVisualised && !content.isReamer) {
-    tissue_ = new TissueView(this);
-    layout->addWidget(tissue_, 6);
-  }
+  if (picture != nullptr) layout->addWidget(picture, 1);
   count_ = titleLabel(cutsInWords(0), this);
   count_->setAlignment(Qt::AlignCenter);
   layout->addWidget(count_);
@@ -41,12 +38,12 @@ FeelPage::FeelPage(const Content& content, QWidget* parent)
   }
   hint_->setAlignment(Qt::AlignCenter);
   layout->addWidget(hint_);
-  layout->addStretch(1);
+  if (picture == nullptr) layout->addStretch(1);
   for (auto* button : {begin_, enough_, decline_}) {
     button->setProperty("role", QStringLiteral("next"));
     layout->addWidget(button, 0, Qt::AlignCenter);
   }
-  layout->addStretch(1);
+  if (picture == nullptr) layout->addStretch(1);
   connect(begin_, &QPushButton::clicked, this, &FeelPage::beginRequested);
   connect(enough_, &QPushButton::clicked, this, &FeelPage::enoughRequested);
   connect(decline_, &QPushButton::clicked, this, &FeelPage::declined);

@@ -7,8 +7,6 @@
 
 namespace study::gui {
 
-class TissueView;
-
 /// A calm page while something is felt: which alternative, how many cuts of how many, nothing else.
 ///
 /// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on
@@ -21,14 +19,11 @@ class FeelPage final : public QWidget {
     QString name;  ///< "Alternative 2"
     int minimumCuts = 3;
     bool isOffered = false;  ///< once more, to whoever wants to
-    bool isVisualised = false;
     bool isReamer = false;
   };
 
-  explicit FeelPage(const Content& content, QWidget* parent = nullptr);
-
-  /// Nothing where the trial is felt without being seen.
-  TissueView* tissue() const noexcept { return tissue_; }
+  /// @param picture  of what is felt, which the page takes in; nothing where it is not seen.
+  FeelPage(const Content& content, QWidget* picture, QWidget* parent = nullptr);
 
   /// The trial has begun, or not yet.
   void setRunning(bool isRunning);
@@ -53,7 +48,6 @@ class FeelPage final : public QWidget {
   QString cutsInWords(int cuts) const;
 
   Content content_;
-  TissueView* tissue_ = nullptr;
   QLabel* count_;
   QLabel* hint_;
   QPushButton* begin_;

@@ -17,6 +17,7 @@
 #include "study/gui/questionnaire_page.h"
 #include "study/gui/session_table.h"
 #include "study/gui/trial_panel.h"
+#include "study/gui/trial_view.h"
 #include "study/hardware_rig.h"
 #include "study/trial_setup.h"
 
@@ -52,6 +53,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   left->addWidget(heading);
   devices_ = new DevicePanel(study.protocol().protocol, *rig_, inside);
   left->addWidget(devices_);
+  if (auto* remark = graphicsRemark(study.protocol().protocol, side)) left->addWidget(remark);
   left->addWidget(sessions_, 1);
   left->addWidget(controls_);
   columns->addWidget(side);

@@ -13,7 +13,7 @@
 #include "study/gui/feel_page.h"
 #include "study/gui/labels.h"
 #include "study/gui/questionnaire_page.h"
-#include "study/gui/tissue_view.h"
+#include "study/gui/trial_view.h"
 
 namespace study::gui {
 
@@ -189,8 +189,8 @@ QWidget* ParticipantWindow::makeFeelPage() {
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOffered = step.isOffered,
-       .isVisualised = step.isVisualised,
        .isReamer = need->kind == haptics::devices::DeviceKind::Reamer},
+      viewOfTrial(controller_, this),
       this);
   connect(feel_, &FeelPage::beginRequested, &controller_, &SessionController::beginTrial);
   connect(feel_, &FeelPage::declined, &controller_, &SessionController::declineOffer);
@@ -263,12 +263,7 @@ void ParticipantWindow::updateProgress() {
 
 void ParticipantWindow::updateTrial() {
   if (feel_ == nullptr) return;
-  const auto status = controller_.trialStatus();
-  feel_->setCuts(status.cuts);
-  const auto* mesh = controller_.mesh();
-  if (feel_->tissue() != nullptr && mesh != nullptr) {
-    feel_->tissue()->show(status.travel, mesh->under(status.force));
-  }
+  feel_->setCuts(controller_.trialStatus().cuts);
 }
 
 void ParticipantWindow::closeEvent(QCloseEvent* event) {

@@ -35,6 +35,10 @@ const haptics::engine::MeshView* SessionController::mesh() const {
   return trial_ ? trial_->scene().mesh() : nullptr;
 }
 
+haptics::engine::BoneView* SessionController::bone() const {
+  return trial_ ? trial_->scene().bone() : nullptr;
+}
+
 QString SessionController::deviceName() const {
   if (session_.isOver() || session_.step().kind != StepKind::Trial) return {};
   return QString::fromStdString(deviceFor(session_).id);
@@ -115,7 +119,8 @@ void SessionController::stop() {
 
 void SessionController::endTrial(TrialEnding ending) {
   watch_.stop();
-  const TrialRecord record = live_->finish(ending);
+  TrialRecord record = live_->finish(ending);
+  if (viewReport_) record.view = viewReport_();
   live_.reset();
   tryTo([&] {
     if (record.ending == TrialEnding::Finished) {

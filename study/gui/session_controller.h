@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,6 +36,12 @@ class SessionController final : public QObject {
   LiveTrial::Status trialStatus() const { return live_ ? live_->status() : LiveTrial::Status{}; }
   /// How the tissue gives way; nothing where the trial is not seen.
   const haptics::engine::MeshView* mesh() const;
+  /// What changes in the bone; nothing where nothing does, or the trial is not seen.
+  haptics::engine::BoneView* bone() const;
+  /// Whom to ask how a trial was seen, when it ends; nobody where it is not.
+  void reportViewBy(std::function<std::optional<ViewReport>()> report) {
+    viewReport_ = std::move(report);
+  }
   /// The next sample for a plot.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
@@ -98,6 +105,7 @@ class SessionController final : public QObject {
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
+  std::function<std::optional<ViewReport>()> viewReport_;
   QTimer watch_;
 };
 

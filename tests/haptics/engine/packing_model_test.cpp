@@ -32,7 +32,7 @@ TEST(PackingModel, FeelsLikeTheMaterialAndHeals) {
 }
 
 TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
-  RemovalModel model(spec(true));
+  RemovalModel model(spec(true), true);
   const auto curve = reaming::curveOf(parametricCurves(), 0.5);
   while (!model.respond({.travel = 0.0}).isDefined) {
   }
@@ -46,15 +46,15 @@ TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
   EXPECT_LT(worst, 4.0);  // of up to 40 N, of which 2 N are the damping of a feed of 1 mm/s
   SphereChange change;
   int gone = 0;
-  while (model.changes().pop(change)) gone += change.sphere.radius == 0.0F ? 1 : 0;
+  while (model.view()->next(change)) gone += change.sphere.radius == 0.0F ? 1 : 0;
   EXPECT_GT(gone, 100);
-  EXPECT_EQ(model.lostChanges(), 0U);
+  EXPECT_EQ(model.view()->lost(), 0U);
   for (; travel > 0.0; travel -= 1e-5) model.respond({.travel = travel});
   EXPECT_LT(model.respond({.travel = 0.006}).force, 0.5);
   model.reset();
   for (int i = 0; i < 50; ++i) model.respond({.travel = -0.001});
   bool isToldAnew = false;
-  while (model.changes().pop(change)) isToldAnew |= change.slot == SphereChange::kAllAnew;
+  while (model.view()->next(change)) isToldAnew |= change.slot == SphereChange::kAllAnew;
   EXPECT_TRUE(isToldAnew);
 }
 

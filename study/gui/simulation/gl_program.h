@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QMatrix4x4>
+#include <QOpenGLExtraFunctions>
+#include <QString>
+
+namespace study::gui::simulation {
+
+/// What runs on the graphics card. Its context is current whenever it is used, and outlives it.
+class GlProgram {
+ public:
+  /// @throws std::runtime_error  with what the driver says, where it does not compile.
+  GlProgram(QOpenGLExtraFunctions& gl, const char* vertexCode, const QByteArray& fragmentCode);
+  ~GlProgram();
+  GlProgram(const GlProgram&) = delete;
+  GlProgram& operator=(const GlProgram&) = delete;
+
+  void use() { gl_.glUseProgram(id_); }
+  void set(const char* name, const QMatrix4x4& value);
+  void set(const char* name, QVector3D value);
+  void set(const char* name, float value);
+
+ private:
+  GLuint compile(GLenum kind, const char* code);
+  GLint at(const char* name) { return gl_.glGetUniformLocation(id_, name); }
+
+  QOpenGLExtraFunctions& gl_;
+  GLuint id_ = 0;
+};
+
+}  // namespace study::gui::simulation

@@ -1,0 +1,39 @@
+#include "study/gui/simulation/shading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace study::gui::simulation {
+namespace {
+
+constexpr float kNearLamp = 1.9F;  // how bright a lamp is that things are close to
+constexpr float kFarLamp = 1.05F;
+constexpr float kShine = 0.85F;
+
+}  // namespace
+
+Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss) {
+  const QVector3D toEye = -place.normalized();
+  if (QVector3D::dotProduct(normal, toEye) < 0.0F) normal = -normal;
+  const bool isNear = light.reach > 0.0F;
+  const QVector3D way = isNear ? light.place - place : light.place;
+  const float distance = way.length();
+  const QVector3D toLamp = way / distance;
+  const float share = isNear ? distance / light.reach : 0.0F;
+  const float power = isNear ? kNearLamp / (1.0F + share * share) : kFarLamp;
+  const float facing = std::max(0.0F, QVector3D::dotProduct(normal, toLamp));
+  const float mirrored =
+      std::max(0.0F, QVector3D::dotProduct(normal, (toLamp + toEye).normalized()));
+  const float shine = kShine * gloss * gloss * std::pow(mirrored, 12.0F + 70.0F * gloss);
+  // What comes from everywhere comes a little more from above.
+  const float ambient = light.ambient * (1.0F + 0.5F * normal.y());
+  return {ambient + power * facing, power * shine};
+}
+
+float vignette(float radius) {
+  const float square = radius * radius;
+  const float edge = std::clamp((1.0F - radius) / 0.012F, 0.0F, 1.0F);
+  return edge * (1.0F - 0.5F * square * square);
+}
+
+}  // namespace study::gui::simulation

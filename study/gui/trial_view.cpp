@@ -1,0 +1,73 @@
+#include "study/gui/trial_view.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <QPointer>
+
+#include "study/gui/labels.h"
+#include "study/gui/simulation/hip_scene.h"
+#include "study/gui/simulation/knee_scene.h"
+#include "study/trial_setup.h"
+
+namespace study::gui {
+namespace {
+
+using simulation::SimulationView;
+
+std::unique_ptr<simulation::SimulatedScene> simulatedSceneOf(
+    const haptics::engine::SceneSpec& spec) {
+  if (spec.device == haptics::devices::DeviceKind::Punch) {
+    return std::make_unique<simulation::KneeScene>();
+  }
+  return std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
+      .packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
+}
+
+simulation::Look lookAt(const SessionController& controller) {
+  const auto status = controller.trialStatus();
+  return {
+      .travel = status.travel,
+      .force = status.force,
+      .isCutThrough = status.isCutThrough,
+      .isRunning = controller.isTrialRunning(),
+      .sampleTime = status.sampleTime,
+      .mesh = controller.mesh(),
+      .bone = controller.bone()};
+}
+
+}  // namespace
+
+SimulationView* viewOfTrial(SessionController& controller, QWidget* parent) {
+  controller.reportViewBy({});
+  const auto spec = setupFor(controller.session(), {}).scene;
+  if (!spec.isVisualised) return nullptr;
+  auto* view = new SimulationView(
+      simulatedSceneOf(spec), simulation::openGraphics(), SimulationView::Pace::Display, parent);
+  view->follow([&controller] { return lookAt(controller); });
+  controller.reportViewBy([seen = QPointer(view)]() -> std::optional<ViewReport> {
+    if (seen.isNull()) return std::nullopt;
+    return seen->report();
+  });
+  return view;
+}
+
+bool isAnythingSeen(const protocols::Protocol& protocol) {
+  const auto isSeen = [](const auto& condition) { return condition.scene.isVisualised; };
+  const auto& conditions = protocol.conditions;
+  return std::any_of(conditions.begin(), conditions.end(), isSeen) ||
+         std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
+           return phase.trials.isVisualised.value_or(false);
+         });
+}
+
+QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
+  if (!isAnythingSeen(protocol)) return nullptr;
+  const QString remark = simulation::openGraphics().remark;
+  if (remark.isEmpty()) return nullptr;
+  auto* line = quietLabel(remark, parent);
+  line->setObjectName(QStringLiteral("graphics-remark"));
+  return line;
+}
+
+}  // namespace study::gui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QLabel>
+
+#include "protocols/protocol.h"
+#include "study/gui/session_controller.h"
+#include "study/gui/simulation/simulation_view.h"
+
+namespace study::gui {
+
+/// The simulation of the trial that the session stands before, following it; its frames are kept
+/// with the trial. Nothing, and nothing of it is made, where the trial is felt without being seen.
+/// The controller outlives it.
+simulation::SimulationView* viewOfTrial(SessionController& controller, QWidget* parent);
+
+/// Whether anything in @p protocol is seen.
+bool isAnythingSeen(const protocols::Protocol& protocol);
+
+/// For the operator, what there is to say about who draws: a line of words; nothing where a
+/// graphics card draws, or @p protocol shows nothing.
+QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent);
+
+}  // namespace study::gui
