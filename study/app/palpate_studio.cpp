@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 
+#include "study/app/studio_bench.h"
 #include "study/gui/attempt.h"
 #include "study/gui/home/help_window.h"
 #include "study/gui/home/home_window.h"
@@ -45,6 +46,7 @@ void describe(QCommandLineParser& parser) {
       {QStringLiteral("devices"),
        QStringLiteral("The laboratory's device file (default: devices.json in DIR)."),
        QStringLiteral("FILE")});
+  study::app::addBenchOptions(parser);
 }
 
 }  // namespace
@@ -68,6 +70,7 @@ int main(int argc, char** argv) {
   study::gui::applyChosenTheme(application);
   study::gui::home::offerHelp(application);
   parser.process(application);
+  if (parser.isSet(QStringLiteral("bench"))) return study::app::benchStudio(parser);
 
   const QString folder = parser.positionalArguments().value(0);
   const std::string devices = parser.value(QStringLiteral("devices")).toStdString();

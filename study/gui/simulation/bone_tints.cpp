@@ -8,7 +8,7 @@ namespace study::gui::simulation {
 namespace {
 
 constexpr Tint kCortical{243, 235, 214, 40};
-constexpr Tint kCancellous{222, 172, 140, 30};
+constexpr Tint kCancellous{226, 186, 160, 30};
 constexpr Tint kUntouched{200, 200, 194, 25};
 constexpr Tint kGrazed{247, 201, 72, 40};
 constexpr Tint kNearlyGone{200, 44, 36, 40};

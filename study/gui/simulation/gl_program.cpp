@@ -5,9 +5,9 @@
 namespace study::gui::simulation {
 
 GlProgram::GlProgram(
-    QOpenGLExtraFunctions& gl, const char* vertexCode, const QByteArray& fragmentCode)
+    QOpenGLExtraFunctions& gl, const QByteArray& vertexCode, const QByteArray& fragmentCode)
     : gl_(gl) {
-  const GLuint vertex = compile(GL_VERTEX_SHADER, vertexCode);
+  const GLuint vertex = compile(GL_VERTEX_SHADER, vertexCode.constData());
   const GLuint fragment = compile(GL_FRAGMENT_SHADER, fragmentCode.constData());
   id_ = gl_.glCreateProgram();
   for (const GLuint shader : {vertex, fragment}) {

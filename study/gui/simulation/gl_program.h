@@ -10,7 +10,8 @@ namespace study::gui::simulation {
 class GlProgram {
  public:
   /// @throws std::runtime_error  with what the driver says, where it does not compile.
-  GlProgram(QOpenGLExtraFunctions& gl, const char* vertexCode, const QByteArray& fragmentCode);
+  GlProgram(
+      QOpenGLExtraFunctions& gl, const QByteArray& vertexCode, const QByteArray& fragmentCode);
   ~GlProgram();
   GlProgram(const GlProgram&) = delete;
   GlProgram& operator=(const GlProgram&) = delete;

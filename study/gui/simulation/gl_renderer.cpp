@@ -75,10 +75,9 @@ GlRenderer::~GlRenderer() {
 }
 
 void GlRenderer::makePrograms() {
-  const QByteArray shading(kShadingCode);
-  bodies_.emplace(gl_, kBodyVertexCode, shading + kBodyFragmentCode);
-  const QByteArray exact = isOnProcessor_ ? "" : "#define EXACT\n";
-  balls_.emplace(gl_, kSphereVertexCode, shading + exact + kSphereFragmentCode);
+  const QByteArray shading = QByteArray(isOnProcessor_ ? kRoughly : kExactly) + kShadingCode;
+  bodies_.emplace(gl_, shading + kBodyVertexCode, shading + kBodyFragmentCode);
+  balls_.emplace(gl_, shading + kSphereVertexCode, shading + kSphereFragmentCode);
   gl_.glGenVertexArrays(1, &ballArray_);
   gl_.glGenBuffers(1, &ballBuffer_);
   gl_.glBindVertexArray(ballArray_);
@@ -221,7 +220,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   balls_->set("toEye", shot.view);
   gl_.glBindVertexArray(ballArray_);
   gl_.glDrawArraysInstanced(
-      GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.spheres->instances().size()));
+      GL_TRIANGLES, 0, 3, static_cast<GLsizei>(scene.spheres->instances().size()));
 }
 
 void GlRenderer::tellLight(GlProgram& program, const Shot& shot, QRect place) {

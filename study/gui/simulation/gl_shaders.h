@@ -2,8 +2,13 @@
 
 namespace study::gui::simulation {
 
-/// How bright things are: the same as shading.cpp, at every pixel.
-inline constexpr const char* kShadingCode = R"glsl(#version 330 core
+/// EXACT is defined where a graphics card draws: light and depth are then computed at every pixel,
+/// otherwise light at every vertex, and a sphere's depth once.
+inline constexpr const char* kExactly = "#version 330 core\n#define EXACT\n";
+inline constexpr const char* kRoughly = "#version 330 core\n";
+
+/// How bright things are: the same as shading.cpp.
+inline constexpr const char* kShadingCode = R"glsl(
 uniform vec3 lampPlace;
 uniform float lampReach;
 uniform float ambientLight;
@@ -17,55 +22,80 @@ vec2 brightness(vec3 place, vec3 normal, float gloss) {
   float away = length(way);
   vec3 toLamp = way / away;
   float share = isNear ? away / lampReach : 0.0;
-  float power = isNear ? 1.9 / (1.0 + share * share) : 1.05;
+  float power = isNear ? 2.3 / (1.0 + share * share) : 1.05;
   float facing = max(0.0, dot(normal, toLamp));
   float mirrored = max(0.0, dot(normal, normalize(toLamp + toEye)));
-  float shine = 0.85 * gloss * gloss * pow(mirrored, 12.0 + 70.0 * gloss);
+  float sharp = mirrored * mirrored;  // to the 16th and 64th, dull and glossy
+  sharp *= sharp;
+  sharp *= sharp;
+  sharp *= sharp;
+  float sharper = sharp * sharp;
+  float shine = 0.85 * gloss * gloss * mix(sharp, sharper * sharper, gloss);
   return vec2(ambientLight * (1.0 + 0.5 * normal.y) + power * facing, power * shine);
 }
 
 vec3 shown(vec3 light) {
-  float left = 1.0;
-  if (disc.z > 0.0) {
-    float radius = distance(gl_FragCoord.xy, disc.xy) / disc.z;
-    float square = radius * radius;
-    left = clamp((1.0 - radius) / 0.012, 0.0, 1.0) * (1.0 - 0.5 * square * square);
-  }
-  return left * sqrt(min(light, vec3(1.0)));
+  return sqrt(min(light, vec3(1.0)));
+}
+
+/// What is left where the picture darkens towards its rim.
+float vignette(vec2 pixel) {
+  if (disc.z <= 0.0) return 1.0;
+  vec2 away = (pixel - disc.xy) / disc.z;
+  float square = dot(away, away);
+  return clamp((1.0 - square) / 0.024, 0.0, 1.0) * (1.0 - 0.5 * square * square);
 }
 )glsl";
 
-inline constexpr const char* kBodyVertexCode = R"glsl(#version 330 core
+inline constexpr const char* kBodyVertexCode = R"glsl(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tint;
 uniform mat4 toEye;
 uniform mat4 projection;
+#ifdef EXACT
 out vec3 eyePlace;
 out vec3 eyeNormal;
 out vec4 eyeTint;
+#else
+out vec3 eyeColour;
+#endif
 void main() {
   vec4 place = toEye * vec4(position, 1.0);
+  vec3 turned = mat3(toEye) * normal;
+  vec3 surface = tint.rgb * tint.rgb;
+#ifdef EXACT
   eyePlace = place.xyz;
-  eyeNormal = mat3(toEye) * normal;
-  eyeTint = vec4(tint.rgb * tint.rgb, tint.a);
+  eyeNormal = turned;
+  eyeTint = vec4(surface, tint.a);
+#else
+  vec2 bright = brightness(place.xyz, normalize(turned), tint.a);
+  eyeColour = shown(surface * bright.x + bright.y);
+#endif
   gl_Position = projection * place;
 }
 )glsl";
 
 inline constexpr const char* kBodyFragmentCode = R"glsl(
+#ifdef EXACT
 in vec3 eyePlace;
 in vec3 eyeNormal;
 in vec4 eyeTint;
+#else
+in vec3 eyeColour;
+#endif
 out vec4 pixel;
 void main() {
+#ifdef EXACT
   vec2 bright = brightness(eyePlace, normalize(eyeNormal), eyeTint.a);
-  pixel = vec4(shown(eyeTint.rgb * bright.x + bright.y), 1.0);
+  vec3 eyeColour = shown(eyeTint.rgb * bright.x + bright.y);
+#endif
+  pixel = vec4(vignette(gl_FragCoord.xy) * eyeColour, 1.0);
 }
 )glsl";
 
-/// A square that faces the eye, for each sphere.
-inline constexpr const char* kSphereVertexCode = R"glsl(#version 330 core
+/// A triangle that faces the eye, for each sphere: the smallest around its disc.
+inline constexpr const char* kSphereVertexCode = R"glsl(
 layout(location = 0) in vec4 sphere;
 layout(location = 1) in vec4 tint;
 uniform mat4 toEye;
@@ -74,7 +104,7 @@ out vec2 across;
 flat out vec4 eyeSphere;
 flat out vec3 eyeTint;
 void main() {
-  across = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1);
+  across = gl_VertexID == 2 ? vec2(0.0, 2.0) : vec2(1.7320508 * float(2 * gl_VertexID - 1), -1.0);
   vec4 place = toEye * vec4(sphere.xyz, 1.0);
   eyeSphere = vec4(place.xyz, sphere.w);
   eyeTint = tint.rgb * tint.rgb;
@@ -82,7 +112,6 @@ void main() {
 }
 )glsl";
 
-/// EXACT is defined where every pixel has its own depth: dear without a graphics card.
 inline constexpr const char* kSphereFragmentCode = R"glsl(
 uniform mat4 projection;
 in vec2 across;

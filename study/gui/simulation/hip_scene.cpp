@@ -16,8 +16,8 @@ constexpr float kPlainRadius = 26.0F;    // [mm]
 constexpr float kPlainInner = 25.5F;
 constexpr float kPlainOuter = 41.0F;
 constexpr Tint kPlainBone{226, 208, 180, 50};
-const QVector3D kEye(-92.0F, -178.0F, -88.0F);  // in the bone's frame [mm]
-const QVector3D kMiddle(3.0F, 0.0F, 9.0F);
+const QVector3D kEye(-70.0F, -200.0F, -58.0F);  // in the bone's frame [mm]
+const QVector3D kMiddle(1.0F, 0.0F, 10.0F);
 
 }  // namespace
 

@@ -27,6 +27,7 @@ KneeScene::KneeScene() : meniscus_(layout_) {
   const QMatrix4x4 punch = punchPose(layout_);
   PunchShape shape = punchShape();
   add(std::move(shape.body), punch);
+  add(std::move(shape.grip), punch);
   add(std::move(shape.jaw));
   add(std::move(shape.rod));
   add(std::move(shape.lever));
@@ -52,15 +53,15 @@ void KneeScene::lookThroughTheScope() {
 }
 
 void KneeScene::lookAtTheHandles() {
-  Shot shot{.place = {0.64, 0.56, 0.36, 0.42}};
+  Shot shot{.place = {0.65, 0.2, 0.34, 0.75}, .aspect = 1.75};
   // From the instrument's side, the tip to the left.
   shot.view.lookAt({-66.0F, -38.0F, -330.0F}, {-66.0F, -38.0F, 0.0F}, {0.0F, 1.0F, 0.0F});
   shot.view *= punchPose(layout_).inverted();
-  shot.fieldOfView = 22.0F;
+  shot.fieldOfView = 16.5F;
   shot.nearest = 200.0F;
   shot.farthest = 500.0F;
   shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.2F};
-  shot.parts = {Body, Jaw, Rod, Lever};
+  shot.parts = {Body, Grip, Jaw, Rod, Lever};
   scene_.shots.push_back(std::move(shot));
 }
 

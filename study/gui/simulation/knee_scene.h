@@ -16,7 +16,18 @@ class KneeScene final : public SimulatedScene {
   const Meniscus& meniscus() const noexcept { return meniscus_; }
 
  private:
-  enum PartIndex : std::size_t { Plateau, Condyle, Capsule, Tissue, Piece, Body, Jaw, Rod, Lever };
+  enum PartIndex : std::size_t {
+    Plateau,
+    Condyle,
+    Capsule,
+    Tissue,
+    Piece,
+    Body,
+    Grip,
+    Jaw,
+    Rod,
+    Lever
+  };
 
   void add(Mesh mesh, const QMatrix4x4& pose = {});
   void lookThroughTheScope();

@@ -7,8 +7,8 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr Tint kCartilage{226, 222, 208, 190};
-constexpr Tint kCartilageShade{206, 194, 176, 150};
+constexpr Tint kCartilage{240, 238, 228, 205};
+constexpr Tint kCartilageShade{222, 208, 190, 185};
 constexpr Tint kSynovium{170, 78, 70, 130};
 constexpr Tint kSynoviumPale{205, 128, 112, 140};
 constexpr Tint kVessel{128, 34, 36, 120};
@@ -35,12 +35,12 @@ Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
 
 Mesh plateauSurface() {
   return surface(
-      56,
-      56,
+      36,
+      36,
       [](float u, float v) {
         const float x = 64.0F * (u - 0.5F);
         const float z = 14.0F - 48.0F * v;
-        const float ripple = 0.05F * std::sin(0.9F * x) * std::sin(0.7F * z);
+        const float ripple = 0.10F * std::sin(0.55F * x + 0.2F * z) * std::sin(0.45F * z);
         return QVector3D(x, plateauHeight(x, z) + ripple, z);
       },
       [](float u, float v) {
@@ -53,13 +53,13 @@ Mesh condyleSurface() {
   const QVector3D centre(-3.0F, 33.5F, -8.0F);
   const QVector3D radii(25.0F, 23.5F, 23.0F);
   return surface(
-      72,
-      40,
+      50,
+      26,
       [&](float u, float v) {
         constexpr float kTurn = 6.2831853F;
         const float around = kTurn * u;
         const float up = 0.30F * kTurn * v;  // from the lowest place
-        const float bump = 1.0F + 0.006F * std::sin(5.0F * around) * std::sin(9.0F * up);
+        const float bump = 1.0F + 0.02F * v * v * std::sin(5.0F * around) * std::sin(9.0F * up);
         return centre + bump * radii *
                             QVector3D(
                                 std::sin(up) * std::cos(around),
@@ -75,8 +75,8 @@ Mesh condyleSurface() {
 
 Mesh capsuleSurface(const KneeLayout& layout) {
   return surface(
-      140,
-      50,
+      96,
+      30,
       [&](float u, float v) {
         const float angle = -150.0F + 300.0F * u;
         const float fold = 0.55F * std::sin(0.21F * angle + 3.0F * v) +

@@ -14,10 +14,10 @@ constexpr float kMillimetresPerTravel = 0.33F;  // at the bite, as the jaw has i
 constexpr float kBiteHalf = 2.9F;               // along the edge [mm]
 constexpr float kBiteDepth = 3.6F;              // across it [mm]
 constexpr std::size_t kMostBites = 12;
-constexpr int kSections = 200;
-constexpr int kPieceSections = 36;
-constexpr int kAcross = 10;  // places across a surface
-constexpr int kUpright = 3;  // places up a face
+constexpr int kSections = 140;
+constexpr int kPieceSections = 24;
+constexpr int kAcross = 8;   // places across a surface
+constexpr int kUpright = 2;  // places up a face
 constexpr float kThinnest = 0.22F;
 
 constexpr Tint kEdge{244, 236, 214, 150};

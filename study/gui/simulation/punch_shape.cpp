@@ -138,6 +138,7 @@ QMatrix4x4 turnedAround(QVector3D pivot, float angle) {
 PunchShape punchShape() {
   PunchShape shape{
       .body = shaft(),
+      .grip = fixedHandle(),
       .jaw = upperJaw(),
       .rod = finished(rod(-118.0F, -3.4F, 0.75F, 16), kDarkSteel),
       .lever = movingHandle()};
@@ -145,7 +146,6 @@ PunchShape punchShape() {
   onTop.translate(0.0F, 1.75F, 0.0F);
   place(shape.rod, onTop);
   append(shape.body, lowerJaw());
-  append(shape.body, fixedHandle());
   return shape;
 }
 

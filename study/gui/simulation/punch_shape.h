@@ -7,7 +7,8 @@ namespace study::gui::simulation {
 /// An arthroscopic punch of our own making, in a frame of its own: the jaw's hinge at the origin,
 /// its tip along x, its upper jaw along y [mm].
 struct PunchShape {
-  Mesh body;   ///< shaft, lower jaw, fixed handle
+  Mesh body;   ///< shaft and lower jaw
+  Mesh grip;   ///< the handle that stays
   Mesh jaw;    ///< the upper jaw
   Mesh rod;    ///< that moves it, along the shaft
   Mesh lever;  ///< the handle that is moved

@@ -41,8 +41,8 @@ Mesh hole(float size) {
   const QVector3D y(0, 1, 0);
   const QVector3D middle(0.95F * size, 0.0F, 0.0F);
   Mesh disc = loft(
-      {circle(middle - QVector3D(0, 0, 0.3F), x, y, 0.72F * size, 14),
-       circle(middle + QVector3D(0, 0, 0.05F), x, y, 0.72F * size, 14)});
+      {circle(middle - QVector3D(0, 0, 0.3F), x, y, 0.72F * size, 9),
+       circle(middle + QVector3D(0, 0, 0.05F), x, y, 0.72F * size, 9)});
   paint(disc, kHole);
   crease(disc, 30.0F);
   return disc;
@@ -72,7 +72,7 @@ void addTeeth(Mesh& cap, float radius) {
 
 ReamerShape reamerShape(float radius) {
   std::vector<QVector2D> profile;
-  constexpr int kSteps = 24;
+  constexpr int kSteps = 18;
   for (int i = 0; i <= kSteps; ++i) {
     const float polar = 0.5F * kPi * static_cast<float>(i) / kSteps;
     profile.emplace_back(std::max(radius * std::sin(polar), 0.01F), radius * std::cos(polar));
@@ -87,7 +87,7 @@ ReamerShape reamerShape(float radius) {
         {0.0004F, -0.02F}}) {
     profile.emplace_back(radius * r, radius * z);
   }
-  ReamerShape shape{.cap = turned(profile, 72), .shaft = {}};
+  ReamerShape shape{.cap = turned(profile, 56), .shaft = {}};
   paint(shape.cap, kCapSteel);
   crease(shape.cap, 28.0F);
   addTeeth(shape.cap, radius);

@@ -11,11 +11,12 @@ QRect placeOf(const Shot& shot, QSize size) {
       shot.place.y() * size.height(),
       shot.place.width() * size.width(),
       shot.place.height() * size.height());
-  if (!shot.isRound) return place.toRect();
-  const double side = std::min(place.width(), place.height());
-  QRectF square(0.0, 0.0, side, side);
-  square.moveCenter(place.center());
-  return square.toRect();
+  const double aspect = shot.isRound ? 1.0 : shot.aspect;
+  if (aspect <= 0.0) return place.toRect();
+  const double height = std::min(place.height(), place.width() / aspect);
+  QRectF fitting(0.0, 0.0, aspect * height, height);
+  fitting.moveCenter(place.center());
+  return fitting.toRect();
 }
 
 QMatrix4x4 projectionOf(const Shot& shot, QSize place) {

@@ -30,6 +30,7 @@ struct Light {
 /// One look at a scene: which part of the picture it fills, from where, and what is seen.
 struct Shot {
   QRectF place{0.0, 0.0, 1.0, 1.0};  ///< in shares of the picture, from its upper left corner
+  double aspect = 0.0;               ///< width by height, as large as it fits there; 0: all of it
   bool isRound = false;              ///< as through an arthroscope: a disc on black
   QMatrix4x4 view;                   ///< from the scene's frame to the eye's
   float fieldOfView = 40.0F;         ///< over the smaller side [°]
@@ -48,7 +49,8 @@ struct Scene {
   std::vector<Shot> shots;
 };
 
-/// Where @p shot is in a picture of @p size: a rectangle, of a round look the square around it.
+/// Where @p shot is in a picture of @p size: a rectangle, as far as its aspect lets it fill
+/// that; of a round look the square around the disc.
 QRect placeOf(const Shot& shot, QSize size);
 
 /// From the eye's frame to the square from −1 to 1, y up.

@@ -6,9 +6,15 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr float kNearLamp = 1.9F;  // how bright a lamp is that things are close to
+constexpr float kNearLamp = 2.3F;  // how bright a lamp is that things are close to
 constexpr float kFarLamp = 1.05F;
 constexpr float kShine = 0.85F;
+
+/// To the 16th power.
+float sixteenth(float x) {
+  const float fourth = x * x * x * x;
+  return fourth * fourth * fourth * fourth;
+}
 
 }  // namespace
 
@@ -24,7 +30,9 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   const float facing = std::max(0.0F, QVector3D::dotProduct(normal, toLamp));
   const float mirrored =
       std::max(0.0F, QVector3D::dotProduct(normal, (toLamp + toEye).normalized()));
-  const float shine = kShine * gloss * gloss * std::pow(mirrored, 12.0F + 70.0F * gloss);
+  const float sharp = sixteenth(mirrored);
+  const float sharper = sharp * sharp * sharp * sharp;
+  const float shine = kShine * gloss * gloss * (sharp + gloss * (sharper - sharp));
   // What comes from everywhere comes a little more from above.
   const float ambient = light.ambient * (1.0F + 0.5F * normal.y());
   return {ambient + power * facing, power * shine};
@@ -32,7 +40,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
 
 float vignette(float radius) {
   const float square = radius * radius;
-  const float edge = std::clamp((1.0F - radius) / 0.012F, 0.0F, 1.0F);
+  const float edge = std::clamp((1.0F - square) / 0.024F, 0.0F, 1.0F);
   return edge * (1.0F - 0.5F * square * square);
 }
 

@@ -13,6 +13,19 @@ QRgb asPixel(float red, float green, float blue) {
   return qRgb(byte(red), byte(green), byte(blue));
 }
 
+/// A colour along a row, in 65536ths.
+struct Channel {
+  Channel(float first, float last, float steps)
+      : begin(fixed(first)),
+        step(static_cast<int>(static_cast<float>(fixed(last) - begin) / steps)) {}
+  static int fixed(float value) {
+    return static_cast<int>(65536.0F * std::clamp(value, 0.0F, 255.0F));
+  }
+  int at(int i) const { return (begin + i * step) >> 16; }
+  int begin;
+  int step;
+};
+
 /// From linear light to what is shown, 0 to 255.
 float shown(float light) {
   return 255.0F * std::sqrt(std::min(light, 1.0F));
@@ -23,7 +36,7 @@ float shown(float light) {
 const QImage& SoftwareRenderer::draw(const Scene& scene, QSize size) {
   if (picture_.size() != size) picture_ = QImage(size, QImage::Format_RGB32);
   picture_.fill(Qt::black);
-  nearness_.assign(static_cast<std::size_t>(size.width() * size.height()), 0.0F);
+  nearness_.resize(static_cast<std::size_t>(size.width() * size.height()));
   for (const auto& shot : scene.shots) {
     Frame frame{.shot = &shot, .place = placeOf(shot, size), .projection = {}};
     frame.projection = projectionOf(shot, frame.place.size());
@@ -157,21 +170,17 @@ void SoftwareRenderer::fill(const Frame& frame, const Corner& a, const Corner& b
 }
 
 void SoftwareRenderer::fillRow(int y, int from, int to, const Corner& at, const Corner& perPixel) {
-  auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
-  float* near = nearness_.data() + y * picture_.width();
-  float nearness = at.nearness;
-  float red = at.red;
-  float green = at.green;
-  float blue = at.blue;
-  for (int x = from; x < to; ++x) {
-    if (nearness > near[x]) {
-      near[x] = nearness;
-      row[x] = asPixel(red, green, blue);
-    }
-    nearness += perPixel.nearness;
-    red += perPixel.red;
-    green += perPixel.green;
-    blue += perPixel.blue;
+  const auto steps = static_cast<float>(std::max(1, to - from - 1));
+  const Channel red(at.red, at.red + steps * perPixel.red, steps);
+  const Channel green(at.green, at.green + steps * perPixel.green, steps);
+  const Channel blue(at.blue, at.blue + steps * perPixel.blue, steps);
+  auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y)) + from;
+  float* near = nearness_.data() + y * picture_.width() + from;
+  for (int i = 0; i < to - from; ++i) {
+    const float nearness = at.nearness + static_cast<float>(i) * perPixel.nearness;
+    if (nearness <= near[i]) continue;
+    near[i] = nearness;
+    row[i] = qRgb(red.at(i), green.at(i), blue.at(i));
   }
 }
 
@@ -222,6 +231,11 @@ void SoftwareRenderer::drawSphere(
 
 /// A disc on black, darker towards its rim.
 void SoftwareRenderer::darkenRim(const Frame& frame) {
+  constexpr int kSteps = 512;  // of the square of the radius
+  int left[kSteps + 1];        // in 256ths
+  for (int i = 0; i <= kSteps; ++i) {
+    left[i] = static_cast<int>(256.0F * vignette(std::sqrt(static_cast<float>(i) / kSteps)));
+  }
   const QRect place = frame.place.intersected(picture_.rect());
   const float half = 0.5F * static_cast<float>(frame.place.width());
   const QPointF middle = QRectF(frame.place).center();
@@ -229,13 +243,11 @@ void SoftwareRenderer::darkenRim(const Frame& frame) {
     auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
     const float dy = (static_cast<float>(y) + 0.5F - static_cast<float>(middle.y())) / half;
     for (int x = place.left(); x <= place.right(); ++x) {
-      if (row[x] == qRgb(0, 0, 0)) continue;
       const float dx = (static_cast<float>(x) + 0.5F - static_cast<float>(middle.x())) / half;
-      const float left = vignette(std::sqrt(dx * dx + dy * dy));
-      row[x] = asPixel(
-          left * static_cast<float>(qRed(row[x])),
-          left * static_cast<float>(qGreen(row[x])),
-          left * static_cast<float>(qBlue(row[x])));
+      const int share = left[std::min(kSteps, static_cast<int>(kSteps * (dx * dx + dy * dy)))];
+      const QRgb pixel = row[x];
+      row[x] = qRgb(
+          (qRed(pixel) * share) >> 8, (qGreen(pixel) * share) >> 8, (qBlue(pixel) * share) >> 8);
     }
   }
 }

@@ -9,7 +9,8 @@ namespace study::gui::simulation {
 namespace {
 
 constexpr float kPerMetre = 1000.0F;
-constexpr float kCellsPerDiameter = 1.6F;
+constexpr float kCellsPerDiameter = 1.8F;
+constexpr int kEmptyAtTheSurface = 6;  // of the 27 cells in and around that of a sphere
 
 }  // namespace
 
@@ -83,9 +84,9 @@ void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
   for (const auto& slot : slots_) held_[slot.cell] += slot.whole > 0.0F ? 1U : 0U;
   const BoneTints tints(field, options_.colours);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    bool isAtTheSurface = false;
-    eachNeighbour(slots_[i].cell, [&](std::size_t cell) { isAtTheSurface |= held_[cell] == 0; });
-    slots_[i].tint = tints.of(i, isAtTheSurface);
+    int empty = 0;
+    eachNeighbour(slots_[i].cell, [&](std::size_t cell) { empty += held_[cell] == 0 ? 1 : 0; });
+    slots_[i].tint = tints.of(i, empty >= kEmptyAtTheSurface);
     slots_[i].sphere.tint = slots_[i].tint;
   }
 }

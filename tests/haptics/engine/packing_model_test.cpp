@@ -58,6 +58,25 @@ TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
   EXPECT_TRUE(isToldAnew);
 }
 
+TEST(CompiledScene, NamesWhatChangesInABoneOnlyWhereSomebodyLooks) {
+  SceneSpec scene{.device = devices::DeviceKind::Reamer, .model = spec(true)};
+  EXPECT_EQ(CompiledScene(scene).bone(), nullptr);
+  scene.isVisualised = true;
+  EXPECT_NE(CompiledScene(scene).bone(), nullptr);
+  scene.model = spec(false);
+  EXPECT_EQ(CompiledScene(scene).bone(), nullptr);  // nothing in it changes
+}
+
+TEST(RemovalModel, TellsTheEyeWhereTheBoneHoldsTheReamer) {
+  RemovalModel model(spec(true), true);
+  while (!model.respond({.travel = -0.001}).isDefined) {
+  }
+  model.respond({.travel = -0.001});
+  EXPECT_NEAR(model.view()->depth(), -0.001, 1e-4);
+  for (int i = 0; i < 50; ++i) model.respond({.travel = 0.01});
+  EXPECT_LT(model.view()->depth(), 0.009);  // the hand is ahead of it
+}
+
 TEST(RemovalModel, IsReamedByAHand) {
   devices::SimulatedHand::Person person{
       .open = 0.0, .closed = 0.02, .stiffness = 4000.0, .damping = 200.0};

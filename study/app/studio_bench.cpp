@@ -1,0 +1,275 @@
+#include "study/app/studio_bench.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <memory>
+
+#include <QDir>
+#include <QEventLoop>
+#include <QTimer>
+
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/parametric_bone.h"
+#include "haptics/reaming/acetabulum.h"
+#include "haptics/reaming/packing_builder.h"
+#include "study/gui/simulation/hip_scene.h"
+#include "study/gui/simulation/knee_scene.h"
+#include "study/gui/simulation/simulation_view.h"
+#include "study/live_trial.h"
+
+namespace study::app {
+namespace {
+
+namespace simulation = gui::simulation;
+using haptics::devices::DeviceKind;
+using haptics::devices::SimulatedDevice;
+using haptics::devices::SimulatedHand;
+
+constexpr QSize kPictureSize(1280, 800);
+constexpr double kTargetOnCard = 60.0;       // pictures a second
+constexpr double kTargetOnProcessor = 25.0;  // pictures a second
+
+struct Settings {
+  double seconds = 8.0;
+  std::size_t spheres = 201'532;
+  QString folder;
+  simulation::RendererChoice renderer = simulation::RendererChoice::Best;
+  simulation::SphereColours colours = simulation::SphereColours::Neutral;
+};
+
+/// A simulation with somebody at work in it.
+struct Subject {
+  haptics::engine::SceneSpec spec;
+  haptics::engine::SafetyLimits limits;
+  SimulatedHand::Person person;
+  std::unique_ptr<simulation::SimulatedScene> scene;
+};
+
+struct Measured {
+  ViewReport view;
+  double bytesPerFrame = 0.0;
+  std::uint64_t allBytes = 0;  ///< of all spheres that there are
+  bool isOnProcessor = false;
+  QString remark;
+};
+
+bool readSettings(const QCommandLineParser& parser, Settings& settings) {
+  const std::map<QString, simulation::SphereColours> colours{
+      {QStringLiteral("neutral"), simulation::SphereColours::Neutral},
+      {QStringLiteral("density"), simulation::SphereColours::Density},
+      {QStringLiteral("removal"), simulation::SphereColours::Removal}};
+  const std::map<QString, simulation::RendererChoice> renderers{
+      {QStringLiteral("best"), simulation::RendererChoice::Best},
+      {QStringLiteral("software"), simulation::RendererChoice::Software}};
+  const auto colour = colours.find(parser.value(QStringLiteral("colours")));
+  const auto renderer = renderers.find(parser.value(QStringLiteral("renderer")));
+  bool isNumber = false;
+  settings.seconds = parser.value(QStringLiteral("seconds")).toDouble(&isNumber);
+  bool isCount = false;
+  settings.spheres = parser.value(QStringLiteral("spheres")).toULong(&isCount);
+  settings.folder = parser.value(QStringLiteral("out"));
+  const bool isSound = isNumber && settings.seconds >= 0.5 && settings.seconds <= 600.0 &&
+                       isCount && settings.spheres >= 1000 && colour != colours.end() &&
+                       renderer != renderers.end();
+  if (!isSound) return false;
+  settings.colours = colour->second;
+  settings.renderer = renderer->second;
+  return settings.folder.isEmpty() || QDir().mkpath(settings.folder);
+}
+
+Subject kneeSubject() {
+  Subject subject;
+  subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
+  subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
+  subject.scene = std::make_unique<simulation::KneeScene>();
+  return subject;
+}
+
+/// Our own cup in so many spheres, as hard as the curves that we ship.
+std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
+  auto bone = std::make_shared<haptics::reaming::PackedBone>();
+  std::printf("packing %zu spheres\n", spheres);
+  std::fflush(stdout);
+  bone->packing = *pack(haptics::reaming::Acetabulum(), {.count = spheres});
+  fitTo(*bone, haptics::engine::parametricCurves(), 100);
+  return bone;
+}
+
+Subject hipSubject(const Settings& settings) {
+  Subject subject;
+  subject.spec.device = DeviceKind::Reamer;
+  subject.spec.model = haptics::engine::PackingSpec{
+      .bone = cupOf(settings.spheres), .hardness = 0.5, .forceScale = 0.15};
+  subject.spec.isVisualised = true;
+  subject.limits = {.maxForce = 140.0, .maxRate = 5000.0, .maxVelocity = 1.0};
+  subject.person = {
+      .closed = 0.028,
+      .pauseTime = 0.2,
+      .closeTime = 1.2,
+      .openTime = 0.8,
+      .stiffness = 6000.0,
+      .damping = 150.0};
+  subject.scene = std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
+      .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
+      .colours = settings.colours});
+  return subject;
+}
+
+simulation::Look lookAt(const LiveTrial& live, const Trial& trial) {
+  const auto status = live.status();
+  return {
+      .travel = status.travel,
+      .force = status.force,
+      .isCutThrough = status.isCutThrough,
+      .isRunning = true,
+      .sampleTime = status.sampleTime,
+      .mesh = trial.scene().mesh(),
+      .bone = trial.scene().bone()};
+}
+
+void wait(double seconds) {
+  QEventLoop loop;
+  QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+void savePicture(simulation::SimulationView& view, const Settings& settings, int number) {
+  if (settings.folder.isEmpty()) return;
+  const bool isKnee = dynamic_cast<simulation::KneeScene*>(&view.scene()) != nullptr;
+  const QString name = QStringLiteral("%1-%2.png")
+                           .arg(isKnee ? QStringLiteral("knee") : QStringLiteral("hip"))
+                           .arg(number);
+  const QString path = QDir(settings.folder).filePath(name);
+  if (!view.grab().save(path)) std::fprintf(stderr, "%s cannot be written.\n", qPrintable(path));
+}
+
+std::uint64_t bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
+  const auto* packing = std::get_if<haptics::engine::PackingSpec>(&spec.model);
+  return packing == nullptr
+             ? 0
+             : packing->bone->packing.spheres.size() * sizeof(simulation::SphereInstance);
+}
+
+Measured measure(Subject subject, const Settings& settings) {
+  const bool isPunch = subject.spec.device == DeviceKind::Punch;
+  SimulatedHand hand(subject.person);
+  SimulatedDevice device(
+      isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
+      isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
+      hand);
+  Measured measured{.allBytes = bytesOfAllSpheres(subject.spec)};
+  Trial trial(
+      device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
+  simulation::SimulationView view(
+      std::move(subject.scene),
+      simulation::openGraphics(settings.renderer),
+      simulation::SimulationView::Pace::Unbound);
+  measured.remark = view.remark();
+  measured.isOnProcessor = view.renderer().isOnProcessor();
+  view.resize(kPictureSize);
+  view.show();
+  wait(0.5);  // until the window is there, and everything has been handed on once
+  const auto bytesBefore = view.renderer().sphereBytes();
+  LiveTrial live(trial);
+  view.follow([&] { return lookAt(live, trial); });
+  constexpr int kPictures = 5;
+  for (int i = 0; i < kPictures; ++i) {
+    wait(settings.seconds / kPictures);
+    measured.view = view.report();
+    savePicture(view, settings, i + 1);
+  }
+  measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
+                           static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
+  view.follow({});
+  live.finish(TrialEnding::Finished);
+  return measured;
+}
+
+/// Prints what was measured; whether the targets were met.
+bool tell(const QString& name, const Measured& measured) {
+  const auto& view = measured.view;
+  const double target = measured.isOnProcessor ? kTargetOnProcessor : kTargetOnCard;
+  const double rate = view.frameMedian > 0.0 ? 1000.0 / view.frameMedian : 0.0;
+  const bool isFast = rate >= target;
+  const bool isFresh = view.latencyMedian <= 2.0 * view.frameMedian;
+  const auto verdict = [](bool isMet) { return isMet ? "PASS" : "MISSED"; };
+  std::printf(
+      "\n%s, %d x %d, drawn by %s\n",
+      qPrintable(name),
+      kPictureSize.width(),
+      kPictureSize.height(),
+      view.renderer.c_str());
+  std::printf(
+      "  pictures a second   %7.1f (median)   at least %.0f   %s\n", rate, target, verdict(isFast));
+  std::printf(
+      "  from one to the next %6.1f ms (median), %.1f ms (99 %%)\n",
+      view.frameMedian,
+      view.frameP99);
+  std::printf(
+      "  latency             %7.1f ms (median), %.1f ms (99 %%)   at most two pictures (%.1f ms)   "
+      "%s\n",
+      view.latencyMedian,
+      view.latencyP99,
+      2.0 * view.frameMedian,
+      verdict(isFresh));
+  std::printf(
+      "  pictures            %7lld, %lld refreshes at %.0f Hz without a new one\n",
+      static_cast<long long>(view.frames),
+      static_cast<long long>(view.dropped),
+      1000.0 / view.period);
+  bool isSparing = true;
+  if (measured.allBytes > 0) {
+    isSparing = measured.bytesPerFrame < 0.05 * static_cast<double>(measured.allBytes);
+    std::printf(
+        "  about spheres       %7.0f bytes a picture, of %llu of all   at most 5 %%   %s\n",
+        measured.bytesPerFrame,
+        static_cast<unsigned long long>(measured.allBytes),
+        verdict(isSparing));
+    std::printf("  changes not shown   %7lld\n", static_cast<long long>(view.lostChanges));
+  }
+  std::fflush(stdout);
+  return isFast && isFresh && isSparing;
+}
+
+}  // namespace
+
+void addBenchOptions(QCommandLineParser& parser) {
+  const auto add =
+      [&](const char* name, const char* words, const char* value, const char* initial) {
+        parser.addOption(
+            {QString::fromLatin1(name),
+             QString::fromUtf8(words),
+             QString::fromLatin1(value),
+             QString::fromLatin1(initial)});
+      };
+  parser.addOption(
+      {QStringLiteral("bench"),
+       QStringLiteral("Measure how fast the simulations are drawn here, and end.")});
+  add("seconds", "With --bench: of each simulation, 0.5 to 600.", "S", "8");
+  add("spheres", "With --bench: of the cup, at least 1000.", "N", "201532");
+  add("colours", "With --bench: neutral, density or removal.", "WHAT", "neutral");
+  add("renderer", "With --bench: best or software.", "WHO", "best");
+  add("out", "With --bench: a folder for pictures.", "DIR", "");
+}
+
+int benchStudio(const QCommandLineParser& parser) {
+  Settings settings;
+  if (!readSettings(parser, settings)) {
+    std::fputs(
+        "palpate-studio --bench: one of --seconds (0.5 to 600), --spheres (at least 1000), "
+        "--colours (neutral, density, removal), --renderer (best, software) or --out (a folder "
+        "that can be written) makes no sense.\n",
+        stderr);
+    return 2;
+  }
+  const auto knee = measure(kneeSubject(), settings);
+  if (!knee.remark.isEmpty()) std::printf("%s\n", qPrintable(knee.remark));
+  const bool isKneeGood = tell(QStringLiteral("Punch and knee"), knee);
+  const bool isHipGood =
+      tell(QStringLiteral("Reamer and cup"), measure(hipSubject(settings), settings));
+  return isKneeGood && isHipGood ? 0 : 1;
+}
+
+}  // namespace study::app

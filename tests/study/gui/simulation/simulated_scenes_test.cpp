@@ -1,0 +1,179 @@
+// What the two simulations look like, drawn by the processor: what is to be seen is there, and
+// changes when it should.
+#include <gtest/gtest.h>
+
+#include "haptics/engine/packing_model.h"
+#include "haptics/engine/parametric_bone.h"
+#include "study/gui/simulation/hip_scene.h"
+#include "study/gui/simulation/knee_scene.h"
+#include "study/gui/simulation/software_renderer.h"
+
+namespace study::gui::simulation {
+namespace {
+
+constexpr QSize kSize(640, 400);
+
+QImage pictureOf(const SimulatedScene& scene) {
+  SoftwareRenderer renderer;
+  return renderer.draw(scene.scene(), kSize).copy();
+}
+
+int differences(const QImage& a, const QImage& b, const QRect& where) {
+  int count = 0;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      const int apart = std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) +
+                        std::abs(qBlue(p) - qBlue(q));
+      count += apart > 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+template <typename Is>
+int countWhere(const QImage& picture, Is is) {
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) count += is(picture.pixel(x, y)) ? 1 : 0;
+  }
+  return count;
+}
+
+bool isBlack(QRgb pixel) {
+  return qRed(pixel) + qGreen(pixel) + qBlue(pixel) == 0;
+}
+
+const QRect kScope(0, 0, 422, 400);
+const QRect kHandles(424, 0, 216, 400);
+
+TEST(KneeScene, IsADiscOnBlackWithThePunchBesideIt) {
+  const KneeScene knee;
+  const QImage picture = pictureOf(knee);
+  EXPECT_TRUE(isBlack(picture.pixel(2, 2)));
+  EXPECT_FALSE(isBlack(picture.pixel(211, 200)));
+  const double disc = 3.14159 * 200 * 200;
+  const int bright = countWhere(picture, [](QRgb pixel) { return !isBlack(pixel); });
+  EXPECT_GT(bright, 0.9 * disc);
+  EXPECT_LT(bright, 1.15 * disc);
+}
+
+TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
+  KneeScene knee;
+  const QImage open = pictureOf(knee);
+  EXPECT_EQ(differences(open, pictureOf(knee), open.rect()), 0);
+  knee.follow({.travel = 8.0}, 0.016);
+  const QImage closed = pictureOf(knee);
+  EXPECT_GT(differences(open, closed, kScope), 500);
+  EXPECT_GT(differences(open, closed, kHandles), 200);
+}
+
+TEST(KneeScene, GivesWayWithTheFiniteElements) {
+  const haptics::engine::MeshView mesh{haptics::engine::FiniteElementsSpec{}};
+  KneeScene knee;
+  knee.follow({.travel = 3.9}, 0.016);
+  const QImage before = pictureOf(knee);
+  knee.follow({.travel = 3.9, .force = 6.0, .mesh = &mesh}, 0.016);
+  EXPECT_GT(differences(before, pictureOf(knee), kScope), 300);
+}
+
+TEST(KneeScene, PartsTheTissueOnceInAClosureAndBringsUpTheNextBite) {
+  KneeScene knee;
+  const QImage whole = pictureOf(knee);
+  for (int i = 0; i < 5; ++i) knee.follow({.travel = 8.0, .isCutThrough = true}, 0.016);
+  EXPECT_TRUE(knee.meniscus().hasPiece());
+  for (const double travel : {9.9, 8.0, 9.9}) {
+    knee.follow({.travel = travel, .isCutThrough = true}, 0.016);
+  }
+  KneeScene once;
+  once.follow({.travel = 9.9, .isCutThrough = true}, 0.016);
+  for (int i = 0; i < 100; ++i) {
+    for (auto* scene : {&knee, &once}) scene->follow({.travel = 0.0}, 0.016);
+  }
+  EXPECT_FALSE(knee.meniscus().hasPiece());
+  EXPECT_EQ(volumeOf(knee.meniscus().body()), volumeOf(once.meniscus().body()));
+  EXPECT_GT(differences(whole, pictureOf(knee), kScope), 300);
+}
+
+TEST(KneeScene, PartsTheTissueWhereTheJawsMeetEvenWithoutAYield) {
+  KneeScene knee;
+  knee.follow({.travel = 9.5}, 0.016);
+  EXPECT_TRUE(knee.meniscus().hasPiece());
+}
+
+class HipSceneTest : public testing::Test {
+ protected:
+  /// Reams to @p depth [m] and comes out again.
+  void ream(double depth) {
+    while (!model_.respond({.travel = -0.002}).isDefined) {
+    }
+    double travel = -0.002;
+    for (; travel < depth; travel += 2e-5) model_.respond({.travel = travel});
+    for (; travel > -0.02; travel -= 2e-5) model_.respond({.travel = travel});
+  }
+
+  haptics::engine::PackingSpec spec_{
+      .bone = haptics::engine::parametricBone(), .hardness = 0.5, .forceScale = 0.15};
+  haptics::engine::RemovalModel model_{spec_, true};
+};
+
+bool isBone(QRgb pixel) {
+  return qRed(pixel) > qBlue(pixel) + 8 && qRed(pixel) > 60;
+}
+
+/// What was within the bone, and is redder than its surface.
+bool isFreshBone(QRgb pixel) {
+  return qRed(pixel) > qBlue(pixel) + 40;
+}
+
+TEST_F(HipSceneTest, ShowsWhatHasBeenTakenAway) {
+  HipScene hip({.packing = &spec_});
+  const Look back{.travel = -0.02, .bone = model_.view()};
+  hip.follow(back, 0.016);
+  const QImage before = pictureOf(hip);
+  EXPECT_GT(countWhere(before, isBone), 5000);
+  ream(0.012);
+  hip.follow(back, 0.016);
+  const QImage after = pictureOf(hip);
+  EXPECT_GT(differences(before, after, before.rect()), 2000);
+  EXPECT_GT(countWhere(after, isFreshBone), countWhere(before, isFreshBone) + 2000);
+}
+
+TEST_F(HipSceneTest, PutsTheReamerWhereTheBoneHoldsIt) {
+  HipScene hip({.packing = &spec_});
+  const auto capAt = [&] { return hip.scene().parts[0].pose.column(3).z(); };
+  const float start = capAt();
+  hip.follow({.travel = 0.03, .bone = model_.view()}, 0.016);
+  EXPECT_NEAR(capAt(), start, 0.1F);  // the hand is ahead, and the bone has not let it go on
+  hip.follow({.travel = 0.03}, 0.016);
+  EXPECT_NEAR(capAt(), start + 30.0F, 0.1F);
+}
+
+TEST_F(HipSceneTest, SpinsWhileATrialRuns) {
+  HipScene hip({.packing = &spec_});
+  const auto poseOf = [&] { return hip.scene().parts[0].pose; };
+  const QMatrix4x4 still = poseOf();
+  hip.follow({}, 0.1);
+  EXPECT_EQ(poseOf(), still);
+  hip.follow({.isRunning = true}, 0.1);
+  EXPECT_NE(poseOf(), still);
+}
+
+TEST_F(HipSceneTest, ShowsDensitiesOnlyWhenItIsAskedTo) {
+  const HipScene neutral({.packing = &spec_});
+  const HipScene density({.packing = &spec_, .colours = SphereColours::Density});
+  const QImage grey = pictureOf(neutral);
+  EXPECT_GT(differences(grey, pictureOf(density), grey.rect()), 5000);
+}
+
+TEST(PlainCup, IsShownWhereTheForceComesFromACurve) {
+  const HipScene hip({});
+  EXPECT_EQ(hip.spheres(), nullptr);
+  ASSERT_EQ(hip.scene().parts.size(), 3U);
+  EXPECT_EQ(openEdges(hip.scene().parts[2].mesh), 0U);
+  EXPECT_GT(countWhere(pictureOf(hip), isBone), 5000);
+}
+
+}  // namespace
+}  // namespace study::gui::simulation

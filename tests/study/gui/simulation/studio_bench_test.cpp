@@ -1,0 +1,68 @@
+// The measuring of pictures, by the program itself: under OpenGL where an X server can be had.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QStandardPaths>
+
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
+
+namespace {
+
+class StudioBench : public testing::Test {
+ protected:
+  tests::Finished run(std::vector<std::string> how) {
+    for (const char* word : {STUDIO_PROGRAM, "--bench", "--seconds", "0.5", "--spheres", "2000"}) {
+      how.emplace_back(word);
+    }
+    how.insert(how.end(), {"--out", folder_ / "pictures"});
+    return tests::run(how);
+  }
+
+  /// The share of a picture that is not as dark as its ground [%].
+  int bright(const std::string& name) const {
+    const QImage picture(QString::fromStdString(folder_ / "pictures/" + name));
+    EXPECT_EQ(picture.size(), QSize(1280, 800));
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) count += qGray(picture.pixel(x, y)) > 45 ? 1 : 0;
+    }
+    return picture.isNull() ? 0 : 100 * count / (picture.width() * picture.height());
+  }
+
+  tests::ScratchFolder folder_;
+};
+
+TEST_F(StudioBench, DrawsOnTheProcessorWithoutADisplay) {
+  const auto finished = run({"env", "QT_QPA_PLATFORM=offscreen"});
+  EXPECT_LE(finished.status, 1) << finished.error;  // whether targets are met is the machine's
+  EXPECT_NE(finished.out.find("drawn by software rasteriser"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("at least 25"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("there is no display with OpenGL"), std::string::npos)
+      << finished.out;
+  EXPECT_GT(bright("knee-1.png"), 30);
+  EXPECT_GT(bright("hip-1.png"), 15);
+}
+
+TEST_F(StudioBench, DrawsWithOpenGlOnADisplay) {
+  if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty()) {
+    GTEST_SKIP() << "no xvfb-run";
+  }
+  const auto finished =
+      run({"env", "QT_QPA_PLATFORM=xcb", "xvfb-run", "-a", "-s", "-screen 0 1400x900x24"});
+  ASSERT_NE(finished.out.find("Reamer and cup"), std::string::npos) << finished.error;
+  if (finished.out.find("software rasteriser") != std::string::npos) {
+    GTEST_SKIP() << "no OpenGL 3.3 on this X server: " << finished.out;
+  }
+  EXPECT_GT(bright("knee-1.png"), 30);
+  EXPECT_GT(bright("hip-1.png"), 15);
+}
+
+TEST_F(StudioBench, RefusesWhatMakesNoSense) {
+  const auto finished = tests::run(
+      {"env", "QT_QPA_PLATFORM=offscreen", STUDIO_PROGRAM, "--bench", "--seconds", "no"});
+  EXPECT_EQ(finished.status, 2);
+  EXPECT_NE(finished.error.find("--seconds"), std::string::npos) << finished.error;
+}
+
+}  // namespace
