@@ -90,8 +90,7 @@ void Tour::done(int result) {
 QWidget* Tour::makeFeeling() {
   auto* step = new QWidget(this);
   page_ = new FeelPage(
-      {.name = tr("Alternative 1"), .minimumCuts = 1, .isVisualised = false, .isReamer = false},
-      step);
+      {.name = tr("Alternative 1"), .minimumCuts = 1, .isReamer = false}, nullptr, step);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
   columns->addWidget(page_, 1);
