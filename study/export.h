@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "study/data_table.h"
+#include "study/progress.h"
 #include "study/run_mode.h"
 #include "study/study.h"
 
@@ -28,6 +29,8 @@ struct ExportOptions {
   /// For the public: of each person so many people the same is told (study/public_tables.h), and
   /// what else would give somebody away stays at home. Nothing: for those who may know.
   std::optional<std::size_t> publicClass = std::nullopt;
+  /// Told how far the writing is; whatever it throws ends it, and there is no folder.
+  Progress progress = {};
 };
 
 /// The fewest people that a class of a public export may have, where nobody asks for more.

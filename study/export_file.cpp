@@ -62,6 +62,7 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
 
 /// In the layout that is asked for. @return  how many sessions are in it.
 std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
+  tell(options.progress, kUnknownShare, "writing the tables");
   if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
   if (options.format == ExportFormat::Bids) return writeBids(study, folder, options);
   return writeTables(study, folder, options);
@@ -147,10 +148,12 @@ std::size_t exportStudy(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
   refuseWhatMayNotLeave(options, reason);
+  tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, options, reason);
   const fs::path unfinished = newFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);
+    tell(options.progress, 1.0, "giving the folder its name");
     fs::rename(unfinished, target, error);
     if (error)
       throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");

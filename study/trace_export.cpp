@@ -79,7 +79,11 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
   fs::create_directories(folder);
   auto& traces = study.traces();
   std::size_t written = 0;
-  for (const auto& trial : records.trials()) {
+  double seen = 0.0;
+  const auto trials = records.trials();
+  for (const auto& trial : trials) {
+    tell(options.progress, seen / static_cast<double>(trials.size()), "writing what was felt");
+    seen += 1.0;
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;
     const auto text = asCsv(traces.read(trial.step.visit), trial.nominalRate);

@@ -11,6 +11,7 @@
 #include "study/gui/attempt.h"
 #include "study/gui/home/help_window.h"
 #include "study/gui/home/home_window.h"
+#include "study/gui/home/recent_studies.h"
 #include "study/gui/home/tour.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/theme_choice.h"
@@ -86,6 +87,8 @@ int main(int argc, char** argv) {
   study::gui::attempt(nullptr, [&] {
     auto study = study::Study::open(folder.toStdString(), clock);
     study::gui::OperatorWindow window(study, devices);
+    const auto& title = study.protocol().protocol.study.title;
+    study::gui::home::rememberStudy(folder, QString::fromStdString(title));
     window.show();
     status = QApplication::exec();
   });

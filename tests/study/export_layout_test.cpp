@@ -108,6 +108,20 @@ class ExportLayoutTest : public testing::Test {
   tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
 };
 
+TEST_F(ExportLayoutTest, LeavesNothingBehindWhenItIsCancelled) {
+  for (const auto format : {ExportFormat::Csv, ExportFormat::PsychDs, ExportFormat::Bids}) {
+    auto options = open(format);
+    double last = 0.0;
+    options.progress = [&](double share, const std::string&) {
+      last = share;
+      if (share > 0.5) throw Cancelled();
+    };
+    EXPECT_THROW(exported("out", options, "for a test"), Cancelled);
+    EXPECT_LT(last, 1.0);  // in the middle of the traces
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
+  }
+}
+
 TEST_F(ExportLayoutTest, HasADictionaryForEveryColumnOfEveryTable) {
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
   const auto codebook = nlohmann::json::parse(contentOf(folder / "codebook.json"));

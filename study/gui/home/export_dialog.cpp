@@ -101,7 +101,7 @@ void ExportDialog::lookAtClasses() {
 }
 
 void ExportDialog::work() {
-  const auto how = options();
+  auto how = options();
   const std::string target = target_->path().toStdString();
   const std::string reason = reason_->text().trimmed().toStdString();
   std::size_t sessions = 0;
@@ -110,12 +110,10 @@ void ExportDialog::work() {
     const bool isAudited = !how.isBlinded || how.publicClass.has_value();
     using Access = storage::Database::Access;
     auto study = Study::open(folder_, clock, isAudited ? Access::ReadWrite : Access::ReadOnly);
-    tell(progress, kUnknownShare, "gathering, checking and writing the tables");
+    how.progress = progress;
     sessions = exportStudy(study, target, how, reason);
   };
-  // Once it is in the audit trail that data leave, they leave: nothing to cancel.
-  const bool isDone =
-      BackgroundTask::run(this, tr("Exporting"), write, BackgroundTask::Cancelling::Impossible);
+  const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
   if (!isDone) return;
   const QString what = QString::fromStdString(
       how.publicClass ? "for strangers"

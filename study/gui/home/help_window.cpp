@@ -104,6 +104,7 @@ void showHelp(const QString& topic, const QWidget* beside) {
     auto* window = new HelpWindow(modal);
     window->setWindowFlag(Qt::Window);
     window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setAttribute(Qt::WA_QuitOnClose, false);
     // Over the window that asks, so that it never covers what a participant sees on another screen.
     constexpr QPoint kAside(60, 40);
     if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
@@ -122,6 +123,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   setWindowTitle(tr("Help — Palpate"));
   contents_->setAccessibleName(tr("Contents"));
   contents_->setWordWrap(true);
+  contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   text_->setOpenExternalLinks(false);
   text_->setAccessibleName(tr("Help"));
   text_->document()->setDocumentMargin(16);

@@ -287,6 +287,7 @@ void HomeWindow::askForProtocol() {
 void HomeWindow::readProtocol(const QString& source) {
   auto* window = new ProtocolWindow(source);
   window->setAttribute(Qt::WA_DeleteOnClose);
+  window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home page
   connect(this, &QObject::destroyed, window, &QObject::deleteLater);
   window->show();
 }

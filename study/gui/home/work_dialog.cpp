@@ -71,6 +71,11 @@ void WorkDialog::fit() {
   if (!isVisible() || more_->isHidden()) resize(width(), needed);
 }
 
+void WorkDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  fit();  // only now is it known how large everything is in this theme
+}
+
 void WorkDialog::clear() {
   line_->clear();
   line_->setVisible(false);

@@ -34,6 +34,8 @@ class WorkDialog : public QDialog {
   /// Runs when the button is pressed.
   virtual void work() = 0;
 
+  void showEvent(QShowEvent* event) override;
+
  private:
   QFormLayout* form_;
   QLabel* line_;

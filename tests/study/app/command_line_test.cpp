@@ -241,6 +241,19 @@ TEST_F(CommandLineTest, NeverOverwrites) {
   EXPECT_TRUE(std::filesystem::is_empty(tables));
 }
 
+TEST_F(CommandLineTest, BacksUpAStudyThatVerifiesAfterwards) {
+  const auto study = made("punch-face-validity", 2);
+  const std::string copy = folder_ / "copy";
+  const auto finished = palpate({"study", "backup", study, "--out", copy});
+  EXPECT_EQ(finished.status, 0) << finished.error;
+  EXPECT_NE(finished.out.find("everything is what was written"), std::string::npos);
+  EXPECT_EQ(palpate({"study", "verify", copy}).status, 0);
+  EXPECT_EQ(
+      palpate({"study", "status", copy, "--json"}).out,
+      palpate({"study", "status", study, "--json"}).out);
+  expectRefused({"study", "backup", study, "--out", copy}, kTheWorldSaidNo, {"is there already"});
+}
+
 TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
   const auto study = made("punch-face-validity", 2);
   for (const Words& call :
