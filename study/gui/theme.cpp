@@ -15,9 +15,10 @@ namespace {
 
 constexpr const char* kWornTheme = "wears";
 
-/// With @name where a colour stands, and @name.text for that of the words on it.
+/// With @name where a colour stands, and @name.text for that of the words on it. Ordinary words
+/// have the palette's colours: where a rule gives one, Qt halves the contrast of place holders.
 constexpr const char* kStyleSheet = R"css(
-QWidget { color: @window.text; background: @window; font-size: 16px; }
+QWidget { background: @window; font-size: 16px; }
 QLabel[role="title"] { font-size: 30px; font-weight: 600; }
 QLabel[role="heading"] { font-size: 20px; font-weight: 600; }
 QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
@@ -49,7 +50,7 @@ QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @
                            font-weight: 700; min-height: 64px; }
 QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QLineEdit, QPlainTextEdit, QComboBox {
-  color: @field.text; background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
+  background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid @focus; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled.text; background: @disabled; }
 QSpinBox, QDoubleSpinBox { color: @field.text; background: @field; min-height: 34px; }
@@ -162,7 +163,13 @@ void applyTheme(QApplication& application, ThemeName name) {
 void wearTheme(QWidget& window, ThemeName name) {
   window.setProperty(kWornTheme, nameOf(name));
   window.setPalette(paletteOf(themeNamed(name)));
-  window.setStyleSheet(styleSheetOf(themeNamed(name)));
+  // A palette of the whole program would come through where the style sheet names no colour.
+  const auto& own = themeNamed(name);
+  window.setStyleSheet(
+      QStringLiteral(
+          "QWidget { color: %1; }\nQLineEdit, QPlainTextEdit, QComboBox { color: %2; }\n")
+          .arg(own.window.text.name(), own.field.text.name()) +
+      styleSheetOf(own));
 }
 
 QString styleSheetOf(const Theme& theme) {

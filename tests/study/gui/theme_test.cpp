@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
 
@@ -85,6 +86,19 @@ TEST_P(ThemeTest, HasReadableWordsInEveryRuleOfItsStyleSheet) {
     }
   }
   EXPECT_GT(judged, 25);
+}
+
+TEST_P(ThemeTest, HasReadablePlaceHolders) {
+  auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+  applyTheme(application, GetParam());
+  QLineEdit line;
+  line.ensurePolished();
+  const auto words = line.palette().color(QPalette::PlaceholderText);
+  EXPECT_EQ(words.alpha(), 255);
+  EXPECT_GE(contrast(words, theme_.field.background), least_) << words.name().toStdString();
+  const auto written = line.palette().color(QPalette::Text);
+  EXPECT_GE(contrast(written, theme_.field.background), least_) << written.name().toStdString();
+  applyTheme(application);
 }
 
 TEST_P(ThemeTest, LeavesNoNameOfAColourInItsStyleSheet) {
