@@ -16,6 +16,9 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(line_, 1);
   row->addWidget(choose);
+  // A form gives a row less than its button needs, unless it is told.
+  choose->ensurePolished();
+  setMinimumHeight(choose->sizeHint().height());
   setFocusProxy(line_);
   connect(choose, &QPushButton::clicked, this, &PathField::choose);
   connect(line_, &QLineEdit::textChanged, this, [this] { emit pathChanged(path()); });
