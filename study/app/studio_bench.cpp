@@ -6,6 +6,7 @@
 #include <memory>
 
 #include <QDir>
+#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QTimer>
 
@@ -45,12 +46,15 @@ struct Subject {
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
   std::unique_ptr<simulation::SimulatedScene> scene;
+  double making = 0.0;  ///< of the scene [ms]
 };
 
 struct Measured {
   ViewReport view;
   double bytesPerFrame = 0.0;
   std::uint64_t allBytes = 0;  ///< of all spheres that there are
+  double making = 0.0;         ///< of the scene [ms]
+  TrialRecord felt;            ///< how well the hand was served meanwhile
   bool isOnProcessor = false;
   QString remark;
 };
@@ -62,6 +66,7 @@ bool readSettings(const QCommandLineParser& parser, Settings& settings) {
       {QStringLiteral("removal"), simulation::SphereColours::Removal}};
   const std::map<QString, simulation::RendererChoice> renderers{
       {QStringLiteral("best"), simulation::RendererChoice::Best},
+      {QStringLiteral("finest"), simulation::RendererChoice::Finest},
       {QStringLiteral("software"), simulation::RendererChoice::Software}};
   const auto colour = colours.find(parser.value(QStringLiteral("colours")));
   const auto renderer = renderers.find(parser.value(QStringLiteral("renderer")));
@@ -83,7 +88,10 @@ Subject kneeSubject() {
   Subject subject;
   subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
+  QElapsedTimer clock;
+  clock.start();
   subject.scene = std::make_unique<simulation::KneeScene>();
+  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
 
@@ -111,9 +119,12 @@ Subject hipSubject(const Settings& settings) {
       .openTime = 0.8,
       .stiffness = 6000.0,
       .damping = 150.0};
+  QElapsedTimer clock;
+  clock.start();
   subject.scene = std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
       .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
       .colours = settings.colours});
+  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
 
@@ -159,7 +170,7 @@ Measured measure(Subject subject, const Settings& settings) {
       isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
       isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
       hand);
-  Measured measured{.allBytes = bytesOfAllSpheres(subject.spec)};
+  Measured measured{.allBytes = bytesOfAllSpheres(subject.spec), .making = subject.making};
   Trial trial(
       device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
   simulation::SimulationView view(
@@ -183,7 +194,7 @@ Measured measure(Subject subject, const Settings& settings) {
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
   view.follow({});
-  live.finish(TrialEnding::Finished);
+  measured.felt = live.finish(TrialEnding::Finished);
   return measured;
 }
 
@@ -219,6 +230,11 @@ bool tell(const QString& name, const Measured& measured) {
       static_cast<long long>(view.frames),
       static_cast<long long>(view.dropped),
       1000.0 / view.period);
+  std::printf("  made ready in       %7.0f ms, before the trial\n", measured.making);
+  std::printf(
+      "  the hand meanwhile  %7lld ticks, %lld of them late by a period or more\n",
+      static_cast<long long>(measured.felt.ticks),
+      static_cast<long long>(measured.felt.lateTicks.value_or(0)));
   bool isSparing = true;
   if (measured.allBytes > 0) {
     isSparing = measured.bytesPerFrame < 0.05 * static_cast<double>(measured.allBytes);
@@ -250,7 +266,7 @@ void addBenchOptions(QCommandLineParser& parser) {
   add("seconds", "With --bench: of each simulation, 0.5 to 600.", "S", "8");
   add("spheres", "With --bench: of the cup, at least 1000.", "N", "201532");
   add("colours", "With --bench: neutral, density or removal.", "WHAT", "neutral");
-  add("renderer", "With --bench: best or software.", "WHO", "best");
+  add("renderer", "With --bench: best, finest (as on a graphics card) or software.", "WHO", "best");
   add("out", "With --bench: a folder for pictures.", "DIR", "");
 }
 
@@ -259,7 +275,8 @@ int benchStudio(const QCommandLineParser& parser) {
   if (!readSettings(parser, settings)) {
     std::fputs(
         "palpate-studio --bench: one of --seconds (0.5 to 600), --spheres (at least 1000), "
-        "--colours (neutral, density, removal), --renderer (best, software) or --out (a folder "
+        "--colours (neutral, density, removal), --renderer (best, finest, software) or --out (a "
+        "folder "
         "that can be written) makes no sense.\n",
         stderr);
     return 2;

@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include "study/gui/labels.h"
+#include "study/gui/theme.h"
 
 namespace study::gui {
 
@@ -24,6 +25,8 @@ class ServoPanel::Bars final : public QWidget {
     QFont small = font();
     small.setPixelSize(10);
     painter.setFont(small);
+    const auto& colours = themeOf(*this);
+    painter.setPen(colours.window.text);
     const auto& bars = health_.bars();
     const double wide = static_cast<double>(width()) / static_cast<double>(bars.size());
     constexpr double kFoot = 14.0;
@@ -35,7 +38,7 @@ class ServoPanel::Bars final : public QWidget {
       const bool isLate = i + 1 == bars.size();
       painter.fillRect(
           QRectF(left + 2, height() - kFoot - high, wide - 4, high),
-          palette().color(isLate ? QPalette::Text : QPalette::Highlight));
+          isLate ? colours.bad.background : colours.force);
       const QString edge = isLate ? QStringLiteral("> %1").arg(ServoHealth::kEdges.back())
                                   : QString::number(ServoHealth::kEdges[i]);
       painter.drawText(QRectF(left, height() - kFoot, wide, kFoot), Qt::AlignCenter, edge);

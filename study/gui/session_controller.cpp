@@ -120,7 +120,7 @@ void SessionController::stop() {
 void SessionController::endTrial(TrialEnding ending) {
   watch_.stop();
   TrialRecord record = live_->finish(ending);
-  if (viewReport_) record.view = viewReport_();
+  record.view = viewReport();
   live_.reset();
   tryTo([&] {
     if (record.ending == TrialEnding::Finished) {

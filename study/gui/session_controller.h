@@ -42,6 +42,10 @@ class SessionController final : public QObject {
   void reportViewBy(std::function<std::optional<ViewReport>()> report) {
     viewReport_ = std::move(report);
   }
+  /// How the trial is seen; nothing where it is not.
+  std::optional<ViewReport> viewReport() const {
+    return viewReport_ ? viewReport_() : std::nullopt;
+  }
   /// The next sample for a plot.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);

@@ -9,6 +9,7 @@
 #include "study/gui/live_plot.h"
 #include "study/gui/servo_panel.h"
 #include "study/gui/timeline_table.h"
+#include "study/gui/trial_view.h"
 
 namespace study::gui {
 
@@ -98,7 +99,8 @@ void TrialPanel::updateTrial() {
           .arg(status.travel, 0, 'f', 3)
           .arg(status.ticks)
           .arg(status.lateTicks)
-          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority")));
+          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority")) +
+      viewInWords(*controller_));
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {
     plot_->add(sample);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include <QCoreApplication>
 #include <QPointer>
 
 #include "study/gui/labels.h"
@@ -50,6 +51,14 @@ SimulationView* viewOfTrial(SessionController& controller, QWidget* parent) {
     return seen->report();
   });
   return view;
+}
+
+QString viewInWords(const SessionController& controller) {
+  const auto report = controller.viewReport();
+  if (!report || report->frames < 2) return {};
+  return QCoreApplication::translate("TrialPanel", " · %1 pictures a second, %2 ms old")
+      .arg(report->rate, 0, 'f', 1)
+      .arg(report->latencyMedian, 0, 'f', 0);
 }
 
 bool isAnythingSeen(const protocols::Protocol& protocol) {

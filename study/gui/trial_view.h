@@ -13,6 +13,10 @@ namespace study::gui {
 /// The controller outlives it.
 simulation::SimulationView* viewOfTrial(SessionController& controller, QWidget* parent);
 
+/// For the operator, how the present trial is seen: " · 29.9 pictures a second, 18 ms old"; nothing
+/// where it is not.
+QString viewInWords(const SessionController& controller);
+
 /// Whether anything in @p protocol is seen.
 bool isAnythingSeen(const protocols::Protocol& protocol);
 

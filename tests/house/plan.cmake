@@ -36,6 +36,7 @@ foreach(room IN LISTS rooms)
       # Third parties.
       file_may("know Qt" "^study/(report|gui|app)/" "<Q[A-Z]")
       file_may("open windows" "^study/(gui|app)/" "<(QWidget|QDialog|QMainWindow|QMessageBox|QPushButton|QLabel|qcustomplot|QApplication|QtWidgets)")
+      file_may("know OpenGL" "^study/gui/simulation/g(l_|raphics)" "<(QO(penGL|ffscreen)|GL/)")
       file_may("know SQLite" "^study/storage/.*\\.cpp$" "<sqlite3\\.h>")
       file_may("read JSON itself" "_file\\.cpp$" "<nlohmann/")
       file_may("know Boost" "^(analysis/.*\\.cpp$|haptics/bench/)" "<boost/")

@@ -23,6 +23,7 @@ set(forbidden
     "study/a.cpp|\"study/gui/page.h\""
     "study/report/a.cpp|<QWidget>"
     "study/gui/a.cpp|\"study/app/main.h\""
+    "study/gui/a.cpp|<QOpenGLContext>"
     "study/a.cpp|\"tests/support/scratch_folder.h\""
     "study/a.cpp|<boost/math/distributions.hpp>")
 foreach(case IN LISTS forbidden)

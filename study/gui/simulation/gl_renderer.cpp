@@ -10,6 +10,7 @@ namespace {
 
 constexpr GLenum kBgra = 0x80E1;         // GL_BGRA
 constexpr GLenum kWholePixels = 0x8367;  // GL_UNSIGNED_INT_8_8_8_8_REV
+constexpr GLenum kPointSizes = 0x8642;   // GL_PROGRAM_POINT_SIZE
 constexpr int kSamples = 4;              // of a pixel, on a graphics card
 
 QSurfaceFormat wantedFormat() {
@@ -37,7 +38,7 @@ GLsizeiptr bytesOf(std::size_t count, std::size_t size) {
 
 }  // namespace
 
-GlRenderer::GlRenderer() {
+GlRenderer::GlRenderer(Detail detail) {
   context_.setFormat(wantedFormat());
   if (!context_.create()) throw std::runtime_error("this display offers no OpenGL");
   surface_.setFormat(context_.format());
@@ -54,7 +55,8 @@ GlRenderer::GlRenderer() {
   gl_.initializeOpenGLFunctions();
   name_ = QString::fromUtf8(reinterpret_cast<const char*>(gl_.glGetString(GL_RENDERER)));
   isOnProcessor_ = isProcessors(name_);
-  samples_ = isOnProcessor_ ? 0 : kSamples;
+  isFine_ = detail == Detail::Finest || !isOnProcessor_;
+  samples_ = isFine_ ? kSamples : 0;
   makePrograms();
 }
 
@@ -75,7 +77,7 @@ GlRenderer::~GlRenderer() {
 }
 
 void GlRenderer::makePrograms() {
-  const QByteArray shading = QByteArray(isOnProcessor_ ? kRoughly : kExactly) + kShadingCode;
+  const QByteArray shading = QByteArray(isFine_ ? kExactly : kRoughly) + kShadingCode;
   bodies_.emplace(gl_, shading + kBodyVertexCode, shading + kBodyFragmentCode);
   balls_.emplace(gl_, shading + kSphereVertexCode, shading + kSphereFragmentCode);
   gl_.glGenVertexArrays(1, &ballArray_);
@@ -88,7 +90,7 @@ void GlRenderer::makePrograms() {
       1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride, offset(offsetof(SphereInstance, tint)));
   for (const GLuint i : {0U, 1U}) {
     gl_.glEnableVertexAttribArray(i);
-    gl_.glVertexAttribDivisor(i, 1);
+    if (isFine_) gl_.glVertexAttribDivisor(i, 1);
   }
 }
 
@@ -218,9 +220,15 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   balls_->set("lampPlace", shot.light.place.normalized());
   balls_->set("projection", projection);
   balls_->set("toEye", shot.view);
+  balls_->set("pointScale", 0.5F * static_cast<float>(place.height()) * -projection(1, 1));
   gl_.glBindVertexArray(ballArray_);
-  gl_.glDrawArraysInstanced(
-      GL_TRIANGLES, 0, 3, static_cast<GLsizei>(scene.spheres->instances().size()));
+  const auto count = static_cast<GLsizei>(scene.spheres->instances().size());
+  if (isFine_) {
+    gl_.glDrawArraysInstanced(GL_TRIANGLES, 0, 3, count);
+  } else {
+    gl_.glEnable(kPointSizes);
+    gl_.glDrawArrays(GL_POINTS, 0, count);
+  }
 }
 
 void GlRenderer::tellLight(GlProgram& program, const Shot& shot, QRect place) {

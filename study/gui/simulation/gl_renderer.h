@@ -17,8 +17,13 @@ namespace study::gui::simulation {
 /// else: bodies whose shape is new, spheres that the reamer has touched.
 class GlRenderer final : public Renderer {
  public:
+  enum class Detail {
+    Fitting,  ///< light at every pixel and smooth edges on a graphics card only
+    Finest,   ///< everywhere, however long it takes
+  };
+
   /// @throws std::runtime_error  in words, where there is no OpenGL 3.3.
-  GlRenderer();
+  explicit GlRenderer(Detail detail = Detail::Fitting);
   ~GlRenderer() override;
 
   const QImage& draw(const Scene& scene, QSize size) override;
@@ -56,7 +61,8 @@ class GlRenderer final : public Renderer {
   QOpenGLExtraFunctions gl_;
   QString name_;
   bool isOnProcessor_ = false;
-  int samples_ = 0;
+  bool isFine_ = true;
+  int samples_ = 0;  ///< of a pixel; 0: one
   std::optional<GlProgram> bodies_;
   std::optional<GlProgram> balls_;
   Canvas drawn_;

@@ -16,13 +16,13 @@ uniform vec3 disc;  // middle and radius in pixels; radius 0: none
 
 vec2 brightness(vec3 place, vec3 normal, float gloss) {
   vec3 toEye = -normalize(place);
-  if (dot(normal, toEye) < 0.0) normal = -normal;
+  if (dot(normal, toEye) < -0.25) normal = -normal;
   bool isNear = lampReach > 0.0;
   vec3 way = isNear ? lampPlace - place : lampPlace;
   float away = length(way);
   vec3 toLamp = way / away;
   float share = isNear ? away / lampReach : 0.0;
-  float power = isNear ? 2.3 / (1.0 + share * share) : 1.05;
+  float power = isNear ? 2.1 / (1.0 + share * share) : 1.05;
   float facing = max(0.0, dot(normal, toLamp));
   float mirrored = max(0.0, dot(normal, normalize(toLamp + toEye)));
   float sharp = mirrored * mirrored;  // to the 16th and 64th, dull and glossy
@@ -94,31 +94,47 @@ void main() {
 }
 )glsl";
 
-/// A triangle that faces the eye, for each sphere: the smallest around its disc.
+/// For each sphere a triangle that faces the eye, the smallest around its disc; or, with less to do
+/// for a processor, a point as large as the disc.
 inline constexpr const char* kSphereVertexCode = R"glsl(
 layout(location = 0) in vec4 sphere;
 layout(location = 1) in vec4 tint;
 uniform mat4 toEye;
 uniform mat4 projection;
-out vec2 across;
+uniform float pointScale;  // pixels that a millimetre has at a distance of one
+#ifdef EXACT
+out vec2 corner;
+#endif
 flat out vec4 eyeSphere;
 flat out vec3 eyeTint;
 void main() {
-  across = gl_VertexID == 2 ? vec2(0.0, 2.0) : vec2(1.7320508 * float(2 * gl_VertexID - 1), -1.0);
   vec4 place = toEye * vec4(sphere.xyz, 1.0);
   eyeSphere = vec4(place.xyz, sphere.w);
   eyeTint = tint.rgb * tint.rgb;
-  gl_Position = projection * vec4(place.xy + sphere.w * across, place.z, 1.0);
+#ifdef EXACT
+  corner = gl_VertexID == 2 ? vec2(0.0, 2.0) : vec2(1.7320508 * float(2 * gl_VertexID - 1), -1.0);
+  gl_Position = projection * vec4(place.xy + sphere.w * corner, place.z, 1.0);
+#else
+  gl_Position = sphere.w > 0.0 ? projection * place : vec4(0.0, 0.0, 2.0, 1.0);
+  gl_PointSize = max(1.5, 2.0 * sphere.w * pointScale / -place.z);
+#endif
 }
 )glsl";
 
 inline constexpr const char* kSphereFragmentCode = R"glsl(
 uniform mat4 projection;
-in vec2 across;
+#ifdef EXACT
+in vec2 corner;
+#endif
 flat in vec4 eyeSphere;
 flat in vec3 eyeTint;
 out vec4 pixel;
 void main() {
+#ifdef EXACT
+  vec2 across = corner;
+#else
+  vec2 across = 2.0 * gl_PointCoord - 1.0;
+#endif
   float rest = 1.0 - dot(across, across);
   if (rest <= 0.0) discard;
   vec3 normal = vec3(across, sqrt(rest));

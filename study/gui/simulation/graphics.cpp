@@ -36,7 +36,11 @@ Graphics openGraphics(RendererChoice choice) {
     return onProcessor(said("there is no display with OpenGL (%1)").arg(platform));
   }
   try {
-    Graphics graphics{std::make_unique<GlRenderer>(), {}};
+    const bool isFinest = choice == RendererChoice::Finest;
+    Graphics graphics{
+        std::make_unique<GlRenderer>(
+            isFinest ? GlRenderer::Detail::Finest : GlRenderer::Detail::Fitting),
+        {}};
     if (graphics.renderer->isOnProcessor()) {
       graphics.remark =
           said(

@@ -20,6 +20,7 @@ struct Graphics {
 enum class RendererChoice {
   Best,      ///< OpenGL where there is any, the processor where there is none
   Software,  ///< the processor, whatever there is
+  Finest,    ///< OpenGL with everything that a graphics card is trusted with, whoever draws
 };
 
 /// Never fails: the processor draws where nothing else does.

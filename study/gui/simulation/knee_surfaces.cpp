@@ -7,7 +7,7 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr Tint kCartilage{240, 238, 228, 205};
+constexpr Tint kCartilage{232, 229, 217, 205};
 constexpr Tint kCartilageShade{222, 208, 190, 185};
 constexpr Tint kSynovium{170, 78, 70, 130};
 constexpr Tint kSynoviumPale{205, 128, 112, 140};

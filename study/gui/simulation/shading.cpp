@@ -6,7 +6,8 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr float kNearLamp = 2.3F;  // how bright a lamp is that things are close to
+constexpr float kBehind = -0.25F;
+constexpr float kNearLamp = 2.1F;  // how bright a lamp is that things are close to
 constexpr float kFarLamp = 1.05F;
 constexpr float kShine = 0.85F;
 
@@ -20,7 +21,8 @@ float sixteenth(float x) {
 
 Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss) {
   const QVector3D toEye = -place.normalized();
-  if (QVector3D::dotProduct(normal, toEye) < 0.0F) normal = -normal;
+  // A sheet may be seen from behind; a round body just turns away at its edge.
+  if (QVector3D::dotProduct(normal, toEye) < kBehind) normal = -normal;
   const bool isNear = light.reach > 0.0F;
   const QVector3D way = isNear ? light.place - place : light.place;
   const float distance = way.length();

@@ -13,7 +13,7 @@ namespace study::gui::simulation {
 namespace {
 
 namespace timing = haptics::timing;
-constexpr double kMostOnProcessor = 1280.0 * 800.0;  // pixels; more is drawn coarser
+constexpr double kMostOnProcessor = 1920.0 * 1080.0;  // pixels; more is drawn coarser
 constexpr double kMostOnCard = 2560.0 * 1600.0;
 
 }  // namespace
@@ -82,8 +82,6 @@ void SimulationView::paintEvent(QPaintEvent* /*event*/) {
   if (look.bone != nullptr) lostChanges_ = static_cast<std::int64_t>(look.bone->lost());
   const QImage& picture = graphics_.renderer->draw(scene_->scene(), pictureSize());
   QPainter painter(this);
-  painter.setRenderHint(
-      QPainter::SmoothPixmapTransform, picture.size() != size() * devicePixelRatioF());
   painter.drawImage(rect(), picture);
   painted_ = look;
   // The window hands its picture on when this event is over: then this frame is shown.

@@ -4,10 +4,12 @@
 #include <QLabel>
 #include <QTest>
 
+#include "protocols/library.h"
 #include "protocols/loaded_protocol.h"
 #include "study/export.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/operator_window.h"
+#include "study/gui/simulation/hip_scene.h"
 #include "study/gui/simulation/simulation_view.h"
 #include "study/gui/trial_view.h"
 #include "tests/study/gui/participant.h"
@@ -20,10 +22,13 @@ using simulation::SimulationView;
 
 class VisualisedTrial : public testing::Test {
  protected:
-  /// Brings a session of @p protocol to its first trial.
+  /// Brings a session of a protocol from the library to its first trial.
   void begin(const std::string& protocol) {
     questionnaires::Problems problems;
-    const auto loaded = *protocols::loadProtocolFile(protocol, problems);
+    beginWith(*protocols::loadProtocolFile(protocol, problems));
+  }
+
+  void beginWith(const protocols::LoadedProtocol& loaded) {
     study_.emplace(Study::create(folder_ / "study", loaded, clock_, 7));
     window_.emplace(*study_);
     window_->show();
@@ -83,6 +88,43 @@ TEST_F(VisualisedTrial, HasNothingOfItWhereItIsFeltAlone) {
   EXPECT_EQ(view(), nullptr);
   window_->controller()->stop();
   EXPECT_TRUE(viewEvents().empty());
+}
+
+/// The library's study of reaming, but seen, and of spheres that are taken away.
+protocols::LoadedProtocol reamingThatIsSeen() {
+  std::string json;
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == "reaming-hardness.json") json = file.content;
+  }
+  const auto replace = [&](const std::string& what, const std::string& with) {
+    for (std::size_t at = json.find(what); at != std::string::npos;
+         at = json.find(what, at + with.size())) {
+      json.replace(at, what.size(), with);
+    }
+  };
+  replace(R"("model": "material")", R"("model": "packing", "visualisation": true)");
+  questionnaires::Problems problems;
+  return *protocols::loadProtocol(
+      json, [](const std::string&) { return std::nullopt; }, problems);
+}
+
+TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
+  beginWith(reamingThatIsSeen());
+  ASSERT_NE(view(), nullptr);
+  auto* hip = dynamic_cast<simulation::HipScene*>(&view()->scene());
+  ASSERT_NE(hip, nullptr);
+  ASSERT_NE(hip->spheres(), nullptr);
+  const std::size_t whole = hip->spheres()->shown();
+  EXPECT_GT(whole, 1000U);
+  auto& controller = *window_->controller();
+  controller.beginTrial();
+  ASSERT_NE(controller.bone(), nullptr);
+  QTest::keyPress(window_->participantWindow()->findChild<FeelPage*>(), Qt::Key_Space);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hip->spheres()->shown() != whole; }, 20'000));
+  tests::photograph(*window_->participantWindow(), QStringLiteral("reaming"));
+  controller.stop();
+  ASSERT_EQ(viewEvents().size(), 1U);
+  EXPECT_NE(viewEvents().front().find("changes lost 0"), std::string::npos);
 }
 
 TEST_F(VisualisedTrial, IsNoMatterOfAProtocolThatShowsNothing) {
