@@ -16,6 +16,7 @@
 #include "study/gui/pin_dialog.h"
 #include "study/gui/questionnaire_page.h"
 #include "study/gui/session_table.h"
+#include "study/gui/theme.h"
 #include "study/gui/trial_panel.h"
 #include "study/gui/trial_view.h"
 #include "study/hardware_rig.h"
@@ -98,6 +99,7 @@ void OperatorWindow::begin(Session session) {
   speakTheSessionsLanguage();
   participant_ = std::make_unique<ParticipantWindow>(
       *controller_, pin_, [this](double share) { moveHand(share); });
+  wearTheme(*participant_, ThemeName::Light);  // the same for everybody who takes part
   sessions_->setOpen(true);
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
