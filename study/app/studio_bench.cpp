@@ -15,6 +15,7 @@
 #include "haptics/engine/parametric_bone.h"
 #include "haptics/reaming/acetabulum.h"
 #include "haptics/reaming/packing_builder.h"
+#include "study/app/desk_bench.h"
 #include "study/gui/simulation/hip_scene.h"
 #include "study/gui/simulation/knee_scene.h"
 #include "study/gui/simulation/simulation_view.h"
@@ -286,7 +287,9 @@ int benchStudio(const QCommandLineParser& parser) {
   const bool isKneeGood = tell(QStringLiteral("Punch and knee"), knee);
   const bool isHipGood =
       tell(QStringLiteral("Reamer and cup"), measure(hipSubject(settings), settings));
-  return isKneeGood && isHipGood ? 0 : 1;
+  const QString place = settings.folder.isEmpty() ? QDir::tempPath() : settings.folder;
+  const bool isDeskGood = benchDesk(settings.seconds, place);
+  return isKneeGood && isHipGood && isDeskGood ? 0 : 1;
 }
 
 }  // namespace study::app
