@@ -74,7 +74,8 @@ QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
   if (!isAnythingSeen(protocol)) return nullptr;
   const QString remark = simulation::openGraphics().remark;
   if (remark.isEmpty()) return nullptr;
-  auto* line = quietLabel(remark, parent);
+  auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
+  line->setToolTip(remark);  // what to do about it as well
   line->setObjectName(QStringLiteral("graphics-remark"));
   return line;
 }

@@ -20,8 +20,8 @@ QString viewInWords(const SessionController& controller);
 /// Whether anything in @p protocol is seen.
 bool isAnythingSeen(const protocols::Protocol& protocol);
 
-/// For the operator, what there is to say about who draws: a line of words; nothing where a
-/// graphics card draws, or @p protocol shows nothing.
+/// For the operator, what there is to say about who draws: a sentence, and on hovering what to do
+/// about it; nothing where a graphics card draws, or @p protocol shows nothing.
 QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent);
 
 }  // namespace study::gui

@@ -33,7 +33,7 @@ Graphics openGraphics(RendererChoice choice) {
   const QString platform = QGuiApplication::platformName();
   if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
       platform == QLatin1String("vnc") || platform == QLatin1String("linuxfb")) {
-    return onProcessor(said("there is no display with OpenGL (%1)").arg(platform));
+    return onProcessor(said("this display has no OpenGL (%1)").arg(platform));
   }
   try {
     const bool isFinest = choice == RendererChoice::Finest;

@@ -29,6 +29,12 @@ std::size_t SphereCloud::Grid::of(const SphereInstance& sphere) const noexcept {
   return (k * static_cast<std::size_t>(ny) + j) * static_cast<std::size_t>(nx) + i;
 }
 
+std::array<std::size_t, 3> SphereCloud::Grid::placeOf(std::size_t index) const noexcept {
+  const auto wide = static_cast<std::size_t>(nx);
+  const auto deep = static_cast<std::size_t>(ny);
+  return {index % wide, index / wide % deep, index / wide / deep};
+}
+
 SphereCloud::SphereCloud(const haptics::reaming::SphereField& field, const Options& options)
     : options_(options) {
   readSlots(field);
@@ -123,12 +129,8 @@ bool SphereCloud::isKept(const SphereInstance& sphere) const noexcept {
 
 /// Whether nothing lies between the eye and an empty cell.
 bool SphereCloud::isOpen(std::size_t cell) const {
-  const auto nx = static_cast<std::size_t>(grid_.nx);
-  const auto ny = static_cast<std::size_t>(grid_.ny);
-  const QVector3D index(
-      static_cast<float>(cell % nx),
-      static_cast<float>(cell / nx % ny),
-      static_cast<float>(cell / nx / ny));
+  const auto [i, j, k] = grid_.placeOf(cell);
+  const QVector3D index(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
   QVector3D at = grid_.low + grid_.cell * (index + QVector3D(0.5F, 0.5F, 0.5F));
   const QVector3D step = grid_.cell * (options_.eye - at).normalized();
   const QVector3D high = grid_.low + grid_.cell * QVector3D(
@@ -149,9 +151,7 @@ void SphereCloud::eachNeighbour(std::size_t cell, Visit visit) const {
   const auto nx = static_cast<std::size_t>(grid_.nx);
   const auto ny = static_cast<std::size_t>(grid_.ny);
   const auto nz = static_cast<std::size_t>(grid_.nz);
-  const std::size_t i = cell % nx;
-  const std::size_t j = cell / nx % ny;
-  const std::size_t k = cell / nx / ny;
+  const auto [i, j, k] = grid_.placeOf(cell);
   for (std::size_t c = k - (k > 0 ? 1 : 0); c <= std::min(k + 1, nz - 1); ++c) {
     for (std::size_t b = j - (j > 0 ? 1 : 0); b <= std::min(j + 1, ny - 1); ++b) {
       for (std::size_t a = i - (i > 0 ? 1 : 0); a <= std::min(i + 1, nx - 1); ++a) {

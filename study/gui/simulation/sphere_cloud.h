@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -66,6 +67,7 @@ class SphereCloud {
     int nx = 1, ny = 1, nz = 1;
     std::size_t size() const noexcept;
     std::size_t of(const SphereInstance& sphere) const noexcept;
+    std::array<std::size_t, 3> placeOf(std::size_t index) const noexcept;
   };
   struct Slot {
     SphereInstance sphere;

@@ -157,7 +157,7 @@ TEST_F(VisualisedTrial, TellsTheOperatorWhereNoCardDraws) {
   const auto* remark = window_->findChild<QLabel*>(QStringLiteral("graphics-remark"));
   ASSERT_NE(remark, nullptr);
   EXPECT_TRUE(remark->text().contains(QStringLiteral("drawn by the processor")));
-  EXPECT_TRUE(remark->text().contains(QStringLiteral("driver")));  // what to do
+  EXPECT_TRUE(remark->toolTip().contains(QStringLiteral("driver")));  // what to do
   // The participant just sees the picture.
   for (const auto* label : window_->participantWindow()->findChildren<QLabel*>()) {
     EXPECT_FALSE(label->text().contains(QStringLiteral("processor")));
