@@ -49,10 +49,9 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setObjectName(QStringLiteral("timeline"));
   setAccessibleName(tr("Steps of the session"));
   setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("State")});
-  for (const int narrow : {0, 2, 3, 4}) {
-    horizontalHeader()->setSectionResizeMode(narrow, QHeaderView::ResizeToContents);
-  }
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  constexpr int kWideEnough = 130;  // [px] "to be repeated"
+  setColumnWidth(4, kWideEnough);
   verticalHeader()->hide();
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -60,16 +59,31 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
 }
 
 void TimelineTable::show(const SessionController* controller) {
-  if (controller == nullptr) {
-    setRowCount(0);
-    return;
+  const int steps =
+      controller == nullptr ? 0 : static_cast<int>(controller->session().plan().size());
+  const bool isNew = rowCount() != steps;
+  setRowCount(steps);
+  if (controller == nullptr) return;
+  for (int row = 0; row < steps; ++row) fillRow(row, *controller);
+  // Measured once: to do so at every step would take longer than to keep the answers.
+  for (const int narrow : {0, 2, 3}) {
+    if (isNew) resizeColumnToContents(narrow);
   }
-  const auto& session = controller->session();
-  setRowCount(static_cast<int>(session.plan().size()));
-  for (int row = 0; row < rowCount(); ++row) fillRow(row, *controller);
-  if (session.stepIndex() < rowCount()) {
-    scrollToItem(item(session.stepIndex(), 1), QAbstractItemView::PositionAtCenter);
+  const int now = controller->session().stepIndex();
+  if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);
+}
+
+void TimelineTable::write(int row, int column, const QString& words, bool isNow) {
+  auto* cell = item(row, column);
+  if (cell == nullptr) {
+    cell = new QTableWidgetItem;
+    setItem(row, column, cell);
   }
+  if (cell->text() != words) cell->setText(words);
+  auto font = cell->font();
+  if (font.bold() == isNow) return;
+  font.setBold(isNow);
+  cell->setFont(font);
 }
 
 void TimelineTable::fillRow(int row, const SessionController& controller) {
@@ -84,13 +98,7 @@ void TimelineTable::fillRow(int row, const SessionController& controller) {
       attempts > 0 ? QString::number(attempts) : QString(),
       isNow ? tr("▶ now") : stateOf(controller, row)};
   for (int column = 0; column < columnCount(); ++column) {
-    auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
-    if (isNow) {
-      auto font = cell->font();
-      font.setBold(true);
-      cell->setFont(font);
-    }
-    setItem(row, column, cell);
+    write(row, column, cells[static_cast<std::size_t>(column)], isNow);
   }
 }
 

@@ -19,6 +19,7 @@ class TimelineTable final : public QTableWidget {
 
  private:
   void fillRow(int row, const SessionController& controller);
+  void write(int row, int column, const QString& words, bool isNow);
 };
 
 }  // namespace study::gui
