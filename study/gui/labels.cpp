@@ -13,6 +13,10 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
 
 }  // namespace
 
+QString asText(std::string_view words) {
+  return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
 QLabel* titleLabel(const QString& text, QWidget* parent) {
   return label(text, "title", parent);
 }

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string_view>
+
 #include <QLabel>
 #include <QString>
 #include <QWidget>
 
 namespace study::gui {
+
+/// Words from below the windows, as Qt has them.
+QString asText(std::string_view words);
 
 /// Labels of a page, as the theme draws them.
 QLabel* titleLabel(const QString& text, QWidget* parent);

@@ -6,17 +6,11 @@
 #include <QVBoxLayout>
 
 #include "study/gui/attempt.h"
+#include "study/gui/labels.h"
 #include "study/gui/participant_window.h"
 #include "study/storage/records.h"
 
 namespace study::gui {
-namespace {
-
-QString words(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
-
-}  // namespace
 
 SessionTable::SessionTable(Study& study, QWidget* parent)
     : QWidget(parent),
@@ -85,12 +79,12 @@ void SessionTable::refresh() {
     table_->setRowCount(static_cast<int>(sessions.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
       const auto& s = sessions[static_cast<std::size_t>(row)];
-      auto* code = new QTableWidgetItem(words(s.participant));
+      auto* code = new QTableWidgetItem(asText(s.participant));
       code->setData(Qt::UserRole, static_cast<qlonglong>(s.id));
       table_->setItem(row, 0, code);
-      table_->setItem(row, 1, new QTableWidgetItem(words(s.cohort)));
-      table_->setItem(row, 2, new QTableWidgetItem(words(s.runMode)));
-      table_->setItem(row, 3, new QTableWidgetItem(words(s.status)));
+      table_->setItem(row, 1, new QTableWidgetItem(asText(s.cohort)));
+      table_->setItem(row, 2, new QTableWidgetItem(asText(s.runMode)));
+      table_->setItem(row, 3, new QTableWidgetItem(asText(s.status)));
     }
     table_->scrollToBottom();
   });

@@ -4,12 +4,10 @@
 
 #include <QHeaderView>
 
+#include "study/gui/labels.h"
+
 namespace study::gui {
 namespace {
-
-QString words(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 /// A step as an operator may read it: the alternative, never what it is.
 QString describe(const Step& step) {
@@ -94,7 +92,7 @@ void TimelineTable::fillRow(int row, const SessionController& controller) {
   const std::array<QString, 5> cells{
       QString::number(row + 1),
       describe(step),
-      words(nameOf(step.kind)),
+      asText(nameOf(step.kind)),
       attempts > 0 ? QString::number(attempts) : QString(),
       isNow ? tr("▶ now") : stateOf(controller, row)};
   for (int column = 0; column < columnCount(); ++column) {

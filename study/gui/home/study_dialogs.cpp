@@ -9,6 +9,7 @@
 #include "study/backup.h"
 #include "study/gui/background_task.h"
 #include "study/gui/home/report_work.h"
+#include "study/gui/labels.h"
 #include "study/gui/participant_window.h"
 #include "study/words/words.h"
 
@@ -36,7 +37,7 @@ QComboBox* runModeChoice(const StudySummary& study, QWidget* parent) {
     const auto name = nameOf(mode);
     choice->addItem(
         QObject::tr("%1 (%n session(s))", nullptr, count)
-            .arg(QString::fromUtf8(name.data(), static_cast<int>(name.size())))
+            .arg(asText(name))
             .replace(QStringLiteral("session(s)"), count == 1 ? "session" : "sessions"),
         static_cast<int>(mode));
   }

@@ -17,13 +17,9 @@ QString asMinutes(double seconds) {
   return QString::number(seconds / 60.0, 'f', 1);
 }
 
-QString wordsOf(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
-
 /// What somebody does in a step, without what it is: that stands in the order.
 QString describedStep(const Step& step, const PartOfSession& part) {
-  QString words = wordsOf(nameOf(step.kind));
+  QString words = asText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);
   if (part.items > 0) words += TimelinePage::tr(", %1 items").arg(part.items);
   if (part.cuts > 0) words += TimelinePage::tr(", at least %1 cuts").arg(part.cuts);

@@ -31,7 +31,7 @@ protocols::LoadedProtocol shippedPunch() {
   return std::move(*loaded);
 }
 
-QString asText(double value, const char* unit, int decimals = 2) {
+QString inUnits(double value, const char* unit, int decimals = 2) {
   return QString::number(value, 'f', decimals) + QLatin1Char(' ') + QString::fromUtf8(unit);
 }
 
@@ -219,23 +219,22 @@ void Tour::showRecord() {
   };
   const auto& felt = *felt_;
   add(tr("Samples, a thousand a second"), QString::number(punch_.samples().size()));
-  add(tr("Duration"), asText(felt.duration, "s", 1));
+  add(tr("Duration"), inUnits(felt.duration, "s", 1));
   add(tr("Cuts"), QString::number(felt.cuts.size()));
-  add(tr("Largest force"), asText(felt.largestForce, "N"));
-  add(tr("In contact"), asText(felt.contact, "s", 1));
+  add(tr("Largest force"), inUnits(felt.largestForce, "N"));
+  add(tr("In contact"), inUnits(felt.contact, "s", 1));
   if (!felt.cuts.empty() && felt.cuts.front().interception.found) {
     const double touched = felt.cuts.front().interception.travel;
-    add(tr("First cut: touched the tissue at"), asText(touched, "units of travel"));
+    add(tr("First cut: touched the tissue at"), inUnits(touched, "units of travel"));
   }
   if (felt.latenessP99) {
-    add(tr("99 of 100 ticks were no later than"), asText(*felt.latenessP99, "µs", 0));
+    add(tr("99 of 100 ticks were no later than"), inUnits(*felt.latenessP99, "µs", 0));
   }
   const auto judgement = felt.judgement();
   const auto verdict = nameOf(judgement.verdict);
   const QString why = QString::fromStdString(judgement.reason);
   add(tr("Verdict"),
-      QString::fromUtf8(verdict.data(), static_cast<int>(verdict.size())).toUpper() +
-          (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
+      asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
 }
 
 }  // namespace study::gui::home
