@@ -113,9 +113,10 @@ void goThroughASession(gui::OperatorWindow& window, std::vector<double>& waits) 
     clock.start();
     isTrial ? controller.skipStep(QStringLiteral("nothing is felt in a measurement"))
             : controller.finishStep();
+    QCoreApplication::sendPostedEvents();
     window.participantWindow()->repaint();
-    QCoreApplication::processEvents();
     waits.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+    QCoreApplication::processEvents();  // the rest: what goes on by timers
   }
   window.close();
 }
