@@ -120,7 +120,10 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
 }
 
 storage::Database Study::openReader() const {
-  return Database::open(database_.path(), storage::studySchema(), Database::Access::ReadOnly);
+  auto reader =
+      Database::open(database_.path(), storage::studySchema(), Database::Access::ReadOnly);
+  reader.execute("PRAGMA cache_size = -256");  // [KiB]: what is read once is not worth keeping
+  return reader;
 }
 
 storage::TraceStore Study::openTraces() const {

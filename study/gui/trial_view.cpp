@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 #include <QPointer>
+#include <QTimer>
+#include <QVBoxLayout>
 
 #include "study/gui/labels.h"
 #include "study/gui/simulation/hip_scene.h"
@@ -37,22 +39,38 @@ simulation::Look lookAt(const SessionController& controller) {
       .bone = controller.bone()};
 }
 
-}  // namespace
-
-SimulationView* viewOfTrial(SessionController& controller, QWidget* parent) {
-  controller.reportViewBy({});
-  const auto spec = setupFor(controller.session(), {}).scene;
-  if (!spec.isVisualised) return nullptr;
+/// Puts the simulation into @p place, following the trial.
+void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionController& controller) {
   auto* view = new SimulationView(
-      simulatedSceneOf(spec), simulation::openGraphics(), SimulationView::Pace::Display, parent);
+      simulatedSceneOf(spec), simulation::openGraphics(), SimulationView::Pace::Display, &place);
+  place.layout()->addWidget(view);
   view->follow([&controller] { return lookAt(controller); });
   controller.reportViewBy([seen = QPointer(view)]() -> std::optional<ViewReport> {
     if (seen.isNull()) return std::nullopt;
     return seen->report();
   });
-  return view;
 }
 
+}  // namespace
+
+QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
+  controller.reportViewBy({});
+  const auto spec = setupFor(controller.session(), {}).scene;
+  if (!spec.isVisualised) return nullptr;
+  auto* place = new QWidget(parent);
+  place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
+  place->setStyleSheet(QStringLiteral("background: black;"));
+  place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  (new QVBoxLayout(place))->setContentsMargins(0, 0, 0, 0);
+  // The page is there at once; what draws is made while it is read.
+  constexpr int kAfterThePage = 20;  // [ms]
+  QTimer::singleShot(
+      kAfterThePage, place, [place, spec, &controller, visit = controller.session().visit()] {
+        const auto& session = controller.session();
+        if (!session.isOver() && session.visit() == visit) begin(*place, spec, controller);
+      });
+  return place;
+}
 QString viewInWords(const SessionController& controller) {
   const auto report = controller.viewReport();
   if (!report || report->frames < 2) return {};

@@ -8,10 +8,10 @@
 
 namespace study::gui {
 
-/// The simulation of the trial that the session stands before, following it; its frames are kept
-/// with the trial. Nothing, and nothing of it is made, where the trial is felt without being seen.
-/// The controller outlives it.
-simulation::SimulationView* viewOfTrial(SessionController& controller, QWidget* parent);
+/// The place of the simulation of the trial that the session stands before; what draws comes into
+/// it a moment later and follows the trial, whose frames are kept with it. Nothing, and nothing of
+/// it is made, where the trial is felt without being seen. The controller outlives it.
+QWidget* viewOfTrial(SessionController& controller, QWidget* parent);
 
 /// For the operator, how the present trial is seen: " · 29.9 pictures a second, 18 ms old"; nothing
 /// where it is not.

@@ -62,7 +62,6 @@ QSize SimulationView::pictureSize() const {
 }
 
 void SimulationView::drawNext() {
-  hasBegun_ = true;
   const std::int64_t now = timing::now();
   due_ = std::max(due_ + period(), now);
   if (isVisible()) {
@@ -73,10 +72,6 @@ void SimulationView::drawNext() {
 }
 
 void SimulationView::paintEvent(QPaintEvent* /*event*/) {
-  if (!hasBegun_) {  // the page is there at once, the first picture a moment later
-    QPainter(this).fillRect(rect(), Qt::black);
-    return;
-  }
   const Look look = look_ ? look_() : Look{};
   if (look.isRunning && !wasRunning_) beginCounting();
   wasRunning_ = look.isRunning;

@@ -65,7 +65,6 @@ class SimulationView final : public QWidget {
   std::optional<Look> painted_;  ///< what the picture shows that is on its way to the display
   std::int64_t lostChanges_ = 0;
   bool wasRunning_ = false;
-  bool hasBegun_ = false;  ///< to draw
 };
 
 }  // namespace study::gui::simulation

@@ -45,6 +45,7 @@ class VisualisedTrial : public testing::Test {
   }
 
   SimulationView* view() const {
+    QTest::qWait(100);  // it comes a moment after its page
     return window_->participantWindow()->findChild<SimulationView*>();
   }
 
