@@ -1,11 +1,9 @@
 // What a self-test says of the screens.
 #include <QGuiApplication>
-#include <QOffscreenSurface>
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QScreen>
 
 #include "study/gui/home/self_test.h"
+#include "study/gui/simulation/graphics.h"
 
 namespace study::gui::home {
 namespace {
@@ -38,30 +36,14 @@ CheckResult judgeScreen(const QScreen& screen) {
   return found;
 }
 
-CheckResult judgeOpenGl() {
-  QOffscreenSurface surface;
-  surface.create();
-  QOpenGLContext context;
-  if (!context.create() || !context.makeCurrent(&surface)) {
-    return {
-        Finding::Warn,
-        "OpenGL",
-        "none",
-        "Pictures in three dimensions are left out; everything else works. Install the driver of "
-        "the graphics card (on Debian: libgl1-mesa-dri)."};
-  }
-  const auto* name = context.functions()->glGetString(GL_RENDERER);
-  const auto renderer = QString::fromUtf8(reinterpret_cast<const char*>(name));
-  context.doneCurrent();
-  const bool isSoftware = renderer.contains(QStringLiteral("llvmpipe"), Qt::CaseInsensitive) ||
-                          renderer.contains(QStringLiteral("softpipe"), Qt::CaseInsensitive);
+/// Who would draw a simulation, found by trying.
+CheckResult judgeGraphics() {
+  const auto graphics = simulation::openGraphics();
   return {
-      isSoftware ? Finding::Warn : Finding::Pass,
-      "OpenGL",
-      renderer.toStdString(),
-      isSoftware ? "The processor draws, which the force loop needs: install the driver of the "
-                   "graphics card."
-                 : ""};
+      graphics.remark.isEmpty() ? Finding::Pass : Finding::Warn,
+      "simulation",
+      "drawn by " + graphics.renderer->name().toStdString(),
+      graphics.remark.toStdString()};
 }
 
 }  // namespace
@@ -78,7 +60,7 @@ std::vector<SelfTestLine> testScreens() {
           "there is one screen only",
           "Connect a second one: the participant's window goes there by itself."}});
   }
-  lines.push_back({"screen", judgeOpenGl()});
+  lines.push_back({"screen", judgeGraphics()});
   return lines;
 }
 
