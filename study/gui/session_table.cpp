@@ -32,6 +32,7 @@ SessionTable::SessionTable(Study& study, QWidget* parent)
     const QString tag = QString::fromStdString(language);
     language_->addItem(nativeName(tag), tag);
   }
+  for (auto* button : {enrol_, resume_}) button->setProperty("role", QStringLiteral("tool"));
   cohort_->setAccessibleName(tr("Cohort"));
   mode_->setAccessibleName(tr("Run mode"));
   language_->setAccessibleName(tr("Language"));
