@@ -175,7 +175,7 @@ class Examination {
          {clause("A method came {} times at one position and {} times at another.", least, most)},
          "Practice, fatigue and contrast with what came before then count for one method and "
          "against another.",
-         "Let the orders be balanced (latin_square, balanced_latin_square, complete), and plan N "
+         "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N "
          "as "
          "a multiple of their number.",
          "Williams 1949, 10.1071/CH9490149"});

@@ -61,8 +61,12 @@ std::uintmax_t sizeOf(const fs::path& file) {
 
 /// Whether SQLite or the study itself makes this file anew where it is needed.
 bool isMadeAnew(const std::string& name) {
-  return name == "ballast" || name.ends_with(".db") || name.ends_with(".db-wal") ||
-         name.ends_with(".db-shm") || name.ends_with(".db-journal");
+  if (name == "ballast") return true;
+  const auto stem = name.substr(0, name.find(".db"));
+  const auto rest = name.substr(stem.size());
+  const bool isOurs = stem == "study" || stem == "traces" || stem == "identity";
+  return isOurs &&
+         (rest == ".db" || rest == ".db-wal" || rest == ".db-shm" || rest == ".db-journal");
 }
 
 void copyDatabases(const Snapshot& snapshot, const fs::path& to, const Progress& progress) {
@@ -170,6 +174,8 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
   refuseUnlessNew(from, target);
   const auto unfinished = newFolderBeside(target);
   try {
+    // As open to others as the study itself, and no more: names of people lie in it.
+    fs::permissions(unfinished, fs::status(from).permissions());
     return copyInto(from, unfinished, target, progress);
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;

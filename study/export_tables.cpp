@@ -278,7 +278,8 @@ class Tables {
         {"step_num", "Step of the session, from 1"},
         {"attempt", "How often this step has been begun, from 1"},
         {"block", "Phase of the protocol"},
-        {"position", "Position of the alternative in its block, from 1"},
+        {"position",
+         "Position of the alternative in its block, from 1; empty where it was offered again"},
         {"alternative", "Label that the participant saw"},
         {"condition_code", "Which rendering it was, as a code that means the same in every row"}};
     if (!options_.isBlinded) columns.push_back({"condition", "Which rendering it was"});
@@ -301,7 +302,7 @@ class Tables {
         std::int64_t{step.visit.step} + 1,
         std::int64_t{step.visit.attempt},
         step.phase,
-        isFelt ? Cell(std::int64_t{step.position}) : Cell(),
+        isFelt && step.position > 0 ? Cell(std::int64_t{step.position}) : Cell(),
         isFelt ? Cell(std::int64_t{step.label}) : Cell(),
         isFelt ? cellOf(codeOf(step.condition)) : Cell()};
     if (!options_.isBlinded) row.push_back(cellOf(step.condition));
@@ -372,7 +373,11 @@ std::map<std::string, std::string> conditionCodes(Study& study) {
 
 std::vector<DataTable> exportTables(Study& study, const ExportOptions& options) {
   const Tables tables(study, options);
-  return {tables.sessions(), tables.responses(), tables.trials(), tables.cuts(), tables.events()};
+  std::vector<DataTable> all{tables.sessions(), tables.responses(), tables.trials()};
+  // The forces of cuts tell what an alternative is: one whose tissue yields at 7 N has a model.
+  if (!options.isBlinded) all.push_back(tables.cuts());
+  all.push_back(tables.events());
+  return all;
 }
 
 }  // namespace study

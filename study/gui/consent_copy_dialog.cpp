@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include <QFileDialog>
+#include <QFileInfo>
 
 #include "study/gui/attempt.h"
 #include "study/new_file.h"
@@ -19,12 +20,15 @@ void writeConsentCopy(Study& study, const std::string& participant, const std::s
 }
 
 void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent) {
-  const QString path = QFileDialog::getSaveFileName(
+  QString path = QFileDialog::getSaveFileName(
       parent,
       QFileDialog::tr("A copy of what was agreed to"),
       QStringLiteral("consent-%1.pdf").arg(QString::fromStdString(participant)),
-      QFileDialog::tr("PDF (*.pdf);;Page (*.html)"));
+      QFileDialog::tr("PDF (*.pdf);;Page (*.html)"),
+      nullptr,
+      QFileDialog::DontConfirmOverwrite);  // nothing is overwritten
   if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
   attempt(parent, [&] { writeConsentCopy(study, participant, path.toStdString()); });
 }
 

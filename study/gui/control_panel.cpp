@@ -79,6 +79,7 @@ QPushButton* ControlPanel::add(const QString& text, SessionEvent event, Perform 
 
 void ControlPanel::askAndDo(Perform action, const QString& what) {
   if (controller_ == nullptr) return;
+  controller_->stop();  // no force while somebody types why
   bool isMeant = false;
   const QString reason = QInputDialog::getText(
       this, what, tr("Why? This goes into the record."), QLineEdit::Normal, {}, &isMeant);

@@ -1,10 +1,8 @@
 #include "study/gui/device_panel.h"
 
-#include <thread>
-
-#include <QEventLoop>
 #include <QVBoxLayout>
 
+#include "study/gui/background_task.h"
 #include "study/gui/labels.h"
 #include "study/hardware_rig.h"
 
@@ -76,19 +74,11 @@ bool DevicePanel::mayBegin() {
 }
 
 Found DevicePanel::listen() {
-  // Nobody may begin a trial meanwhile: the note takes all clicks until the devices have answered.
-  QDialog note(window());
-  note.setWindowModality(Qt::ApplicationModal);
-  note.setWindowTitle(tr("Devices"));
-  auto* layout = new QVBoxLayout(&note);
-  layout->addWidget(new QLabel(tr("Listening to the devices…"), &note));
-  note.show();
-
   timer_.stop();  // the rig belongs to the worker until it is done
   Found found;
-  QEventLoop loop;
-  std::jthread worker([&] {
+  const auto listenToAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
+      tell(progress, kUnknownShare, "listening to " + need.id);
       auto* device = rig_->find(need.id);
       if (device == nullptr) {
         found.push_back(
@@ -101,11 +91,14 @@ Found DevicePanel::listen() {
       }
       found.push_back({need.id, preflight(*device, &need, kListenFor)});
     }
-    QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
-  });
-  loop.exec();
-  worker.join();
-  note.close();
+  };
+  // Nobody may begin a trial meanwhile: its dialog takes all clicks until the devices have
+  // answered.
+  const bool isDone = BackgroundTask::run(
+      window(), tr("Devices"), listenToAll, BackgroundTask::Cancelling::Impossible);
+  if (!isDone) {
+    found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
+  }
   refresh();
   timer_.start(kLookEvery);
   return found;

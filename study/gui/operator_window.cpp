@@ -1,11 +1,14 @@
 #include "study/gui/operator_window.h"
 
+#include <utility>
+
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "study/gui/attempt.h"
@@ -57,17 +60,28 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   if (auto* remark = graphicsRemark(study.protocol().protocol, side)) left->addWidget(remark);
   left->addWidget(sessions_, 1);
   left->addWidget(controls_);
-  columns->addWidget(side);
+  // Words that wrap tell a layout their height only when they are asked.
+  const auto labels = side->findChildren<QLabel*>();
+  for (auto* label : labels) {
+    if (label->wordWrap()) label->setMinimumHeight(label->heightForWidth(side->width() - 20));
+  }
+  auto* scroll = new QScrollArea(inside);
+  scroll->setWidget(side);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(side->width() + 20);
+  columns->addWidget(scroll);
   middle_->addWidget(trial_);
   columns->addWidget(middle_, 1);
   setCentralWidget(inside);
-  resize(1280, 860);
+  constexpr QSize kComfortable(1280, 860);
+  resize(kComfortable.boundedTo(screen()->availableSize()));
 
   connect(sessions_, &SessionTable::enrolRequested, this, [this](const Enrolment& enrolment) {
     if (devices_->mayBegin()) enrol(enrolment);
   });
   connect(sessions_, &SessionTable::resumeRequested, this, [this](qlonglong id) {
-    if (devices_->mayBegin()) resume(SessionId{id});
+    resumeIfFit(SessionId{id});
   });
   connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
   connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
@@ -79,6 +93,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
 }
 
 OperatorWindow::~OperatorWindow() {
+  if (controller_) controller_->disconnect(this);
   trial_->follow(nullptr);
   controls_->follow(nullptr);
 }
@@ -93,12 +108,22 @@ void OperatorWindow::resume(SessionId id) {
   attempt(this, [&] { begin(Session::resume(study_, id)); });
 }
 
+void OperatorWindow::resumeIfFit(SessionId id) {
+  if (devices_->mayBegin()) resume(id);
+}
+
 void OperatorWindow::begin(Session session) {
   controller_ = std::make_unique<SessionController>(study_, *rig_, std::move(session));
   followSession();
   speakTheSessionsLanguage();
   participant_ = std::make_unique<ParticipantWindow>(
       *controller_, pin_, [this](double share) { moveHand(share); });
+  connect(
+      &participant_->lock(),
+      &ScreenLock::opened,
+      this,
+      &OperatorWindow::tellWhatWaited,
+      Qt::QueuedConnection);
   wearTheme(*participant_, ThemeName::Light);  // the same for everybody who takes part
   sessions_->setOpen(true);
   trial_->follow(controller_.get());
@@ -117,9 +142,21 @@ void OperatorWindow::followSession() {
       &SessionController::languageChanged,
       this,
       &OperatorWindow::speakTheSessionsLanguage);
-  connect(session, &SessionController::failed, this, [this](const QString& why) {
-    QMessageBox::warning(this, tr("That did not work"), why);
-  });
+  connect(session, &SessionController::failed, this, &OperatorWindow::tell);
+}
+
+/// Nobody could answer a message behind a window that covers the screen: it waits for the PIN.
+void OperatorWindow::tell(const QString& why) {
+  if (participant_ && participant_->lock().isLocked()) {
+    waiting_ << why;
+    return;
+  }
+  QMessageBox::warning(this, tr("That did not work"), why);
+}
+
+void OperatorWindow::tellWhatWaited() {
+  const auto told = std::exchange(waiting_, {});
+  if (!told.isEmpty()) tell(told.join(QStringLiteral("\n\n")));
 }
 
 void OperatorWindow::stop() {

@@ -39,6 +39,8 @@ class OperatorWindow final : public QMainWindow {
   void enrol(const Enrolment& enrolment);
   /// Goes on with one that was interrupted.
   void resume(SessionId id);
+  /// The same after a check of the devices, where the operator does not think better of it.
+  void resumeIfFit(SessionId id);
 
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
@@ -53,6 +55,8 @@ class OperatorWindow final : public QMainWindow {
   void followSession();
   void showParticipant();
   void handOver();
+  void tell(const QString& why);
+  void tellWhatWaited();
   void stop();
   void showInterview();
   void finishInterview();
@@ -69,6 +73,7 @@ class OperatorWindow final : public QMainWindow {
   QTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
+  QStringList waiting_;  ///< what could not be told while the screen was the participant's
   QStackedWidget* middle_;
   QuestionnairePage* interview_ = nullptr;
   SessionTable* sessions_;

@@ -66,6 +66,7 @@ ParticipantWindow::ParticipantWindow(
 
   connect(next_, &QPushButton::clicked, this, &ParticipantWindow::goOn);
   connect(languages_, &QComboBox::currentIndexChanged, this, [this] {
+    if (questions_ != nullptr) questions_->flush();
     controller_.chooseLanguage(languages_->currentData().toString());
   });
   connect(&controller_, &SessionController::stepChanged, this, &ParticipantWindow::showStep);
@@ -220,9 +221,11 @@ QWidget* ParticipantWindow::makeBreak() {
   const auto& step = controller_.session().step();
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
   next_->setEnabled(false);
+  auto* page = makeMessage(tr("A short break"), localized(phase->text));
+  // With the page goes its end: another page decides by itself when there is a way on.
   QTimer::singleShot(
-      static_cast<int>(step.seconds * 1000.0), next_, [this] { next_->setEnabled(true); });
-  return makeMessage(tr("A short break"), localized(phase->text));
+      static_cast<int>(step.seconds * 1000.0), page, [this] { next_->setEnabled(true); });
+  return page;
 }
 
 QWidget* ParticipantWindow::makeEnd() {

@@ -1,5 +1,6 @@
 #include "study/gui/screen_lock.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -15,6 +16,9 @@ ScreenLock::ScreenLock(QWidget& window, QPushButton& button, OperatorPin& pin)
   button_.hide();
   window_.installEventFilter(this);
   connect(&button_, &QPushButton::clicked, this, &ScreenLock::ask);
+  constexpr int kTryEvery = 100;  // [ms]
+  grab_.setInterval(kTryEvery);
+  connect(&grab_, &QTimer::timeout, this, &ScreenLock::grabKeyboard);
 }
 
 void ScreenLock::lock() {
@@ -28,13 +32,31 @@ void ScreenLock::cover(bool isCovering) {
   window_.setWindowFlag(Qt::WindowStaysOnTopHint, isCovering);
   window_.setWindowFlag(Qt::FramelessWindowHint, isCovering);
   isCovering ? window_.showFullScreen() : window_.showNormal();
-  if (auto* handle = window_.windowHandle()) handle->setKeyboardGrabEnabled(isCovering);
   window_.activateWindow();
+  if (isCovering) {
+    grab_.start();
+    return;
+  }
+  grab_.stop();
+  if (auto* handle = window_.windowHandle()) handle->setKeyboardGrabEnabled(false);
+}
+
+/// A desktop gives the keyboard to a window that can be seen, and to no other; some give it to
+/// none.
+void ScreenLock::grabKeyboard() {
+  auto* handle = window_.windowHandle();
+  constexpr int kMostTries = 50;
+  if (handle == nullptr || !handle->isExposed()) return;
+  if (handle->setKeyboardGrabEnabled(true) || ++tries_ >= kMostTries) {
+    grab_.stop();
+    tries_ = 0;
+  }
 }
 
 bool ScreenLock::eventFilter(QObject* watched, QEvent* event) {
   if (!isLocked_) return QObject::eventFilter(watched, event);
-  if (event->type() == QEvent::WindowDeactivate) {
+  const bool isOurTurn = QApplication::activeModalWidget() == nullptr;
+  if (event->type() == QEvent::WindowDeactivate && isOurTurn) {
     window_.raise();
     window_.activateWindow();
   }

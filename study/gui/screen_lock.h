@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QTimer>
 
 #include "study/gui/operator_pin.h"
 
@@ -38,6 +39,7 @@ class ScreenLock final : public QObject {
   void open();
   void putAway();
   void cover(bool isCovering);
+  void grabKeyboard();
 
   QWidget& window_;
   QPushButton& button_;
@@ -45,6 +47,8 @@ class ScreenLock final : public QObject {
   QPointer<QFrame> sheet_;
   QPointer<QLineEdit> digits_;
   QPointer<QLabel> answer_;
+  QTimer grab_;  ///< until the keyboard is ours: not before the window is there
+  int tries_ = 0;
   bool isLocked_ = false;
 };
 

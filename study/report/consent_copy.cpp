@@ -140,7 +140,8 @@ std::string consentCopy(Study& study, const std::string& participant) {
   const auto consent = findConsent(study, participant);
   if (!consent) {
     throw NotNow(
-        "Nobody of the code '" + participant + "' has come to the end of a consent form here.");
+        "Nobody of the code '" + participant +
+        "' has come to the end of a consent form here. 'palpate study status' lists the codes.");
   }
   return ConsentPage(study.protocol(consent->session.protocol), *consent).html();
 }

@@ -227,7 +227,7 @@ void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> sessi
   open_->window.installEventFilter(this);
   open_->window.show();
   hide();
-  if (session) open_->window.resume(*session);
+  if (session) open_->window.resumeIfFit(*session);
 }
 
 bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
