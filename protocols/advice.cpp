@@ -9,6 +9,7 @@
 #include "protocols/instrument_use.h"
 #include "protocols/scene_advice.h"
 #include "questionnaires/library.h"
+#include "questionnaires/text_problems.h"
 
 namespace protocols {
 namespace {
@@ -18,14 +19,6 @@ using questionnaires::Problems;
 
 std::string at(const char* list, std::size_t index) {
   return "$." + std::string(list) + "[" + std::to_string(index) + "]";
-}
-
-/// The first "[[…]]" in a text; empty where there is none.
-std::string placeholderIn(const std::string& words) {
-  const auto start = words.find("[[");
-  const auto end = words.find("]]", start);
-  const bool isThere = start != std::string::npos && end != std::string::npos;
-  return isThere ? words.substr(start, end + 2 - start) : std::string();
 }
 
 bool isAmong(const std::vector<std::string>& all, const std::string& one) {
@@ -98,11 +91,11 @@ class Advice {
             "English will be shown instead; add \"" + language + "\": \"…\"");
         continue;
       }
-      const std::string placeholder = placeholderIn(words.in(language));
-      if (placeholder.empty()) continue;
+      const std::string placeholders = questionnaires::placeholdersOf(words.in(language));
+      if (placeholders.empty()) continue;
       problems_.warn(
           path,
-          "still to be filled in ('" + language + "'): " + placeholder,
+          "still to be filled in ('" + language + "'): " + placeholders,
           "write what holds there");
     }
   }

@@ -6,7 +6,12 @@
 namespace questionnaires {
 namespace {
 
-/// Whatever of @p text stands in double square brackets, one after the other.
+bool isBlank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+}  // namespace
+
 std::string placeholdersOf(const std::string& text) {
   std::string result;
   std::size_t start = text.find("[[");
@@ -18,12 +23,6 @@ std::string placeholdersOf(const std::string& text) {
   }
   return result;
 }
-
-bool isBlank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-}  // namespace
 
 void TextProblems::inspect(const std::string& path, const LocalizedText& text) const {
   demand(path, text, "en");

@@ -8,6 +8,9 @@
 
 namespace questionnaires {
 
+/// Whatever of @p text stands in double square brackets, one after the other: "[[a]], [[b]]".
+std::string placeholdersOf(const std::string& text);
+
 /// Looks over the texts of an instrument, language by language.
 class TextProblems {
  public:

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -14,7 +15,7 @@ namespace study::gui {
 class SessionController;
 
 /// What the operator may do, as far as the session allows it; every exceptional step asks for its
-/// reason.
+/// reason. However low the screen is, the button that stops stays in sight.
 class ControlPanel final : public QWidget {
   Q_OBJECT
 
@@ -37,6 +38,9 @@ class ControlPanel final : public QWidget {
  private:
   using Perform = void (SessionController::*)(const QString& reason);
   QPushButton* add(const QString& text, SessionEvent event, Perform action);
+  QWidget* makeButtons();
+  void connectButtons();
+  void showWho();
   void askAndDo(Perform action, const QString& what);
   void keepNote();
   void showNotes();
@@ -47,7 +51,10 @@ class ControlPanel final : public QWidget {
   };
 
   SessionController* controller_ = nullptr;
+  QLabel* who_;
+  QLabel* cohort_;
   QPushButton* stop_;
+  QPushButton* pause_ = nullptr;
   QPushButton* resume_;
   QPushButton* interviewDone_;
   QPushButton* handOver_;

@@ -1,5 +1,6 @@
 #include "study/gui/device_panel.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "study/gui/background_task.h"
@@ -19,8 +20,10 @@ constexpr double kListenFor = 2.0;  // [s]
 
 DevicePanel::DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent)
     : QWidget(parent), protocol_(protocol), rig_(dynamic_cast<HardwareRig*>(&rig)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new QVBoxLayout;
+  columns->addLayout(layout, 1);
   if (rig_ == nullptr) {
     layout->addWidget(quietLabel(
         tr("Devices are virtual: the participant's mouse or space bar is the hand."), this));
@@ -35,7 +38,8 @@ DevicePanel::DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget*
   }
   button_ = new QPushButton(tr("Check devices…"), this);
   button_->setObjectName(QStringLiteral("check-devices"));
-  layout->addWidget(button_, 0, Qt::AlignLeft);
+  button_->setProperty("role", QStringLiteral("tool"));
+  columns->addWidget(button_, 0, Qt::AlignTop);
   connect(button_, &QPushButton::clicked, this, &DevicePanel::check);
   connect(&timer_, &QTimer::timeout, this, &DevicePanel::refresh);
   timer_.start(kLookEvery);
@@ -65,9 +69,12 @@ void DevicePanel::check() {
   FindingsDialog(listen(), FindingsDialog::Asks::Nothing, window()).exec();
 }
 
-bool DevicePanel::mayBegin() {
-  if (rig_ == nullptr) return true;
-  const auto found = listen();
+bool DevicePanel::mayBegin(const Found& otherwise) {
+  Found found = otherwise;
+  if (rig_ != nullptr) {
+    const auto heard = listen();
+    found.insert(found.end(), heard.begin(), heard.end());
+  }
   if (!FindingsDialog::hasFailed(found)) return true;
   FindingsDialog question(found, FindingsDialog::Asks::GoWithout, window());
   return question.exec() == QDialog::Accepted;

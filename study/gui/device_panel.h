@@ -31,9 +31,9 @@ class DevicePanel final : public QWidget {
   /// While a trial runs nothing is checked.
   void setBusy(bool isBusy);
 
-  /// Before a session: checks every device, and asks where one has failed; No is what Enter says.
-  /// Virtual instruments are always fit.
-  bool mayBegin();
+  /// Before a session: checks every device, and asks where one has failed, or anything of what was
+  /// found @p otherwise; No is what Enter says. Virtual instruments are always fit.
+  bool mayBegin(const std::vector<FindingsDialog::Found>& otherwise);
 
  public slots:
   /// Checks every device of the protocol, and shows what was found.

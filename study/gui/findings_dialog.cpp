@@ -29,11 +29,11 @@ QString signOf(Finding finding) {
 }
 
 void addRow(
-    QTableWidget& table, const std::string& device, const haptics::devices::CheckResult& result) {
+    QTableWidget& table, const std::string& part, const haptics::devices::CheckResult& result) {
   const int row = table.rowCount();
   table.insertRow(row);
   const std::array<QString, 5> cells{
-      QString::fromStdString(device),
+      QString::fromStdString(part),
       QString::fromStdString(haptics::devices::nameOf(result.finding)),
       QString::fromStdString(result.what),
       QString::fromStdString(result.measured),
@@ -52,7 +52,7 @@ void addRow(
 QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* parent) {
   auto* table = new QTableWidget(0, 5, parent);
   table->setHorizontalHeaderLabels(
-      {FindingsDialog::tr("Device"),
+      {FindingsDialog::tr("Part"),
        FindingsDialog::tr("Result"),
        FindingsDialog::tr("What"),
        FindingsDialog::tr("Measured"),
@@ -62,8 +62,8 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
   table->setFocusPolicy(Qt::NoFocus);
   table->setWordWrap(true);
   table->verticalHeader()->hide();
-  for (const auto& device : found) {
-    for (const auto& result : device.results) addRow(*table, device.device, result);
+  for (const auto& part : found) {
+    for (const auto& result : part.results) addRow(*table, part.part, result);
   }
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
@@ -77,15 +77,15 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
 
 FindingsDialog::FindingsDialog(const std::vector<Found>& found, Asks asks, QWidget* parent)
     : QDialog(parent) {
-  setWindowTitle(tr("Devices"));
+  setWindowTitle(asks == Asks::GoWithout ? tr("Before the session") : tr("Devices"));
   auto* layout = new QVBoxLayout(this);
   auto* buttons = new QDialogButtonBox(this);
   if (asks == Asks::GoWithout) {
     layout->addWidget(bodyLabel(
-        tr("A device is not fit for this protocol. Begin all the same? Its trials may break off, "
-           "and they are marked."),
+        tr("Not everything is fit for this session. Begin all the same? Trials on a device that "
+           "failed may break off, and they are marked; what stands in a text is read as it is."),
         this));
-    auto* without = buttons->addButton(tr("Go without"), QDialogButtonBox::AcceptRole);
+    auto* without = buttons->addButton(tr("Begin all the same"), QDialogButtonBox::AcceptRole);
     without->setAutoDefault(false);
     auto* no = buttons->addButton(tr("No"), QDialogButtonBox::RejectRole);
     no->setDefault(true);
@@ -101,8 +101,8 @@ FindingsDialog::FindingsDialog(const std::vector<Found>& found, Asks asks, QWidg
 }
 
 bool FindingsDialog::hasFailed(const std::vector<Found>& found) {
-  return std::any_of(found.begin(), found.end(), [](const Found& device) {
-    return std::any_of(device.results.begin(), device.results.end(), [](const auto& result) {
+  return std::any_of(found.begin(), found.end(), [](const Found& part) {
+    return std::any_of(part.results.begin(), part.results.end(), [](const auto& result) {
       return result.finding == Finding::Fail;
     });
   });

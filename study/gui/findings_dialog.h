@@ -9,14 +9,15 @@
 
 namespace study::gui {
 
-/// What a check of the devices has found: PASS, WARN, FAIL, what was measured, what to do.
+/// What a check before a session has found, of devices and texts: PASS, WARN, FAIL, what was
+/// measured, what to do.
 class FindingsDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// What was found of one device.
+  /// What was found of one device, or of the texts.
   struct Found {
-    std::string device;
+    std::string part;
     std::vector<haptics::devices::CheckResult> results;
   };
 

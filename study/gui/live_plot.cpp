@@ -36,7 +36,7 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   }
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
-  setMinimumHeight(200);
+  setMinimumHeight(150);
   paintAsTheTheme();
   begin(haptics::devices::DeviceKind::Punch, 1000.0);
 }

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QScreen>
 #include <QScrollArea>
@@ -15,11 +16,13 @@
 #include "study/gui/consent_copy_dialog.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/device_panel.h"
+#include "study/gui/enrolment_check.h"
 #include "study/gui/labels.h"
 #include "study/gui/pin_dialog.h"
 #include "study/gui/questionnaire_page.h"
-#include "study/gui/session_table.h"
+#include "study/gui/sessions_page.h"
 #include "study/gui/theme.h"
+#include "study/gui/theme_choice.h"
 #include "study/gui/trial_panel.h"
 #include "study/gui/trial_view.h"
 #include "study/hardware_rig.h"
@@ -38,49 +41,63 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
             hands_[need.id] = hand.get();
             return hand;
           })),
+      pages_(new QStackedWidget(this)),
       middle_(new QStackedWidget(this)),
-      sessions_(new SessionTable(study, this)),
+      sessions_(new SessionsPage(study, this)),
       controls_(new ControlPanel(this)),
-      trial_(new TrialPanel(this)) {
-  const auto& metadata = study.protocol().protocol.study;
-  setWindowTitle(tr("Palpate — %1").arg(QString::fromStdString(metadata.title)));
+      trial_(new TrialPanel(this)),
+      devices_(new DevicePanel(study.protocol().protocol, *rig_, this)) {
+  const auto title = QString::fromStdString(study.protocol().protocol.study.title);
+  setWindowTitle(tr("Palpate — %1").arg(title));
+  addThemesTo(*menuBar()->addMenu(tr("&View"))->addMenu(tr("Theme")));
   auto* inside = new QWidget(this);
-  auto* columns = new QHBoxLayout(inside);
-  columns->setContentsMargins(20, 16, 20, 16);
-  columns->setSpacing(20);
-  auto* side = new QWidget(inside);
-  side->setFixedWidth(500);
-  auto* left = new QVBoxLayout(side);
-  left->setContentsMargins(0, 0, 0, 0);
-  auto* heading = titleLabel(QString::fromStdString(metadata.title), side);
-  heading->setStyleSheet(QStringLiteral("font-size: 20px;"));
-  left->addWidget(heading);
-  devices_ = new DevicePanel(study.protocol().protocol, *rig_, inside);
-  left->addWidget(devices_);
-  if (auto* remark = graphicsRemark(study.protocol().protocol, side)) left->addWidget(remark);
-  left->addWidget(sessions_, 1);
-  left->addWidget(controls_);
-  // Words that wrap tell a layout their height only when they are asked.
-  const auto labels = side->findChildren<QLabel*>();
-  for (auto* label : labels) {
-    if (label->wordWrap()) label->setMinimumHeight(label->heightForWidth(side->width() - 20));
-  }
-  auto* scroll = new QScrollArea(inside);
-  scroll->setWidget(side);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(side->width() + 20);
-  columns->addWidget(scroll);
-  middle_->addWidget(trial_);
-  columns->addWidget(middle_, 1);
+  auto* layout = new QVBoxLayout(inside);
+  layout->setContentsMargins(20, 14, 20, 14);
+  layout->setSpacing(10);
+  layout->addWidget(makeHead());
+  pages_->addWidget(sessions_);
+  pages_->addWidget(makeSession());
+  layout->addWidget(pages_, 1);
   setCentralWidget(inside);
   constexpr QSize kComfortable(1280, 860);
   resize(kComfortable.boundedTo(screen()->availableSize()));
+  connectPanels();
+}
 
-  connect(sessions_, &SessionTable::enrolRequested, this, [this](const Enrolment& enrolment) {
-    if (devices_->mayBegin()) enrol(enrolment);
-  });
-  connect(sessions_, &SessionTable::resumeRequested, this, [this](qlonglong id) {
+/// What holds in a session and between sessions: the study, and how its instruments are.
+QWidget* OperatorWindow::makeHead() {
+  auto* head = new QWidget(this);
+  auto* lines = new QVBoxLayout(head);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(2);
+  const auto& protocol = study_.protocol().protocol;
+  auto* title = titleLabel(QString::fromStdString(protocol.study.title), head);
+  title->setProperty("role", QStringLiteral("heading"));
+  lines->addWidget(title);
+  lines->addWidget(devices_);
+  if (auto* remark = graphicsRemark(protocol, head)) lines->addWidget(remark);
+  return head;
+}
+
+QWidget* OperatorWindow::makeSession() {
+  auto* page = new QWidget(this);
+  auto* columns = new QHBoxLayout(page);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(20);
+  constexpr int kControlsWidth = 470;  // [px]: "Participant withdraws…" twice
+  controls_->setFixedWidth(kControlsWidth);
+  columns->addWidget(controls_);
+  middle_->addWidget(trial_);
+  auto* scroll = new QScrollArea(page);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(middle_);
+  columns->addWidget(scroll, 1);
+  return page;
+}
+
+void OperatorWindow::connectPanels() {
+  connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolIfFit);
+  connect(sessions_, &SessionsPage::resumeRequested, this, [this](qlonglong id) {
     resumeIfFit(SessionId{id});
   });
   connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
@@ -88,7 +105,9 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
     if (controller_) saveConsentCopy(study_, controller_->session().participant(), this);
   });
-  connect(controls_, &ControlPanel::interviewFinished, this, &OperatorWindow::finishInterview);
+  connect(controls_, &ControlPanel::interviewFinished, this, [this] {
+    if (interview_ != nullptr) controller_->finishStep();
+  });
   connect(controls_, &ControlPanel::closeSessionRequested, this, &OperatorWindow::endSession);
 }
 
@@ -108,8 +127,13 @@ void OperatorWindow::resume(SessionId id) {
   attempt(this, [&] { begin(Session::resume(study_, id)); });
 }
 
+void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
+  if (controller_) return;
+  if (devices_->mayBegin(textsBefore(study_.protocol(), enrolment))) enrol(enrolment);
+}
+
 void OperatorWindow::resumeIfFit(SessionId id) {
-  if (devices_->mayBegin()) resume(id);
+  if (!controller_ && devices_->mayBegin({})) resume(id);
 }
 
 void OperatorWindow::begin(Session session) {
@@ -125,10 +149,9 @@ void OperatorWindow::begin(Session session) {
       &OperatorWindow::tellWhatWaited,
       Qt::QueuedConnection);
   wearTheme(*participant_, ThemeName::Light);  // the same for everybody who takes part
-  sessions_->setOpen(true);
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
-  sessions_->refresh();
+  pages_->setCurrentIndex(1);
   updateAll();
   showParticipant();
 }
@@ -143,6 +166,9 @@ void OperatorWindow::followSession() {
       this,
       &OperatorWindow::speakTheSessionsLanguage);
   connect(session, &SessionController::failed, this, &OperatorWindow::tell);
+  connect(session, &SessionController::aboutToLeave, this, [this] {
+    if (interview_ != nullptr) interview_->flush();
+  });
 }
 
 /// Nobody could answer a message behind a window that covers the screen: it waits for the PIN.
@@ -207,8 +233,6 @@ void OperatorWindow::updateAll() {
   devices_->setBusy(controller_->isTrialRunning());
   controls_->refresh();
   showInterview();
-  const auto& session = controller_->session();
-  if (session.isOver()) sessions_->refresh();
 }
 
 void OperatorWindow::showInterview() {
@@ -218,7 +242,8 @@ void OperatorWindow::showInterview() {
     interview_ = nullptr;
   }
   const auto& session = controller_->session();
-  if (session.isOver() || session.step().kind != StepKind::Interview) return;
+  if (session.isOver() || session.state() == SessionState::Paused) return;
+  if (session.step().kind != StepKind::Interview) return;
   const auto* instrument = session.instrument();
   interview_ = new QuestionnairePage(
       {.title = QString::fromStdString(instrument->title.in("en")),
@@ -235,14 +260,9 @@ void OperatorWindow::showInterview() {
   middle_->setCurrentWidget(interview_);
 }
 
-void OperatorWindow::finishInterview() {
-  if (interview_ == nullptr) return;
-  interview_->flush();
-  controller_->finishStep();
-}
-
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
+  controller_->close();
   trial_->follow(nullptr);
   controls_->follow(nullptr);
   participant_->allowClosing();
@@ -254,8 +274,8 @@ void OperatorWindow::endSession() {
     interview_ = nullptr;
   }
   controller_.reset();
-  sessions_->setOpen(false);
   sessions_->refresh();
+  pages_->setCurrentIndex(0);
 }
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {

@@ -18,7 +18,7 @@ namespace study::gui {
 
 class QuestionnairePage;
 class ControlPanel;
-class SessionTable;
+class SessionsPage;
 class DevicePanel;
 class TrialPanel;
 
@@ -39,7 +39,8 @@ class OperatorWindow final : public QMainWindow {
   void enrol(const Enrolment& enrolment);
   /// Goes on with one that was interrupted.
   void resume(SessionId id);
-  /// The same after a check of the devices, where the operator does not think better of it.
+  /// The same after a check of devices and texts, where the operator does not think better of it.
+  void enrolIfFit(const Enrolment& enrolment);
   void resumeIfFit(SessionId id);
 
   SessionController* controller() const noexcept { return controller_.get(); }
@@ -51,6 +52,9 @@ class OperatorWindow final : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  QWidget* makeHead();
+  QWidget* makeSession();
+  void connectPanels();
   void begin(Session session);
   void followSession();
   void showParticipant();
@@ -59,7 +63,6 @@ class OperatorWindow final : public QMainWindow {
   void tellWhatWaited();
   void stop();
   void showInterview();
-  void finishInterview();
   void endSession();
   void updateAll();
   void moveHand(double share);
@@ -73,13 +76,14 @@ class OperatorWindow final : public QMainWindow {
   QTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
-  QStringList waiting_;  ///< what could not be told while the screen was the participant's
-  QStackedWidget* middle_;
+  QStringList waiting_;     ///< what could not be told while the screen was the participant's
+  QStackedWidget* pages_;   ///< between sessions, in a session
+  QStackedWidget* middle_;  ///< of a session: the trial, the interview
   QuestionnairePage* interview_ = nullptr;
-  SessionTable* sessions_;
+  SessionsPage* sessions_;
   ControlPanel* controls_;
   TrialPanel* trial_;
-  DevicePanel* devices_ = nullptr;
+  DevicePanel* devices_;
 };
 
 }  // namespace study::gui

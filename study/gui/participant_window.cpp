@@ -64,9 +64,11 @@ ParticipantWindow::ParticipantWindow(
   layout->addLayout(place_, 1);
   layout->addLayout(bottom);
 
-  connect(next_, &QPushButton::clicked, this, &ParticipantWindow::goOn);
-  connect(languages_, &QComboBox::currentIndexChanged, this, [this] {
+  connect(next_, &QPushButton::clicked, &controller_, &SessionController::finishStep);
+  connect(&controller_, &SessionController::aboutToLeave, this, [this] {
     if (questions_ != nullptr) questions_->flush();
+  });
+  connect(languages_, &QComboBox::currentIndexChanged, this, [this] {
     controller_.chooseLanguage(languages_->currentData().toString());
   });
   connect(&controller_, &SessionController::stepChanged, this, &ParticipantWindow::showStep);
@@ -95,11 +97,6 @@ void ParticipantWindow::retranslate() {
 void ParticipantWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) retranslate();
   QWidget::changeEvent(event);
-}
-
-void ParticipantWindow::goOn() {
-  if (questions_ != nullptr) questions_->flush();
-  controller_.finishStep();
 }
 
 void ParticipantWindow::showStep() {

@@ -57,7 +57,6 @@ class ParticipantWindow final : public QWidget {
   QWidget* makeMessage(const QString& title, const QString& words);
   QString localized(const questionnaires::LocalizedText& text) const;
   QString alternativeName(const QString& label) const;
-  void goOn();
 
   SessionController& controller_;
   std::function<void(double)> moveHand_;

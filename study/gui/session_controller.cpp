@@ -31,6 +31,12 @@ bool SessionController::tryTo(Action&& action) {
   }
 }
 
+template <typename Action>
+void SessionController::leaveBy(Action&& action) {
+  emit aboutToLeave();
+  if (tryTo(std::forward<Action>(action))) emit stepChanged();
+}
+
 const haptics::engine::MeshView* SessionController::mesh() const {
   return trial_ ? trial_->scene().mesh() : nullptr;
 }
@@ -69,11 +75,11 @@ void SessionController::countBenchmarkCut() {
 }
 
 void SessionController::finishStep() {
-  if (tryTo([&] { session_.finishStep(); })) emit stepChanged();
+  leaveBy([&] { session_.finishStep(); });
 }
 
 void SessionController::declineOffer() {
-  if (tryTo([&] { session_.declineOffer(); })) emit stepChanged();
+  leaveBy([&] { session_.declineOffer(); });
 }
 
 void SessionController::beginTrial() {
@@ -134,15 +140,15 @@ void SessionController::endTrial(TrialEnding ending) {
 }
 
 void SessionController::repeatStep(const QString& reason) {
-  if (tryTo([&] { session_.repeatStep(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.repeatStep(reason.toStdString()); });
 }
 
 void SessionController::skipStep(const QString& reason) {
-  if (tryTo([&] { session_.skipStep(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.skipStep(reason.toStdString()); });
 }
 
 void SessionController::pause(const QString& reason) {
-  if (tryTo([&] { session_.pause(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.pause(reason.toStdString()); });
 }
 
 void SessionController::resume() {
@@ -151,15 +157,15 @@ void SessionController::resume() {
 
 void SessionController::withdraw(const QString& reason) {
   if (live_) stop();
-  if (tryTo([&] { session_.withdraw(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.withdraw(reason.toStdString()); });
 }
 
 void SessionController::reject(const QString& reason) {
-  if (tryTo([&] { session_.reject(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.reject(reason.toStdString()); });
 }
 
 void SessionController::giveUpOnDevice(const QString& reason) {
-  if (tryTo([&] { session_.giveUpOnDevice(reason.toStdString()); })) emit stepChanged();
+  leaveBy([&] { session_.giveUpOnDevice(reason.toStdString()); });
 }
 
 std::vector<SessionController::Note> SessionController::notes() const {
@@ -177,6 +183,7 @@ bool SessionController::note(const QString& text) {
 }
 
 void SessionController::chooseLanguage(const QString& language) {
+  emit aboutToLeave();
   if (tryTo([&] { session_.setLanguage(language.toStdString()); })) emit languageChanged();
 }
 

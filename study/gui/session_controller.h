@@ -87,9 +87,14 @@ class SessionController final : public QObject {
   void giveUpOnDevice(const QString& reason);
   /// Returns whether it is kept.
   bool note(const QString& text);
+  /// Nobody looks at this session any more; it stays as it is.
+  void close() { emit aboutToLeave(); }
   void chooseLanguage(const QString& language);
 
  signals:
+  /// The step is about to be left, or shown in other words: whoever shows it hands on what was
+  /// written and has not been yet.
+  void aboutToLeave();
   /// Another step, or another state of this one.
   void stepChanged();
   /// While a trial runs: new numbers.
@@ -102,6 +107,8 @@ class SessionController final : public QObject {
   void endTrial(TrialEnding ending);
   template <typename Action>
   bool tryTo(Action&& action);
+  template <typename Action>
+  void leaveBy(Action&& action);
 
   Study& study_;
   Rig& rig_;

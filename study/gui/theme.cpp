@@ -54,6 +54,8 @@ QLineEdit, QPlainTextEdit, QComboBox {
 QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid @focus; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled.text; background: @disabled; }
 QSpinBox, QDoubleSpinBox { color: @field.text; background: @field; min-height: 34px; }
+QComboBox::drop-down { border: none; width: 28px; }
+QComboBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
 QComboBox QAbstractItemView { color: @field.text; background: @field; border: 1px solid @border; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4px; }
 QCheckBox:disabled { color: @disabled.text; background: @disabled; }
@@ -80,6 +82,7 @@ QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border:
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
 QListView::item { padding: 5px 6px; }
+QTableView::item { padding: 0 6px; }
 QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }
@@ -198,6 +201,10 @@ QString styleSheetOf(const Theme& theme) {
   for (const auto& [name, colour] : colours) {
     sheet.replace(QStringLiteral("@") + QString::fromUtf8(name), colour.name());
   }
+  const bool isDark = theme.field.background.lightness() < theme.field.text.lightness();
+  sheet.replace(
+      QStringLiteral("@arrow"),
+      isDark ? QStringLiteral(":/gui/arrow-chalk.png") : QStringLiteral(":/gui/arrow-ink.png"));
   return sheet;
 }
 

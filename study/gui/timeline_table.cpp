@@ -3,6 +3,7 @@
 #include <array>
 
 #include <QHeaderView>
+#include <QResizeEvent>
 
 #include "study/gui/labels.h"
 
@@ -48,12 +49,19 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setAccessibleName(tr("Steps of the session"));
   setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("State")});
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   constexpr int kWideEnough = 130;  // [px] "to be repeated"
   setColumnWidth(4, kWideEnough);
   verticalHeader()->hide();
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
   setFocusPolicy(Qt::NoFocus);
+}
+
+void TimelineTable::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForTheKind = 520;  // [px]; what a step is shows in its name, too
+  setColumnHidden(2, event->size().width() < kRoomForTheKind);
+  QTableWidget::resizeEvent(event);
 }
 
 void TimelineTable::show(const SessionController* controller) {

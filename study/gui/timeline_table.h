@@ -17,6 +17,9 @@ class TimelineTable final : public QTableWidget {
   /// Shows where the session is; empty where there is none.
   void show(const SessionController* controller);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void fillRow(int row, const SessionController& controller);
   void write(int row, int column, const QString& words, bool isNow);

@@ -1,5 +1,7 @@
 #include "study/gui/trial_panel.h"
 
+#include <array>
+
 #include <QHBoxLayout>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -17,14 +19,23 @@ TrialPanel::TrialPanel(QWidget* parent)
     : QWidget(parent),
       steps_(new TimelineTable(this)),
       health_(new QLabel(this)),
-      cutCount_(titleLabel({}, this)),
+      cutCount_(bodyLabel({}, this)),
       numbers_(quietLabel({}, this)),
       plot_(new LivePlot(this)),
       servo_(new ServoPanel(this)),
       cuts_(new CutTable(this)) {
+  cutCount_->setProperty("role", QStringLiteral("heading"));
+  cutCount_->setWordWrap(false);
   health_->setAlignment(Qt::AlignCenter);
   health_->setMinimumHeight(36);
   cuts_->setMinimumHeight(92);
+  constexpr int kThreeSteps = 104;  // [px]
+  steps_->setMinimumHeight(kThreeSteps);
+  // As much as there is, and on a low screen no more than they need: their hints are larger.
+  const std::array<QWidget*, 3> yielding{steps_, plot_, cuts_};
+  for (auto* widget : yielding) {
+    widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  }
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -92,7 +103,7 @@ void TrialPanel::updateTrial() {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return;
   const auto status = controller_->trialStatus();
   const int asked = controller_->session().step().minimumCuts;
-  cutCount_->setText(tr("%1 of %2").arg(status.cuts).arg(asked));
+  cutCount_->setText(tr("cut %1 of %2").arg(status.cuts).arg(asked));
   numbers_->setText(
       tr("%1 N at %2 · %3 ticks, %4 late · %5")
           .arg(status.force, 0, 'f', 2)

@@ -186,7 +186,7 @@ TEST_F(PunchOnItsWire, IsAskedAboutBeforeASessionThatItIsNotFitFor) {
   EXPECT_EQ(
       begin([](FindingsDialog& question) {
         QTest::mouseClick(
-            tests::buttonSaying(&question, QStringLiteral("Go without")), Qt::LeftButton);
+            tests::buttonSaying(&question, QStringLiteral("Begin all the same")), Qt::LeftButton);
       }),
       1);
   EXPECT_NE(window.controller(), nullptr);

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QWidget>
+
+#include "study/session.h"
+#include "study/storage/records.h"
+#include "study/unfinished_sessions.h"
+
+namespace study::gui {
+
+/// What the operator sees between sessions: who has taken part, whom to go on with and what can be
+/// done there, how many of each cohort are still to come, and a new participant.
+class SessionsPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The study outlives it.
+  explicit SessionsPage(Study& study, QWidget* parent = nullptr);
+
+  /// Reads them again.
+  void refresh();
+
+ signals:
+  void enrolRequested(const study::Enrolment& enrolment);
+  void resumeRequested(qlonglong session);
+
+ private:
+  QWidget* makeList();
+  QWidget* makeEnrolment();
+  void fillTable(const std::vector<storage::SessionRecord>& sessions);
+  void fillCohorts(const std::vector<storage::SessionRecord>& sessions);
+  void showSelected();
+  QString cohortTitle(const std::string& id) const;
+  const UnfinishedSession* selectedUnfinished() const;
+
+  Study& study_;
+  std::vector<UnfinishedSession> unfinished_;
+  QTableWidget* table_;
+  QLabel* details_;
+  QLabel* coming_;
+  QComboBox* cohort_;
+  QComboBox* mode_;
+  QComboBox* language_;
+  QPushButton* enrol_;
+  QPushButton* resume_;
+};
+
+}  // namespace study::gui

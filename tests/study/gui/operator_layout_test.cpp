@@ -1,0 +1,132 @@
+// Whether the operator sees everything on the smallest screens that laboratories have.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+
+#include "protocols/loaded_protocol.h"
+#include "study/gui/control_panel.h"
+#include "study/gui/operator_window.h"
+#include "study/gui/servo_panel.h"
+#include "study/gui/sessions_page.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+constexpr QSize kLowScreen(1280, 720);  // 1280×800 under a desktop's bars
+constexpr QSize kLargePrint(960, 540);  // 1920×1080 at twice the size
+constexpr QSize kWideScreen(1920, 1040);
+
+protocols::LoadedProtocol shipped(const std::string& name) {
+  questionnaires::Problems problems;
+  return *protocols::loadProtocolFile(name, problems);
+}
+
+class OperatorLayout : public testing::Test {
+ protected:
+  void SetUp() override { window_.show(); }
+
+  void enrol() {
+    window_.enrol(
+        {.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  }
+
+  void show(const QSize& size) {
+    window_.resize(size);
+    QTest::qWait(20);
+    ASSERT_EQ(window_.size(), size) << "something needs more room than there is";
+  }
+
+  /// Everything that can be pressed or filled in and is not wholly in sight, or not wholly written.
+  QStringList cutOff() {
+    QStringList names;
+    for (auto* widget : window_.findChildren<QWidget*>()) {
+      const bool isPressed = qobject_cast<QAbstractButton*>(widget) != nullptr ||
+                             qobject_cast<QComboBox*>(widget) != nullptr ||
+                             qobject_cast<QLineEdit*>(widget) != nullptr;
+      const bool isOfATable = qobject_cast<QTableView*>(widget->parentWidget()) != nullptr;
+      if (!isPressed || isOfATable || !widget->isVisible()) continue;
+      const auto* button = qobject_cast<QPushButton*>(widget);
+      const bool isWritten = button == nullptr || button->sizeHint().width() <= button->width();
+      const bool isInSight = widget->visibleRegion().boundingRect() == widget->rect();
+      if (isWritten && isInSight) continue;
+      names << (button != nullptr ? button->text() : widget->accessibleName()) +
+                   (isInSight ? QStringLiteral(" (words)") : QStringLiteral(" (place)"));
+    }
+    return names;
+  }
+
+  void expectAllInSight(const QString& name) {
+    for (const auto& [size, screen] :
+         {std::pair(kLowScreen, "low"), std::pair(kWideScreen, "wide")}) {
+      show(size);
+      EXPECT_EQ(cutOff().join(u';').toStdString(), "") << name.toStdString() << ", " << screen;
+      tests::photograph(window_, QStringLiteral("%1-%2").arg(name, QString::fromUtf8(screen)));
+    }
+    show(kLargePrint);
+    tests::photograph(window_, name + QStringLiteral("-large-print"));
+    const auto* stop = window_.findChild<ControlPanel*>()->stopButton();
+    if (window_.controller() == nullptr) return;
+    EXPECT_EQ(stop->visibleRegion().boundingRect(), stop->rect()) << name.toStdString();
+  }
+
+  void goTo(StepKind kind) {
+    const auto& plan = window_.controller()->session().plan();
+    int step = 0;
+    while (plan[static_cast<std::size_t>(step)].kind != kind) ++step;
+    participant_.takePart(step);
+    ASSERT_EQ(window_.controller()->session().stepIndex(), step);
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", shipped("punch-face-validity"), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
+  expectAllInSight(QStringLiteral("between-empty"));
+  enrol();
+  window_.findChild<ControlPanel*>()->closeSessionRequested();
+  ASSERT_EQ(window_.controller(), nullptr);
+  auto* table = window_.findChild<SessionsPage*>()->findChild<QTableWidget*>();
+  table->selectRow(0);
+  expectAllInSight(QStringLiteral("between"));
+}
+
+TEST_F(OperatorLayout, ShowsEverythingInASession) {
+  enrol();
+  expectAllInSight(QStringLiteral("in-session"));
+  goTo(StepKind::Trial);
+  participant_.cut(2);
+  expectAllInSight(QStringLiteral("in-trial"));
+  window_.controller()->stop();
+  expectAllInSight(QStringLiteral("broken-off"));
+}
+
+TEST_F(OperatorLayout, OffersPauseOrItsEndInOnePlace) {
+  enrol();
+  goTo(StepKind::Trial);
+  auto* pause = tests::buttonSaying(&window_, QStringLiteral("Pause…"));
+  ASSERT_NE(pause, nullptr);
+  EXPECT_EQ(tests::buttonSaying(&window_, QStringLiteral("Continue")), nullptr);
+  const auto place = pause->geometry();
+  window_.controller()->pause(QStringLiteral("coffee"));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(tests::buttonSaying(&window_, QStringLiteral("Pause…")), nullptr);
+  auto* proceed = tests::buttonSaying(&window_, QStringLiteral("Continue"));
+  ASSERT_NE(proceed, nullptr);
+  EXPECT_EQ(proceed->geometry(), place);
+  QTest::mouseClick(proceed, Qt::LeftButton);
+  EXPECT_EQ(window_.controller()->session().state(), SessionState::Consented);
+}
+
+}  // namespace
+}  // namespace study::gui
