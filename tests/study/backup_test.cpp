@@ -44,6 +44,22 @@ TEST_F(BackupTest, HoldsEverythingThatTheStudyHolds) {
   EXPECT_TRUE(std::filesystem::is_directory(target() + "/exports"));
 }
 
+TEST_F(BackupTest, IsAsOpenToOthersAsTheStudyAndNoMore) {
+  namespace fs = std::filesystem;
+  const fs::path from = study_.folder();
+  for (const auto mode : {fs::perms(0700), fs::perms(0750)}) {
+    fs::permissions(from, mode);
+    const fs::path copy = target() + std::to_string(static_cast<unsigned>(mode));
+    backUp(from, copy);
+    EXPECT_EQ(fs::status(copy).permissions(), mode);
+    for (const auto* name : {"study.db", "traces.db", "identity.db"}) {
+      EXPECT_EQ(fs::status(copy / name).permissions(), fs::status(from / name).permissions())
+          << name;
+    }
+  }
+  EXPECT_EQ(fs::status(from / "identity.db").permissions(), fs::perms(0600));
+}
+
 TEST_F(BackupTest, IsSoundInTheMiddleOfATrial) {
   std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
   tests::walkTo(*session, StepKind::Trial);

@@ -1,0 +1,200 @@
+// What the operator's window asks before a session, keeps when one is left, and tells when.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QTableWidget>
+#include <QTest>
+
+#include "protocols/loaded_protocol.h"
+#include "study/gui/control_panel.h"
+#include "study/gui/findings_dialog.h"
+#include "study/gui/operator_window.h"
+#include "study/storage/records.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+using tests::buttonSaying;
+
+/// The published study of the punch, with a rest of a second and an interview after the consent.
+class OperatorSession : public testing::Test {
+ protected:
+  protocols::LoadedProtocol protocol() {
+    questionnaires::Problems problems;
+    const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
+    auto json = nlohmann::ordered_json::parse(shipped->text);
+    const auto second = nlohmann::ordered_json::parse(
+        R"([{"id": "rest", "type": "break", "seconds": 1, "text": {"en": "Rest."}},
+            {"id": "talk", "type": "interview", "instrument": "interview"}])");
+    auto& phases = json["phases"];
+    phases.insert(phases.begin() + 2, second.begin(), second.end());
+    return *protocols::loadProtocolFile(folder_.write("protocol.json", json.dump()), problems);
+  }
+
+  void SetUp() override { window_.show(); }
+
+  void enrol() {
+    window_.enrol(
+        {.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  }
+
+  void goTo(StepKind kind) {
+    const auto& plan = session().plan();
+    while (plan[static_cast<std::size_t>(session().stepIndex())].kind != kind) {
+      if (session().step().kind == StepKind::Break) {
+        auto* next = buttonSaying(window_.participantWindow(), QStringLiteral("Next"));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return next->isEnabled(); }, 3000));
+      }
+      participant_.doStep();
+    }
+  }
+
+  const Session& session() const { return window_.controller()->session(); }
+
+  /// What somebody has typed a moment ago into the first free text of @p window.
+  void type(QWidget& window, const QString& words) {
+    QCoreApplication::processEvents();
+    auto* lines = window.findChild<QPlainTextEdit*>();
+    ASSERT_NE(lines, nullptr);
+    QTest::keyClicks(lines, words);
+  }
+
+  std::vector<std::string> textsKept(const char* item) {
+    std::vector<std::string> texts;
+    for (const auto& row : storage::Records(study_.database()).answers()) {
+      if (row.answer.item == item) texts.push_back(std::get<std::string>(row.answer.response));
+    }
+    return texts;
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(OperatorSession, LiveBeginsOnlyWhenSomebodySaysSoWhileTextsHaveBlanks) {
+  QStringList parts;
+  const auto press = [&](const auto& answer) {
+    int asked = 0;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &look, [&] {
+      auto* question = window_.findChild<FindingsDialog*>();
+      if (question == nullptr || !question->isVisible()) return;
+      ++asked;
+      const auto* table = question->findChild<QTableWidget*>();
+      for (int row = 0; row < table->rowCount(); ++row) parts << table->item(row, 2)->text();
+      tests::photograph(*question, QStringLiteral("blanks"));
+      answer(*question);
+    });
+    look.start(20);
+    QTest::mouseClick(buttonSaying(&window_, QStringLiteral("New participant")), Qt::LeftButton);
+    return asked;
+  };
+  EXPECT_EQ(press([](FindingsDialog& question) { QTest::keyClick(&question, Qt::Key_Return); }), 1);
+  EXPECT_EQ(window_.controller(), nullptr) << "No is what Enter says";
+  EXPECT_TRUE(parts.contains(QStringLiteral("consent-punch"))) << parts.join(u' ').toStdString();
+  EXPECT_TRUE(storage::Records(study_.database()).sessions().empty());
+
+  for (auto* box : window_.findChildren<QComboBox*>()) {
+    if (box->accessibleName() == QStringLiteral("Run mode")) box->setCurrentIndex(1);
+  }
+  EXPECT_EQ(press([](FindingsDialog& question) { question.reject(); }), 0);
+  ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
+}
+
+TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeAPause) {
+  enrol();
+  goTo(StepKind::Interview);
+  type(window_, QStringLiteral("Like bone."));
+  EXPECT_TRUE(textsKept("first-impression").empty()) << "it would have been kept a moment later";
+  window_.controller()->pause(QStringLiteral("coffee"));
+  ASSERT_EQ(session().state(), SessionState::Paused);
+  EXPECT_EQ(textsKept("first-impression"), std::vector<std::string>{"Like bone."});
+  window_.controller()->resume();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window_.findChild<QPlainTextEdit*>()->toPlainText(), QStringLiteral("Like bone."));
+}
+
+TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeItIsClosed) {
+  enrol();
+  goTo(StepKind::Interview);
+  type(window_, QStringLiteral("Too soft."));
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Close this session")), Qt::LeftButton);
+  ASSERT_EQ(window_.controller(), nullptr);
+  EXPECT_EQ(textsKept("first-impression"), std::vector<std::string>{"Too soft."});
+}
+
+TEST_F(OperatorSession, RestEndsForItsOwnPageOnly) {
+  enrol();
+  goTo(StepKind::Break);
+  auto* next = buttonSaying(window_.participantWindow(), QStringLiteral("Next"));
+  EXPECT_FALSE(next->isEnabled());
+  window_.controller()->skipStep(QStringLiteral("not tired"));
+  window_.controller()->skipStep(QStringLiteral("nothing to say"));
+  ASSERT_EQ(session().step().kind, StepKind::Form) << "it has questions that must be answered";
+  EXPECT_FALSE(next->isEnabled());
+  QTest::qWait(1200);  // the rest would be over
+  EXPECT_FALSE(next->isEnabled());
+}
+
+/// Presses what is asked for in whatever is in front, as soon as it is there.
+class InFront {
+ public:
+  explicit InFront(std::function<bool(QWidget&)> act) {
+    QObject::connect(&look_, &QTimer::timeout, &look_, [this, act = std::move(act)] {
+      auto* front = QApplication::activeModalWidget();
+      if (front != nullptr && act(*front)) look_.stop();
+    });
+    look_.start(20);
+  }
+
+ private:
+  QTimer look_;
+};
+
+TEST_F(OperatorSession, MessagesWaitUntilTheScreenIsTheOperatorsAgain) {
+  enrol();
+  const InFront choosePin([](QWidget& dialog) {
+    for (auto* line : dialog.findChildren<QLineEdit*>()) {
+      QTest::keyClicks(line, QStringLiteral("2468"));
+    }
+    QTest::mouseClick(buttonSaying(&dialog, QStringLiteral("Hand over")), Qt::LeftButton);
+    return true;
+  });
+  QTest::mouseClick(
+      buttonSaying(&window_, QStringLiteral("Hand over the screen…")), Qt::LeftButton);
+  auto& lock = window_.participantWindow()->lock();
+  ASSERT_TRUE(lock.isLocked());
+
+  QString told;
+  emit window_.controller()->failed(QStringLiteral("The disk is full."));
+  emit window_.controller()->failed(QStringLiteral("It still is."));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "nobody could answer it";
+
+  const InFront read([&](QWidget& message) {
+    told = qobject_cast<QMessageBox*>(&message)->text();
+    message.close();
+    return true;
+  });
+  QTest::mouseClick(
+      buttonSaying(window_.participantWindow(), QStringLiteral("Researcher")), Qt::LeftButton);
+  auto* pin = window_.participantWindow()->findChild<QLineEdit*>();
+  ASSERT_NE(pin, nullptr);
+  QTest::keyClicks(pin, QStringLiteral("2468"));
+  QTest::keyClick(pin, Qt::Key_Return);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !told.isEmpty(); }, 2000));
+  EXPECT_EQ(told, QStringLiteral("The disk is full.\n\nIt still is."));
+}
+
+}  // namespace
+}  // namespace study::gui
