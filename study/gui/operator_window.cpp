@@ -60,7 +60,10 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   layout->addWidget(pages_, 1);
   setCentralWidget(inside);
   constexpr QSize kComfortable(1280, 860);
-  resize(kComfortable.boundedTo(screen()->availableSize()));
+  const QSize available = screen()->availableSize();
+  resize(kComfortable.boundedTo(available));
+  // A desktop puts its frame round what is as large as the screen, and the last line below its edge.
+  if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connectPanels();
 }
 

@@ -68,6 +68,7 @@ QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
 QFrame[role="card"] QLabel[role="good"] { color: @good.text; background: @good; }
 QFrame[role="card"] QLabel[role="warn"] { color: @warn.text; background: @warn; }
 QFrame[role="card"] QLabel[role="bad"] { color: @bad.text; background: @bad; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QScrollArea { border: none; }
 QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }
 QScrollBar::handle:vertical { background: @border; min-height: 40px; border-radius: 7px; }
@@ -82,7 +83,7 @@ QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border:
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
 QListView::item { padding: 5px 6px; }
-QTableView::item { padding: 0 6px; }
+QTableView::item { border: none; padding: 0 6px; }
 QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }

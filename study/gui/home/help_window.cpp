@@ -1,7 +1,9 @@
 #include "study/gui/home/help_window.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
@@ -10,6 +12,7 @@
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextBlock>
+#include <QTextDocument>
 
 #include "study/gui/participant_window.h"
 
@@ -56,7 +59,42 @@ void makeRoomRound(const QTextBlock& block) {
   QTextBlockFormat format;
   format.setTopMargin(isHeading ? 22.0 : 0.0);
   format.setBottomMargin(isCode ? 0.0 : 8.0);
+  format.setNonBreakableLines(false);  // a long command goes on in the next line
   QTextCursor(block).mergeBlockFormat(format);
+}
+
+/// A picture in a text.
+struct Picture {
+  int place;  ///< of its character
+  int width;  ///< its own [px]
+};
+
+std::vector<Picture> picturesIn(const QTextDocument& document) {
+  std::vector<Picture> pictures;
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    for (auto it = block.begin(); !it.atEnd(); ++it) {
+      const auto format = it.fragment().charFormat().toImageFormat();
+      if (!format.isValid()) continue;
+      const QUrl name(format.name());
+      const auto held = document.resource(QTextDocument::ImageResource, name);
+      auto image = held.value<QImage>();
+      if (image.isNull()) image = QImage::fromData(held.toByteArray());  // not painted yet
+      if (!image.isNull()) pictures.push_back({it.fragment().position(), image.width()});
+    }
+  }
+  return pictures;
+}
+
+/// No picture wider than @p room [px], and none larger than it is.
+void fitPictures(QTextDocument& document, int room) {
+  for (const auto& picture : picturesIn(document)) {
+    QTextCursor cursor(&document);
+    cursor.setPosition(picture.place);
+    cursor.setPosition(picture.place + 1, QTextCursor::KeepAnchor);
+    auto format = cursor.charFormat().toImageFormat();
+    format.setWidth(std::min(picture.width, room));
+    cursor.setCharFormat(format);
+  }
 }
 
 class HelpKey final : public QObject {
@@ -148,6 +186,17 @@ void HelpWindow::listHeadings() {
     auto* item = new QListWidgetItem(block.text(), contents_);
     item->setData(Qt::UserRole, block.blockNumber());
   }
+  fitToWidth();
+}
+
+void HelpWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  fitToWidth();
+}
+
+void HelpWindow::fitToWidth() {
+  const int margins = 2 * static_cast<int>(text_->document()->documentMargin());
+  fitPictures(*text_->document(), std::max(1, text_->viewport()->width() - margins));
 }
 
 void HelpWindow::goTo(int number) {

@@ -21,8 +21,12 @@ class HelpWindow final : public QMainWindow {
   /// The heading that is shown.
   QString heading() const { return heading_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void listHeadings();
+  void fitToWidth();
   void goTo(int block);
 
   QListWidget* contents_;

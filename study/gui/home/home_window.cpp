@@ -171,7 +171,7 @@ void HomeWindow::refresh() {
   for (const auto& study : recent) {
     studies_.push_back(summaryOf(study.folder.toStdString()));
     if (studies_.back().title.empty()) studies_.back().title = study.title.toStdString();
-    const QString opened = QLocale().toString(study.opened.toLocalTime(), QLocale::ShortFormat);
+    const QString opened = study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
     list_->setItem(row, 2, new QTableWidgetItem(opened));
     fillRow(row++);
   }

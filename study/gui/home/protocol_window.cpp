@@ -125,11 +125,12 @@ void ProtocolWindow::reload() {
 }
 
 void ProtocolWindow::showVerdict() {
-  const bool isSound = checked_.loaded.has_value();
-  verdict_->setProperty("role", isSound ? QStringLiteral("good") : QStringLiteral("bad"));
-  verdict_->setText(
-      (isSound ? QStringLiteral("✓  ") : QStringLiteral("✕  ")) +
-      QString::fromStdString(checked_.verdict()));
+  const bool isUsable = checked_.loaded.has_value();
+  const bool isSound = isUsable && checked_.warnings() == 0;
+  const char* const role = isSound ? "good" : isUsable ? "warn" : "bad";
+  const char* const sign = isSound ? "✓  " : isUsable ? "!  " : "✕  ";
+  verdict_->setProperty("role", QString::fromUtf8(role));
+  verdict_->setText(QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict()));
   verdict_->style()->unpolish(verdict_);
   verdict_->style()->polish(verdict_);
 }

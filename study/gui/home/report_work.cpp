@@ -28,6 +28,7 @@ void requireWritable(const std::string& out) {
 }  // namespace
 
 void write(const ReportOrder& order, const Progress& progress) {
+  constexpr double kStep = 0.25;  // of four
   requireWritable(order.out);
   SystemClock clock;
   auto study = Study::open(order.folder, clock, storage::Database::Access::ReadOnly);
@@ -41,16 +42,16 @@ void write(const ReportOrder& order, const Progress& progress) {
         " participant has taken part yet. Choose other "
         "sessions.");
   }
-  tell(progress, kUnknownShare, "computing the tables, and what was felt");
+  tell(progress, 0 * kStep, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
-  tell(progress, kUnknownShare, "painting the figures");
+  tell(progress, 1 * kStep, "painting the figures");
   report::paintFigures(sections.front());
-  tell(progress, kUnknownShare, "setting the page");
+  tell(progress, 2 * kStep, "setting the page");
   const auto html = report::asHtml(sections);
   const bool isPdf = std::filesystem::path(order.out).extension() == ".pdf";
   const auto page = isPdf ? report::asPdf(html, sections.front().protocol.study.title) : html;
-  tell(progress, kUnknownShare, "writing it");
+  tell(progress, 3 * kStep, "writing it");
   writeNewFile(order.out, page);
 }
 

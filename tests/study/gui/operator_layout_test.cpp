@@ -30,7 +30,10 @@ protocols::LoadedProtocol shipped(const std::string& name) {
 
 class OperatorLayout : public testing::Test {
  protected:
-  void SetUp() override { window_.show(); }
+  void SetUp() override {
+    window_.setWindowState(Qt::WindowNoState);  // it fills a screen as small as the test's
+    window_.show();
+  }
 
   void enrol() {
     window_.enrol(

@@ -1,7 +1,10 @@
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
 
@@ -83,6 +86,27 @@ TEST_F(HelpTest, TakesTheTopicOfAWidgetThatHasOneOfItsOwn) {
   QWidget part(&home);
   part.setProperty("help", QStringLiteral("Copies"));
   EXPECT_EQ(helpTopicOf(part), QStringLiteral("Copies"));
+}
+
+TEST_F(HelpTest, FitsItsPicturesAndLinesIntoTheWindow) {
+  HelpWindow help;
+  help.showTopic({});
+  auto* text = help.findChild<QTextBrowser*>();
+  std::set<double> widths;
+  for (const int wide : {760, 1400}) {
+    help.resize(wide, 700);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(text->horizontalScrollBar()->maximum(), 0) << wide;
+    for (auto block = text->document()->begin(); block.isValid(); block = block.next()) {
+      for (auto part = block.begin(); !part.atEnd(); ++part) {
+        const auto image = part.fragment().charFormat().toImageFormat();
+        if (!image.isValid()) continue;
+        EXPECT_LE(image.width(), text->viewport()->width());
+        widths.insert(image.width());
+      }
+    }
+  }
+  EXPECT_GT(widths.size(), 2U) << "a wide window has room for the whole picture";
 }
 
 TEST_F(HelpTest, ShowsItsPicturesAndTheOtherPages) {
