@@ -43,7 +43,11 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   layout->addStretch(1);
   scroll->setWidget(inside);
   outer->addWidget(scroll);
-  if (!widgets_.empty()) setFocusProxy(widgets_.front());
+  // A frame round the first answer would look chosen, and is a nudge: it comes with the first Tab.
+  scroll->setFocusPolicy(Qt::StrongFocus);
+  scroll->setAccessibleName(content.title);
+  scroll->setAccessibleDescription(content.introduction);
+  setFocusProxy(scroll);
   shown_.start();
 }
 

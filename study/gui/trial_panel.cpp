@@ -66,7 +66,7 @@ void TrialPanel::showHealth(const QString& words, Health health) {
 }
 
 void TrialPanel::updateSteps() {
-  cutCount_->clear();
+  cutCount_->hide();
   numbers_->clear();
   steps_->show(controller_);
   const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
@@ -103,6 +103,7 @@ void TrialPanel::updateTrial() {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return;
   const auto status = controller_->trialStatus();
   const int asked = controller_->session().step().minimumCuts;
+  cutCount_->show();
   cutCount_->setText(tr("cut %1 of %2").arg(status.cuts).arg(asked));
   numbers_->setText(
       tr("%1 N at %2 · %3 ticks, %4 late · %5")

@@ -139,6 +139,11 @@ TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
   }
   participant_.takePart(questions);
   QCoreApplication::processEvents();
+  // No answer stands out before somebody has touched the page.
+  for (auto* scale : page().findChildren<OptionButtons*>()) {
+    EXPECT_FALSE(scale->isAncestorOf(QApplication::focusWidget()));
+    EXPECT_LT(scale->chosen(), 0);
+  }
   // Tab from stop to stop; a digit where the stop is a point; the last one is Next.
   const auto scales = page().findChildren<OptionButtons*>();
   for (int presses = 0; presses < 200 && session.stepIndex() == questions; ++presses) {
