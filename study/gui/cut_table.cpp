@@ -10,9 +10,12 @@ using haptics::engine::TickSample;
 
 enum Column { kContact, kYield, kBottom, kOpening, kPeak, kColumns };
 
-QString inWords(const CutDetector::Landmark& landmark) {
+QString inWords(const CutDetector::Landmark& landmark, const TravelScale& travel) {
   if (!landmark.found) return QStringLiteral("—");
-  return CutTable::tr("%1 N at %2").arg(landmark.force, 0, 'f', 2).arg(landmark.travel, 0, 'g', 3);
+  return CutTable::tr("%1 N at %2%3")
+      .arg(landmark.force, 0, 'f', 2)
+      .arg(travel.factor * landmark.travel, 0, 'f', 1)
+      .arg(travel.suffix);
 }
 
 int columnOf(CutDetector::Event event) {
@@ -46,6 +49,7 @@ CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
 void CutTable::begin(haptics::devices::DeviceKind device, double rate) {
   detector_ = CutDetector(haptics::engine::cutParametersFor(device));
   rate_ = rate;
+  travel_ = travelScaleOf(device);
   cut_ = 0;
   setRowCount(0);
 }
@@ -60,10 +64,10 @@ void CutTable::add(const TickSample& sample) {
     return;
   }
   const auto& cut = detector_.lastCut();
-  write(kContact, inWords(cut.interception));
-  write(kYield, inWords(cut.yield));
-  write(kBottom, inWords(cut.bottomOut));
-  write(kOpening, inWords(cut.opening));
+  write(kContact, inWords(cut.interception, travel_));
+  write(kYield, inWords(cut.yield, travel_));
+  write(kBottom, inWords(cut.bottomOut, travel_));
+  write(kOpening, inWords(cut.opening, travel_));
   write(kPeak, tr("%1 N").arg(cut.peakForce, 0, 'f', 2));
   ++cut_;
 }

@@ -3,6 +3,7 @@
 #include <QTableWidget>
 
 #include "haptics/engine/force_engine.h"
+#include "study/gui/travel_scale.h"
 
 namespace study::gui {
 
@@ -23,6 +24,7 @@ class CutTable final : public QTableWidget {
 
   haptics::engine::CutDetector detector_;
   double rate_ = 1000.0;
+  TravelScale travel_;
   int cut_ = 0;
 };
 

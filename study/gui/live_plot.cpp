@@ -8,6 +8,7 @@
 #include <qcustomplot.h>
 
 #include "study/gui/theme.h"
+#include "study/gui/travel_scale.h"
 
 namespace study::gui {
 
@@ -80,10 +81,12 @@ void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {
   const bool isPunch = device == haptics::devices::DeviceKind::Punch;
   auto* speed = plot_->graph(2)->valueAxis();
   plot_->yAxis->setRange(0.0, isPunch ? 8.0 : 40.0);
-  plot_->yAxis2->setRange(0.0, isPunch ? 12.0 : 0.03);
-  speed->setRange(isPunch ? -50.0 : -0.05, isPunch ? 50.0 : 0.05);
-  plot_->yAxis2->setLabel(isPunch ? tr("travel") : tr("travel [m]"));
-  speed->setLabel(isPunch ? tr("velocity [/s]") : tr("velocity [m/s]"));
+  plot_->yAxis2->setRange(0.0, isPunch ? 12.0 : 30.0);
+  speed->setRange(-50.0, 50.0);
+  const auto travel = travelScaleOf(device);
+  scale_ = travel.factor;
+  plot_->yAxis2->setLabel(tr("travel [%1]").arg(travel.unit));
+  speed->setLabel(tr("velocity [%1]").arg(travel.velocityUnit));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -94,8 +97,8 @@ void LivePlot::add(const haptics::engine::TickSample& sample) {
   if (slice != slice_) endSlice();
   slice_ = slice;
   slices_[0].add(time, sample.force);
-  slices_[1].add(time, sample.travel);
-  slices_[2].add(time, sample.velocity);
+  slices_[1].add(time, scale_ * sample.travel);
+  slices_[2].add(time, scale_ * sample.velocity);
   last_ = time;
 }
 

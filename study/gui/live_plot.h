@@ -33,7 +33,8 @@ class LivePlot final : public QWidget {
   /// Draws what was added.
   void refresh();
 
-  /// What a channel (0 force, 1 travel, 2 velocity) shows: x the time [s], y the value.
+  /// What a channel (0 force, 1 travel, 2 velocity) shows: x the time [s], y the value in the unit
+  /// of travelScaleOf().
   std::vector<QPointF> channel(int index) const;
 
  protected:
@@ -53,6 +54,7 @@ class LivePlot final : public QWidget {
   void paintAsTheTheme();
 
   QCustomPlot* plot_;
+  double scale_ = 1.0;  ///< of travel and velocity
   std::array<Slice, 3> slices_;
   double period_ = 0.001;   ///< [s]
   std::int64_t slice_ = 0;  ///< since the start

@@ -62,7 +62,8 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   constexpr QSize kComfortable(1280, 860);
   const QSize available = screen()->availableSize();
   resize(kComfortable.boundedTo(available));
-  // A desktop puts its frame round what is as large as the screen, and the last line below its edge.
+  // A desktop puts its frame round what is as large as the screen, and the last line below its
+  // edge.
   if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connectPanels();
 }

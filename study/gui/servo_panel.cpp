@@ -8,6 +8,7 @@
 
 #include "study/gui/labels.h"
 #include "study/gui/theme.h"
+#include "study/gui/travel_scale.h"
 
 namespace study::gui {
 
@@ -58,10 +59,11 @@ ServoPanel::ServoPanel(QWidget* parent)
   layout->addWidget(words_, 3);
   layout->addWidget(bars_, 2);
   bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
-  begin(0.0);
+  begin(haptics::devices::DeviceKind::Punch, 0.0);
 }
 
-void ServoPanel::begin(double rate) {
+void ServoPanel::begin(haptics::devices::DeviceKind device, double rate) {
+  energyUnit_ = travelScaleOf(device).energyUnit;
   health_ = {};
   nominalRate_ = rate;
   rate_ = 0.0;
@@ -80,7 +82,7 @@ void ServoPanel::refresh() {
                            "Late: median %3, 99 % %4, most %5 µs\n"
                            "Force at its limit: %6 % of the time\n"
                            "No measurement: %7 % of the ticks\n"
-                           "Energy of the contact: %8, least %9")
+                           "Energy of the contact: %8 %10, least %9 %10")
                             .arg(rate_ > 0.0 ? QString::number(rate_, 'f', 0) : QStringLiteral("—"))
                             .arg(nominalRate_, 0, 'f', 0)
                             .arg(health_.lateness(0.5), 0, 'f', 0)
@@ -89,7 +91,8 @@ void ServoPanel::refresh() {
                             .arg(100.0 * health_.saturatedShare(), 0, 'f', 1)
                             .arg(100.0 * health_.invalidShare(), 0, 'f', 1)
                             .arg(health_.energy(), 0, 'f', 2)
-                            .arg(health_.leastEnergy(), 0, 'f', 2);
+                            .arg(health_.leastEnergy(), 0, 'f', 2)
+                            .arg(energyUnit_);
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
   bars_->update();
 }

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QWidget>
 
+#include "haptics/devices/device.h"
 #include "study/gui/servo_health.h"
 
 namespace study::gui {
@@ -16,8 +17,8 @@ class ServoPanel final : public QWidget {
  public:
   explicit ServoPanel(QWidget* parent = nullptr);
 
-  /// A new trial begins, of ticks at @p rate [Hz].
-  void begin(double rate);
+  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  void begin(haptics::devices::DeviceKind device, double rate);
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
   /// Writes and draws what was added.
   void refresh();
@@ -28,6 +29,7 @@ class ServoPanel final : public QWidget {
   class Bars;
 
   ServoHealth health_;
+  QString energyUnit_;
   double nominalRate_ = 0.0;
   std::uint64_t ticksBefore_ = 0;
   double rate_ = 0.0;  ///< over the last second [Hz]

@@ -11,6 +11,7 @@
 #include "study/gui/live_plot.h"
 #include "study/gui/servo_panel.h"
 #include "study/gui/timeline_table.h"
+#include "study/gui/travel_scale.h"
 #include "study/gui/trial_view.h"
 
 namespace study::gui {
@@ -78,7 +79,7 @@ void TrialPanel::updateSteps() {
 void TrialPanel::beginTrial() {
   const double rate = controller_->trialRate();
   plot_->begin(controller_->deviceKind(), rate);
-  servo_->begin(rate);
+  servo_->begin(controller_->deviceKind(), rate);
   cuts_->begin(controller_->deviceKind(), rate);
 }
 
@@ -102,16 +103,18 @@ void TrialPanel::showState() {
 void TrialPanel::updateTrial() {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return;
   const auto status = controller_->trialStatus();
+  const auto scale = travelScaleOf(controller_->deviceKind());
   const int asked = controller_->session().step().minimumCuts;
   cutCount_->show();
   cutCount_->setText(tr("cut %1 of %2").arg(status.cuts).arg(asked));
   numbers_->setText(
-      tr("%1 N at %2 · %3 ticks, %4 late · %5")
+      tr("%1 N at %2 %6 · %3 ticks, %4 late · %5")
           .arg(status.force, 0, 'f', 2)
-          .arg(status.travel, 0, 'f', 3)
+          .arg(scale.factor * status.travel, 0, 'f', 2)
           .arg(status.ticks)
           .arg(status.lateTicks)
-          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority")) +
+          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority"))
+          .arg(scale.unit) +
       viewInWords(*controller_));
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {

@@ -96,13 +96,27 @@ TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
   ServoPanel panel;
   auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
   EXPECT_EQ(words->text(), QStringLiteral("Nothing is felt just now."));
-  panel.begin(1000.0);
+  panel.begin(haptics::devices::DeviceKind::Reamer, 1000.0);
   auto sample = sampleAt(1, 0.0, 0.0);
   sample.lateness = 37.0F;
   panel.add(sample);
   panel.refresh();
   EXPECT_TRUE(words->text().contains(QStringLiteral("of 1000 Hz"))) << words->text().toStdString();
   EXPECT_TRUE(words->text().contains(QStringLiteral("most 37 µs")));
+  EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 J")));
+  panel.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  panel.add(sample);
+  panel.refresh();
+  EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units"))) << "a handle has no metres";
+}
+
+TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
+  LivePlot plot;
+  plot.begin(haptics::devices::DeviceKind::Reamer, 1000.0);
+  for (std::uint64_t tick = 0; tick < 40; ++tick) plot.add(sampleAt(tick, 0.012, 30.0));
+  for (const auto& point : plot.channel(1)) EXPECT_DOUBLE_EQ(point.y(), 12.0);
+  for (const auto& point : plot.channel(0)) EXPECT_DOUBLE_EQ(point.y(), 30.0);
+  EXPECT_FALSE(plot.channel(1).empty());
 }
 
 TEST(CutTable, FillsARowWithEachCutAsItHappens) {

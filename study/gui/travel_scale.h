@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QString>
+
+#include "haptics/devices/device.h"
+
+namespace study::gui {
+
+/// In which unit an operator reads a device's travel: a reamer's in millimetres, a punch's in the
+/// units of its handle, which no paper gives a length.
+struct TravelScale {
+  double factor;         ///< from the device's unit to this one
+  QString unit;          ///< "mm"
+  QString suffix;        ///< behind a number where room is scarce: " mm", or nothing
+  QString velocityUnit;  ///< "mm/s"
+  QString energyUnit;    ///< of force times the device's own unit: "J"
+};
+
+TravelScale travelScaleOf(haptics::devices::DeviceKind device);
+
+}  // namespace study::gui
