@@ -53,15 +53,13 @@ void DevicePanel::setBusy(bool isBusy) {
 void DevicePanel::refresh() {
   for (const auto& [id, line] : lines_) {
     const auto* device = rig_->find(id);
-    QString text = QString::fromStdString(id) + QStringLiteral(": ");
-    if (device == nullptr) {
-      text += tr("not in the device file");
-    } else {
-      const auto fault = QString::fromStdString(device->fault());
-      text += QString::fromUtf8(haptics::devices::nameOf(device->lifecycle())) +
-              (fault.isEmpty() ? QString() : QStringLiteral(" — ") + fault);
-    }
-    line->setText(text);
+    const auto name = QString::fromStdString(id) + QStringLiteral(": ");
+    const auto fault =
+        device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
+    setRole(*line, fault.isEmpty() ? "quiet" : "bad");
+    line->setText(
+        fault.isEmpty() ? name + QString::fromUtf8(haptics::devices::nameOf(device->lifecycle()))
+                        : QStringLiteral("✖ ") + name + fault);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "study/gui/labels.h"
 
+#include <QStyle>
+
 namespace study::gui {
 namespace {
 
@@ -25,6 +27,14 @@ QLabel* bodyLabel(const QString& text, QWidget* parent) {
 }
 QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
+}
+
+void setRole(QLabel& label, const char* role) {
+  const QString wanted = QString::fromLatin1(role);
+  if (label.property("role").toString() == wanted) return;
+  label.setProperty("role", wanted);
+  label.style()->unpolish(&label);  // the style sheet asks for the role
+  label.style()->polish(&label);
 }
 
 QLabel* hugeLabel(const QString& text, QWidget* parent) {

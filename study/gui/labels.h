@@ -17,4 +17,7 @@ QLabel* bodyLabel(const QString& text, QWidget* parent);
 QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
 
+/// Lets a label be drawn as another: "good", "warn", "resting", "bad", "quiet", "heading".
+void setRole(QLabel& label, const char* role);
+
 }  // namespace study::gui

@@ -83,7 +83,7 @@ QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border:
 QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
   color: @selection.text; background: @selection; }
 QListView::item { padding: 5px 6px; }
-QTableView::item { border: none; padding: 0 6px; }
+QTableView::item { border: none; padding: 2px 6px; }
 QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
 QTableCornerButton::section { background: @header; border: none; }
 QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }

@@ -12,7 +12,7 @@ TravelScale travelScaleOf(haptics::devices::DeviceKind device) {
         QStringLiteral("mm/s"),
         QStringLiteral("J")};
   }
-  return {1.0, QStringLiteral("units"), {}, QStringLiteral("units/s"), QStringLiteral("N·units")};
+  return {1.0, QStringLiteral("units"), {}, QStringLiteral("/s"), QStringLiteral("N·units")};
 }
 
 }  // namespace study::gui

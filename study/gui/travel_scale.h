@@ -12,7 +12,7 @@ struct TravelScale {
   double factor;         ///< from the device's unit to this one
   QString unit;          ///< "mm"
   QString suffix;        ///< behind a number where room is scarce: " mm", or nothing
-  QString velocityUnit;  ///< "mm/s"
+  QString velocityUnit;  ///< "mm/s", "/s"
   QString energyUnit;    ///< of force times the device's own unit: "J"
 };
 

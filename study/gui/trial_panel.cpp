@@ -3,7 +3,6 @@
 #include <array>
 
 #include <QHBoxLayout>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include "study/gui/cut_table.h"
@@ -61,9 +60,7 @@ void TrialPanel::follow(SessionController* controller) {
 void TrialPanel::showHealth(const QString& words, Health health) {
   const char* const roles[] = {"good", "resting", "bad"};
   health_->setText(words);
-  health_->setProperty("role", QString::fromUtf8(roles[static_cast<int>(health)]));
-  health_->style()->unpolish(health_);  // the style sheet asks for the role
-  health_->style()->polish(health_);
+  setRole(*health_, roles[static_cast<int>(health)]);
 }
 
 void TrialPanel::updateSteps() {

@@ -9,7 +9,6 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QStyle>
 #include <QTextBlock>
 #include <QTime>
 #include <QVBoxLayout>
@@ -129,10 +128,8 @@ void ProtocolWindow::showVerdict() {
   const bool isSound = isUsable && checked_.warnings() == 0;
   const char* const role = isSound ? "good" : isUsable ? "warn" : "bad";
   const char* const sign = isSound ? "✓  " : isUsable ? "!  " : "✕  ";
-  verdict_->setProperty("role", QString::fromUtf8(role));
+  setRole(*verdict_, role);
   verdict_->setText(QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict()));
-  verdict_->style()->unpolish(verdict_);
-  verdict_->style()->polish(verdict_);
 }
 
 void ProtocolWindow::showText() {

@@ -5,7 +5,6 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QStyle>
 #include <QVBoxLayout>
 
 #include "study/gui/background_task.h"
@@ -113,13 +112,11 @@ void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
     }
   }
   static constexpr const char* kRoles[]{"good", "warn", "bad"};
-  outcome_->setProperty("role", QString::fromUtf8(kRoles[static_cast<std::size_t>(worst)]));
+  setRole(*outcome_, kRoles[static_cast<std::size_t>(worst)]);
   outcome_->setText(
       worst == Finding::Pass   ? tr("✓  Everything is as it should be.")
       : worst == Finding::Warn ? tr("!  A study can be run. Look at what is marked WARN.")
                                : tr("✕  Mend what is marked FAIL before a participant comes."));
-  outcome_->style()->unpolish(outcome_);
-  outcome_->style()->polish(outcome_);
   outcome_->setVisible(true);
 }
 

@@ -1,7 +1,6 @@
 #include "study/gui/home/work_dialog.h"
 
 #include <QHBoxLayout>
-#include <QStyle>
 
 #include "study/gui/labels.h"
 
@@ -50,10 +49,8 @@ void WorkDialog::say(Outcome outcome, const QString& line, const QString& more) 
   static constexpr const char* kRoles[]{"good", "warn", "bad"};
   static constexpr const char* kSigns[]{"✓  ", "!  ", "✕  "};
   const auto place = static_cast<std::size_t>(outcome);
-  line_->setProperty("role", QString::fromUtf8(kRoles[place]));
+  setRole(*line_, kRoles[place]);
   line_->setText(QString::fromUtf8(kSigns[place]) + line);
-  line_->style()->unpolish(line_);
-  line_->style()->polish(line_);
   line_->setVisible(true);
   tellMore(more);
 }

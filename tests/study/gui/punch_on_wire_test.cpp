@@ -159,6 +159,8 @@ TEST_F(PunchOnItsWire, IsCheckedFromTheWindow) {
   EXPECT_FALSE(gone.front()[4].isEmpty()) << "what to do";
   auto* line = window.findChild<QLabel*>(QStringLiteral("device-punch"));
   EXPECT_TRUE(line->text().contains(QStringLiteral("unplugged"))) << line->text().toStdString();
+  window.resize(1280, 720);
+  tests::photograph(window, QStringLiteral("unplugged"));
 }
 
 TEST_F(PunchOnItsWire, IsAskedAboutBeforeASessionThatItIsNotFitFor) {
