@@ -1,5 +1,7 @@
 #include "study/gui/labels.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QStyle>
 
 namespace study::gui {
@@ -35,6 +37,8 @@ void setRole(QLabel& label, const char* role) {
   label.setProperty("role", wanted);
   label.style()->unpolish(&label);  // the style sheet asks for the role
   label.style()->polish(&label);
+  QEvent change(QEvent::StyleChange);  // a frame takes its new room from it
+  QCoreApplication::sendEvent(&label, &change);
 }
 
 QLabel* hugeLabel(const QString& text, QWidget* parent) {
