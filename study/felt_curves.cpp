@@ -105,7 +105,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     std::map<std::string, Bins> byParticipant;
     for (const auto& trial : trials) {
       const bool counts = trial.step.condition == condition.id &&
-                          trial.step.visitStatus == "finished" && trial.step.position > 0 &&
+                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain() &&
                           counted.count(trial.step.visit.session) > 0;
       if (!counts) continue;
       const auto samples = study.traces().read(trial.step.visit);

@@ -37,7 +37,7 @@ class Computation {
     for (auto& trial : records_.trials()) {
       const auto session = sessions_.find(trial.step.visit.session);
       const bool counts = session != sessions_.end() && session->second.status == "completed" &&
-                          trial.step.visitStatus == "finished" && trial.step.position > 0;
+                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain();
       if (counts) trials_.push_back(std::move(trial));
     }
     allocation_ = records_.allocation();

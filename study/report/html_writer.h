@@ -28,6 +28,12 @@ class HtmlWriter {
     return escaped(s_.words.say(english, std::forward<Args>(args)...));
   }
 
+  template <typename Number, typename... Args>
+  std::string count(
+      Number number, std::string_view one, std::string_view many, Args&&... args) const {
+    return escaped(s_.words.count(number, one, many, std::forward<Args>(args)...));
+  }
+
   template <typename... Args>
   void heading(std::string_view english, Args&&... args) {
     put("<h3>{}</h3>", say(english, std::forward<Args>(args)...));

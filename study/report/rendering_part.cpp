@@ -66,19 +66,34 @@ class RenderingWriter : HtmlWriter {
     endTable();
   }
 
+  std::string counts() const {
+    const auto& q = s_.quality;
+    std::string text =
+        say("{}, {}: {} PASS, {} WARN, {} FAIL.",
+            s_.words.count(q.trials, "{} trial", "{} trials"),
+            s_.words.count(q.cuts, "{} cut or stroke", "{} cuts or strokes"),
+            q.pass,
+            q.warn,
+            q.fail);
+    text += " " + say("The scene asked for more than the force limit for {:.1f} s of {:.1f} s of "
+                      "contact.",
+                      q.saturated,
+                      q.contact);
+    if (q.feltAgain > 0) {
+      text += " " + count(
+                        q.feltAgain,
+                        "Not among them: {} time an alternative was felt once more before a "
+                        "choice.",
+                        "Not among them: {} times an alternative was felt once more before a "
+                        "choice.");
+    }
+    return text;
+  }
+
   void quality() {
     const auto& q = s_.quality;
     heading("Rendering quality");
-    paragraph(
-        "{} trials with {} cuts or strokes: {} PASS, {} WARN, {} FAIL. The scene asked for more "
-        "than the force limit for {:.1f} s of {:.1f} s of contact.",
-        q.trials,
-        q.cuts,
-        q.pass,
-        q.warn,
-        q.fail,
-        q.saturated,
-        q.contact);
+    put("<p>{}</p>", counts());
     if (q.worstLateness) {
       paragraph(
           "In the worst trial 99 % of the ticks were at most {:.0f} µs late.", *q.worstLateness);

@@ -19,6 +19,10 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
         trial.step.visitStatus == "finished" &&
         std::find(wanted.begin(), wanted.end(), trial.step.visit.session) != wanted.end();
     if (!counts) continue;
+    if (trial.step.isOfferedAgain()) {
+      ++quality.feltAgain;
+      continue;
+    }
     ++quality.trials;
     quality.pass += trial.verdict == "PASS" ? 1 : 0;
     quality.warn += trial.verdict == "WARN" ? 1 : 0;

@@ -34,9 +34,11 @@ struct TrialTiming {
   double largest = 0.0;  ///< [µs]
 };
 
-/// How the trials of a study were rendered, counted.
+/// How the trials of a study were rendered, counted: those of completed sessions that were finished
+/// and not repeated, without what was felt once more before a choice.
 struct TrialQuality {
   int trials = 0;
+  int feltAgain = 0;  ///< besides: offered before a choice, and felt
   int pass = 0;
   int warn = 0;
   int fail = 0;

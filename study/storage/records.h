@@ -39,6 +39,10 @@ struct StepRecord {
   int label = 0;
   std::string condition;    ///< empty where nothing was felt
   std::string visitStatus;  ///< open, finished, skipped, repeated, broken_off
+
+  /// A trial before a preference, felt by whoever wanted to: it has no place in the order, and
+  /// nothing is computed from it.
+  bool isOfferedAgain() const { return kind == "trial" && position == 0; }
 };
 
 struct AnswerRecord {

@@ -39,6 +39,16 @@ class Words {
     return fmt::format(fmt::runtime((*this)(english)), std::forward<Args>(args)...);
   }
 
+  /// The same of a number of things, which is put in first: @p one of one, @p many of all others.
+  template <typename Number, typename... Args>
+  std::string count(
+      Number number, std::string_view one, std::string_view many, Args&&... args) const {
+    const auto& ofOne = (*this)(one);
+    const auto& ofMany = (*this)(many);  // both, so that a catalogue that lacks one is found out
+    return fmt::format(
+        fmt::runtime(number == 1 ? ofOne : ofMany), number, std::forward<Args>(args)...);
+  }
+
   /// What was asked for and was not in the catalogue.
   const std::set<std::string, std::less<>>& missing() const noexcept { return missing_; }
 
