@@ -61,7 +61,7 @@ class Examination {
   void undeclared() {
     flags_.push_back(
         {"family_not_declared",
-         {clause("The protocol declares no comparisons.")},
+         {clause("The protocol did not declare these comparisons as they are before the first participant.")},
          "Which tests are run, and how many, may then depend on what the data look like; p values "
          "lose their meaning.",
          "Declare the family in the protocol's analysis plan before the first participant; report "

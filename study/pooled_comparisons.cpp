@@ -1,4 +1,5 @@
 // What the profile as published makes of pooled answers.
+#include "study/plan_history.h"
 #include "study/pooled_answers.h"
 
 namespace study {
@@ -56,6 +57,7 @@ analysis::PairwiseComparisons comparePooled(
 
 Results pooledResults(Study& study, const PooledAnswers& pooled) {
   const auto& protocol = study.protocol().protocol;
+  const auto history = planHistory(study);
   Results results{.runMode = pooled.runMode()};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
   for (const auto& row : study.sessions().all()) {
@@ -66,7 +68,7 @@ Results pooledResults(Study& study, const PooledAnswers& pooled) {
   }
   for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
     const auto& family = protocol.analysis.families[i];
-    FamilyResult result{.family = family};
+    FamilyResult result{.family = family, .isDeclared = history.isDeclared(family.id)};
     for (std::size_t j = 0; j < protocol.cohorts.size(); ++j) {
       CohortResult part{.cohort = protocol.cohorts[j].id, .conditions = pooled.of(i, j)};
       part.comparisons = comparePooled(family, part.conditions);

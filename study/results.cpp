@@ -9,6 +9,7 @@
 #include "analysis/common_unit.h"
 #include "analysis/share_interval.h"
 #include "study/answer_tables.h"
+#include "study/plan_history.h"
 #include "study/pooled_answers.h"
 #include "study/storage/records.h"
 #include "study/trial_record.h"
@@ -24,7 +25,11 @@ using storage::SessionRecord;
 class Computation {
  public:
   Computation(Study& study, RunMode mode)
-      : mode_(mode), loaded_(study.protocol()), records_(study.database()), pooled_(study, mode) {
+      : mode_(mode),
+        loaded_(study.protocol()),
+        records_(study.database()),
+        pooled_(study, mode),
+        history_(planHistory(study)) {
     for (auto& session : records_.sessions()) {
       if (session.runMode == nameOf(mode)) sessions_.emplace(session.id, session);
     }
@@ -75,7 +80,7 @@ class Computation {
 
   FamilyResult resultOf(std::size_t place) const {
     const auto& family = loaded_.protocol.analysis.families[place];
-    FamilyResult result{.family = family};
+    FamilyResult result{.family = family, .isDeclared = history_.isDeclared(family.id)};
     std::vector<analysis::DeclaredPair> pairs;
     for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
     for (std::size_t i = 0; i < loaded_.protocol.cohorts.size(); ++i) {
@@ -186,6 +191,7 @@ class Computation {
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
         .isPooled = true,  // the pooled tests are always printed
+        .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
         .threshold = thresholdOf(family),
         .tests = family.comparisons.size(),
@@ -255,6 +261,7 @@ class Computation {
   const protocols::LoadedProtocol& loaded_;
   Records records_;
   PooledAnswers pooled_;
+  PlanHistory history_;
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;

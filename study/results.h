@@ -63,8 +63,12 @@ struct BetweenResult {
 
 struct FamilyResult {
   protocols::Family family;
+  bool isDeclared = true;  ///< as it stands, before the first live participant (plan_history.h)
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
+
+  /// Whether @p test is the one that was declared: confirmatory, all else is exploratory.
+  bool isConfirmatory(protocols::TestType test) const { return isDeclared && family.test == test; }
 };
 
 /// How a study is computed (docs/statistics.md).

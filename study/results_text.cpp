@@ -90,13 +90,13 @@ class Writer {
   /// Of the profile as published; what is not declared is exploratory.
   void asPublished(const FamilyResult& family) {
     const bool isCorrected = !correctionOf(family.family).empty();
-    const bool isDeclared = family.family.test == protocols::TestType::Welch;
     line(fmt::format(
         "\n{}: Welch's t-tests{}, alpha = {} ({})",
         family.family.title,
         isCorrected ? fmt::format(" with {} correction", correctionOf(family.family)) : "",
         family.family.alpha,
-        isDeclared ? "declared: confirmatory" : "exploratory"));
+        family.isConfirmatory(protocols::TestType::Welch) ? "declared: confirmatory"
+                                                          : "exploratory"));
     for (const auto& cohort : family.cohorts) {
       line(
           cohortTitle(cohort.cohort) +
@@ -116,10 +116,15 @@ class Writer {
 
   void recommended(const FamilyResult& family) {
     line(fmt::format(
-        "\n{}: within people, alpha = {}\n  declared, confirmatory: {}; all else is exploratory",
+        "\n{}: within people, alpha = {}\n  {}",
         family.family.title,
         family.family.alpha,
-        declaredInWords(family.family)));
+        family.isDeclared
+            ? "declared, confirmatory: " + declaredInWords(family.family) +
+                  "; all else is exploratory"
+            : "not declared before the first participant: all is exploratory, also what the "
+              "protocol names now, " +
+                  declaredInWords(family.family)));
     for (const auto& cohort : family.cohorts) {
       line(fmt::format(
           "{}: {} participants who judged every method{}",

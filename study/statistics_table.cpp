@@ -32,7 +32,8 @@ std::vector<Column> columnsOfStatistics() {
       {"method",
        "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, rm_anova, "
        "mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, brown_forsythe"},
-      {"declared", "Whether the protocol declared it; all else is exploratory"},
+      {"declared",
+       "Whether the protocol declared it, before the first participant; all else is exploratory"},
       {"n1", "Units in group 1; pairs or participants where the design is paired"},
       {"n2", "Units in group 2"},
       {"mean1", "Mean of group 1"},
@@ -121,10 +122,10 @@ class FamilyRows {
 
   void welch(const CohortResult& cohort, const analysis::PairwiseComparison& comparison) {
     const auto& w = comparison.welch;
-    const bool isDeclared = family_.family.test == TestType::Welch;
+    const bool isNamed = family_.family.test == TestType::Welch;
     auto row = pairRow(cohort, comparison.group1, comparison.group2, "unpaired", "answer", "welch");
     row["m"] = whole(cohort.comparisons.tests);
-    row["declared"] = isDeclared;
+    row["declared"] = family_.isConfirmatory(TestType::Welch);
     row["n1"] = whole(w.n1);
     row["n2"] = whole(w.n2);
     row["mean1"] = cellOf(w.mean1);
@@ -138,7 +139,7 @@ class FamilyRows {
     row["df"] = cellOf(w.degreesOfFreedom);
     row["p"] = cellOf(w.p);
     row["log10_p"] = cellOf(w.log10P);
-    row["p_adj_method"] = isDeclared ? declaredCorrection() : std::string("bonferroni");
+    row["p_adj_method"] = isNamed ? declaredCorrection() : std::string("bonferroni");
     row["p_adj"] = cellOf(comparison.adjustedP);
     row["alpha_per_test"] = cellOf(cohort.comparisons.alphaPerTest);
     addInterval(row, "conf", comparison.interval);
@@ -166,12 +167,12 @@ class FamilyRows {
   void within(const CohortResult& cohort, const analysis::WithinComparison& comparison) {
     pairedT(cohort, comparison);
     auto flip = withinRow(cohort, comparison, "sign_flip", comparison.signFlipP);
-    flip["declared"] = family_.family.test == TestType::SignFlip;
+    flip["declared"] = family_.isConfirmatory(TestType::SignFlip);
     addReason(flip, comparison.signFlip.reason);
     rows_.push_back(std::move(flip));
 
     auto rank = withinRow(cohort, comparison, "signed_rank", comparison.signedRankP);
-    rank["declared"] = family_.family.test == TestType::SignedRank;
+    rank["declared"] = family_.isConfirmatory(TestType::SignedRank);
     rank["statistic_name"] = std::string("V");
     rank["statistic"] = cellOf(comparison.signedRank.v);
     addReason(rank, comparison.signedRank.reason);
@@ -183,7 +184,7 @@ class FamilyRows {
   void pairedT(const CohortResult& cohort, const analysis::WithinComparison& comparison) {
     const auto& t = comparison.paired;
     auto row = withinRow(cohort, comparison, "paired_t", comparison.pairedP);
-    row["declared"] = family_.family.test == TestType::PairedT;
+    row["declared"] = family_.isConfirmatory(TestType::PairedT);
     row["estimate"] = cellOf(t.meanDifference);
     row["se"] = cellOf(t.standardError);
     row["statistic_name"] = std::string("t");

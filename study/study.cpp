@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <algorithm>
 #include <charconv>
 #include <utility>
 
@@ -103,7 +104,10 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
 
 void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {
   transact([&] {
-    if (protocols().current().frozenUtc && reason.empty()) {
+    const auto ids = protocols().all();
+    const bool hasBegun = std::any_of(
+        ids.begin(), ids.end(), [&](auto id) { return protocols().load(id).frozenUtc; });
+    if (hasBegun && reason.empty()) {
       throw StorageError(
           "A participant has begun with the protocol as it is. A change is a new version and needs "
           "a reason: add --reason \"…\".");

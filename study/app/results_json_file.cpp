@@ -270,6 +270,7 @@ ResultJson familyAsJson(const FamilyResult& family) {
       {"instrument", family.family.instrument},
       {"alpha", family.family.alpha},
       {"declared", declaredInWords(family.family)},
+      {"declared_before_data", family.isDeclared},
       {"cohorts", ResultJson::array()},
       {"between", ResultJson::array()}};
   for (const auto& cohort : family.cohorts) {

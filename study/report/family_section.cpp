@@ -57,9 +57,9 @@ class FamilyWriter : HtmlWriter {
 
   /// As in the punch paper.
   void pooled() {
-    const bool isDeclared = f_.family.test == protocols::TestType::Welch;
+    const bool isNamed = f_.family.test == protocols::TestType::Welch;
     const auto correction =
-        nameOf(isDeclared ? f_.family.correction : protocols::CorrectionType::Bonferroni);
+        nameOf(isNamed ? f_.family.correction : protocols::CorrectionType::Bonferroni);
     table(
         correction.empty() ? say("Welch’s t-tests, α = {}", exactly(f_.family.alpha))
                            : say("Welch’s t-tests with {} correction, α = {}",
@@ -86,7 +86,9 @@ class FamilyWriter : HtmlWriter {
         "and method and treated as independent, as in the punch paper; bold: adjusted p ≤ α. "
         "Several answers of one person are not independent, so these p values may be too small or "
         "too large.",
-        s_.words(isDeclared ? "declared in the protocol: confirmatory" : "exploratory"));
+        s_.words(
+            f_.isConfirmatory(protocols::TestType::Welch) ? "declared in the protocol: confirmatory"
+                                                          : "exploratory"));
   }
 
   void pooled(const analysis::PairwiseComparison& comparison) {

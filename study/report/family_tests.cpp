@@ -10,14 +10,14 @@ namespace {
 
 using protocols::TestType;
 
-/// p and, where it is another, adjusted p in brackets; bold where it is the declared test's and
+/// p and, where it is another, adjusted p in brackets; bold where it is the named test's and
 /// significant.
-std::string pCell(const analysis::AdjustedP& p, bool isDeclared) {
+std::string pCell(const analysis::AdjustedP& p, bool isNamed) {
   std::string text = escaped(pInWords(p.p));
   if (p.p && p.adjusted && *p.adjusted != *p.p) {
     text += " (" + escaped(pInWords(p.adjusted)) + ")";
   }
-  return isDeclared && p.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
+  return isNamed && p.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
 }
 
 /// "p_Holm" and its like as print has them.
@@ -48,8 +48,12 @@ class TestsWriter : HtmlWriter {
   std::string all(const std::string& effects) {
     put("<h4>{}</h4>", say("Within people"));
     paragraph(
-        "The unit is the participant: what one person says about a method is averaged first. "
-        "Declared in the protocol, and confirmatory: {}, α = {:g}. All else is exploratory.",
+        f_.isDeclared
+            ? "The unit is the participant: what one person says about a method is averaged first. "
+              "Declared in the protocol, and confirmatory: {}, α = {:g}. All else is exploratory."
+            : "The unit is the participant: what one person says about a method is averaged first. "
+              "The protocol names {}, α = {:g}, but did not before the first participant: all is "
+              "exploratory.",
         declaredInWords(f_.family, s_.words),
         f_.family.alpha);
     comparisons();
@@ -69,9 +73,10 @@ class TestsWriter : HtmlWriter {
   }
 
  private:
-  bool isDeclared(TestType test) const { return f_.family.test == test; }
+  /// Whether the protocol names @p test, declared before there were data or not.
+  bool isNamed(TestType test) const { return f_.family.test == test; }
   std::string marked(std::string_view english, TestType test) const {
-    return say(english) + (isDeclared(test) ? " *" : "");
+    return say(english) + (isNamed(test) ? " *" : "");
   }
 
   std::string pairOf(const analysis::WithinComparison& row) const {
@@ -109,15 +114,18 @@ class TestsWriter : HtmlWriter {
       for (const auto& c : part.within.rows) {
         row(
             {pairOf(c),
-             pCell(c.pairedP, isDeclared(TestType::PairedT)),
-             pCell(c.signFlipP, isDeclared(TestType::SignFlip)),
-             pCell(c.signedRankP, isDeclared(TestType::SignedRank)),
+             pCell(c.pairedP, isNamed(TestType::PairedT)),
+             pCell(c.signFlipP, isNamed(TestType::SignFlip)),
+             pCell(c.signedRankP, isNamed(TestType::SignedRank)),
              pCell(c.mixedP, false),
              pCell(c.ordinalP, false)});
       }
     }
     endTable();
-    if (!isDeclared(TestType::Welch)) note("* the declared test; bold: adjusted p ≤ α.");
+    if (isNamed(TestType::Welch)) return;
+    note(
+        f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
+                      : "* the test that the protocol names, exploratory; bold: adjusted p ≤ α.");
   }
 
   void difference(const analysis::WithinComparison& c) {

@@ -45,18 +45,26 @@ class MethodsWriter : HtmlWriter {
     return instrument;
   }
 
-  /// What a participant went through, block by block.
+  /// What a participant went through, part by part.
   std::string procedure() const {
     std::string text;
     for (const auto& phase : s_.protocol.phases) {
+      if (phase.type == PhaseType::Benchmark) text += benchmark(phase) + " ";
       if (phase.type == PhaseType::Block) text += block(phase) + " ";
-      if (phase.type == PhaseType::Preference) {
-        text += say("After {}, participants said which alternative they preferred ({}).",
-                    phase.block,
-                    titleOf(phase.instrument)) +
-                " ";
-      }
+      if (phase.type == PhaseType::Preference) text += preference(phase) + " ";
     }
+    return text;
+  }
+
+  /// What the participants compared with.
+  std::string benchmark(const protocols::Phase& phase) const {
+    std::string text = count(
+        phase.minimumCuts,
+        "As what to compare with, every participant made at least {} cut with the real tool ({}).",
+        "As what to compare with, every participant made at least {} cuts with the real tool ({}).",
+        phase.id);
+    const auto& read = phase.text.in(s_.words.language());
+    if (!read.empty()) text += " " + say("They read: “{}”", read);
     return text;
   }
 
@@ -73,41 +81,91 @@ class MethodsWriter : HtmlWriter {
       conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
     }
     std::string text = say(
-        "In {}, every participant felt {} alternatives ({}) {}, under anonymous labels, with at "
-        "least {} cuts or strokes each.",
+        "In {}, every participant felt {} ({}) {}, under anonymous labels, with {} each.",
         phase.id,
-        phase.trials.conditions.size(),
+        s_.words.count(phase.trials.conditions.size(), "{} alternative", "{} alternatives"),
         conditions,
         s_.words(kOrders[static_cast<std::size_t>(phase.trials.order.type)]),
-        phase.trials.minimumCuts);
+        s_.words.count(
+            phase.trials.minimumCuts, "at least {} cut or stroke", "at least {} cuts or strokes"));
     for (const auto& asked : phase.trials.questionnaires) {
       text += " " + say("After each of them they answered: {}.", titleOf(asked.instrument));
     }
     return text;
   }
 
+  std::string preference(const protocols::Phase& phase) const {
+    std::string text =
+        say("After {}, participants said which alternative they preferred ({}).",
+            phase.block,
+            titleOf(phase.instrument));
+    if (!phase.mayFeelAgain) return text;
+    return text + " " +
+           say("Before, they could feel each of them once more, or go on without; nothing is "
+               "computed from these trials.");
+  }
+
   std::string plan() const {
     std::string text;
     for (const auto& family : s_.protocol.analysis.families) {
-      text += say("Declared for “{}” in version {} of the protocol: {}, α = {}, {} comparisons.",
+      text += say("Declared for “{}” in version {} of the protocol: {}, α = {}, {}.",
                   family.title,
                   s_.protocol.study.version,
                   declaredInWords(family, s_.words),
                   exactly(family.alpha),
-                  family.comparisons.size()) +
+                  s_.words.count(family.comparisons.size(), "{} comparison", "{} comparisons")) +
               " ";
       if (family.equivalenceBound) {
         text += say("Differences below {:g} points count as none.", *family.equivalenceBound) + " ";
       }
     }
-    if (s_.protocolVersions > 1) {
-      text += say(
-          "The protocol was changed during the study: there are {} versions of it, and what was "
-          "declared after the first participant is exploratory, whatever is said above. The audit "
-          "trail has each change with its reason.",
-          s_.protocolVersions);
+    return text + changes();
+  }
+
+  /// What later versions of the protocol did to the families.
+  std::string changes() const {
+    const auto& history = s_.history;
+    if (history.versions < 2) return {};
+    std::string text =
+        say("There are {} versions of the protocol; the audit trail has each with its reason.",
+            history.versions);
+    for (const auto& change : history.changes) text += " " + inWords(change);
+    if (!history.changes.empty()) return text;
+    return text + " " +
+           (history.versionsSinceBegun == 0
+                ? say("All of them are older than the first participant’s session.")
+                : say("None that came after the first participant had begun changed what was "
+                      "declared."));
+  }
+
+  std::string inWords(const FamilyChange& change) const {
+    const auto day = change.addedUtc.substr(0, change.addedUtc.find('T'));
+    switch (change.kind) {
+      case FamilyChange::Kind::Added:
+        return say(
+            "Version {} ({}) added “{}” after the first participant had begun: all of it is "
+            "exploratory.",
+            change.version,
+            day,
+            change.title);
+      case FamilyChange::Kind::Removed:
+        return say(
+            "Version {} ({}) dropped “{}”, which had been declared before.",
+            change.version,
+            day,
+            change.title);
+      case FamilyChange::Kind::Changed:
+        break;
     }
-    return text;
+    std::string keys;
+    for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + s_.words(key);
+    return say(
+        "Version {} ({}) changed “{}” after the first participant had begun ({}): all of it is "
+        "exploratory.",
+        change.version,
+        day,
+        change.title,
+        keys);
   }
 
   std::string computation() const {

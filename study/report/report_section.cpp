@@ -104,7 +104,7 @@ ReportSection gather(Study& study, RunMode mode, words::Words words) {
       .instruments = study.protocol().instruments,
       .sources = study.protocol().sources,
       .protocolHash = study.protocols().current().sha256,
-      .protocolVersions = study.protocols().all().size(),
+      .history = planHistory(study),
       .seed = study.seed(),
       .uuid = study.uuid(),
       .results = computeResults(study, mode),

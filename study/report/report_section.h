@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "study/felt_curves.h"
+#include "study/plan_history.h"
 #include "study/results.h"
 #include "study/storage/records.h"
 #include "study/study.h"
@@ -57,7 +58,7 @@ struct ReportSection {
   std::vector<questionnaires::Instrument> instruments;
   std::vector<protocols::FeltSource> sources;
   std::string protocolHash;
-  std::size_t protocolVersions = 1;  ///< that the study has had
+  PlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
   Results results;

@@ -132,6 +132,38 @@ TEST(HtmlReport, TellsWhatTheDesignLeavesOpen) {
   EXPECT_TRUE(has(page, "3 of 4000 ticks were late"));
 }
 
+TEST(HtmlReport, TellsInTheMethodsWhatWasComparedWithAndFeltAgain) {
+  const auto page = asHtml({tests::madeUpSection()});
+  EXPECT_TRUE(has(page, "made at least 3 cuts with the real tool (benchmark)."));
+  EXPECT_TRUE(has(page, "They read: “Please take the real punch"));
+  const auto again = page.find("they could feel each of them once more");
+  EXPECT_NE(again, std::string::npos);
+  EXPECT_EQ(page.find("they could feel each of them once more", again + 1), std::string::npos)
+      << "only before one of both choices";
+}
+
+TEST(HtmlReport, TellsWhichFamilyALaterVersionChanged) {
+  auto section = tests::madeUpSection();
+  const auto page = asHtml({section});
+  EXPECT_TRUE(has(
+      page, "Version 2 (2026-03-01) changed “Realism” after the first participant had begun "
+            "(instrument, "));
+  EXPECT_TRUE(has(page, "Version 3 (2026-03-02) added “Effort” after"));
+  EXPECT_TRUE(has(page, "Version 3 (2026-03-02) dropped “Ease”"));
+  section.history = {};
+  EXPECT_FALSE(has(asHtml({section}), "versions of the protocol"));
+}
+
+TEST(HtmlReport, CallsNothingConfirmatoryThatWasNotDeclaredBeforeTheFirstParticipant) {
+  auto section = tests::madeUpSection();
+  EXPECT_TRUE(has(asHtml({section}), "declared in the protocol: confirmatory"));
+  section.results.families.front().isDeclared = false;
+  const auto page = asHtml({section});
+  EXPECT_FALSE(has(page, "confirmatory"));
+  EXPECT_TRUE(has(page, "Profile as-published (exploratory)"));
+  EXPECT_TRUE(has(page, "all is exploratory"));
+}
+
 TEST(HtmlReport, HoldsFeltBoneAgainstItsMaterial) {
   auto section = tests::madeUpSection();
   EXPECT_FALSE(has(asHtml({section}), "Felt against the material"));

@@ -81,17 +81,34 @@ study::report::ReportSection madeUpSection() {
   auto loaded = *protocols::loadProtocolFile("punch-face-validity", problems);
   loaded.protocol.study.title = "Cut & <script>alert(1)</script>";
   study::report::ReportSection section;
+  for (auto& phase : loaded.protocol.phases) {
+    phase.mayFeelAgain = phase.id == "preference-2";
+  }
   section.protocol = loaded.protocol;
   section.instruments = loaded.instruments;
   section.sources = loaded.sources;
   section.protocolHash = "abc";
   section.uuid = "def";
   section.seed = 7;
+  using Kind = study::FamilyChange::Kind;
+  section.history = {
+      .versions = 3,
+      .versionsSinceBegun = 2,
+      .changes =
+          {{.title = "Realism",
+            .keys =
+                {"instrument", "blocks", "comparisons", "test", "correction", "alpha",
+                 "equivalence_bound"},
+            .version = "2",
+            .addedUtc = "2026-03-01T10:00:00.000Z"},
+           {.title = "Effort", .kind = Kind::Added, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"},
+           {.title = "Ease", .kind = Kind::Removed, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"}},
+      .undeclared = {}};
   section.results.runMode = study::RunMode::Simulated;
   section.results.flow = {{.cohort = "professional", .enrolled = 7, .completed = 6, .withdrawn = 1},
                           {.cohort = "non-professional", .enrolled = 5, .completed = 5}};
   section.results.families.push_back(
-      {loaded.protocol.analysis.families.front(),
+      {loaded.protocol.analysis.families.front(), true,
        {cohort("professional", {1, 3, 6, 9, 17}, {13, 7, 4, 4, 8}, {8, 5, 5, 8, 10}),
         cohort("non-professional", {0, 0, 0, 0, 5}, {0, 0, 5, 0, 0}, {0, 0, 0, 0, 5})}});
   analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});

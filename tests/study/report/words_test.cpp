@@ -28,8 +28,17 @@ TEST_P(WordsTest, SayEverySentenceOfAReport) {
     for (const auto& flag : cohort.flags) flags.insert(flag.id);
   }
   EXPECT_EQ(flags.size(), 13U);  // every kind there is
-  report::asHtml(sections);
+  for (const bool isDeclared : {true, false}) {
+    section.results.families.front().isDeclared = isDeclared;
+    for (const auto test : {protocols::TestType::Welch, protocols::TestType::PairedT}) {
+      section.results.families.front().family.test = test;
+      report::asHtml(sections);
+    }
+  }
   section.results.runMode = RunMode::Pilot;
+  section.history.changes.clear();
+  report::asHtml(sections);
+  section.history.versionsSinceBegun = 0;
   report::asHtml(sections);
   std::string missing;
   for (const auto& sentence : section.words.missing()) missing += "  " + sentence + "\n";
