@@ -45,8 +45,29 @@ std::string formatInWords(const ExportOptions& options) {
          (options.isBlinded
               ? "- To compute the tests again needs to know who was compared with whom, "
                 "which tells what codes stand for: unblinded there is a script.\n"
-              : "- `analysis" + ending +
-                    "` computes the rows of `statistics.csv` again from the answers.\n");
+              : std::string());
+}
+
+/// With what the scripts that go with an unblinded export run.
+constexpr const char* kPythonInWords =
+    "- `analysis.py` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
+    "It "
+    "needs Python 3.8 or later with NumPy and SciPy (no pandas): `sudo apt install python3-scipy` "
+    "on "
+    "Debian and Ubuntu, elsewhere `python3 -m pip install scipy`. Where they are missing it says "
+    "so.\n";
+constexpr const char* kRInWords =
+    "- `analysis.R` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
+    "It "
+    "needs R alone: `Rscript analysis.R`.\n";
+
+std::string scriptsInWords(const ExportOptions& options) {
+  const bool hasNone = options.format == ExportFormat::Bids || options.format == ExportFormat::Json;
+  if (options.isBlinded || hasNone) return {};
+  std::string text;
+  if (options.format != ExportFormat::Python) text += kRInWords;
+  if (options.format != ExportFormat::R) text += kPythonInWords;
+  return text;
 }
 
 constexpr const char* kTracesInWords =
@@ -130,7 +151,8 @@ std::string readmeOf(
                 "they are. 'palpate export --unblind --reason \"…\"' says it.\n"
               : "- Not blinded: `condition` says which rendering was felt.\n";
   for (const auto& source : study.protocol().sources) text += inWords(source, options);
-  return text + formatInWords(options) + (options.hasTraces ? kTracesInWords : "");
+  return text + formatInWords(options) + scriptsInWords(options) +
+         (options.hasTraces ? kTracesInWords : "");
 }
 
 std::string codebookAsJson(

@@ -46,6 +46,7 @@ StatisticsRow friedmanRow(const CohortResult& cohort) {
   if (f.chiSquared) row["df"] = static_cast<double>(f.treatments - 1);
   row["p"] = cellOf(f.p);
   row["log10_p"] = cellOf(f.log10P);
+  row["p_permutation"] = cellOf(f.exactP);
   row["effect_name"] = std::string("kendall_w");
   row["effect"] = cellOf(f.kendallW);
   addReason(row, f.reason);
@@ -62,6 +63,8 @@ StatisticsRow anovaRow(const CohortResult& cohort) {
   row["df2"] = cellOf(anova.degreesOfFreedom2);
   row["p"] = cellOf(anova.p);
   row["log10_p"] = cellOf(anova.log10P);
+  row["epsilon"] = cellOf(anova.greenhouseGeisser);
+  row["p_epsilon"] = cellOf(anova.pGreenhouseGeisser);
   row["effect_name"] = std::string("partial_eta2");
   row["effect"] = cellOf(anova.partialEtaSquared);
   addReason(row, anova.reason);
@@ -109,6 +112,18 @@ StatisticsRow alphaRow(const analysis::MethodChecks& checks) {
   return row;
 }
 
+StatisticsRow omegaRow(const analysis::MethodChecks& checks) {
+  auto row = beginning("paired", "omega_total");
+  row["n1"] = whole(checks.omega.respondents);
+  row["effect_name"] = std::string("omega_total");
+  row["effect"] = cellOf(checks.omega.value);
+  addReason(
+      row,
+      checks.omega.isImproper ? "a hint at most: its factor explains a statement completely"
+                              : checks.omega.reason);
+  return row;
+}
+
 StatisticsRow normalityRow(const analysis::MethodChecks& checks) {
   auto row = beginning("unpaired", "shapiro_wilk");
   row["n1"] = whole(checks.normality.n);
@@ -143,7 +158,7 @@ std::vector<StatisticsRow> overallRows(
       friedmanRow(cohort), anovaRow(cohort), orderRow(cohort), spreadRow(cohort)};
   for (auto& row : rows) row["groups"] = allCodes(cohort, codes);
   for (const auto& checks : cohort.checks.methods) {
-    for (auto row : {alphaRow(checks), normalityRow(checks)}) {
+    for (auto row : {alphaRow(checks), omegaRow(checks), normalityRow(checks)}) {
       row["group1"] = codes.at(checks.method);
       rows.push_back(std::move(row));
     }

@@ -10,12 +10,15 @@
 
 #include "analysis/interval.h"
 #include "study/data_table.h"
+#include "study/felt_curves.h"
 #include "study/results.h"
 
 namespace study {
 
 /// A row of the statistics table by the names of its columns.
 using StatisticsRow = std::map<std::string, Cell>;
+
+std::vector<Column> statisticsColumns();
 
 /// What every row of a family says: whose it is, what was asked where, and at which level.
 StatisticsRow headOfRow(
@@ -29,6 +32,16 @@ StatisticsRow headOfRow(
 /// @param codes  of conditions
 std::vector<StatisticsRow> overallRows(
     const CohortResult& cohort, const std::map<std::string, std::string>& codes);
+
+/// What questionnaires came to: a row for each score, and for each item with a threshold.
+std::vector<StatisticsRow> instrumentRows(
+    const std::vector<InstrumentSummary>& instruments,
+    const std::map<std::string, std::string>& codes);
+
+/// How much alternatives differed at the handle: a row a pair, of all cohorts together.
+std::vector<StatisticsRow> feltRows(
+    const std::vector<FeltDifference>& differences,
+    const std::map<std::string, std::string>& codes);
 
 template <typename T>
 Cell cellOf(const std::optional<T>& value) {
@@ -52,6 +65,11 @@ inline void addInterval(
   if (!interval) return;
   row[name + "_low" + suffix] = interval->low;
   row[name + "_high" + suffix] = interval->high;
+}
+
+/// A name that may be empty; then nothing.
+inline void addName(StatisticsRow& row, const std::string& column, const std::string& name) {
+  if (!name.empty()) row[column] = name;
 }
 
 inline void addReason(StatisticsRow& row, const std::string& reason) {

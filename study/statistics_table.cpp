@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "study/felt_curves.h"
 #include "study/results.h"
 #include "study/statistics_row.h"
 #include "study/storage/records.h"
@@ -14,56 +15,6 @@ namespace {
 
 using protocols::TestType;
 using Row = StatisticsRow;
-
-std::vector<Column> columnsOfStatistics() {
-  return {
-      {"run_mode", "live, pilot or simulated"},
-      {"cohort", "Group of participants"},
-      {"cohort2", "The other group, where two are compared"},
-      {"family_id", "Comparisons that belong together"},
-      {"instrument", "Questionnaire"},
-      {"blocks", "Phases whose answers count, separated by spaces"},
-      {"m", "Tests in the family"},
-      {"group1", "Condition code; the sign is group1 - group2 (cohort - cohort2)"},
-      {"group2", "Condition code"},
-      {"groups", "Condition codes of an overall test, separated by spaces"},
-      {"design", "unpaired, paired or mixed"},
-      {"unit", "answer or participant"},
-      {"method",
-       "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, rm_anova, "
-       "mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, brown_forsythe"},
-      {"declared",
-       "Whether the protocol declared it, before the first participant; all else is exploratory"},
-      {"n1", "Units in group 1; pairs or participants where the design is paired"},
-      {"n2", "Units in group 2"},
-      {"mean1", "Mean of group 1"},
-      {"mean2", "Mean of group 2"},
-      {"sd1", "Standard deviation of group 1, with n - 1"},
-      {"sd2", "Standard deviation of group 2, with n - 1"},
-      {"estimate", "Mean difference; log odds ratio; slope over positions"},
-      {"se", "Its standard error"},
-      {"statistic_name", "t, z, V, U, chi2, F, W"},
-      {"statistic", "Its value"},
-      {"df", "Degrees of freedom; of F its first"},
-      {"df2", "Second degrees of freedom of F"},
-      {"p", "Two-sided, not corrected"},
-      {"log10_p", "Decimal logarithm of p"},
-      {"p_adj_method", "bonferroni, holm, hochberg, hommel, bh, by, holm-sidak or none"},
-      {"p_adj", "Corrected for the family"},
-      {"alpha", "Of the family"},
-      {"alpha_per_test", "alpha / m, for the adjusted interval"},
-      {"conf_level", "Confidence of the intervals"},
-      {"conf_low", "Confidence interval of the mean difference"},
-      {"conf_high", "…"},
-      {"conf_low_adj", "… at 1 - alpha_per_test"},
-      {"conf_high_adj", "…"},
-      {"effect_name", "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio or cronbach_alpha"},
-      {"effect", "Its value"},
-      {"effect_low", "Its confidence interval"},
-      {"effect_high", "…"},
-      {"flags", "What a reader has to know, separated by spaces"},
-      {"reason", "Why something is missing"}};
-}
 
 /// The rows of one family.
 class FamilyRows {
@@ -175,8 +126,13 @@ class FamilyRows {
     rank["declared"] = family_.isConfirmatory(TestType::SignedRank);
     rank["statistic_name"] = std::string("V");
     rank["statistic"] = cellOf(comparison.signedRank.v);
+    rank["estimate"] = cellOf(comparison.location.estimate);
+    rank["effect_name"] = std::string("rank_biserial");
+    rank["effect"] = cellOf(comparison.signedRank.rankBiserial);
     addReason(rank, comparison.signedRank.reason);
     rows_.push_back(std::move(rank));
+    bayesFactor(cohort, comparison);
+    if (comparison.equivalence) equivalence(cohort, comparison);
     mixedModel(cohort, comparison);
     ordinalModel(cohort, comparison);
   }
@@ -197,6 +153,33 @@ class FamilyRows {
     row["effect"] = cellOf(comparison.effects.hedgesGz.value);
     addInterval(row, "effect", comparison.effects.hedgesGz.interval);
     addReason(row, t.reason);
+    rows_.push_back(std::move(row));
+  }
+
+  void bayesFactor(const CohortResult& cohort, const analysis::WithinComparison& comparison) {
+    auto row = pairRow(
+        cohort, comparison.group1, comparison.group2, "paired", "participant", "bayes_factor");
+    row["m"] = whole(cohort.within.tests);
+    row["n1"] = whole(comparison.differences.size());
+    row["effect_name"] = std::string("bf10");
+    row["effect"] = finite(comparison.bayes.bf10);
+    addReason(row, comparison.bayes.reason);
+    rows_.push_back(std::move(row));
+  }
+
+  void equivalence(const CohortResult& cohort, const analysis::WithinComparison& comparison) {
+    const auto& tost = *comparison.equivalence;
+    auto row =
+        pairRow(cohort, comparison.group1, comparison.group2, "paired", "participant", "tost");
+    row["m"] = whole(cohort.within.tests);
+    row["n1"] = whole(comparison.differences.size());
+    row["estimate"] = cellOf(comparison.paired.meanDifference);
+    row["se"] = cellOf(comparison.paired.standardError);
+    row["df"] = cellOf(comparison.paired.degreesOfFreedom);
+    row["p"] = cellOf(tost.p);
+    row["log10_p"] = cellOf(tost.log10P);
+    row["equivalence_bound"] = tost.bounds.upper;
+    addReason(row, tost.reason);
     rows_.push_back(std::move(row));
   }
 
@@ -245,37 +228,34 @@ class FamilyRows {
     }
   }
 
-  void between(const BetweenResult& result) {
-    auto row = head(result.cohort1, "unpaired", "participant", "mann_whitney");
-    row["cohort2"] = result.cohort2;
-    row["group1"] = codes_.at(result.condition);
-    row["n1"] = whole(result.mannWhitney.n1);
-    row["n2"] = whole(result.mannWhitney.n2);
-    row["statistic_name"] = std::string("U");
-    row["statistic"] = cellOf(result.mannWhitney.u);
-    row["p"] = cellOf(result.mannWhitney.p);
-    row["conf_level"] = 0.95;
-    row["effect_name"] = std::string("cliff_delta");
-    row["effect"] = cellOf(result.cliff.delta);
-    addInterval(row, "effect", result.cliff.interval);
-    addReason(row, result.mannWhitney.reason);
-    rows_.push_back(std::move(row));
-    brunnerMunzel(result);
-  }
-
-  void brunnerMunzel(const BetweenResult& result) {
-    const auto& test = result.brunnerMunzel;
-    auto row = head(result.cohort1, "unpaired", "participant", "brunner_munzel");
+  template <typename Test>
+  Row betweenRow(const BetweenResult& result, const char* method, const Test& test) {
+    auto row = head(result.cohort1, "unpaired", "participant", method);
     row["cohort2"] = result.cohort2;
     row["group1"] = codes_.at(result.condition);
     row["n1"] = whole(test.n1);
     row["n2"] = whole(test.n2);
+    row["p"] = cellOf(test.p);
+    addReason(row, test.reason);
+    return row;
+  }
+
+  void between(const BetweenResult& result) {
+    auto row = betweenRow(result, "mann_whitney", result.mannWhitney);
+    row["statistic_name"] = std::string("U");
+    row["statistic"] = cellOf(result.mannWhitney.u);
+    row["conf_level"] = 0.95;
+    row["effect_name"] = std::string("cliff_delta");
+    row["effect"] = cellOf(result.cliff.delta);
+    addInterval(row, "effect", result.cliff.interval);
+    rows_.push_back(std::move(row));
+
+    const auto& test = result.brunnerMunzel;
+    row = betweenRow(result, "brunner_munzel", test);
     row["statistic_name"] = std::string("W");
     row["statistic"] = finite(test.w);
     row["df"] = cellOf(test.degreesOfFreedom);
-    row["p"] = cellOf(test.p);
     row["log10_p"] = cellOf(test.log10P);
-    addReason(row, test.reason);
     rows_.push_back(std::move(row));
   }
 
@@ -286,24 +266,38 @@ class FamilyRows {
   std::vector<Row> rows_;
 };
 
+/// One mode of a study.
+std::vector<Row> rowsOf(
+    Study& study, RunMode mode, const std::map<std::string, std::string>& codes) {
+  const auto results = computeResults(study, mode);
+  std::vector<Row> rows;
+  if (results.completed() == 0) return rows;
+  const auto add = [&](std::vector<Row> more) {
+    for (auto& row : more) rows.push_back(std::move(row));
+  };
+  for (const auto& family : results.families) {
+    add(FamilyRows(family, study.protocol().protocol, nameOf(mode), codes).all());
+  }
+  add(instrumentRows(results.instruments, codes));
+  add(feltRows(feltDifferences(feltCurves(study, mode)), codes));
+  for (auto& row : rows) row["run_mode"] = std::string(nameOf(mode));
+  return rows;
+}
+
 }  // namespace
 
 DataTable statisticsTable(Study& study, const ExportOptions& options) {
   DataTable table{
       .name = "statistics",
-      .description = "One row per test; what is missing says why.",
-      .columns = columnsOfStatistics()};
+      .description = "One row per test, score or check; what is missing says why.",
+      .columns = statisticsColumns()};
   const auto codes = conditionCodes(study);
   std::vector<RunMode> modes{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
   if (options.runMode) modes = {*options.runMode};
   for (const auto mode : modes) {
-    const auto results = computeResults(study, mode);
-    if (results.completed() == 0) continue;
-    for (const auto& family : results.families) {
-      for (auto& row : FamilyRows(family, study.protocol().protocol, nameOf(mode), codes).all()) {
-        auto& cells = table.rows.emplace_back();
-        for (const auto& column : table.columns) cells.push_back(row[column.name]);
-      }
+    for (auto& row : rowsOf(study, mode, codes)) {
+      auto& cells = table.rows.emplace_back();
+      for (const auto& column : table.columns) cells.push_back(row[column.name]);
     }
   }
   return table;

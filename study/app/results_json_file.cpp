@@ -4,6 +4,7 @@
 
 #include "study/apa_text.h"
 #include "study/app/json_file.h"
+#include "study/felt_curves.h"
 
 namespace study::app {
 namespace {
@@ -338,6 +339,17 @@ ResultJson instrumentAsJson(const InstrumentSummary& summary) {
   return json;
 }
 
+/// The manipulation check [N].
+ResultJson feltAsJson(const FeltDifference& felt) {
+  return {
+      {"condition1", felt.condition1},
+      {"condition2", felt.condition2},
+      {"rms_pooled", felt.pooled},
+      {"n", felt.participants},
+      {"rms_mean", nullable(felt.mean)},
+      {"conf", limits(felt.interval)}};
+}
+
 }  // namespace
 
 std::string resultsAsJson(Study& study, const Results& results) {
@@ -349,11 +361,15 @@ std::string resultsAsJson(Study& study, const Results& results) {
       {"flow", ResultJson::array()},
       {"families", ResultJson::array()},
       {"votes", ResultJson::array()},
-      {"instruments", ResultJson::array()}};
+      {"instruments", ResultJson::array()},
+      {"felt_differences", ResultJson::array()}};
   for (const auto& flow : results.flow) json["flow"].push_back(flowAsJson(flow));
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
+  for (const auto& felt : feltDifferences(feltCurves(study, results.runMode))) {
+    json["felt_differences"].push_back(feltAsJson(felt));
+  }
   return json.dump(2) + "\n";
 }
 

@@ -1,7 +1,8 @@
 # Computes the numbers of the statistics and votes tables again, from the responses, with base R:
 #   Rscript analysis.R [folder of the export]
 # It prints how far each number is from the exported one, and ends with 1 where one is further than
-# 1e-9. Mixed models (they want lme4) are not computed here.
+# 1e-9. It needs R alone, no packages. Mixed models (they want lme4) are not computed here, nor omega,
+# Friedman's permutations, scores and what was felt.
 
 arguments <- commandArgs(trailingOnly = TRUE)
 folder <- if (length(arguments) > 0) arguments[1] else "."
@@ -95,10 +96,35 @@ signed_rank <- function(row) {
   d <- d[abs(d) > 1e-9]
   ranks <- rank(round(abs(d), 9))
   v <- sum(ranks[d > 0])
-  check(row, "statistic", v)
+  check(row, "statistic", v); check(row, "effect", (2 * v - sum(ranks)) / sum(ranks))
+  every <- differences(row)$d
+  averages <- outer(every, every, "+") / 2
+  check(row, "estimate", median(averages[upper.tri(averages, diag = TRUE)]))
   if (length(d) > most_signs) return(NA)
   all <- (signs(length(d)) > 0) %*% ranks
   min(1, 2 * min(mean(all <= v + 1e-9), mean(all >= v - 1e-9)))
+}
+
+tost <- function(row) {
+  d <- differences(row)$d
+  n <- length(d); error <- sd(d) / sqrt(n)
+  check(row, "n1", n); check(row, "estimate", mean(d)); check(row, "se", error); check(row, "df", n - 1)
+  max(pt((mean(d) + row$equivalence_bound) / error, n - 1, lower.tail = FALSE),
+      pt((mean(d) - row$equivalence_bound) / error, n - 1))
+}
+
+# Rouder et al. 2009, with g = e^u and the scale sqrt(2) / 2.
+bayes_factor <- function(row) {
+  d <- differences(row)$d
+  n <- length(d); df <- n - 1
+  square <- (mean(d) / (sd(d) / sqrt(n)))^2
+  of <- function(u) {
+    g <- exp(u); spread <- 1 + n * g / 2
+    spread^-0.5 * (1 + square / (spread * df))^(-(df + 1) / 2) * (2 * pi)^-0.5 * g^-0.5 * exp(-1 / (2 * g))
+  }
+  parts <- sapply(seq(-6, 59, 5), function(a) integrate(of, a, a + 5, rel.tol = 1e-12, abs.tol = 0)$value)
+  check(row, "n1", n); check(row, "effect", sum(parts) / (1 + square / df)^(-(df + 1) / 2))
+  NA
 }
 
 friedman <- function(row) {
@@ -156,6 +182,12 @@ rm_anova <- function(row) {
   check(row, "n1", n); check(row, "statistic", within[1, "F value"])
   check(row, "df", within[1, "Df"]); check(row, "df2", within[2, "Df"])
   check(row, "effect", within[1, "Sum Sq"] / sum(within[, "Sum Sq"]))
+  centred <- diag(ncol(cells)) - 1 / ncol(cells)
+  spread <- centred %*% cov(cells) %*% centred
+  epsilon <- sum(diag(spread))^2 / ((ncol(cells) - 1) * sum(spread^2))
+  check(row, "epsilon", epsilon)
+  check(row, "p_epsilon", pf(within[1, "F value"], epsilon * within[1, "Df"], epsilon * within[2, "Df"],
+                             lower.tail = FALSE))
   within[1, "Pr(>F)"]
 }
 
@@ -213,7 +245,7 @@ adjusted <- function(p, method) {
 
 tests <- list(welch = welch, paired_t = paired_t, sign_flip = sign_flip, signed_rank = signed_rank,
               friedman = friedman, mann_whitney = mann_whitney, rm_anova = rm_anova,
-              brunner_munzel = brunner_munzel,
+              brunner_munzel = brunner_munzel, tost = tost, bayes_factor = bayes_factor,
               order_slope = order_slope, cronbach_alpha = cronbach_alpha,
               shapiro_wilk = shapiro_wilk, brown_forsythe = brown_forsythe)
 statistics$again <- NA

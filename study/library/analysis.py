@@ -1,8 +1,15 @@
-"""Computes the numbers of the statistics and votes tables again, from the responses, with SciPy:
-python3 analysis.py [folder of the export]
+"""Computes the numbers of the statistics and votes tables again, from the responses.
+
+    python3 analysis.py [folder of the export]
+
+It needs Python 3.8 or later with NumPy and SciPy, and no pandas. To get them:
+
+    Debian, Ubuntu    sudo apt install python3-scipy      (brings NumPy; then call /usr/bin/python3)
+    elsewhere         python3 -m pip install scipy        (brings NumPy)
 
 It prints how far each number is from the exported one, and ends with 1 where one is further than
-1e-9. Mixed models are not computed here, nor Shapiro-Wilk tests, which SciPy computes to six digits."""
+1e-9, or with 2 where SciPy is missing. Mixed models are not computed here, nor Shapiro-Wilk tests,
+which SciPy computes to six digits, nor omega, Friedman's permutations, scores and what was felt."""
 import csv
 import itertools
 import math
@@ -10,8 +17,14 @@ import pathlib
 import sys
 from collections import defaultdict
 
-import numpy
-from scipy import special, stats
+try:
+    import numpy
+    from scipy import integrate, special, stats
+except ImportError as missing:
+    print(f"""analysis.py needs NumPy and SciPy, and this Python ({sys.executable}) lacks one: {missing}.
+Get them with 'sudo apt install python3-scipy' (Debian, Ubuntu; then call /usr/bin/python3) or with
+'{sys.executable} -m pip install scipy'. To read the tables alone needs neither: every CSV file is plain text.""", file=sys.stderr)
+    sys.exit(2)
 
 folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
 
@@ -139,9 +152,39 @@ def signed_rank(row):
     ranks = stats.rankdata(numpy.round(numpy.abs(d), 9))
     v = ranks[d > 0].sum()
     check(row, "statistic", v)
+    check(row, "effect", (2 * v - ranks.sum()) / ranks.sum())
+    every = differences(row)[2]
+    check(row, "estimate", numpy.median([(a + b) / 2 for i, a in enumerate(every) for b in every[i:]]))
     if len(d) > MOST_SIGNS:
         return None
     return two_sided((signs(len(d)) > 0) @ ranks, v)
+
+
+def tost(row):
+    d = differences(row)[2]
+    error, df, bound = stats.sem(d), len(d) - 1, float(row["equivalence_bound"])
+    check(row, "n1", len(d))
+    check(row, "estimate", numpy.mean(d))
+    check(row, "se", error)
+    check(row, "df", df)
+    return max(stats.t.sf((numpy.mean(d) + bound) / error, df), stats.t.cdf((numpy.mean(d) - bound) / error, df))
+
+
+def bayes_factor(row):
+    d = differences(row)[2]
+    n, df = len(d), len(d) - 1
+    square = (numpy.mean(d) / stats.sem(d)) ** 2
+
+    def of(u):  # Rouder et al. 2009, with g = e^u and the scale sqrt(2) / 2
+        g = math.exp(u)
+        spread = 1 + n * g / 2
+        return (spread ** -0.5 * (1 + square / (spread * df)) ** (-(df + 1) / 2)
+                * (2 * math.pi) ** -0.5 * g ** -0.5 * math.exp(-1 / (2 * g)))
+
+    parts = [integrate.quad(of, a, a + 5, epsabs=0, epsrel=1e-12)[0] for a in range(-6, 60, 5)]
+    check(row, "n1", n)
+    check(row, "effect", sum(parts) / (1 + square / df) ** (-(df + 1) / 2))
+    return None
 
 
 def friedman(row):
@@ -201,6 +244,11 @@ def rm_anova(row):
     check(row, "df", k - 1)
     check(row, "df2", (k - 1) * (n - 1))
     check(row, "effect", between / (between + error))
+    centred = numpy.eye(k) - 1 / k
+    spread = centred @ numpy.cov(cells, rowvar=False) @ centred
+    epsilon = numpy.trace(spread) ** 2 / ((k - 1) * (spread ** 2).sum())
+    check(row, "epsilon", epsilon)
+    check(row, "p_epsilon", stats.f.sf(f, epsilon * (k - 1), epsilon * (k - 1) * (n - 1)))
     return stats.f.sf(f, k - 1, (k - 1) * (n - 1))
 
 
@@ -280,7 +328,7 @@ tests = {
     f.__name__: f
     for f in (
         welch, paired_t, sign_flip, signed_rank, friedman, mann_whitney,
-        brunner_munzel, rm_anova, order_slope, cronbach_alpha, brown_forsythe,
+        brunner_munzel, rm_anova, order_slope, cronbach_alpha, brown_forsythe, tost, bayes_factor,
     )
 }
 families = defaultdict(list)

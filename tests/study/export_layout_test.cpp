@@ -384,6 +384,10 @@ void expectToComputeAgain(
   EXPECT_NE(finished.out.find("signed_rank p_adj"), std::string::npos);
   EXPECT_NE(finished.out.find("mann_whitney effect"), std::string::npos);
   EXPECT_NE(finished.out.find("votes p_exact"), std::string::npos);
+  EXPECT_NE(finished.out.find("tost p "), std::string::npos);
+  EXPECT_NE(finished.out.find("bayes_factor effect"), std::string::npos);
+  EXPECT_NE(finished.out.find("rm_anova p_epsilon"), std::string::npos);
+  EXPECT_NE(finished.out.find("signed_rank estimate"), std::string::npos);
   EXPECT_NE(finished.out.find("votes share_high_exact"), std::string::npos);
 }
 
@@ -432,10 +436,14 @@ TEST_F(ExportLayoutTest, IsReadByItsScriptInPython) {
   expectToRead({python}, unblinded / "read_tables.py", unblinded);
 }
 
-/// Eleven people, as in the published study.
+/// Eleven people, as in the published study, and a bound below which differences are none.
 class ComputedAgainTest : public ExportLayoutTest {
  protected:
   void SetUp() override {
+    auto json = study_->protocol().text;
+    const std::string alpha = R"("alpha": 0.05)";
+    json.insert(json.find(alpha), R"("equivalence_bound": 0.5, )");
+    study_->amend(tests::protocolFrom(json), "");
     simulateCohorts(*study_, study_.clock, 11, 3, [](const std::string&) {});
   }
 };
@@ -451,6 +459,24 @@ TEST_F(ComputedAgainTest, InPython) {
   if (!isInstalled({python, "-c", "import scipy"})) GTEST_SKIP() << "needs SciPy: ./setup --check";
   const auto folder = exported("out", open(ExportFormat::PsychDs), "for a test");
   expectToComputeAgain({python}, folder / "analysis" / "analysis.py", folder);
+}
+
+TEST_F(ComputedAgainTest, SaysHowToGetSciPyWhereItIsMissing) {
+  const std::string python = "/usr/bin/python3";
+  if (!isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
+  const auto folder =
+      exported("out", {.format = ExportFormat::Python, .isBlinded = false}, "for a test");
+  EXPECT_NE(contentOf(folder / "README.md").find("NumPy and SciPy"), std::string::npos);
+  EXPECT_NE(contentOf(folder / "README.md").find("apt install python3-scipy"), std::string::npos);
+  EXPECT_EQ(contentOf(folder / "README.md").find("analysis.R"), std::string::npos);
+  std::ofstream(folder_ / "scipy.py") << "raise ImportError('there is none here')\n";
+  const auto script = (folder / "analysis.py").string();
+  const auto finished = tests::run(
+      {"env", "PYTHONPATH=" + folder_.path().string(), python, script, folder.string()});
+  EXPECT_EQ(finished.status, 2) << finished.out << finished.error;
+  EXPECT_NE(finished.error.find("needs NumPy and SciPy"), std::string::npos) << finished.error;
+  EXPECT_NE(finished.error.find("apt install python3-scipy"), std::string::npos);
+  EXPECT_EQ(finished.error.find("Traceback"), std::string::npos);
 }
 
 }  // namespace

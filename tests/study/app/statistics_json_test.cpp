@@ -1,0 +1,162 @@
+// The statistics table of an export holds what `palpate stats run --json` says, digit by digit.
+#include <functional>
+#include <map>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "study/app/json_file.h"
+#include "study/simulated_participant.h"
+#include "study/statistics_table.h"
+#include "tests/study/made_study.h"
+
+namespace study {
+namespace {
+
+using nlohmann::json;
+
+using TableRow = std::map<std::string, Cell>;
+
+/// Six simulated people, a bound of equivalence, scores, and items with a threshold.
+class StatisticsJson : public testing::Test {
+ protected:
+  StatisticsJson() {
+    auto text = tests::shortProtocol({.form = "simulator-realism"});
+    const std::string alpha = R"("alpha": 0.05)";
+    text.insert(text.find(alpha), R"("equivalence_bound": 0.5, )");
+    study_.emplace(tests::protocolFrom(text));
+    simulateCohorts(**study_, study_->clock, 12, 3, [](const std::string&) {});
+    json_ = json::parse(app::resultsAsJson(**study_, computeResults(**study_, RunMode::Simulated)));
+    const auto table =
+        statisticsTable(**study_, {.runMode = RunMode::Simulated, .isBlinded = false});
+    for (const auto& cells : table.rows) {
+      auto& row = rows_.emplace_back();
+      for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = cells[i];
+    }
+    for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
+  }
+
+  /// The one row of a method that has all that @p with asks for.
+  TableRow row(const std::string& method, const std::map<std::string, std::string>& with) const {
+    std::vector<TableRow> found;
+    for (const auto& one : rows_) {
+      bool fits = one.at("method") == Cell(method);
+      for (const auto& [column, value] : with) {
+        fits = fits && one.at(column) == (value.empty() ? Cell() : Cell(value));
+      }
+      if (fits) found.push_back(one);
+    }
+    EXPECT_EQ(found.size(), 1U) << method;
+    return found.empty() ? TableRow{} : found.front();
+  }
+
+  /// The same double, or nothing in both.
+  void expectSame(const Cell& cell, const json& number, const std::string& what) {
+    if (number.is_null()) {
+      EXPECT_EQ(cell, Cell()) << what;
+      return;
+    }
+    const auto* real = std::get_if<double>(&cell);
+    const auto* whole = std::get_if<std::int64_t>(&cell);
+    ASSERT_TRUE(real != nullptr || whole != nullptr) << what;
+    EXPECT_EQ(real != nullptr ? *real : static_cast<double>(*whole), number.get<double>()) << what;
+    ++compared_;
+  }
+
+  std::optional<tests::MadeStudy> study_;
+  json json_;
+  std::vector<TableRow> rows_;
+  std::map<std::string, std::string> codes_;
+  int compared_ = 0;
+};
+
+TEST_F(StatisticsJson, AgreesAboutEveryComparisonWithinPeople) {
+  for (const auto& cohort : json_["families"][0]["cohorts"]) {
+    for (const auto& pair : cohort["within"]["comparisons"]) {
+      const std::map<std::string, std::string> which{
+          {"cohort", cohort["cohort"]},
+          {"group1", codes_.at(pair["group1"])},
+          {"group2", codes_.at(pair["group2"])}};
+      expectSame(row("bayes_factor", which).at("effect"), pair["bf10"], "BF10");
+      const auto tost = row("tost", which);
+      expectSame(tost.at("p"), pair["tost"]["p"], "TOST");
+      expectSame(tost.at("equivalence_bound"), pair["tost"]["bound"], "bound");
+      const auto rank = row("signed_rank", which);
+      expectSame(rank.at("estimate"), pair["hodges_lehmann"], "Hodges-Lehmann");
+      expectSame(rank.at("effect"), pair["signed_rank"]["rank_biserial"], "rank biserial");
+    }
+  }
+  EXPECT_EQ(compared_, 2 * 5);
+}
+
+TEST_F(StatisticsJson, AgreesAboutOverallTestsAndTheScale) {
+  for (const auto& cohort : json_["families"][0]["cohorts"]) {
+    const std::map<std::string, std::string> which{{"cohort", cohort["cohort"]}};
+    const auto friedman = row("friedman", which);
+    expectSame(friedman.at("p_permutation"), cohort["within"]["friedman"]["p_exact"], "Friedman");
+    const auto anova = row("rm_anova", which);
+    const auto& within = cohort["within"]["anova"];
+    expectSame(anova.at("epsilon"), within["greenhouse_geisser"], "epsilon");
+    expectSame(anova.at("p_epsilon"), within["p_greenhouse_geisser"], "p with epsilon");
+    for (const auto& method : cohort["scale"]) {
+      const auto omega =
+          row("omega_total",
+              {{"cohort", cohort["cohort"]}, {"group1", codes_.at(method["condition"])}});
+      expectSame(omega.at("effect"), method["omega_total"], "omega");
+      const bool hasReason = omega.at("reason") != Cell();
+      EXPECT_EQ(hasReason, method["omega_is_improper"] || !method["omega_reason"].is_null());
+    }
+  }
+  EXPECT_GE(compared_, 2 * 3);
+}
+
+TEST_F(StatisticsJson, AgreesAboutScoresAndThresholds) {
+  for (const auto& instrument : json_["instruments"]) {
+    const auto whichOf = [&](const json& one) {
+      std::map<std::string, std::string> which{
+          {"cohort", one["cohort"]}, {"instrument", instrument["instrument"]}};
+      which["group1"] = one["condition"].is_null() ? "" : codes_.at(one["condition"]);
+      return which;
+    };
+    for (const auto& score : instrument["scores"]) {
+      auto which = whichOf(score);
+      which["score"] = score["score"];
+      which["occasion"] = score["occasion"].is_null() ? "" : score["occasion"];
+      const auto found = row("score", which);
+      expectSame(found.at("n1"), score["n"], "n");
+      expectSame(found.at("n_missing"), score["missing"], "missing");
+      expectSame(found.at("mean1"), score["mean"], "mean");
+      expectSame(found.at("sd1"), score["sd"], "sd");
+      if (score["conf"].is_null()) continue;
+      expectSame(found.at("conf_low"), score["conf"][0], "conf_low");
+      expectSame(found.at("conf_high"), score["conf"][1], "conf_high");
+    }
+    for (const auto& item : instrument["acceptable"]) {
+      auto which = whichOf(item);
+      which["item_id"] = item["item"];
+      const auto found = row("acceptability", which);
+      expectSame(found.at("n1"), item["n"], "n");
+      expectSame(found.at("effect"), item["share"], "share");
+      expectSame(found.at("acceptable_from"), item["from"], "from");
+    }
+  }
+  EXPECT_GT(compared_, 30);
+}
+
+TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
+  ASSERT_EQ(json_["felt_differences"].size(), 3U);
+  for (const auto& felt : json_["felt_differences"]) {
+    const auto found =
+        row("felt_difference",
+            {{"group1", codes_.at(felt["condition1"])}, {"group2", codes_.at(felt["condition2"])}});
+    expectSame(found.at("n1"), felt["n"], "n");
+    expectSame(found.at("estimate"), felt["rms_mean"], "mean");
+    expectSame(found.at("effect"), felt["rms_pooled"], "pooled");
+    expectSame(found.at("conf_low"), felt["conf"][0], "conf_low");
+    expectSame(found.at("conf_high"), felt["conf"][1], "conf_high");
+  }
+  EXPECT_EQ(compared_, 3 * 5);
+}
+
+}  // namespace
+}  // namespace study
