@@ -61,7 +61,8 @@ class Examination {
   void undeclared() {
     flags_.push_back(
         {"family_not_declared",
-         {clause("The protocol did not declare these comparisons as they are before the first participant.")},
+         {clause("The protocol did not declare these comparisons as they are before the first "
+                 "participant.")},
          "Which tests are run, and how many, may then depend on what the data look like; p values "
          "lose their meaning.",
          "Declare the family in the protocol's analysis plan before the first participant; report "
@@ -73,7 +74,10 @@ class Examination {
     const auto dependence = dependenceOf(table_);
     if (hasSeveralInACell()) {
       std::vector<Clause> what{clause(
-          "{} answers of {} people are treated as {} independent observations in the pooled tests",
+          dependence.participants == 1 ? "{} answers of {} person are treated as {} independent "
+                                         "observations in the pooled tests"
+                                       : "{} answers of {} people are treated as {} independent "
+                                         "observations in the pooled tests",
           dependence.answers,
           dependence.participants,
           dependence.answers)};
@@ -172,7 +176,7 @@ class Examination {
     if (table_.methods.size() < 2 || most - least <= seen.size()) return;
     flags_.push_back(
         {"order_not_counterbalanced",
-         {clause("A method came {} times at one position and {} times at another.", least, most)},
+         {clause("How often a method came at a position goes from {} to {}.", least, most)},
          "Practice, fatigue and contrast with what came before then count for one method and "
          "against another.",
          "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N "
@@ -291,7 +295,9 @@ class Examination {
     flags_.push_back(
         {"missing_cells",
          {clause(
-             "{} of {} answers are missing, in {} of {} pairs of participant and method.",
+             answers == 1
+                 ? "{} of {} answers is missing, in {} of {} pairs of participant and method."
+                 : "{} of {} answers are missing, in {} of {} pairs of participant and method.",
              answers,
              expected,
              cells,

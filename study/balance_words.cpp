@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "protocols/schedule.h"
+#include "study/words/counted.h"
 
 namespace study {
 
@@ -20,9 +21,11 @@ std::string balanceInWords(
       words += "drawn for everybody; no number of participants balances it exactly.\n";
     } else {
       words += fmt::format(
-          "{} participants a cohort {} it; suitable for a multiple of {}.\n",
-          participants,
-          balance.isBalanced ? "balance" : "do NOT balance",
+          "{} a cohort {} it; suitable for a multiple of {}.\n",
+          words::counted(participants, "participant"),
+          participants == 1    ? "does NOT balance"
+          : balance.isBalanced ? "balance"
+                               : "do NOT balance",
           balance.multipleOf);
     }
     for (std::size_t i = 0; i < balance.conditions.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "study/codebook.h"
 #include "study/export_parts.h"
 #include "study/public_tables.h"
+#include "study/words/counted.h"
 
 namespace study {
 namespace {
@@ -21,9 +22,8 @@ std::string inWords(const protocols::FeltSource& source, const ExportOptions& op
 std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) {
   const std::string mode = options.runMode ? std::string(nameOf(*options.runMode)) + " " : "";
   if (sessions == 0) return "No " + mode + "session is in this folder: its tables are empty.";
-  std::string words = std::to_string(sessions) + " " + mode +
-                      (sessions == 1 ? "session" : "sessions") + ", and no others.";
-  if (!options.runMode) words = std::to_string(sessions) + " sessions; `run_mode` says of each.";
+  std::string words = words::counted(sessions, mode + "session") +
+                      (options.runMode ? ", and no others." : "; `run_mode` says of each.");
   if (options.runMode == RunMode::Simulated) {
     words += " Nobody took part: these answers say nothing about any method.";
   }

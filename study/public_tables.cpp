@@ -11,6 +11,7 @@
 #include "study/codebook.h"
 #include "study/public_people.h"
 #include "study/storage/answer_repository.h"
+#include "study/words/counted.h"
 
 namespace study {
 namespace {
@@ -224,7 +225,7 @@ Release publicRelease(Study& study, const ExportOptions& options) {
   auto release = released(people.identifiers(), people.count(), k);
   if (release) return std::move(*release);
   throw storage::StorageError(
-      std::to_string(people.count()) + (people.count() == 1 ? " person has" : " people have") +
+      words::counted(people.count(), "person has", "people have") +
       " completed a session, and in a public folder each has to be one of at least " +
       std::to_string(k) +
       " of whom the same is told. Publish the report's tables instead of the answers, or wait "

@@ -3,12 +3,13 @@
 #include "study/export_parts.h"
 #include "study/public_people.h"
 #include "study/public_tables.h"
+#include "study/words/counted.h"
 
 namespace study {
 namespace {
 
 std::string peopleInWords(std::size_t count) {
-  return count == 1 ? "1 person" : std::to_string(count) + " people";
+  return words::counted(count, "person", "people");
 }
 
 /// "cohort, background_role".
@@ -49,7 +50,7 @@ std::string afterInWords(const Release& release) {
   }
   return fmt::format(
       "As told: {}, the smallest of {}: {}.\n",
-      after.classes == 1 ? "one class" : std::to_string(after.classes) + " classes",
+      words::counted(after.classes, "class", "classes"),
       peopleInWords(after.smallest),
       said.empty() ? "of them nothing is told" : said);
 }

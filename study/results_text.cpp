@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "study/words/counted.h"
+
 namespace study {
 namespace {
 
@@ -127,9 +129,9 @@ class Writer {
                   declaredInWords(family.family)));
     for (const auto& cohort : family.cohorts) {
       line(fmt::format(
-          "{}: {} participants who judged every method{}",
+          "{}: {} who judged every method{}",
           cohortTitle(cohort.cohort),
-          cohort.within.participants,
+          words::counted(cohort.within.participants, "participant"),
           cohort.within.leftOut.empty()
               ? ""
               : fmt::format(", {} left out", cohort.within.leftOut.size())));

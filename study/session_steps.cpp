@@ -5,6 +5,7 @@
 
 #include "study/session.h"
 #include "study/storage/trial_repository.h"
+#include "study/words/counted.h"
 
 namespace study {
 
@@ -21,7 +22,9 @@ void Session::finishStep() {
   if (present.kind == StepKind::Benchmark) {
     require(
         benchmarkCuts() >= present.minimumCuts,
-        "At least " + std::to_string(present.minimumCuts) + " cuts are needed first.");
+        "At least " +
+            words::counted(static_cast<std::uint64_t>(present.minimumCuts), "cut is", "cuts are") +
+            " needed first.");
   }
   transact([&] {
     const bool isConsent = present.kind == StepKind::Consent;
@@ -65,7 +68,7 @@ void Session::finishTrial(const TrialRecord& record) {
     enter(
         SessionEvent::FinishedTrial,
         Actor::Program,
-        std::to_string(record.cuts.size()) + " cuts, " +
+        words::counted(record.cuts.size(), "cut") + ", " +
             std::string(nameOf(record.judgement().verdict)));
     moveTo(row_.step + 1);
   });
@@ -99,7 +102,10 @@ void Session::keepTrial(const TrialRecord& record) {
   for (const auto& event : record.safety) {
     say(Actor::Program,
         "safety_" + std::string(nameOf(event.kind)),
-        fmt::format("{} times, {:.3f} s in all", event.times, event.duration));
+        fmt::format(
+            "{}, {:.3f} s in all",
+            words::counted(static_cast<std::uint64_t>(event.times), "time"),
+            event.duration));
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "study/words/counted.h"
+
 namespace study {
 namespace {
 
@@ -118,14 +120,19 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   if (traceSamples + lostSamples != ticks) {
     found(Verdict::Fail, fmt::format("{} of {} samples were kept", traceSamples, ticks));
   }
-  if (lostSamples > 0) found(Verdict::Fail, fmt::format("{} samples were lost", lostSamples));
+  if (lostSamples > 0)
+    found(
+        Verdict::Fail,
+        words::counted(
+            static_cast<std::uint64_t>(lostSamples), "sample was lost", "samples were lost"));
   if (invalidTicks > 0) {
     // One missing sample is bridged; a device on a wire misses one now and then.
     const bool isRare = link.isThere && static_cast<double>(invalidTicks) <
                                             kWarnLateShare * static_cast<double>(ticks);
     found(
         isRare ? Verdict::Warn : Verdict::Fail,
-        fmt::format("the device was silent for {} ticks", invalidTicks));
+        "the device was silent for " +
+            words::counted(static_cast<std::uint64_t>(invalidTicks), "tick"));
   }
   if (const auto bad = link.lost + link.doubled + link.late + link.damaged + link.foreign;
       bad > 0) {
@@ -142,7 +149,8 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   if (link.clipped > 0) {
     found(
         Verdict::Warn,
-        fmt::format("the device gave less than it was asked for in {} ticks", link.clipped));
+        "the device gave less than it was asked for in " +
+            words::counted(static_cast<std::uint64_t>(link.clipped), "tick"));
   }
   const double share = achievedRate ? *achievedRate / nominalRate : 1.0;
   if (share < kWarnRate) {

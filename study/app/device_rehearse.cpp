@@ -19,6 +19,7 @@
 #include "study/simulated_participant.h"
 #include "study/storage/event_log.h"
 #include "study/verification.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -168,9 +169,11 @@ bool sayHowItEnded(
     return false;
   }
   fmt::print(
-      "{} participant(s) who do not exist have felt '{}' on stand-ins for the devices. The study "
-      "is {} and {}.\n",
-      arguments.participants,
+      "{} '{}' on stand-ins for the devices. The study is {} and {}.\n",
+      words::counted(
+          static_cast<std::uint64_t>(arguments.participants),
+          "participant who does not exist has felt",
+          "participants who do not exist have felt"),
       arguments.protocol,
       place,
       isSound ? "verifies" : "does NOT verify");

@@ -9,6 +9,7 @@
 #include "study/app/run_mode_option.h"
 #include "study/export.h"
 #include "study/public_tables.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -36,11 +37,9 @@ const std::map<std::string, ExportFormat> kFormats{
 /// What was written, for whoever asked for it.
 void tellOfExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
   fmt::print(
-      "{} holds the data of {} {} {}{}.\n",
+      "{} holds the data of {}{}.\n",
       options.out,
-      sessions == 0 ? "no" : std::to_string(sessions),
-      nameOf(*how.runMode),
-      sessions == 1 ? "session" : "sessions",
+      words::counted(sessions, std::string(nameOf(*how.runMode)) + " session"),
       options.unblind ? ", NOT blinded" : ", blinded");
   if (sessions == 0) fmt::print("Its tables are empty.\n");
   if (sessions > 0 && how.runMode == RunMode::Simulated) {

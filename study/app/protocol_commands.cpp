@@ -10,18 +10,17 @@
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
 #include "study/balance_words.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
+
+using words::counted;
 
 struct CheckOptions {
   std::string file;
   bool json = false;
 };
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 int check(const CheckOptions& options) {
   questionnaires::Problems problems;

@@ -18,6 +18,7 @@
 #include "study/import_recording.h"
 #include "study/new_file.h"
 #include "study/session.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -76,13 +77,13 @@ std::string landmark(const char* name, const std::optional<recordings::CurvePoin
 void printSurvey(
     const recordings::Recording& recording, const recordings::RecordingSurvey& survey) {
   fmt::print(
-      "{}\n  {} rows at {:.1f} Hz (steps of {:.0f} to {:.0f} ms), {} lines could not be read\n",
+      "{}\n  {} rows at {:.1f} Hz (steps of {:.0f} to {:.0f} ms), {} could not be read\n",
       recording.source,
       survey.rows,
       survey.sampling.rate,
       1000.0 * survey.sampling.stepMin,
       1000.0 * survey.sampling.stepMax,
-      survey.refusedLines);
+      words::counted(static_cast<std::uint64_t>(survey.refusedLines), "line"));
   for (const auto& line : recording.refusedLines) {
     fmt::print("  line {}: {}\n", line.number, line.reason);
   }
@@ -188,7 +189,8 @@ int noise(const NoiseCommand& command) {
     std::fputs(processNoiseAsJson(found).c_str(), stdout);
     return 0;
   }
-  fmt::print("{}\n  {} rows of {} cuts", recording.source, found.samples, rows.size());
+  fmt::print(
+      "{}\n  {} rows of {}", recording.source, found.samples, words::counted(rows.size(), "cut"));
   if (found.resting > 0)
     fmt::print("; {} left out, where the travel hardly changes", found.resting);
   fmt::print(

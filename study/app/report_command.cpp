@@ -11,6 +11,7 @@
 #include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -31,7 +32,10 @@ void putFigures(const std::vector<report::ReportSection>& sections, const std::s
   if (count == 0) {
     throw std::runtime_error("There are no figures: this palpate was built without Qt.");
   }
-  fmt::print("{} holds {} figures, each as SVG, PDF and PNG (300 dpi).\n", folder, count);
+  fmt::print(
+      "{} holds {}, each as SVG, PDF and PNG (300 dpi).\n",
+      folder,
+      words::counted(static_cast<std::uint64_t>(count), "figure"));
 }
 
 std::string knownLanguages() {

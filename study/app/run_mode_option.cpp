@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "study/session.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 
@@ -21,8 +22,13 @@ RunMode chosenRunMode(Study& study, const std::string& name) {
   std::string others;
   for (const auto other : {RunMode::Pilot, RunMode::Simulated}) {
     if (counts[other] == 0) continue;
-    others += " " + std::to_string(counts[other]) + " " + std::string(nameOf(other)) +
-              " sessions are there: add --run-mode " + std::string(nameOf(other)) + ".";
+    const std::string what(nameOf(other));
+    others += " " +
+              words::counted(
+                  static_cast<std::uint64_t>(counts[other]),
+                  what + " session is",
+                  what + " sessions are") +
+              " there: add --run-mode " + what + ".";
   }
   throw NotNow("No participant has taken part in " + study.folder().string() + " yet." + others);
 }

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "study/words/counted.h"
+
 namespace study::app {
 namespace {
 
@@ -28,12 +30,11 @@ int completedOf(const std::vector<SimulatedEnding>& endings) noexcept {
 
 std::string inWords(const SimulatedEnding& ending) {
   std::string text = fmt::format(
-      "{} ended as {} at step {} after {} attempt{}",
+      "{} ended as {} at step {} after {}",
       ending.participant,
       nameOf(ending.state),
       ending.step,
-      ending.attempts,
-      ending.attempts == 1 ? "" : "s");
+      words::counted(static_cast<std::uint64_t>(ending.attempts), "attempt"));
   if (!ending.reason.empty()) text += fmt::format(": {}", phraseOf(ending));
   text += ".";
   if (ending.trials > 0) {

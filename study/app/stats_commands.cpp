@@ -18,6 +18,7 @@
 #include "study/app/run_mode_option.h"
 #include "study/pooled_answers.h"
 #include "study/results_text.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -66,7 +67,9 @@ int welch(const TestOptions& options) {
       orMissing(result.mean2),
       orMissing(result.variance2));
   if (groups.missing > 0)
-    fmt::print("{} rows without a group or a value were left out.\n", groups.missing);
+    fmt::print(
+        "{} left out, without a group or a value.\n",
+        words::counted(groups.missing, "row was", "rows were"));
   fmt::print(
       "difference {}, t = {}, df = {}, p = {}\n",
       orMissing(result.difference),

@@ -15,6 +15,7 @@
 #include "study/storage/records.h"
 #include "study/unfinished_sessions.h"
 #include "study/verification.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -127,10 +128,12 @@ int simulate(const StudyArguments& options) {
       options.devices);
   const int now = static_cast<int>(endings.size());
   fmt::print(
-      "{} simulated participant{} finished{}{}. Nobody took part: these answers say nothing about "
+      "{} finished{}{}. Nobody took part: these answers say nothing about "
       "any method.\n",
-      completedOf(endings),
-      completedOf(endings) == 1 ? " has" : "s have",
+      words::counted(
+          static_cast<std::uint64_t>(completedOf(endings)),
+          "simulated participant has",
+          "simulated participants have"),
       othersInWords(endings),
       already == 0     ? ""
       : already == now ? ", all of them begun before: no more were asked for, and none was added"

@@ -6,9 +6,12 @@
 
 #include "analysis/power.h"
 #include "study/app/study_plan.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
+
+using words::counted;
 
 /// .0167, 7.6e-06
 std::string pText(double p) {
@@ -28,10 +31,6 @@ std::string share(double rate) {
 
 std::string sizeText(const std::optional<std::uint64_t>& size) {
   return size ? std::to_string(*size) : "more than a million";
-}
-
-std::string counted(std::uint64_t count, const std::string& what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string ordersText(const StudyPlan& plan) {
@@ -54,7 +53,7 @@ std::string ordersText(const StudyPlan& plan) {
   for (const auto& cohort : plan.cohorts) {
     if (cohort.participants == 0) continue;
     const auto over = cohort.participants % plan.balancedBy;
-    text += fmt::format("  {}: {} participants ", cohort.id, cohort.participants);
+    text += fmt::format("  {}: {} ", cohort.id, counted(cohort.participants, "participant"));
     if (cohort.isBalanced) {
       text += "balance every block.\n";
     } else {
@@ -177,9 +176,9 @@ std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
                          : fmt::format("not corrected, {:g}", family.alpha),
       pText(family.alphaPerTest));
   text += fmt::format(
-      "  Each participant answers {} about each condition, on {} points.\n",
+      "  Each participant answers {} about each condition, on {}.\n",
       counted(family.answers, "statement"),
-      family.points);
+      counted(static_cast<std::uint64_t>(family.points), "point"));
   text += prospectsText(plan, family);
   text += powerTable(plan, family);
   text += fmt::format(
@@ -214,11 +213,11 @@ std::string votesText(const StudyPlan& plan) {
     rounds.insert(vote.phase);
     if (vote.votes == 0 || vote.alternatives < 2) continue;
     text += fmt::format(
-        "  {}, {}: {} for {} alternatives; ",
+        "  {}, {}: {} for {}; ",
         vote.phase,
         vote.cohort,
         counted(vote.votes, "vote"),
-        vote.alternatives);
+        counted(vote.alternatives, "alternative"));
     text += vote.toWin ? fmt::format(
                              "one that gets {} or more is preferred by more than chance (exact "
                              "multinomial test).\n",

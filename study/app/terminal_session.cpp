@@ -14,6 +14,7 @@
 #include "study/hardware_rig.h"
 #include "study/live_trial.h"
 #include "study/trial_setup.h"
+#include "study/words/counted.h"
 
 namespace study::app {
 namespace {
@@ -208,10 +209,10 @@ class TerminalSession {
   void feel() {
     const Step step = session_.step();
     fmt::print(
-        "\n== {} {} == [Enter: then {} cuts are to be made] ",
+        "\n== {} {} == [Enter: then {} to be made] ",
         session_.protocol().protocol.labels.prefix.in(language()),
         step.label,
-        step.minimumCuts);
+        words::counted(static_cast<std::uint64_t>(step.minimumCuts), "cut is", "cuts are"));
     readLine();
     auto traces = study_.openTraces();
     const VisitKey visit = session_.visit();
@@ -226,7 +227,7 @@ class TerminalSession {
     }
     session_.beginTrial();
     const auto record = feelInRealTime(*trial, step.minimumCuts, kLongestTrial);
-    fmt::print("{} cuts in {:.1f} s.\n", record.cuts.size(), record.duration);
+    fmt::print("{} in {:.1f} s.\n", words::counted(record.cuts.size(), "cut"), record.duration);
     if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);

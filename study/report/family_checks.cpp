@@ -111,7 +111,7 @@ class ChecksWriter : HtmlWriter {
           say(flag->why),
           say("What to do:"),
           say(flag->remedy),
-          escaped(flag->source));
+          escaped(s_.words.knownList(flag->source)));
     }
     put("</dl>");
   }

@@ -94,7 +94,10 @@ class TestsWriter : HtmlWriter {
          "g<sub>z</sub>",
          "BF<sub>10</sub>"});
     for (const auto& part : f_.cohorts) {
-      rowOver(say("{}, {} participants", s_.cohortTitle(part.cohort), part.within.participants), 7);
+      rowOver(
+          cohort(part.cohort) + ", " +
+              count(part.within.participants, "{} participant", "{} participants"),
+          7);
       for (const auto& comparison : part.within.rows) difference(comparison);
     }
     endTable();

@@ -144,7 +144,7 @@ class FeltPainter {
           painter_,
           {x + 34, y + 17, kWidth - x - 34, 18},
           Qt::AlignLeft | Qt::AlignVCenter,
-          QString::fromStdString(section_.words.say("{} trials", curves_[i]->trials)),
+          QString::fromStdString(section_.words.count(curves_[i]->trials, "{} trial", "{} trials")),
           11);
       y += 44;
     }

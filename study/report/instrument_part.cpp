@@ -28,10 +28,12 @@ class InstrumentWriter : HtmlWriter {
     if (!summary.scores.empty()) scores(*found, title, summary);
     if (!summary.acceptable.empty()) acceptability(*found, title, summary);
     if (!found->consistency) return;
-    paragraph(
-        "{} of {} forms contradict themselves by the instrument’s own rule; none was left out.",
-        summary.contradictory,
-        summary.forms);
+    put("<p>{}</p>",
+        count(
+            summary.contradictory,
+            "{} of {} forms contradicts itself by the instrument’s own rule; none was left out.",
+            "{} of {} forms contradict themselves by the instrument’s own rule; none was left out.",
+            summary.forms));
   }
 
   void scores(

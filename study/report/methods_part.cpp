@@ -186,9 +186,18 @@ class MethodsWriter : HtmlWriter {
       for (const auto& id : source.conditions) {
         conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
       }
-      put("<li>{}: {}</li>", escaped(protocols::inWords(source)), escaped(conditions));
+      put("<li>{}: {}</li>", inWords(source), escaped(conditions));
     }
     put("</ul>");
+  }
+
+  std::string inWords(const protocols::FeltSource& source) const {
+    const auto title = s_.words.known(source.title);
+    const auto kind = s_.words.known(source.kind);
+    std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";
+    text += source.file.empty() ? say("{} ({}, built into the program)", title, kind)
+                                : say("{} ({} '{}')", title, kind, source.file);
+    return source.origin.empty() ? text : text + ", " + escaped(s_.words.known(source.origin));
   }
 
   void instruments() {

@@ -105,7 +105,9 @@ class RenderingWriter : HtmlWriter {
     }
     if (q.reasons.empty()) return;
     put("<ul>");
-    for (const auto& reason : q.reasons) put("<li>{}</li>", escaped(reason));
+    for (const auto& reason : q.reasons) {
+      put("<li>{}</li>", escaped(s_.words.knownList(reason)));
+    }
     put("</ul>");
   }
 };

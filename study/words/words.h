@@ -30,8 +30,12 @@ class Words {
   const std::string& operator()(std::string_view english) const;
 
   /// The same for what somebody else says, a kernel's reason or a file's word: as it is where the
-  /// catalogue lacks it.
+  /// catalogue lacks it. Numbers and names in 'quotes' stand as {} in the catalogue; what comes
+  /// after a colon may be left out of it.
   std::string known(std::string_view words) const;
+
+  /// Several of these, between semicolons.
+  std::string knownList(std::string_view words) const;
 
   /// With {} where something is put in, in the same order in every language unless numbered.
   template <typename... Args>

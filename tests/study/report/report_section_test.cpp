@@ -1,8 +1,12 @@
 #include "study/report/report_section.h"
 
+#include <regex>
+
 #include <gtest/gtest.h>
 
+#include "study/report/html_report.h"
 #include "study/report/study_parts.h"
+#include "study/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 
@@ -27,6 +31,31 @@ TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
   const auto page = renderingAsHtml(section);
   EXPECT_NE(page.find("3 trials, 3 cuts or strokes: "), std::string::npos) << page;
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;
+}
+
+/// "1 cuts", "1 participants": one of what there are several of.
+std::string oneOfMany(const std::string& text) {
+  static const std::regex kWrong(
+      "[^0-9.]1 (participants|people|cuts|trials|answers|comparisons|alternatives|forms|times|"
+      "points|sessions|versions)[^a-z]");
+  std::smatch found;
+  return std::regex_search(text, found, kWrong) ? found.str() : "";
+}
+
+TEST(ReportSection, SaysOneOfWhatThereIsOneOf) {
+  tests::MadeStudy study(
+      tests::protocolFrom(tests::shortProtocol({.conditions = {"interpolation", "kalman"}})));
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  const auto section = gather(*study, RunMode::Live);
+  const auto page = asHtml({section});
+  EXPECT_NE(page.find("at least 1 cut or stroke each"), std::string::npos);
+  EXPECT_NE(page.find(", 1 comparison."), std::string::npos);
+  EXPECT_NE(page.find("Surgeons, 1 participant<"), std::string::npos);
+  EXPECT_EQ(oneOfMany(page), "");
+  EXPECT_EQ(oneOfMany(resultsAsText(*study, section.results, Profile::Recommended)), "");
+  EXPECT_EQ(oneOfMany(resultsAsText(*study, section.results, Profile::AsPublished)), "");
+  EXPECT_EQ(oneOfMany("at least 1 cuts each"), " 1 cuts ") << "or this test sees nothing";
 }
 
 }  // namespace

@@ -1,5 +1,10 @@
 #include "study/words/words.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include <gtest/gtest.h>
 
 #include "study/report/html_report.h"
@@ -51,6 +56,122 @@ TEST_P(WordsTest, PutTheSameThingsIn) {
     EXPECT_EQ(placesIn(english), placesIn(translated)) << english;
     EXPECT_FALSE(translated.empty()) << english;
   }
+}
+
+std::string sourceOf(const std::string& file) {
+  std::ifstream stream(std::filesystem::path(PALPATE_SOURCE_DIR) / file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Every sentence with which these kernels say why there is no number.
+std::vector<std::string> reasonsIn(const std::string& file) {
+  const std::regex assigned(R"re(reason =\s*((?:[^;"]*"[^"]*")+[^;"]*);)re");
+  const std::regex literal(R"re("([^"]*)")re");
+  const std::string source = sourceOf(file);
+  std::vector<std::string> reasons;
+  for (std::sregex_iterator found(source.begin(), source.end(), assigned), end; found != end;
+       ++found) {
+    const std::string right = (*found)[1];
+    const bool isChoice = right.find('?') != std::string::npos;
+    std::string whole;
+    for (std::sregex_iterator part(right.begin(), right.end(), literal); part != end; ++part) {
+      if (isChoice) reasons.push_back((*part)[1]);
+      whole += (*part)[1];
+    }
+    if (!isChoice) reasons.push_back(whole);
+  }
+  return reasons;
+}
+
+TEST_P(WordsTest, KnowEveryReasonOfTheKernels) {
+  const auto words = wordsIn(GetParam());
+  std::size_t seen = 0;
+  for (const auto* kernel :
+       {"friedman",
+        "paired_t",
+        "sign_flip",
+        "signed_rank",
+        "equivalence",
+        "linear_mixed_model",
+        "cumulative_link_mixed_model",
+        "repeated_measures_anova",
+        "position_effect",
+        "within_analysis"}) {
+    for (const auto& reason : reasonsIn("analysis/" + std::string(kernel) + ".cpp")) {
+      EXPECT_NE(words.known(reason), reason) << kernel;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 20U);
+}
+
+TEST_P(WordsTest, PutNumbersAndNamesIntoWhatOthersSay) {
+  const auto words = wordsIn(GetParam());
+  const auto& pattern = words.catalogue().at("{} of {} ticks were late");
+  const auto begin = pattern.find("{}");
+  EXPECT_EQ(words.known("30 of 4000 ticks were late").find("30"), begin);
+  for (const auto* said :
+       {"passivity (b > KT/2) needs 0.0123 N·s/m of damping, the device has 5e-05, the rest is the "
+        "hand's",
+        "the dead-man switch was released (3×, 0.120 s)",
+        "the fixed effect 'method kalman' cannot be told apart from the others: it is a "
+        "combination of them",
+        "group 1 has no values, and the test needs two in each group",
+        "'participant' and 'round' group the answers alike: their variances cannot be told apart",
+        "The punch paper's 0.017 for 0.05/3"}) {
+    const auto translated = words.known(said);
+    EXPECT_NE(translated, said);
+    EXPECT_EQ(translated.find("{}"), std::string::npos) << translated;
+  }
+  EXPECT_NE(
+      words.known("group 1 has no values, and the test needs two in each group").find("1"),
+      std::string::npos);
+  EXPECT_EQ(words.known("nobody ever said 5 of this"), "nobody ever said 5 of this");
+  EXPECT_EQ(
+      words.knownList("Fisher 1935; docs/statistics.md, planning"),
+      "Fisher 1935; " + words.known("docs/statistics.md, planning"));
+}
+
+/// What is read in a page: without its marks, its style and what stands in code.
+std::string readIn(std::string page) {
+  for (const auto* hidden : {"<style>[^]*?</style>", "<code>[^]*?</code>", "<[^>]*>"}) {
+    page = std::regex_replace(page, std::regex(hidden), " ");
+  }
+  return page;
+}
+
+/// Sentences of a page that have words in them which only English has.
+std::string englishIn(const std::string& page) {
+  const std::regex english(
+      R"re(\b(the|of|is|and|not|with|there|that|this|are|which|every|only|they|what|were|has)\b)re",
+      std::regex::icase);
+  const std::string read = readIn(page);
+  std::string found;
+  for (std::sregex_iterator word(read.begin(), read.end(), english), end; word != end; ++word) {
+    const auto at = static_cast<std::size_t>(word->position());
+    found += "  …" + read.substr(at < 40 ? 0 : at - 40, 90) + "…\n";
+  }
+  return found;
+}
+
+TEST_P(WordsTest, LeaveNoEnglishInAReport) {
+  std::vector<report::ReportSection> sections{tests::madeUpSection()};
+  auto& section = sections.front();
+  section.words = wordsIn(GetParam());
+  section.protocol.study = {.id = "x", .title = "x", .version = "1"};
+  section.results.families.front().family.title = "x";
+  for (auto& family : section.protocol.analysis.families) family.title = "x";
+  for (auto& instrument : section.instruments) instrument.source.citation.clear();
+  std::erase_if(section.warnings, [](const auto& warning) {
+    return warning.what.find("[[") != std::string::npos;  // quotes what is to be filled in
+  });
+  EXPECT_FALSE(section.warnings.empty());
+  section.quality.reasons = {
+      "30 of 4000 ticks were late, 2 of them because the machine itself stood still; "
+      "1 sample was lost"};
+  EXPECT_EQ(englishIn(report::asHtml(sections)), "");
+  section.words = {};
+  EXPECT_NE(englishIn(report::asHtml(sections)), "") << "or this test sees nothing";
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WordsTest, testing::Values("de", "nb"));

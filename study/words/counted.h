@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace study::words {
+
+/// In English: "1 cut", "3 cuts". What takes no plain s says its plural.
+inline std::string counted(std::uint64_t number, std::string_view one, std::string_view many = {}) {
+  std::string text = std::to_string(number) + " ";
+  if (number == 1) return text.append(one);
+  return many.empty() ? text.append(one) + "s" : text.append(many);
+}
+
+}  // namespace study::words
