@@ -10,8 +10,7 @@ namespace {
 
 /// "p = .021", "p < .001".
 std::string pEquals(const std::optional<double>& p) {
-  const auto words = pInWords(p);
-  return words.front() == '<' ? "p " + words : "p = " + words;
+  return "p " + equalsInWords(pInWords(p));
 }
 
 /// "p = .021, p_Holm = .063".
@@ -19,8 +18,7 @@ std::string pBoth(const analysis::AdjustedP& p, const protocols::Family& family)
   std::string words = pEquals(p.p);
   const auto name = nameOf(family.correction);
   if (p.p && !name.empty()) {
-    const auto adjusted = pInWords(p.adjusted);
-    words += fmt::format(", p_{} {}{}", name, adjusted.front() == '<' ? "" : "= ", adjusted);
+    words += fmt::format(", p_{} {}", name, equalsInWords(pInWords(p.adjusted)));
   }
   return words;
 }
@@ -66,7 +64,7 @@ class ApaWriter {
                       row.signedRank.v.value_or(0.0),
                       pBoth(row.signedRankP, family))
                 : w_.say("signed rank not defined: {}", w_.known(row.signedRank.reason));
-    if (row.bayes.bf10) line += "; BF10 = " + evidenceInWords(*row.bayes.bf10);
+    if (row.bayes.bf10) line += "; BF10 " + equalsInWords(evidenceInWords(*row.bayes.bf10));
     return line;
   }
 
@@ -168,6 +166,11 @@ std::string pInWords(const std::optional<double>& p) {
   if (*p < 0.001) return "< .001";
   if (*p >= 0.9995) return "1.000";
   return fmt::format("{:.3f}", *p).substr(1);
+}
+
+std::string equalsInWords(const std::string& number) {
+  const bool isBound = number.starts_with('<') || number.starts_with('>');
+  return isBound ? number : "= " + number;
 }
 
 std::string intervalInWords(const std::optional<analysis::Interval>& interval) {

@@ -21,6 +21,9 @@ std::string evidenceInWords(double bayesFactor);
 /// A p value as it stands in a text: ".021", "< .001"; "–" where there is none.
 std::string pInWords(const std::optional<double>& p);
 
+/// What stands after a letter: "= .021"; "< .001" and "> 1000" as they are.
+std::string equalsInWords(const std::string& number);
+
 /// "[0.41, 2.42]"; "–" where there is none.
 std::string intervalInWords(const std::optional<analysis::Interval>& interval);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +10,12 @@ namespace study {
 
 /// One cell of an exported table. Nothing is a missing value, never a zero.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+/// A value where there is one.
+template <typename T>
+Cell cellOf(const std::optional<T>& value) {
+  return value ? Cell(*value) : Cell();
+}
 
 /// A value that a column may hold, and what it stands for.
 struct Level {

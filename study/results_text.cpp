@@ -150,18 +150,18 @@ class Writer {
     const auto& slope = cohort.position.slope;
     line(
         slope.p ? fmt::format(
-                      "  Order: {} points from one position to the next {}, p = {}",
+                      "  Order: {} points from one position to the next {}, p {}",
                       rounded(slope.meanDifference, 2),
                       intervalInWords(cohort.position.slopeInterval),
-                      pInWords(slope.p))
+                      equalsInWords(pInWords(slope.p)))
                 : "  Order: no slope over positions: " + slope.reason);
     for (const auto& method : cohort.checks.methods) {
       line(fmt::format(
-          "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p = {}",
+          "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p {}",
           titleOf(method.method),
           rounded(method.alpha.value, 2),
           rounded(method.omega.value, 2),
-          pInWords(method.normality.p)));
+          equalsInWords(pInWords(method.normality.p))));
     }
   }
 
@@ -177,12 +177,13 @@ class Writer {
     std::string words = cohortTitle(row.cohort1) + " vs. " + cohortTitle(row.cohort2) + ": ";
     if (!row.mannWhitney.p) return words + "not defined: " + row.mannWhitney.reason;
     words += fmt::format(
-        "U = {:g}, exact p = {}, Cliff's δ = {} {}",
+        "U = {:g}, exact p {}, Cliff's δ = {} {}",
         row.mannWhitney.u.value_or(0.0),
-        pInWords(row.mannWhitney.p),
+        equalsInWords(pInWords(row.mannWhitney.p)),
         rounded(row.cliff.delta, 2),
         intervalInWords(row.cliff.interval));
-    if (row.brunnerMunzel.p) words += "; Brunner–Munzel p = " + pInWords(row.brunnerMunzel.p);
+    if (row.brunnerMunzel.p)
+      words += "; Brunner–Munzel p " + equalsInWords(pInWords(row.brunnerMunzel.p));
     return words;
   }
 

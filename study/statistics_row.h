@@ -43,11 +43,6 @@ std::vector<StatisticsRow> feltRows(
     const std::vector<FeltDifference>& differences,
     const std::map<std::string, std::string>& codes);
 
-template <typename T>
-Cell cellOf(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 /// Infinite statistics have no place in a table; their reason says so.
 inline Cell finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Cell(*value) : Cell();

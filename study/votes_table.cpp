@@ -31,11 +31,6 @@ std::vector<Column> columnsOfVotes() {
       {"reason", "Why something is missing"}};
 }
 
-template <typename T>
-Cell voteCell(const std::optional<T>& value) {
-  return value ? Cell(*value) : Cell();
-}
-
 /// The questions of a preference whose options are the alternatives of a block.
 std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& phase) {
   std::string items;
@@ -58,16 +53,16 @@ std::vector<Cell> rowOfVotes(
       code,
       static_cast<std::int64_t>(share.votes),
       static_cast<std::int64_t>(total),
-      voteCell(share.share),
+      cellOf(share.share),
       kVoteLevel,
       low(wilson),
       high(wilson),
       low(exact),
       high(exact),
-      voteCell(vote.test.exactP),
-      voteCell(vote.test.chiSquared),
-      voteCell(vote.test.degreesOfFreedom),
-      voteCell(vote.test.p),
+      cellOf(vote.test.exactP),
+      cellOf(vote.test.chiSquared),
+      cellOf(vote.test.degreesOfFreedom),
+      cellOf(vote.test.p),
       vote.test.reason.empty() ? Cell() : Cell(vote.test.reason)};
 }
 

@@ -44,14 +44,9 @@ class ChecksWriter : HtmlWriter {
               intervalInWords(part.position.slopeInterval),
               slope.degreesOfFreedom.value_or(0.0),
               rounded(slope.t, 2),
-              pEquals(slope.p)));
+              equalsInWords(pInWords(slope.p))));
     }
     put("</ul>");
-  }
-
-  static std::string pEquals(const std::optional<double>& p) {
-    const auto words = pInWords(p);
-    return words.front() == '<' ? words : "= " + words;
   }
 
   void scale() {
@@ -71,7 +66,7 @@ class ChecksWriter : HtmlWriter {
                                                 *spread.degreesOfFreedom1,
                                                 *spread.degreesOfFreedom2,
                                                 rounded(spread.f, 2),
-                                                pEquals(spread.p))
+                                                equalsInWords(pInWords(spread.p)))
                                           : std::string()),
           7);
       for (const auto& method : part.checks.methods) {

@@ -1,6 +1,7 @@
 #include "study/report/pdf_report.h"
 
 #include <memory>
+#include <optional>
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -14,7 +15,9 @@
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextLayout>
+#include <QTextList>
 #include <QTextObjectInterface>
+#include <QTextOption>
 
 #include "study/report/print_html.h"
 #include "study/study.h"
@@ -123,6 +126,46 @@ void keepWithNext(QTextDocument& document) {
   }
 }
 
+/// Where the first line of @p block that stands on a later page than its first one begins, from the
+/// start of the block; nothing where all stand on one.
+std::optional<int> firstOnNextPage(const QTextDocument& document, const QTextBlock& block) {
+  const double page = document.pageSize().height();
+  const auto& lines = *block.layout();
+  const double top = document.documentLayout()->blockBoundingRect(block).top();
+  const auto pageOf = [&](int line) {
+    return static_cast<int>((top + lines.lineAt(line).rect().center().y()) / page);
+  };
+  for (int line = 1; line < lines.lineCount(); ++line) {
+    if (pageOf(line) != pageOf(0)) return lines.lineAt(line).textStart();
+  }
+  return std::nullopt;
+}
+
+/// What goes on over the page becomes two blocks. Qt draws a block's lines around a page's edge on
+/// both pages, out of sight but not out of the text that is searched and copied (Qt 6.4).
+void splitAtPages(QTextDocument& document) {
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    const auto at = firstOnNextPage(document, block);
+    if (!at) continue;
+    auto upper = block.blockFormat();
+    auto lower = upper;
+    upper.setBottomMargin(0.0);
+    lower.setTopMargin(0.0);
+    lower.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    const auto* list = block.textList();
+    QTextCursor cursor(block);
+    cursor.setBlockFormat(upper);
+    cursor.setPosition(block.position() + *at);
+    cursor.insertBlock(lower);
+    if (list != nullptr) {  // goes on without a bullet of its own
+      lower.setIndent(lower.indent() + list->format().indent());
+      lower.setObjectIndex(-1);
+      cursor.setBlockFormat(lower);
+    }
+    layOutAnew(document);
+  }
+}
+
 /// Page after page, with its number below.
 void paintPages(QTextDocument& document, QPdfWriter& writer) {
   const QSizeF page = document.pageSize();
@@ -138,10 +181,11 @@ void paintPages(QTextDocument& document, QPdfWriter& writer) {
         QRectF(0.0, page.height(), page.width(), writer.height() - page.height()),
         Qt::AlignRight | Qt::AlignBottom,
         QString::number(number + 1));
-    context.clip = QRectF(QPointF(0.0, number * page.height()), page);
+    const QRectF seen(QPointF(0.0, number * page.height()), page);
+    context.clip = seen.adjusted(0.0, 1.0, 0.0, -1.0);  // what only touches the page is another's
     painter.save();
-    painter.translate(0.0, -context.clip.top());
-    painter.setClipRect(context.clip);
+    painter.translate(0.0, -seen.top());
+    painter.setClipRect(seen);
     document.documentLayout()->draw(&painter, context);
     painter.restore();
   }
@@ -163,11 +207,15 @@ std::string asPdf(std::string_view html, std::string_view title) {
   document.documentLayout()->registerHandler(kFigure, &figures);
   document.documentLayout()->setPaintDevice(&writer);
   document.setDocumentMargin(0.0);
+  QTextOption wrapping = document.defaultTextOption();
+  wrapping.setWrapMode(QTextOption::WordWrap);  // else narrow columns tear words apart
+  document.setDefaultTextOption(wrapping);
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
   constexpr double kFooter = 12.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
   keepWithNext(document);
+  splitAtPages(document);
   paintPages(document, writer);
   return buffer.data().toStdString();
 }

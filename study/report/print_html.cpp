@@ -1,5 +1,7 @@
 #include "study/report/print_html.h"
 
+#include <regex>
+
 namespace study::report {
 namespace {
 
@@ -90,6 +92,29 @@ void cells(std::string& html) {
   }
 }
 
+/// What belongs together is not torn apart at the end of a line: "p = .021", "[0.41, 2.42]",
+/// "95 %". Long codes may be, anywhere.
+void breaks(std::string& html) {
+  for (const std::string_view sign : {"=", "&lt;", "&gt;"}) {
+    replaceAll(html, " " + std::string(sign) + " ", "&nbsp;" + std::string(sign) + "&nbsp;");
+  }
+  replaceAll(html, " %", "&nbsp;%");
+  replaceAll(html, "-%-", "&#8209;%&#8209;");
+  static const std::regex kInterval("\\[([^\\], ]+), ([^\\], ]+)\\]");
+  html = std::regex_replace(html, kInterval, "[$1,&nbsp;$2]");
+  for (auto span = spanOf(html, "<code>", "</code>", 0); span.begin != std::string::npos;
+       span = spanOf(html, "<code>", "</code>", span.end)) {
+    constexpr std::size_t kPiece = 8;
+    constexpr std::string_view kMayBreak = "&#8203;";
+    const auto first = span.begin + std::string_view("<code>").size() + kPiece;
+    for (auto at = first; at + std::string_view("</code>").size() < span.end;
+         at += kPiece + kMayBreak.size()) {
+      html.insert(at, kMayBreak);
+      span.end += kMayBreak.size();
+    }
+  }
+}
+
 }  // namespace
 
 PrintHtml forPrint(std::string_view html) {
@@ -108,6 +133,7 @@ PrintHtml forPrint(std::string_view html) {
   replaceAll(text, "<details open><summary>", "<p><b>");
   replaceAll(text, "</summary>", "</b></p>");
   replaceAll(text, "</details>", "");
+  breaks(text);
   return page;
 }
 

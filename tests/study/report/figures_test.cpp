@@ -1,5 +1,7 @@
 #include "study/report/figures.h"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include <QImage>
@@ -10,6 +12,8 @@
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "tests/study/report/section.h"
+#include "tests/support/child_process.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study::report {
 namespace {
@@ -103,6 +107,52 @@ TEST(PdfReport, HasPagesWithTheFiguresInThem) {
   };
   EXPECT_EQ(pagesOf(bare), 1U);
   EXPECT_GE(pagesOf(pdf), 4U);
+}
+
+/// What a PDF says, as one who searches or copies finds it; nothing where that cannot be told.
+std::optional<std::string> textOf(const std::string& pdf) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("page.pdf", pdf);
+  try {
+    const auto finished = tests::run({"pdftotext", "-layout", file, "-"});
+    if (finished.status == 0) return finished.out;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::size_t timesIn(const std::string& text, const std::string& words) {
+  std::size_t times = 0;
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++times;
+  return times;
+}
+
+TEST(PdfReport, SaysEveryLineOnceAlsoWhereAPageEnds) {
+  constexpr int kWords = 6000;
+  std::string body;
+  for (int i = 0; i < kWords; ++i) {
+    if (i % 240 == 0) body += i == 0 ? "<p>" : i % 480 == 0 ? "</li></ul><p>" : "</p><ul><li>";
+    body += "w" + std::to_string(10000 + i) + " ";
+  }
+  const auto said = textOf(asPdf("<html><body>" + body + "</li></ul></body></html>", "A study"));
+  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+  EXPECT_GE(timesIn(*said, "\f"), 4U) << "pages";
+  for (int i = 0; i < kWords; ++i) {
+    const auto word = "w" + std::to_string(10000 + i);
+    EXPECT_EQ(timesIn(*said, word), 1U) << word;
+  }
+  EXPECT_EQ(timesIn(*said, "•"), 13U) << "what goes on over a page has no bullet of its own";
+}
+
+TEST(PdfReport, TearsNoWordApartInANarrowColumn) {
+  auto section = tests::madeUpSection();
+  section.words = words::wordsIn("de");
+  const auto said = textOf(asPdf(asHtml({section}), "A study"));
+  if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+  for (const auto* whole : {"Gruppe", "Laufend", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
+    EXPECT_GE(timesIn(*said, whole), 1U) << whole;
+  }
 }
 
 TEST(Figures, SpeakTheLanguageOfTheReport) {
