@@ -36,10 +36,11 @@ const std::map<std::string, ExportFormat> kFormats{
 
 /// What was written, for whoever asked for it.
 void tellOfExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
+  const std::string what = std::string(nameOf(*how.runMode)) + " session";
   fmt::print(
       "{} holds the data of {}{}.\n",
       options.out,
-      words::counted(sessions, std::string(nameOf(*how.runMode)) + " session"),
+      sessions == 0 ? "no " + what + "s" : words::counted(sessions, what),
       options.unblind ? ", NOT blinded" : ", blinded");
   if (sessions == 0) fmt::print("Its tables are empty.\n");
   if (sessions > 0 && how.runMode == RunMode::Simulated) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -53,24 +54,16 @@ struct OrdersOptions {
   bool csv = false;
 };
 
-void printOrders(
+/// Everybody's trials, a row each, for programs.
+void printTrials(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
-  const char* format =
-      options.csv ? "{},{},{},{},{},{}\n" : "{:<18} {:>11}  {:<16} {:>8}  {:>11}  {}\n";
-  fmt::print(
-      fmt::runtime(format),
-      "cohort",
-      "participant",
-      "block",
-      "position",
-      "alternative",
-      "condition");
+  fmt::print("cohort,participant,block,position,alternative,condition\n");
   for (const auto& cohort : protocol.cohorts) {
     for (std::size_t slot = 0; slot < options.participants; ++slot) {
       for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
         for (const auto& trial : block.trials) {
           fmt::print(
-              fmt::runtime(format),
+              "{},{},{},{},{},{}\n",
               cohort.id,
               slot + 1,
               block.phase,
@@ -81,6 +74,58 @@ void printOrders(
       }
     }
   }
+}
+
+/// "1, 4, 7", and not more of them than a line holds.
+std::string listed(const std::vector<std::size_t>& people) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(people.size(), kShown); ++i) {
+    text += (i == 0 ? "" : ", ") + std::to_string(people[i]);
+  }
+  return people.size() > kShown ? text + ", …" : text;
+}
+
+/// A condition, and its label where everybody who feels this order has the same.
+std::string orderInWords(
+    const protocols::Protocol& protocol, const protocols::PlannedBlock& block) {
+  std::string text;
+  for (const auto& trial : block.trials) {
+    text += (text.empty() ? "" : " → ") + trial.condition;
+    if (protocol.labels.policy != protocols::LabelPolicy::Random) {
+      text += fmt::format(" ({})", trial.label);
+    }
+  }
+  return text;
+}
+
+/// Every order that somebody has, once, with who has it.
+void printOrders(
+    const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
+  for (const auto& cohort : protocol.cohorts) {
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> found;
+    for (std::size_t slot = 0; slot < options.participants; ++slot) {
+      for (const auto& block : protocols::scheduleFor(protocol, seed, cohort.id, slot).blocks) {
+        const std::string order = block.phase + ": " + orderInWords(protocol, block);
+        auto same = std::find_if(
+            found.begin(), found.end(), [&](const auto& one) { return one.first == order; });
+        if (same == found.end()) same = found.insert(found.end(), {order, {}});
+        same->second.push_back(slot + 1);
+      }
+    }
+    std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+      return a.first.substr(0, a.first.find(':')) < b.first.substr(0, b.first.find(':'));
+    });
+    fmt::print("{}\n", cohort.id);
+    for (const auto& [order, people] : found) {
+      fmt::print("  {:>4} ×  {}   [{}]\n", people.size(), order, listed(people));
+    }
+  }
+  const bool isRandom = protocol.labels.policy == protocols::LabelPolicy::Random;
+  fmt::print(
+      "How many of {} feel each order, and who, counted from 1 in each cohort.{}\n",
+      options.participants,
+      isRandom ? " Labels are drawn for everybody: --csv has them." : " In brackets: the label.");
 }
 
 int orders(const OrdersOptions& options) {
@@ -96,10 +141,12 @@ int orders(const OrdersOptions& options) {
     fmt::print(
         "The protocol has no seed; every study draws its own. These are the orders of seed 1.\n\n");
   }
-  printOrders(protocol, options, seed);
-  if (!options.csv) {
-    std::fputs(balanceInWords(protocol, options.participants, seed).c_str(), stdout);
+  if (options.csv) {
+    printTrials(protocol, options, seed);
+    return 0;
   }
+  printOrders(protocol, options, seed);
+  std::fputs(balanceInWords(protocol, options.participants, seed).c_str(), stdout);
   return 0;
 }
 
@@ -127,7 +174,8 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 100'000));
   auto* seed =
       orders->add_option("--seed", ordering->seed, "Of the study (see 'palpate study status')");
-  orders->add_flag("--csv", ordering->csv, "As a table for programs, without the balance");
+  orders->add_flag(
+      "--csv", ordering->csv, "Everybody's trials as a table for programs, without the balance");
   orders->callback([&action, ordering, seed] {
     ordering->hasSeed = seed->count() > 0;
     action = [ordering] { return app::orders(*ordering); };

@@ -11,6 +11,7 @@
 #include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
+#include "study/unblinding.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -22,6 +23,7 @@ struct ReportArguments {
   std::string figures;
   std::string language = "en";
   std::string runMode;
+  std::string reason;
 };
 
 /// A new folder with every figure as a file of its own.
@@ -52,9 +54,10 @@ int report(const ReportArguments& options) {
   SystemClock clock;
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
-    auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
-    sections.push_back(report::gather(
-        study, chosenRunMode(study, options.runMode), words::wordsIn(options.language)));
+    auto study = Study::open(folder, clock, accessToNote(options.reason));
+    const auto mode = chosenRunMode(study, options.runMode);
+    noteUnblinding(study, mode, "report", options.reason);
+    sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
   }
   writeReport(sections, options.out);
   fmt::print("{} holds the report.\n", options.out);
@@ -86,6 +89,7 @@ void addReportCommand(CLI::App& program, Action& action) {
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));
   addRunModeOption(*command, options->runMode);
+  addReasonOption(*command, options->reason);
   command->callback([&action, options] { action = [options] { return app::report(*options); }; });
 }
 

@@ -14,6 +14,28 @@ void addRunModeOption(CLI::App& command, std::string& name) {
       ->check(CLI::IsMember({"live", "pilot", "simulated"}));
 }
 
+void addRunModeOfSession(CLI::App& command, std::string& name) {
+  auto* mode =
+      command
+          .add_option(
+              "--run-mode",
+              name,
+              "What the session is for; a pilot takes no place from a participant (default: "
+              "live)")
+          ->check(CLI::IsMember({"live", "pilot"}));
+  command
+      .add_flag_callback(
+          "--pilot", [&name] { name = "pilot"; }, "The same as --run-mode pilot")
+      ->excludes(mode);
+}
+
+void addReasonOption(CLI::App& command, std::string& reason) {
+  command.add_option(
+      "--reason",
+      reason,
+      "Why conditions are named beside live sessions' results; goes into the audit trail");
+}
+
 RunMode chosenRunMode(Study& study, const std::string& name) {
   const RunMode mode = runModeNamed(name).value_or(RunMode::Live);
   std::map<RunMode, int> counts;

@@ -18,6 +18,7 @@
 #include "study/app/run_mode_option.h"
 #include "study/pooled_answers.h"
 #include "study/results_text.h"
+#include "study/unblinding.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -91,6 +92,7 @@ struct RunOptions {
   std::string folder;
   std::string profile = "as-published";
   std::string runMode;
+  std::string reason;
   bool json = false;
   bool isWatched = false;
 };
@@ -112,8 +114,9 @@ struct RunOptions {
 
 int run(const RunOptions& options) {
   SystemClock clock;
-  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(options.folder, clock, accessToNote(options.reason));
   const auto mode = chosenRunMode(study, options.runMode);
+  noteUnblinding(study, mode, "results", options.reason);
   if (options.isWatched) watch(study, mode);
   const auto results = computeResults(study, mode);
   const auto profile =
@@ -142,6 +145,7 @@ void addStatsCommands(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"as-published", "recommended"}))
       ->capture_default_str();
   addRunModeOption(*run, running->runMode);
+  addReasonOption(*run, running->reason);
   auto* json = run->add_flag("--json", running->json, "For programs, full precision");
   run->add_flag(
          "--watch",

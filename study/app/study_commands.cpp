@@ -8,6 +8,7 @@
 
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
+#include "study/app/run_mode_option.h"
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/backup.h"
@@ -32,12 +33,12 @@ struct StudyArguments {
   std::string cohort;
   std::string participant;
   std::string devices;
+  std::string runMode;
   std::string language = "en";
   std::string out;
   int participants = 0;
   std::uint64_t seed = 0;
   bool hasSeed = false;
-  bool pilot = false;
   bool verbose = false;
   bool json = false;
 };
@@ -147,7 +148,7 @@ int run(const StudyArguments& options) {
   return runInTerminal(
       study,
       {.cohort = options.cohort,
-       .runMode = options.pilot ? RunMode::Pilot : RunMode::Live,
+       .runMode = runModeNamed(options.runMode).value_or(RunMode::Live),
        .language = options.language,
        .code = options.participant},
       options.devices);
@@ -283,7 +284,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option("--cohort", options->cohort, "Of a new participant (default: the first)");
   run->add_option("--participant", options->participant, "Their code (default: the next free one)");
   run->add_option("--language", options->language, "Of the texts")->capture_default_str();
-  run->add_flag("--pilot", options->pilot, "For trying out: takes no place from a participant");
+  addRunModeOfSession(*run, options->runMode);
   run->add_option("--devices", options->devices, kDevicesHelp);
 
   auto* simulate = addVerb(

@@ -1,8 +1,11 @@
 #include "study/app/terminal_session.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <initializer_list>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -41,6 +44,20 @@ std::optional<Number> numberIn(const std::string& text) {
   const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool isAll = result.ec == std::errc() && result.ptr == text.data() + text.size();
   return isAll ? std::optional(number) : std::nullopt;
+}
+
+/// In English, German or Norwegian, in whichever case.
+bool isAmongWords(std::string word, std::initializer_list<std::string_view> words) {
+  for (auto& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool isYes(const std::string& word) {
+  return isAmongWords(word, {"y", "yes", "j", "ja"});
+}
+
+bool isNo(const std::string& word) {
+  return isAmongWords(word, {"n", "no", "nein", "nei"});
 }
 
 /// One session at a terminal.
@@ -97,8 +114,7 @@ class TerminalSession {
     if (!step.isOffered) return true;
     const auto& prefix = session_.protocol().protocol.labels.prefix;
     fmt::print("\nFeel {} {} again before you choose? [y/N] ", prefix.in(language()), step.label);
-    const auto answer = readLine();
-    return answer == "y" || answer == "Y";
+    return isYes(readLine());
   }
 
   void countCuts() {
@@ -185,6 +201,18 @@ class TerminalSession {
     return options;
   }
 
+  /// The option that somebody means who says yes or no to a question of two options, one of which
+  /// consents or is called so; otherwise what was typed.
+  static Response chosen(const Item& item, const std::string& line) {
+    const bool saysYes = isYes(line);
+    if (item.options.size() != 2 || (!saysYes && !isNo(line))) return line;
+    const auto& first = item.options[0].id;
+    const auto& second = item.options[1].id;
+    const std::string yes = item.consentOption.empty() ? "yes" : item.consentOption;
+    if (yes != first && yes != second) return line;
+    return saysYes ? yes : (yes == first ? second : first);
+  }
+
   static std::optional<Response> parse(const Item& item, const std::string& line) {
     switch (item.type) {
       case ItemType::Likert:
@@ -202,7 +230,7 @@ class TerminalSession {
         return ids;
       }
       default:
-        return line;
+        return chosen(item, line);
     }
   }
 

@@ -9,6 +9,7 @@
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "study/session.h"
+#include "study/unblinding.h"
 
 namespace study::gui::home {
 namespace {
@@ -31,7 +32,7 @@ void write(const ReportOrder& order, const Progress& progress) {
   constexpr double kStep = 0.25;  // of four
   requireWritable(order.out);
   SystemClock clock;
-  auto study = Study::open(order.folder, clock, storage::Database::Access::ReadOnly);
+  auto study = Study::open(order.folder, clock, accessToNote(order.reason));
   const auto sessions = study.sessions().all();
   const bool hasAny = std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
     return session.runMode == order.mode;
@@ -42,10 +43,11 @@ void write(const ReportOrder& order, const Progress& progress) {
         " participant has taken part yet. Choose other "
         "sessions.");
   }
-  tell(progress, 0 * kStep, "computing the tables, and what was felt");
+  noteUnblinding(study, order.mode, "report", order.reason);
+  tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
-  tell(progress, 1 * kStep, "painting the figures");
+  tell(progress, kStep, "painting the figures");
   report::paintFigures(sections.front());
   tell(progress, 2 * kStep, "setting the page");
   const auto html = report::asHtml(sections);

@@ -12,7 +12,8 @@ struct ReportOrder {
   std::string folder;  ///< of the study
   RunMode mode = RunMode::Live;
   std::string language = "en";
-  std::string out;  ///< .html or .pdf; nothing is overwritten
+  std::string out;     ///< .html or .pdf; nothing is overwritten
+  std::string reason;  ///< why conditions are named beside live sessions' results
 };
 
 /// Writes it, as `palpate report` does. May run in any thread.

@@ -121,12 +121,14 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Write the report"),
           tr("Tables, figures, what was felt, in one page or PDF. It names every condition beside "
-             "its results: whoever must stay blind does not open it."),
+             "its results: whoever must stay blind does not open it, and why live sessions are "
+             "unblinded goes into the audit trail."),
           tr("Write"),
           parent),
       folder_(study.folder),
       mode_(runModeChoice(study, this)),
       language_(new QComboBox(this)),
+      reason_(new QLineEdit(this)),
       target_(new PathField(
           PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)) {
   for (const auto& language : words::languages()) {
@@ -137,7 +139,19 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   target_->setPath(beside(folder_, QStringLiteral("report.html")));
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Language"), language_);
+  reason_->setAccessibleName(tr("Reason for unblinding"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  form().addRow(tr("Reason for unblinding"), reason_);
   form().addRow(tr("File (.html or .pdf)"), target_);
+  connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);
+  connect(reason_, &QLineEdit::textChanged, this, &ReportDialog::updateChoices);
+  updateChoices();
+}
+
+void ReportDialog::updateChoices() {
+  const bool isLive = chosenMode(*mode_) == RunMode::Live;
+  form().setRowVisible(reason_, isLive);
+  go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
 }
 
 void ReportDialog::work() {
@@ -145,7 +159,8 @@ void ReportDialog::work() {
       .folder = folder_,
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),
-      .out = target_->path().toStdString()};
+      .out = target_->path().toStdString(),
+      .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
   const bool isDone = BackgroundTask::run(
       this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
   if (!isDone) return clear();

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QSpinBox>
 
 #include "study/gui/home/path_field.h"
@@ -53,9 +54,13 @@ class ReportDialog final : public WorkDialog {
   void work() override;
 
  private:
+  /// Live sessions are unblinded with a reason only.
+  void updateChoices();
+
   std::string folder_;
   QComboBox* mode_;
   QComboBox* language_;
+  QLineEdit* reason_;
   PathField* target_;
 };
 

@@ -476,6 +476,14 @@ TEST_F(CommandLineTest, ShowsEverybodysOrder) {
       palpate({"protocol", "orders", "reaming-hardness", "--participants", "4", "--csv"});
   EXPECT_EQ(finished.status, 0);
   EXPECT_GE(linesOf(finished.out).size(), 1U + 3U * 4U * 4U);  // cohorts, people, levels
+  const auto fixed = palpate({"protocol", "orders", "punch-face-validity", "--participants", "12"});
+  const auto lines = linesOf(fixed.out);
+  const auto isOrder = [](const std::string& line) {
+    return line.find("  12 ×  round-") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(lines.begin(), lines.end(), isOrder), 2 * 2) << fixed.out;
+  EXPECT_NE(fixed.out.find("[1, 2, 3, 4, 5, 6, 7, 8, …]"), std::string::npos);
+  EXPECT_LT(lines.size(), 20U) << fixed.out;
   const auto words = palpate({"protocol", "orders", "reaming-hardness", "--participants", "5"});
   EXPECT_NE(words.out.find("do NOT balance it"), std::string::npos);
 }

@@ -85,6 +85,23 @@ TEST_F(StudyDialogsTest, ReportIsWrittenAsPageAndOnPaper) {
   EXPECT_EQ(tests::contentOf(out_ / "report.pdf").substr(0, 5), "%PDF-");
 }
 
+TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
+  ReportDialog dialog(summary());
+  dialog.show();
+  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
+  EXPECT_TRUE(go->isEnabled()) << "simulated";
+  EXPECT_FALSE(reason->isVisible());
+  for (auto* choice : dialog.findChildren<QComboBox*>()) {
+    const int live = choice->findData(static_cast<int>(RunMode::Live));
+    if (choice->accessibleName() == QStringLiteral("Which sessions")) choice->setCurrentIndex(live);
+  }
+  EXPECT_TRUE(reason->isVisible());
+  EXPECT_FALSE(go->isEnabled());
+  reason->setText(QStringLiteral("plan signed"));
+  EXPECT_TRUE(go->isEnabled());
+}
+
 TEST_F(StudyDialogsTest, ReportOverwritesNothingAndSaysSo) {
   out_.write("report.html", "mine");
   QString told;

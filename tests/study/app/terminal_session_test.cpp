@@ -1,0 +1,65 @@
+// `palpate study run`: a session at the terminal, with what somebody types.
+#include <gtest/gtest.h>
+
+#include "study/storage/records.h"
+#include "tests/study/made_study.h"
+#include "tests/support/child_process.h"
+
+namespace study {
+namespace {
+
+class TerminalSessionTest : public testing::Test {
+ protected:
+  /// Runs a session that is told @p typed and then nothing more.
+  tests::Finished run(const std::string& typed, const std::string& options = "") {
+    study_.close();
+    const std::string call = "printf '" + typed + "' | '" + PALPATE_PROGRAM + "' study run '" +
+                             study_.folder() + "' " + options;
+    auto finished = tests::run({"sh", "-c", call});
+    study_.reopen();
+    return finished;
+  }
+
+  /// What was answered to the consent's question in the last session.
+  std::string consented() {
+    std::string said;
+    for (const auto& answer : storage::Records(study_->database()).answers()) {
+      if (answer.answer.item == "consent") said = std::get<std::string>(answer.answer.response);
+    }
+    return said;
+  }
+  storage::SessionRecord last() { return storage::Records(study_->database()).sessions().back(); }
+
+  tests::MadeStudy study_;
+};
+
+TEST_F(TerminalSessionTest, TakesYesAndNoInItsLanguages) {
+  for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
+    const auto finished = run(yes + "\\n\\n\\n");
+    EXPECT_EQ(consented(), "yes") << yes << "\n" << finished.out;
+    EXPECT_EQ(last().status, "in_progress") << yes;
+    auto session = Session::resume(*study_, last().id);
+    session.withdraw("a test");
+  }
+  for (const std::string no : {"no", "Nein", "nei", "n"}) {
+    run(no + "\\n\\n\\n");
+    EXPECT_EQ(last().status, "declined") << no;
+  }
+  run("perhaps\\n");
+  EXPECT_EQ(last().status, "in_progress") << "neither yes nor no";
+}
+
+TEST_F(TerminalSessionTest, IsForWhatTheRunModeSays) {
+  run("", "--run-mode pilot");
+  EXPECT_EQ(last().runMode, "pilot");
+  run("", "--cohort students");
+  EXPECT_EQ(last().runMode, "live");
+  EXPECT_EQ(run("", "--run-mode simulated").status, 2);
+  EXPECT_EQ(run("", "--pilot --run-mode live").status, 2);
+  EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 2U);
+  run("", "--pilot");
+  EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 2U) << "the pilot goes on";
+}
+
+}  // namespace
+}  // namespace study

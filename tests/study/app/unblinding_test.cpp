@@ -1,0 +1,74 @@
+// What names conditions beside real people's answers asks why, and writes it down.
+#include "study/unblinding.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+#include "tests/support/child_process.h"
+
+namespace study {
+namespace {
+
+/// One live participant who finished.
+class UnblindingTest : public testing::Test {
+ protected:
+  UnblindingTest() {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+    tests::walkToTheEnd(session);
+  }
+
+  tests::Finished palpate(std::vector<std::string> arguments) {
+    study_.close();
+    arguments.insert(arguments.begin(), PALPATE_PROGRAM);
+    auto finished = tests::run(arguments);
+    study_.reopen();
+    return finished;
+  }
+
+  /// The reasons that were given for @p kind.
+  std::vector<std::string> reasonsOf(const std::string& kind) {
+    std::vector<std::string> reasons;
+    for (const auto& event : study_->events().read()) {
+      if (event.kind == kind) reasons.push_back(event.detail);
+    }
+    return reasons;
+  }
+
+  tests::MadeStudy study_;
+};
+
+TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
+  EXPECT_THROW(noteUnblinding(*study_, RunMode::Live, "report", ""), storage::StorageError);
+  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Pilot, "report", ""));
+  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, "report", ""));
+  EXPECT_TRUE(reasonsOf("unblinded_report").empty());
+  noteUnblinding(*study_, RunMode::Live, "report", "plan signed");
+  EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
+}
+
+TEST_F(UnblindingTest, ReportsAndStatisticsAskForOneAsExportsDo) {
+  const std::string page = study_.scratch() / "page.html";
+  const auto folder = study_.folder();
+  const auto refused = palpate({"report", folder, "--out", page});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.error.find("--reason"), std::string::npos) << refused.error;
+  EXPECT_FALSE(std::filesystem::exists(page));
+  const auto unsaid = palpate({"stats", "run", folder});
+  EXPECT_EQ(unsaid.status, 1);
+  EXPECT_EQ(unsaid.out, "");
+  EXPECT_EQ(palpate({"stats", "run", folder, "--watch"}).status, 1);
+  EXPECT_TRUE(reasonsOf("unblinded_results").empty());
+
+  EXPECT_EQ(palpate({"report", folder, "--out", page, "--reason", "plan signed"}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(page));
+  EXPECT_EQ(palpate({"stats", "run", folder, "--reason", "a second look"}).status, 0);
+  EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
+  EXPECT_EQ(reasonsOf("unblinded_results"), std::vector<std::string>{"a second look"});
+}
+
+}  // namespace
+}  // namespace study
