@@ -60,8 +60,10 @@ class MethodsWriter : HtmlWriter {
   std::string benchmark(const protocols::Phase& phase) const {
     std::string text = count(
         phase.minimumCuts,
-        "As what to compare with, every participant made at least {} cut with the real tool ({}).",
-        "As what to compare with, every participant made at least {} cuts with the real tool ({}).",
+        "To have something to compare with, every participant made at least {} cut with the real "
+        "tool ({}).",
+        "To have something to compare with, every participant made at least {} cuts with the real "
+        "tool ({}).",
         phase.id);
     const auto& read = phase.text.in(s_.words.language());
     if (!read.empty()) text += " " + say("They read: “{}”", read);

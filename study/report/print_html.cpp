@@ -98,6 +98,7 @@ void breaks(std::string& html) {
   for (const std::string_view sign : {"=", "&lt;", "&gt;"}) {
     replaceAll(html, " " + std::string(sign) + " ", "&nbsp;" + std::string(sign) + "&nbsp;");
   }
+  replaceAll(html, "&nbsp;.", "&nbsp;.&#8288;");  // Qt 6.4 would break before the digits
   replaceAll(html, " %", "&nbsp;%");
   replaceAll(html, "-%-", "&#8209;%&#8209;");
   static const std::regex kInterval("\\[([^\\], ]+), ([^\\], ]+)\\]");

@@ -77,7 +77,7 @@ TEST(PrintHtml, KeepsTogetherWhatBelongsTogether) {
   const auto page = forPrint(
       "<p>t(5) = 2.77, p &lt; .001 [0.07, 1.98], 95 % and 95-%-KI</p>"
       "<code>0123456789abcdef01</code>");
-  EXPECT_TRUE(has(page.html, "t(5)&nbsp;=&nbsp;2.77, p&nbsp;&lt;&nbsp;.001 [0.07,&nbsp;1.98]"))
+  EXPECT_TRUE(has(page.html, "t(5)&nbsp;=&nbsp;2.77, p&nbsp;&lt;&nbsp;.&#8288;001 [0.07,&nbsp;1.98]"))
       << page.html;
   EXPECT_TRUE(has(page.html, "95&nbsp;%"));
   EXPECT_TRUE(has(page.html, "95&#8209;%&#8209;KI"));
