@@ -22,18 +22,6 @@ namespace {
 using questionnaires::Problems;
 using questionnaires::shown;
 
-/// Passes on what was found in another file, with that file's name before the path.
-void passOn(const Problems& found, const std::string& file, Problems& problems) {
-  for (const auto& problem : found.all()) {
-    const std::string path = shown(file) + " " + problem.path;
-    if (problem.severity == questionnaires::Severity::Error) {
-      problems.add(path, problem.what, problem.fix);
-    } else {
-      problems.warn(path, problem.what, problem.fix);
-    }
-  }
-}
-
 std::string originOf(const haptics::recordings::Provenance& provenance) {
   if (provenance.sourceFile.empty()) return provenance.statement;
   const std::string from = "recorded in '" + provenance.sourceFile + "'";
@@ -54,6 +42,17 @@ bool leavesItsFolder(const std::string& name) {
 }
 
 }  // namespace
+
+void Companions::passOn(const Problems& found, const std::string& file, Problems& problems) {
+  for (const auto& problem : found.all()) {
+    const std::string path = shown(file) + " " + problem.path;
+    if (problem.severity == questionnaires::Severity::Error) {
+      problems.add(path, problem.what, problem.fix);
+    } else {
+      problems.warn(path, problem.what, problem.fix);
+    }
+  }
+}
 
 void Companions::readInstruments() {
   const auto& names = draft_.loaded.protocol.instrumentFiles;

@@ -29,6 +29,9 @@ class Companions {
   /// Puts the bone that @p condition names, if it names one, into its scene.
   void readPacking(Condition& condition);
 
+  /// Gives @p condition the knee that it names, if it names one, to be seen.
+  void readAnatomy(Condition& condition);
+
   /// Puts the cut that @p condition names, if it names one, into its scene.
   void readCut(Condition& condition);
 
@@ -37,6 +40,7 @@ class Companions {
     std::shared_ptr<const haptics::reaming::PackedBone> bone;  ///< nothing where it is damaged
     std::string origin;                                        ///< in words
   };
+  using Knee = std::shared_ptr<const Anatomy>;
   using CutFile = std::optional<haptics::recordings::Cut>;
 
   void readInstrument(std::size_t index);
@@ -44,6 +48,12 @@ class Companions {
   void addWording(questionnaires::Instrument& instrument, const std::string& path);
   static void fill(haptics::engine::InterpolationSpec& spec, const haptics::recordings::Cut& cut);
   PackingFile packingOf(const PackingReference& reference);
+  /// Passes on what was found in another file, with that file's name before the path.
+  static void passOn(
+      const questionnaires::Problems& found,
+      const std::string& file,
+      questionnaires::Problems& problems);
+  Knee kneeOf(const AnatomyReference& reference);
   CutFile cutOf(const CutReference& reference);
   void tellSource(FeltSource source, const Condition& condition);
   std::optional<std::string> textOf(const std::string& name, const std::string& path);
@@ -54,6 +64,7 @@ class Companions {
   const FileFinder& find_;
   questionnaires::Problems& problems_;
   std::map<std::string, PackingFile> packings_;  ///< by file; conditions share them
+  std::map<std::string, Knee> knees_;            ///< by file; nothing where it is damaged
   std::map<std::string, CutFile> cuts_;          ///< by file: each is told about once
 };
 

@@ -5,9 +5,10 @@
 
 namespace protocols {
 
-/// What conditions are felt from that stands in no protocol: a cut, a material, a bone of spheres.
+/// What conditions are felt from, or seen as, that stands in no protocol: a cut, a material, a bone
+/// of spheres, a knee.
 struct FeltSource {
-  std::string kind;          ///< "cut", "material" or "packing"
+  std::string kind;          ///< "cut", "material", "packing" or "anatomy"
   std::string file;          ///< as the protocol calls it; empty where it is built into the program
   std::string title;         ///< for people
   std::string origin;        ///< in words; empty where the file says nothing

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "protocols/advice.h"
+#include "protocols/anatomy_file.h"
 #include "protocols/companions.h"
 #include "protocols/draft.h"
 #include "protocols/library.h"
@@ -29,6 +30,12 @@ void tell(const Problems& found, Problems& problems) {
   }
 }
 
+/// How large a file of this name may be [bytes].
+std::size_t largestOf(const std::string& name) {
+  if (name.ends_with(kPackingEnding)) return kLargestPacking;
+  return name.ends_with(kAnatomyEnding) ? kLargestAnatomy : questionnaires::kLargestFile;
+}
+
 std::optional<LoadedProtocol> load(
     std::string_view json, const FileFinder& find, Problems& problems) {
   auto protocol = readDraft(json, problems);
@@ -46,6 +53,7 @@ std::optional<LoadedProtocol> load(
     companions.readCut(condition);
     companions.readMaterial(condition);
     companions.readPacking(condition);
+    companions.readAnatomy(condition);
   }
   checkRules(draft, problems);
   if (problems.hasErrors()) return std::nullopt;
@@ -84,9 +92,7 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
     const auto file = folder / name;
     std::error_code absent;
     if (!fs::exists(file, absent)) return std::nullopt;
-    const bool isPacking = name.ends_with(kPackingEnding);
-    return questionnaires::readTextFile(
-        file.string(), isPacking ? kLargestPacking : questionnaires::kLargestFile);
+    return questionnaires::readTextFile(file.string(), largestOf(name));
   };
   return loadProtocol(questionnaires::readTextFile(path), beside, problems);
 }

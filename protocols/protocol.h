@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -69,6 +70,14 @@ struct PackingReference {
   std::string path;  ///< JSON path of the reference, for messages
 };
 
+struct Anatomy;
+
+/// Where the knee comes from that is seen, in place of ours.
+struct AnatomyReference {
+  std::string name;  ///< an OBJ file beside the protocol
+  std::string path;  ///< JSON path of the reference, for messages
+};
+
 /// One rendering that may be felt: the device and a scene, complete but for what lies in other
 /// files.
 struct Condition {
@@ -80,6 +89,8 @@ struct Condition {
   bool hasOwnMaterial = false;                ///< a bone that names none: it is the program's
   std::optional<PackingReference> packing;    ///< where a bone's spheres are taken from
   std::optional<CutReference> cut;            ///< where the scene's curve is taken from
+  std::optional<AnatomyReference> anatomy;    ///< where the knee that is seen is taken from
+  std::shared_ptr<const Anatomy> knee;        ///< that anatomy; nothing: ours
 };
 
 /// Which label an alternative bears.

@@ -87,6 +87,12 @@ void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
         "add it to 'devices', or correct the name");
   }
   const auto* device = draft.loaded.protocol.device(condition.device);
+  if (condition.anatomy && device != nullptr && device->kind != DeviceKind::Punch) {
+    problems.add(
+        path + ".anatomy",
+        "a knee is seen with a punch, not with a reamer",
+        "remove it; the bone that a reamer shows is its packing");
+  }
   if (isRead && device != nullptr && isCurveThere(condition.scene)) {
     checkParameters(condition.scene, device->kind, path, problems);
   }

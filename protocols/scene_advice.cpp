@@ -1,5 +1,6 @@
 #include "protocols/scene_advice.h"
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -55,12 +56,50 @@ void adviseOnBranches(
       "choose another closure of the recording, or take closing-only");
 }
 
+/// Whether some block shows condition @p id.
+bool isSeen(const Protocol& protocol, const Condition& condition) {
+  return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
+    const auto& felt = phase.trials.conditions;
+    const bool isFelt = std::find(felt.begin(), felt.end(), condition.id) != felt.end();
+    return isFelt && phase.trials.isVisualised.value_or(condition.scene.isVisualised);
+  });
+}
+
+std::string anatomyOf(const Condition& condition) {
+  return condition.anatomy ? condition.anatomy->name : std::string();
+}
+
+/// What is seen must not tell apart what is to be told apart by feel.
+void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& problems) {
+  const Condition* first = nullptr;
+  for (const auto& id : block.conditions) {
+    const auto* condition = protocol.condition(id);
+    if (condition == nullptr || !block.isVisualised.value_or(condition->scene.isVisualised))
+      continue;
+    if (first == nullptr) first = condition;
+    if (anatomyOf(*first) == anatomyOf(*condition)) continue;
+    const auto at = static_cast<std::size_t>(condition - protocol.conditions.data());
+    problems.warn(
+        "$.conditions[" + std::to_string(at) + "].scene",
+        "'" + condition->id + "' shows another knee than '" + first->id +
+            "', so that they can be told apart by what is seen",
+        "give all conditions of a block the same 'anatomy'");
+  }
+}
+
 }  // namespace
 
 void adviseOnScenes(const Protocol& protocol, Problems& problems) {
   for (std::size_t i = 0; i < protocol.conditions.size(); ++i) {
     const std::string path = "$.conditions[" + std::to_string(i) + "].scene";
-    const auto& model = protocol.conditions[i].scene.model;
+    const auto& condition = protocol.conditions[i];
+    if (condition.anatomy && !isSeen(protocol, condition)) {
+      problems.warn(
+          path + ".anatomy",
+          "it is never seen",
+          "set 'visualisation' to true, in the scene or in a block");
+    }
+    const auto& model = condition.scene.model;
     if (const auto* kalman = std::get_if<engine::KalmanSpec>(&model)) {
       adviseOnWeight(*kalman, path, problems);
       adviseOnBranches(kalman->interpolation, path, problems);
@@ -68,6 +107,7 @@ void adviseOnScenes(const Protocol& protocol, Problems& problems) {
       adviseOnBranches(*spec, path, problems);
     }
   }
+  for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }
 
 }  // namespace protocols

@@ -264,9 +264,12 @@ engine::PackingSpec readPacking(const Node& node, Condition& condition) {
 }  // namespace
 
 void readScene(const Node& scene, Condition& condition) {
-  if (!scene.isObjectWith({"device", "model", "parameters", "visualisation"})) return;
+  if (!scene.isObjectWith({"device", "model", "parameters", "visualisation", "anatomy"})) return;
   condition.device = scene.id("device");
   condition.scene.isVisualised = scene.flag("visualisation", false);
+  if (scene.has("anatomy")) {
+    condition.anatomy = AnatomyReference{scene.text("anatomy"), scene.pathOf("anatomy")};
+  }
   const auto model = readChoice(scene, "model", kModels);
   const auto parameters = scene.requiredObject("parameters");
   if (!model || !parameters) return;

@@ -14,7 +14,10 @@
 #include "study/gui/home/recent_studies.h"
 #include "study/gui/home/tour.h"
 #include "study/gui/operator_window.h"
+#include "study/gui/simulation/knee_anatomy.h"
 #include "study/gui/theme_choice.h"
+#include "study/new_file.h"
+#include "study/storage/storage_error.h"
 #include "study/study.h"
 
 namespace {
@@ -47,7 +50,22 @@ void describe(QCommandLineParser& parser) {
       {QStringLiteral("devices"),
        QStringLiteral("The laboratory's device file (default: devices.json in DIR)."),
        QStringLiteral("FILE")});
+  parser.addOption(
+      {QStringLiteral("write-knee"),
+       QStringLiteral("Write the knee that is shown as OBJ, to fit an anatomy to, and end."),
+       QStringLiteral("FILE")});
   study::app::addBenchOptions(parser);
+}
+
+int writeKnee(const QString& path) {
+  try {
+    study::writeNewFile(path.toStdString(), study::gui::simulation::kneeAsObj({}));
+  } catch (const study::storage::StorageError& error) {
+    std::fprintf(stderr, "palpate-studio: %s\n", error.what());
+    return 1;
+  }
+  std::printf("%s\n", qPrintable(path));
+  return 0;
 }
 
 }  // namespace
@@ -58,6 +76,11 @@ int main(int argc, char** argv) {
   if (isAmong(argc, argv, {"--help", "-h", "-?", "--help-all", "--version", "-v"})) {
     const QCoreApplication withoutWindows(argc, argv);
     parser.process(withoutWindows);
+  }
+  if (isAmong(argc, argv, {"--write-knee"})) {
+    const QCoreApplication withoutWindows(argc, argv);
+    parser.process(withoutWindows);
+    return writeKnee(parser.value(QStringLiteral("write-knee")));
   }
   if (!hasScreen(argc, argv)) {
     std::fputs(

@@ -15,6 +15,8 @@
 #include "haptics/engine/parametric_bone.h"
 #include "haptics/reaming/acetabulum.h"
 #include "haptics/reaming/packing_builder.h"
+#include "protocols/anatomy_file.h"
+#include "questionnaires/document.h"
 #include "study/app/desk_bench.h"
 #include "study/gui/simulation/hip_scene.h"
 #include "study/gui/simulation/knee_scene.h"
@@ -39,6 +41,7 @@ struct Settings {
   QString folder;
   simulation::RendererChoice renderer = simulation::RendererChoice::Best;
   simulation::SphereColours colours = simulation::SphereColours::Neutral;
+  std::optional<protocols::Anatomy> knee;  ///< in place of ours
 };
 
 /// A simulation with somebody at work in it.
@@ -59,6 +62,21 @@ struct Measured {
   bool isOnProcessor = false;
   QString remark;
 };
+
+/// Reads the knee that is asked for, if one is; whether it can be drawn. What there is to say about
+/// it goes to the person who asked.
+bool readKnee(const QString& path, Settings& settings) {
+  if (path.isEmpty()) return true;
+  questionnaires::Problems problems;
+  try {
+    const auto text = questionnaires::readTextFile(path.toStdString(), protocols::kLargestAnatomy);
+    settings.knee = protocols::readAnatomy(text, problems);
+  } catch (const questionnaires::Error& error) {
+    problems.add("", error.what());
+  }
+  std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+  return settings.knee.has_value();
+}
 
 bool readSettings(const QCommandLineParser& parser, Settings& settings) {
   const std::map<QString, simulation::SphereColours> colours{
@@ -85,13 +103,14 @@ bool readSettings(const QCommandLineParser& parser, Settings& settings) {
   return settings.folder.isEmpty() || QDir().mkpath(settings.folder);
 }
 
-Subject kneeSubject() {
+Subject kneeSubject(const Settings& settings) {
   Subject subject;
   subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
   QElapsedTimer clock;
   clock.start();
-  subject.scene = std::make_unique<simulation::KneeScene>();
+  subject.scene =
+      std::make_unique<simulation::KneeScene>(settings.knee ? &*settings.knee : nullptr);
   subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
@@ -267,6 +286,7 @@ void addBenchOptions(QCommandLineParser& parser) {
   add("seconds", "With --bench: of each simulation, 0.5 to 600.", "S", "8");
   add("spheres", "With --bench: of the cup, at least 1000.", "N", "201532");
   add("colours", "With --bench: neutral, density or removal.", "WHAT", "neutral");
+  add("anatomy", "With --bench: a knee of your own, as OBJ.", "FILE", "");
   add("renderer", "With --bench: best, finest (as on a graphics card) or software.", "WHO", "best");
   add("out", "With --bench: a folder for pictures.", "DIR", "");
 }
@@ -282,7 +302,8 @@ int benchStudio(const QCommandLineParser& parser) {
         stderr);
     return 2;
   }
-  const auto knee = measure(kneeSubject(), settings);
+  if (!readKnee(parser.value(QStringLiteral("anatomy")), settings)) return 2;
+  const auto knee = measure(kneeSubject(settings), settings);
   if (!knee.remark.isEmpty()) std::printf("%s\n", qPrintable(knee.remark));
   const bool isKneeGood = tell(QStringLiteral("Punch and knee"), knee);
   const bool isHipGood =

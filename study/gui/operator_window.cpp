@@ -200,6 +200,7 @@ void OperatorWindow::handOver() {
     if (!chosen) return;
     pin_.choose(*chosen);
   }
+  trial_->closeBone();
   participant_->lock().lock();
 }
 

@@ -18,6 +18,10 @@
 
 namespace study::gui {
 
+namespace simulation {
+class HipScene;
+}
+
 /// One session for the windows: passes what people do on to the session, runs its trials, and tells
 /// everybody what has changed. Decides nothing that the session does not allow.
 ///
@@ -46,6 +50,9 @@ class SessionController final : public QObject {
   std::optional<ViewReport> viewReport() const {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
+  /// Whom to ask for the cup that the participant sees; nobody where none is seen.
+  void showCupBy(std::function<simulation::HipScene*()> cup) { cup_ = std::move(cup); }
+  simulation::HipScene* seenCup() const { return cup_ ? cup_() : nullptr; }
   /// The next sample for a plot.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
@@ -117,6 +124,7 @@ class SessionController final : public QObject {
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
   std::function<std::optional<ViewReport>()> viewReport_;
+  std::function<simulation::HipScene*()> cup_;
   QTimer watch_;
 };
 

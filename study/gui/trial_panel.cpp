@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "study/gui/cup_button.h"
 #include "study/gui/cut_table.h"
 #include "study/gui/labels.h"
 #include "study/gui/live_plot.h"
@@ -21,6 +22,7 @@ TrialPanel::TrialPanel(QWidget* parent)
       health_(new QLabel(this)),
       cutCount_(bodyLabel({}, this)),
       numbers_(quietLabel({}, this)),
+      cup_(new CupButton(this)),
       plot_(new LivePlot(this)),
       servo_(new ServoPanel(this)),
       cuts_(new CutTable(this)) {
@@ -44,7 +46,10 @@ TrialPanel::TrialPanel(QWidget* parent)
   numbers->addWidget(health_, 1);
   numbers->addWidget(cutCount_);
   layout->addLayout(numbers);
-  layout->addWidget(numbers_);
+  auto* below = new QHBoxLayout;
+  below->addWidget(numbers_, 1);
+  below->addWidget(cup_);
+  layout->addLayout(below);
   layout->addWidget(plot_, 3);
   layout->addWidget(servo_);
   layout->addWidget(cuts_, 1);
@@ -54,7 +59,12 @@ TrialPanel::TrialPanel(QWidget* parent)
 void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
+  cup_->follow(controller);
   updateSteps();
+}
+
+void TrialPanel::closeBone() {
+  cup_->closeWindow();
 }
 
 void TrialPanel::showHealth(const QString& words, Health health) {
@@ -70,6 +80,7 @@ void TrialPanel::updateSteps() {
   const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
   if (isRunning && !wasRunning_) beginTrial();
   wasRunning_ = isRunning;
+  cup_->refresh();
   showState();
 }
 
@@ -113,6 +124,7 @@ void TrialPanel::updateTrial() {
           .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority"))
           .arg(scale.unit) +
       viewInWords(*controller_));
+  cup_->refresh();
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {
     plot_->add(sample);

@@ -7,6 +7,7 @@
 
 namespace study::gui {
 
+class CupButton;
 class CutTable;
 class LivePlot;
 class ServoPanel;
@@ -26,6 +27,8 @@ class TrialPanel final : public QWidget {
   void updateSteps();
   /// New numbers from a running trial.
   void updateTrial();
+  /// What an operator alone may see of the bone is seen no longer.
+  void closeBone();
 
  private:
   enum class Health { Good, Resting, Bad };
@@ -39,6 +42,7 @@ class TrialPanel final : public QWidget {
   QLabel* health_;
   QLabel* cutCount_;
   QLabel* numbers_;
+  CupButton* cup_;
   LivePlot* plot_;
   ServoPanel* servo_;
   CutTable* cuts_;

@@ -18,10 +18,11 @@ namespace {
 
 using simulation::SimulationView;
 
+/// @param knee  that is seen in place of ours; nothing: ours.
 std::unique_ptr<simulation::SimulatedScene> simulatedSceneOf(
-    const haptics::engine::SceneSpec& spec) {
+    const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
   if (spec.device == haptics::devices::DeviceKind::Punch) {
-    return std::make_unique<simulation::KneeScene>();
+    return std::make_unique<simulation::KneeScene>(knee);
   }
   return std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
       .packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
@@ -41,13 +42,21 @@ simulation::Look lookAt(const SessionController& controller) {
 
 /// Puts the simulation into @p place, following the trial.
 void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionController& controller) {
+  const auto& session = controller.session();
+  const auto* condition = session.protocol().protocol.condition(session.step().condition);
   auto* view = new SimulationView(
-      simulatedSceneOf(spec), simulation::openGraphics(), SimulationView::Pace::Display, &place);
+      simulatedSceneOf(spec, condition->knee.get()),
+      simulation::openGraphics(),
+      SimulationView::Pace::Display,
+      &place);
   place.layout()->addWidget(view);
   view->follow([&controller] { return lookAt(controller); });
   controller.reportViewBy([seen = QPointer(view)]() -> std::optional<ViewReport> {
     if (seen.isNull()) return std::nullopt;
     return seen->report();
+  });
+  controller.showCupBy([seen = QPointer(view)]() -> simulation::HipScene* {
+    return seen.isNull() ? nullptr : dynamic_cast<simulation::HipScene*>(&seen->scene());
   });
 }
 
@@ -55,6 +64,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
 
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.reportViewBy({});
+  controller.showCupBy({});
   const auto spec = setupFor(controller.session(), {}).scene;
   if (!spec.isVisualised) return nullptr;
   auto* place = new QWidget(parent);
@@ -71,6 +81,7 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
       });
   return place;
 }
+
 QString viewInWords(const SessionController& controller) {
   const auto report = controller.viewReport();
   if (!report || report->frames < 2) return {};

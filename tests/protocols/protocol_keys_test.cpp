@@ -60,6 +60,8 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_EQ(recorded->device, "punch");
   EXPECT_TRUE(recorded->scene.isVisualised);
   EXPECT_EQ(recorded->cut->name, "cuts/two-points.json");
+  EXPECT_EQ(recorded->anatomy->name, "anatomies/square.obj");
+  EXPECT_EQ(recorded->anatomy->path, "$.conditions[0].scene.anatomy");
   EXPECT_EQ(recorded->cut->path, "$.conditions[0].scene.parameters.cut");
   const auto curve = sceneOf<engine::InterpolationSpec>(protocol, "recorded").options;
   EXPECT_EQ(curve.beyond, models::BeyondCurve::Hold);

@@ -20,6 +20,7 @@
 #include "study/gui/home/protocol_window.h"
 #include "study/gui/home/recent_studies.h"
 #include "study/gui/home/self_test_dialog.h"
+#include "study/gui/home/shape_window.h"
 #include "study/gui/home/study_dialogs.h"
 #include "study/gui/home/tour.h"
 #include "study/gui/labels.h"
@@ -120,6 +121,7 @@ void HomeWindow::makeMenus() {
   measured->addAction(tr("&Fit a material…"), this, &HomeWindow::openTool<FitMaterialDialog>);
   measured->addAction(
       tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
+  measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { askForShape(this); });
   addThemesTo(*menuBar()->addMenu(tr("&View")));
   auto* help = menuBar()->addMenu(tr("&Help"));
   // F1 itself is seen by offerHelp(), wherever the keyboard is.

@@ -9,9 +9,7 @@ namespace {
 
 constexpr Tint kCortical{243, 235, 214, 40};
 constexpr Tint kCancellous{226, 186, 160, 30};
-constexpr Tint kUntouched{200, 200, 194, 25};
-constexpr Tint kGrazed{247, 201, 72, 40};
-constexpr Tint kNearlyGone{200, 44, 36, 40};
+constexpr Tint kUntouched{138, 150, 164, 25};
 
 /// No two spheres are quite alike: from 0 to 1, by their number.
 float chanceOf(std::size_t slot) {
@@ -23,20 +21,31 @@ float densityOf(const haptics::reaming::SphereField& field, std::size_t slot) {
   return field.group(slot).density[slot % haptics::reaming::kLanes];
 }
 
+/// The colour at @p share of the way through @p stops.
+template <std::size_t N>
+Tint along(const std::array<Tint, N>& stops, float share) {
+  const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(N - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), N - 2);
+  return blend(stops[low], stops[low + 1], at - static_cast<float>(low));
+}
+
 }  // namespace
 
-BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours colours)
-    : field_(field), colours_(colours) {
-  if (colours != SphereColours::Density) return;
-  std::vector<float> densities;
+DensityRange densityRangeOf(const haptics::reaming::SphereField& field) {
+  std::vector<double> densities;
   for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
     if (field.group(slot).radius[slot % haptics::reaming::kLanes] > 0.0F) {
-      densities.push_back(densityOf(field, slot));
+      densities.push_back(static_cast<double>(densityOf(field, slot)));
     }
   }
   std::sort(densities.begin(), densities.end());
-  softest_ = densities[densities.size() / 50];
-  hardest_ = densities[densities.size() - 1 - densities.size() / 50];
+  const std::size_t beyond = densities.size() / 50;
+  return {densities[beyond], densities[densities.size() - 1 - beyond]};
+}
+
+BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours colours)
+    : field_(field), colours_(colours) {
+  if (colours == SphereColours::Density) range_ = densityRangeOf(field);
 }
 
 Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
@@ -44,11 +53,12 @@ Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
     case SphereColours::Neutral:
       return lit(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * chanceOf(slot));
     case SphereColours::Density: {
-      const float range = hardest_ - softest_;
-      return scaleTint(range > 0.0F ? (densityOf(field_, slot) - softest_) / range : 0.5F);
+      const double range = range_.hardest - range_.softest;
+      const double above = static_cast<double>(densityOf(field_, slot)) - range_.softest;
+      return scaleTint(range > 0.0 ? static_cast<float>(above / range) : 0.5F);
     }
     case SphereColours::Removal:
-      return lit(kUntouched, 0.9F + 0.1F * chanceOf(slot));
+      return lit(untouchedTint(), 0.95F + 0.05F * chanceOf(slot));
   }
   return kCortical;
 }
@@ -56,7 +66,7 @@ Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
 Tint tintAfter(SphereColours colours, Tint tint, float whole, float left) {
   if (colours != SphereColours::Removal) return tint;
   const float gone = whole > 0.0F ? 1.0F - left / whole : 0.5F;  // split off: part of another
-  return blend(kGrazed, kNearlyGone, std::clamp(gone, 0.0F, 1.0F));
+  return removalTint(gone);
 }
 
 Tint scaleTint(float share) {
@@ -66,9 +76,17 @@ Tint scaleTint(float share) {
       Tint{33, 145, 140, 35},
       Tint{94, 201, 98, 35},
       Tint{253, 231, 37, 35}};
-  const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(kViridis.size() - 1);
-  const auto low = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
-  return blend(kViridis[low], kViridis[low + 1], at - static_cast<float>(low));
+  return along(kViridis, share);
+}
+
+Tint untouchedTint() {
+  return kUntouched;
+}
+
+Tint removalTint(float share) {
+  constexpr std::array kInferno{
+      Tint{87, 16, 110, 35}, Tint{188, 55, 84, 35}, Tint{249, 142, 9, 35}, Tint{252, 255, 164, 35}};
+  return along(kInferno, share);
 }
 
 }  // namespace study::gui::simulation

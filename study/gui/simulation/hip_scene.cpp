@@ -30,6 +30,9 @@ HipScene::HipScene(const Options& options) {
   scene_.parts.push_back({.mesh = std::move(reamer.shaft)});
   options.packing == nullptr ? addPlainCup() : addSpheres(options);
   lookIntoTheCup();
+  // Colours that say something are read where there is light.
+  constexpr float kEven = 0.42F;
+  if (options.colours != SphereColours::Neutral) scene_.shots.front().light.ambient = kEven;
   follow({}, 0.0);
 }
 
@@ -84,18 +87,25 @@ void HipScene::lookIntoTheCup() {
   scene_.shots.push_back(std::move(shot));
 }
 
+void HipScene::apply(const haptics::engine::SphereChange& change) {
+  if (spheres_ != nullptr) spheres_->apply(change);
+}
+
 void HipScene::follow(const Look& look, double seconds) {
-  double depth = look.travel;
+  depth_ = look.travel;
   if (look.bone != nullptr && spheres_ != nullptr) {
     haptics::engine::SphereChange change;
-    while (look.bone->next(change)) spheres_->apply(change);
-    depth = look.bone->depth();
+    while (look.bone->next(change)) {
+      spheres_->apply(change);
+      if (listener_) listener_(change);
+    }
+    depth_ = look.bone->depth();
   }
   if (look.isRunning) {
     spin_ = std::fmod(spin_ + 360.0F * kTurnsPerSecond * static_cast<float>(seconds), 360.0F);
   }
   QMatrix4x4 pose;
-  pose.translate(0.0F, 0.0F, start_ + kPerMetre * static_cast<float>(depth));
+  pose.translate(0.0F, 0.0F, start_ + kPerMetre * static_cast<float>(depth_));
   pose.rotate(spin_, 0.0F, 0.0F, 1.0F);
   scene_.parts[Cap].pose = pose;
   scene_.parts[Shaft].pose = pose;

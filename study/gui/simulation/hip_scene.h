@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "haptics/reaming/packed_bone.h"
 #include "study/gui/simulation/simulated_scene.h"
@@ -21,6 +23,14 @@ class HipScene final : public SimulatedScene {
 
   void follow(const Look& look, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
+
+  /// Takes over what has happened to a sphere, from elsewhere than a trial's bone.
+  void apply(const haptics::engine::SphereChange& change);
+  /// Lets somebody else see every change as well, when it is followed; nobody: nothing.
+  using Listener = std::function<void(const haptics::engine::SphereChange&)>;
+  void tellChangesTo(Listener listener) { listener_ = std::move(listener); }
+  /// Where the reamer is, along its plunge [m].
+  double depth() const noexcept { return depth_; }
   const SphereCloud* spheres() const noexcept { return spheres_.get(); }
 
  private:
@@ -32,6 +42,8 @@ class HipScene final : public SimulatedScene {
 
   Scene scene_;
   std::unique_ptr<SphereCloud> spheres_;
+  Listener listener_;
+  double depth_ = 0.0;  ///< of the reamer [m]
   float start_ = 0.0F;  ///< z of the reamer's centre at a depth of 0 [mm]
   float spin_ = 0.0F;   ///< [°]
 };

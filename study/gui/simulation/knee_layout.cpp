@@ -15,16 +15,20 @@ float plateauHeight(float x, float z) {
   return 0.0022F * (x * x + dz * dz) - 0.4F;
 }
 
-QMatrix4x4 punchPose(const KneeLayout& layout) {
-  constexpr float kReach = 5.6F;   // of the hinge from the bite [mm]
+QVector3D punchMouth(const KneeLayout& layout) {
   constexpr float kBiteIn = 1.9F;  // from the free edge [mm]
   constexpr float kAbove = 1.25F;  // the plateau, of the lower jaw [mm]
+  QVector3D mouth = onArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
+  mouth.setY(plateauHeight(mouth.x(), mouth.z()) + kAbove);
+  return mouth;
+}
+
+QMatrix4x4 punchPose(const KneeLayout& layout) {
+  constexpr float kReach = 5.6F;  // of the hinge from the bite [mm]
   const QVector3D along = QVector3D(-0.42F, -0.06F, -0.90F).normalized();
   const QVector3D across = QVector3D::crossProduct(along, {0, 1, 0}).normalized();
   const QVector3D up = QVector3D::crossProduct(across, along);
-  QVector3D bite = onArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
-  bite.setY(plateauHeight(bite.x(), bite.z()) + kAbove);
-  const QVector3D hinge = bite - kReach * along;
+  const QVector3D hinge = punchMouth(layout) - kReach * along;
   return {
       along.x(),
       up.x(),

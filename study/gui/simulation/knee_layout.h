@@ -22,6 +22,9 @@ QVector3D onArc(const KneeLayout& layout, float angle, float radius);
 /// The height of the shin's plateau.
 float plateauHeight(float x, float z);
 
+/// Where the punch bites: on its lower jaw, at the tissue.
+QVector3D punchMouth(const KneeLayout& layout);
+
 /// Where the punch is: from its own frame to the knee's.
 QMatrix4x4 punchPose(const KneeLayout& layout);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "study/gui/simulation/knee_surfaces.h"
+#include "study/gui/simulation/knee_anatomy.h"
 #include "study/gui/simulation/punch_shape.h"
 
 namespace study::gui::simulation {
@@ -18,10 +18,11 @@ constexpr float kMovesOn = 26.0F;      // [°/s]
 
 }  // namespace
 
-KneeScene::KneeScene() : meniscus_(layout_) {
-  add(plateauSurface());
-  add(condyleSurface());
-  add(capsuleSurface(layout_));
+KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
+  KneeSurfaces around = kneeSurfaces(layout_, own);
+  add(std::move(around.tibia));
+  add(std::move(around.femur));
+  add(std::move(around.capsule));
   add(meniscus_.body());
   add({});
   const QMatrix4x4 punch = punchPose(layout_);

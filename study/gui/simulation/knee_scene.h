@@ -3,13 +3,18 @@
 #include "study/gui/simulation/meniscus.h"
 #include "study/gui/simulation/simulated_scene.h"
 
+namespace protocols {
+struct Anatomy;
+}
+
 namespace study::gui::simulation {
 
 /// A knee as an arthroscope shows it, with a punch at the meniscus; beside it the whole punch, so
 /// that its handles can be seen.
 class KneeScene final : public SimulatedScene {
  public:
-  KneeScene();
+  /// @param own  surfaces in place of ours; nothing: ours. Not needed any more afterwards.
+  explicit KneeScene(const protocols::Anatomy* own = nullptr);
 
   void follow(const Look& look, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }

@@ -1,5 +1,6 @@
 #include "study/gui/simulation/knee_surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "study/gui/simulation/solids.h"
@@ -7,9 +8,7 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr Tint kCartilage{232, 229, 217, 205};
 constexpr Tint kCartilageShade{222, 208, 190, 185};
-constexpr Tint kSynovium{170, 78, 70, 130};
 constexpr Tint kSynoviumPale{205, 128, 112, 140};
 constexpr Tint kVessel{128, 34, 36, 120};
 
@@ -58,7 +57,8 @@ Mesh condyleSurface() {
       [&](float u, float v) {
         constexpr float kTurn = 6.2831853F;
         const float around = kTurn * u;
-        const float up = 0.30F * kTurn * v;  // from the lowest place
+        // From the lowest place; a little beside it, so that every triangle there has a side.
+        const float up = 0.30F * kTurn * std::max(v, 0.0005F);
         const float bump = 1.0F + 0.02F * v * v * std::sin(5.0F * around) * std::sin(9.0F * up);
         return centre + bump * radii *
                             QVector3D(

@@ -232,6 +232,20 @@ void SphereCloud::apply(const haptics::engine::SphereChange& change) {
   show(change.slot);
 }
 
+std::vector<haptics::engine::SphereChange> SphereCloud::changesSoFar() const {
+  std::vector<haptics::engine::SphereChange> changes;
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    const auto& now = slots_[i].sphere;
+    const auto& then = whole_[i];
+    const bool isAsItWas =
+        now.x == then.x && now.y == then.y && now.z == then.z && now.radius == then.radius;
+    if (isAsItWas) continue;
+    changes.push_back(
+        {i, {now.x / kPerMetre, now.y / kPerMetre, now.z / kPerMetre, now.radius / kPerMetre}});
+  }
+  return changes;
+}
+
 std::size_t SphereCloud::uploadChanges(const Upload& upload) {
   const std::span all(instances_);
   if (isAllNew_) {

@@ -48,6 +48,10 @@ class SphereCloud {
   /// Takes over what has happened to a sphere, or that all are whole again.
   void apply(const haptics::engine::SphereChange& change);
 
+  /// What has become of the spheres since the beginning, one change for each that is not as it was:
+  /// another cloud of the same bone that applies them looks the same.
+  std::vector<haptics::engine::SphereChange> changesSoFar() const;
+
   const std::vector<SphereInstance>& instances() const noexcept { return instances_; }
   std::size_t shown() const noexcept { return instances_.size() - free_.size(); }
 

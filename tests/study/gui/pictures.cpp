@@ -35,4 +35,10 @@ void photographInAllThemes(QWidget& window, const QString& name) {
   window.resize(size);
 }
 
+void keepPicture(const QImage& picture, const QString& name) {
+  if (std::getenv("PALPATE_PICTURES") == nullptr) return;
+  const auto folder = QString::fromUtf8(std::getenv("PALPATE_PICTURES"));
+  picture.save(QStringLiteral("%1/%2.png").arg(folder, name));
+}
+
 }  // namespace tests

@@ -1,6 +1,7 @@
 // The spheres that are drawn, and what is handed on about them.
 #include "study/gui/simulation/sphere_cloud.h"
 
+#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -12,6 +13,17 @@ namespace study::gui::simulation {
 namespace {
 
 using haptics::engine::SphereChange;
+
+/// CIE L* of a tint, 0 to 100.
+double lightnessOf(Tint tint) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const double y =
+      0.2126 * linear(tint.red) + 0.7152 * linear(tint.green) + 0.0722 * linear(tint.blue);
+  return y > 0.008856 ? 116.0 * std::cbrt(y) - 16.0 : 903.3 * y;
+}
 
 /// Whoever draws, with a copy of its own; counts what it is sent.
 struct Copy {
@@ -132,9 +144,47 @@ TEST_F(SphereCloudTest, SaysDensityAndRemovalByColour) {
   const Tint before = sphere.tint;
   removal.apply(
       {slotOf(sphere), {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 1e-5F}});
-  EXPECT_GT(removal.instances()[7].tint.red, removal.instances()[7].tint.blue + 100);
+  EXPECT_GT(lightnessOf(removal.instances()[7].tint), lightnessOf(before) + 20.0);
   EXPECT_LT(std::abs(before.red - before.blue), 40);
-  EXPECT_LT(scaleTint(0.0F).red + scaleTint(0.0F).green, scaleTint(1.0F).red);
+}
+
+TEST(BoneTints, GrowLighterFromEndToEndSoThatNobodyNeedsTheirHues) {
+  for (const auto scale : {&scaleTint, &removalTint}) {
+    double before = lightnessOf(scale(0.0F));
+    EXPECT_LT(before, 25.0);
+    for (int i = 1; i <= 20; ++i) {
+      const double lightness = lightnessOf(scale(static_cast<float>(i) / 20.0F));
+      EXPECT_GT(lightness, before + 1.5) << i;
+      before = lightness;
+    }
+    EXPECT_GT(before, 85.0);
+  }
+}
+
+TEST(BoneTints, ShowNoRemovalThatLooksUntouchedToTheColourBlind) {
+  for (int i = 0; i <= 40; ++i) {
+    const Tint tint = removalTint(static_cast<float>(i) / 40.0F);
+    // What red-blind and green-blind eyes keep: light, and blue against yellow.
+    const Tint none = untouchedTint();
+    const double light = lightnessOf(tint) - lightnessOf(none);
+    const auto yellow = [](Tint t) { return 0.5 * (t.red + t.green) - t.blue; };
+    const double hue = 100.0 * (yellow(tint) - yellow(none)) / 255.0;
+    EXPECT_GT(std::hypot(light, hue), 20.0) << i;
+  }
+}
+
+TEST_F(SphereCloudTest, TellsAnotherWhatHasBecomeOfIt) {
+  SphereCloud cloud(field_, {});
+  EXPECT_TRUE(cloud.changesSoFar().empty());
+  for (std::uint32_t slot = 0; slot < 2000; slot += 2) cloud.apply({slot, {}});
+  auto sphere = cloud.instances()[10];
+  cloud.apply({slotOf(sphere), {0.01F, 0.02F, 0.03F, 2e-4F}});
+  SphereCloud other(field_, {});
+  for (const auto& change : cloud.changesSoFar()) other.apply(change);
+  EXPECT_EQ(other.shown(), cloud.shown());
+  EXPECT_EQ(other.changesSoFar().size(), cloud.changesSoFar().size());
+  cloud.apply({SphereChange::kAllAnew, {}});
+  EXPECT_TRUE(cloud.changesSoFar().empty());
 }
 
 }  // namespace

@@ -50,10 +50,12 @@ TEST_F(StudioBench, DrawsWithOpenGlOnADisplay) {
   if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty()) {
     GTEST_SKIP() << "no xvfb-run";
   }
+  const auto knee = folder_ / "knee.obj";
+  ASSERT_EQ(tests::run({STUDIO_PROGRAM, "--write-knee", knee}).status, 0);
   for (const char* renderer : {"best", "finest"}) {
     const auto finished =
         run({"env", "QT_QPA_PLATFORM=xcb", "xvfb-run", "-a", "-s", "-screen 0 1400x900x24"},
-            {"--renderer", renderer});
+            {"--renderer", renderer, "--anatomy", knee});
     ASSERT_NE(finished.out.find("Reamer and cup"), std::string::npos) << finished.error;
     if (finished.out.find("software rasteriser") != std::string::npos) {
       GTEST_SKIP() << "no OpenGL 3.3 on this X server: " << finished.out;
@@ -63,11 +65,27 @@ TEST_F(StudioBench, DrawsWithOpenGlOnADisplay) {
   }
 }
 
+TEST_F(StudioBench, DrawsAKneeThatItWroteItself) {
+  const auto written = tests::run({STUDIO_PROGRAM, "--write-knee", folder_ / "knee.obj"});
+  ASSERT_EQ(written.status, 0) << written.error;
+  EXPECT_EQ(tests::run({STUDIO_PROGRAM, "--write-knee", folder_ / "knee.obj"}).status, 1)
+      << "nothing is ever overwritten";
+  const auto finished =
+      run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--anatomy", folder_ / "knee.obj"});
+  EXPECT_LE(finished.status, 1) << finished.error;
+  EXPECT_GT(bright("knee-1.png"), 30);
+}
+
 TEST_F(StudioBench, RefusesWhatMakesNoSense) {
   const auto finished = tests::run(
       {"env", "QT_QPA_PLATFORM=offscreen", STUDIO_PROGRAM, "--bench", "--seconds", "no"});
   EXPECT_EQ(finished.status, 2);
   EXPECT_NE(finished.error.find("--seconds"), std::string::npos) << finished.error;
+  const auto metres =
+      folder_.write("metres.obj", "o tibia\nv 0 0 0\nv 0.06 0 0\nv 0 0 0.06\nf 1 2 3\n");
+  const auto knee = run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--anatomy", metres});
+  EXPECT_EQ(knee.status, 2);
+  EXPECT_NE(knee.error.find("likely metres"), std::string::npos) << knee.error;
 }
 
 }  // namespace

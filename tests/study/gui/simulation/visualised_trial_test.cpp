@@ -1,16 +1,22 @@
 // Trials that are seen, and trials that are not, in the windows of a session.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
 
+#include "protocols/anatomy_file.h"
 #include "protocols/library.h"
 #include "protocols/loaded_protocol.h"
 #include "study/export.h"
+#include "study/gui/cup_button.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/simulation/hip_scene.h"
+#include "study/gui/simulation/knee_scene.h"
 #include "study/gui/simulation/simulation_view.h"
+#include "study/gui/trial_panel.h"
 #include "study/gui/trial_view.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"
@@ -28,13 +34,13 @@ class VisualisedTrial : public testing::Test {
     beginWith(*protocols::loadProtocolFile(protocol, problems));
   }
 
-  void beginWith(const protocols::LoadedProtocol& loaded) {
+  void beginWith(const protocols::LoadedProtocol& loaded, RunMode mode = RunMode::Live) {
     study_.emplace(Study::create(folder_ / "study", loaded, clock_, 7));
     window_.emplace(*study_);
     window_->show();
     window_->enrol(
         {.cohort = loaded.protocol.cohorts.front().id,
-         .runMode = RunMode::Live,
+         .runMode = mode,
          .language = "en",
          .code = {}});
     const auto& plan = window_->controller()->session().plan();
@@ -91,6 +97,39 @@ TEST_F(VisualisedTrial, HasNothingOfItWhereItIsFeltAlone) {
   EXPECT_TRUE(viewEvents().empty());
 }
 
+TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
+  std::string json;
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == "two-devices.json") json = file.content;
+  }
+  const std::string device = R"("device": "punch")";
+  const std::string knee = R"("anatomy": "knee.obj", )";
+  for (auto at = json.find(device); at != std::string::npos;
+       at = json.find(device, at + knee.size() + 1)) {
+    json.insert(at, knee);
+  }
+  folder_.write("protocol.json", json);
+  folder_.write("knee.obj", "o femur\nv -30 6 0\nv 30 6 0\nv 0 16 4\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(folder_ / "protocol.json", problems);
+  ASSERT_TRUE(loaded) << questionnaires::inWords(problems.all());
+  // What the file says later is nothing to the study.
+  folder_.write("knee.obj", "o femur\n");
+  beginWith(*loaded);
+  ASSERT_NE(view(), nullptr);
+  const auto* scene = dynamic_cast<simulation::KneeScene*>(&view()->scene());
+  ASSERT_NE(scene, nullptr);
+  EXPECT_EQ(scene->scene().parts[1].mesh.vertices.size(), 3U);
+  window_.reset();
+  study_.reset();
+  auto again = Study::open(folder_ / "study", clock_);
+  const auto& conditions = again.protocol().protocol.conditions;
+  const bool isKept = std::any_of(conditions.begin(), conditions.end(), [](const auto& condition) {
+    return condition.knee != nullptr && condition.knee->surfaces.size() == 1;
+  });
+  EXPECT_TRUE(isKept);
+}
+
 /// The library's study of reaming, but seen, and of spheres that are taken away.
 protocols::LoadedProtocol reamingThatIsSeen() {
   std::string json;
@@ -126,6 +165,106 @@ TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
   controller.stop();
   ASSERT_EQ(viewEvents().size(), 1U);
   EXPECT_NE(viewEvents().front().find("changes lost 0"), std::string::npos);
+}
+
+/// The operator's window with the bone in colours.
+class BoneInColours : public VisualisedTrial {
+ protected:
+  CupButton* button() const { return window_->findChild<CupButton*>(); }
+  static QWidget* colours() {
+    for (auto* widget : QApplication::topLevelWidgets()) {
+      if (widget->objectName() == QStringLiteral("cup-window")) return widget;
+    }
+    return nullptr;
+  }
+  simulation::HipScene* seen() const { return window_->controller()->seenCup(); }
+  static bool isNeutral(const simulation::SphereCloud& cloud) {
+    const auto& all = cloud.instances();
+    return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
+      return sphere.radius == 0.0F || sphere.tint.red >= sphere.tint.blue;
+    });
+  }
+  /// Reams until something is gone.
+  void reamALittle() {
+    ASSERT_NE(view(), nullptr);
+    window_->controller()->beginTrial();
+    ASSERT_NE(seen(), nullptr);
+    QTest::keyPress(window_->participantWindow()->findChild<FeelPage*>(), Qt::Key_Space);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return seen()->spheres()->changesSoFar().size() > 50; }, 20'000));
+  }
+};
+
+TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
+  beginWith(reamingThatIsSeen(), RunMode::Pilot);
+  ASSERT_NE(button(), nullptr);
+  EXPECT_FALSE(button()->isHidden());
+  EXPECT_FALSE(button()->isEnabled());  // nothing is reamed yet
+  reamALittle();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
+  EXPECT_EQ(colours(), nullptr);  // nobody has asked
+  EXPECT_EQ(window_->findChild<simulation::CupPainter*>(), nullptr);
+
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  auto* painter = colours()->findChild<simulation::CupPainter*>();
+  auto* legend = colours()->findChild<simulation::ColourLegend*>();
+  const QSignalSpy painted(painter, &simulation::CupPainter::painted);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 1; }, 20'000));
+  EXPECT_EQ(legend->marks().size(), 5U);
+  EXPECT_TRUE(legend->marks().front().startsWith(QStringLiteral("≤ ")));
+  EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
+  tests::photograph(*colours(), QStringLiteral("bone-density"));
+  auto* choice = colours()->findChild<QComboBox*>();
+  choice->setCurrentIndex(1);
+  EXPECT_EQ(legend->marks().back(), QStringLiteral("100"));
+  const auto before = painted.count();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > before + 2; }, 20'000));
+  tests::photograph(*colours(), QStringLiteral("bone-removal"));
+  tests::photograph(*window_, QStringLiteral("operator-reaming"));
+  // Whatever the operator sees, the participant's stays as it was.
+  EXPECT_TRUE(isNeutral(*seen()->spheres()));
+  const auto words = colours()->windowTitle() + colours()->accessibleName();
+  EXPECT_FALSE(
+      words.contains(QString::fromStdString(window_->controller()->session().step().condition)));
+
+  window_->controller()->stop();
+  EXPECT_EQ(colours(), nullptr);
+  EXPECT_FALSE(button()->isEnabled());
+}
+
+TEST_F(BoneInColours, AreGoneWhenTheScreenIsHandedOver) {
+  beginWith(reamingThatIsSeen(), RunMode::Pilot);
+  reamALittle();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  window_->findChild<TrialPanel*>()->closeBone();
+  EXPECT_EQ(colours(), nullptr);
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  window_.reset();  // with everything that follows it
+  EXPECT_EQ(colours(), nullptr);
+}
+
+TEST_F(BoneInColours, AreRefusedWhereTheOperatorIsBlindAsWell) {
+  beginWith(reamingThatIsSeen());  // live, labels drawn
+  ASSERT_NE(view(), nullptr);
+  EXPECT_TRUE(whyNoColours(window_->controller()->session()).contains(QStringLiteral("blind")));
+  window_->controller()->beginTrial();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen() != nullptr; }, 2000));
+  QTest::qWait(100);
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_EQ(button()->toolTip(), whyNoColours(window_->controller()->session()));
+  button()->click();
+  EXPECT_EQ(colours(), nullptr);
+  window_->controller()->stop();
+}
+
+TEST_F(BoneInColours, AreNotOfferedWhereNoBoneIsSeen) {
+  begin("punch-face-validity");
+  EXPECT_TRUE(button()->isHidden());
+  EXPECT_TRUE(whyNoColours(window_->controller()->session()).isEmpty());  // labels are fixed
 }
 
 TEST_F(VisualisedTrial, IsNoMatterOfAProtocolThatShowsNothing) {

@@ -1,11 +1,9 @@
-#include "study/app/mesh_file.h"
+#include "study/app/body_mesh.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <assimp/Importer.hpp>
 #include <filesystem>
 
+#include "protocols/mesh_file.h"
+#include "questionnaires/problem.h"
 #include "study/session.h"
 
 namespace study::app {
@@ -13,28 +11,26 @@ namespace {
 
 namespace reaming = haptics::reaming;
 
-/// All triangles of all parts of the file.
-reaming::TriangleMesh trianglesOf(const aiScene& scene) {
+/// All triangles of all surfaces.
+reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& surfaces) {
   reaming::TriangleMesh mesh;
-  for (unsigned part = 0; part < scene.mNumMeshes; ++part) {
-    const aiMesh& from = *scene.mMeshes[part];
+  for (const auto& surface : surfaces) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (unsigned i = 0; i < from.mNumVertices; ++i) {
-      const auto& v = from.mVertices[i];
-      mesh.vertices.push_back({v.x, v.y, v.z});
-    }
-    for (unsigned i = 0; i < from.mNumFaces; ++i) {
-      const aiFace& face = from.mFaces[i];
-      if (face.mNumIndices != 3) continue;
-      for (unsigned corner = 0; corner < 3; ++corner) {
-        if (face.mIndices[corner] < from.mNumVertices) continue;
-        throw NotNow("The mesh has a triangle with a corner that is not there: it is damaged.");
-      }
-      mesh.triangles.push_back(
-          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    for (const auto& v : surface.places) mesh.vertices.push_back({v[0], v[1], v[2]});
+    for (const auto& [a, b, c] : surface.triangles) {
+      mesh.triangles.push_back({first + a, first + b, first + c});
     }
   }
   return mesh;
+}
+
+/// @throws NotNow  with what the reader says.
+std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
+  try {
+    return protocols::readMeshFile(path);
+  } catch (const questionnaires::Error& error) {
+    throw NotNow(path + " cannot be filled: " + error.what() + ". Save it as STL, OBJ or PLY.");
+  }
 }
 
 /// How many metres one unit of the mesh is.
@@ -59,17 +55,7 @@ BodyMesh readBody(const std::string& path, const std::string& unit) {
   if (!std::filesystem::is_regular_file(path)) {
     throw NotNow("There is no file " + path + ". Check the spelling and the folder.");
   }
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(
-      path,
-      aiProcess_ValidateDataStructure | aiProcess_Triangulate | aiProcess_PreTransformVertices |
-          aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr || scene->mNumMeshes == 0) {
-    throw NotNow(
-        path + " holds no mesh that can be read (" + importer.GetErrorString() +
-        "). Save it as STL, OBJ or PLY.");
-  }
-  BodyMesh body{.mesh = trianglesOf(*scene), .said = {}};
+  BodyMesh body{.mesh = trianglesOf(surfacesIn(path)), .said = {}};
   for (const auto& repair : reaming::repair(body.mesh)) body.said.push_back(repair);
   const double unitLength = unitOf(body.mesh, unit, body);
   for (auto& vertex : body.mesh.vertices) vertex = unitLength * vertex;

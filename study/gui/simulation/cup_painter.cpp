@@ -1,0 +1,128 @@
+#include "study/gui/simulation/cup_painter.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+
+#include "study/gui/simulation/hip_scene.h"
+#include "study/gui/simulation/software_renderer.h"
+
+namespace study::gui::simulation {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto kPace = std::chrono::milliseconds(67);
+
+/// Where this cannot be had, it draws as everybody does.
+void standBack() {
+  const sched_param none{};
+  pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);
+}
+
+}  // namespace
+
+/// The cup on the thread that draws it. Another choice of colours makes it anew, as it was.
+class CupPainter::Cup {
+ public:
+  Cup(const haptics::engine::PackingSpec& spec, SphereColours colours) : spec_(spec) {
+    make(colours);
+  }
+
+  const QImage& draw(const Wish& wish, double seconds) {
+    if (wish.colours != colours_) {
+      const Changes past = hip_->spheres()->changesSoFar();
+      make(wish.colours);
+      for (const auto& change : past) hip_->apply(change);
+    }
+    for (const auto& change : wish.changes) hip_->apply(change);
+    hip_->follow({.travel = wish.depth, .isRunning = wish.isRunning}, seconds);
+    return renderer_.draw(hip_->scene(), wish.size);
+  }
+
+ private:
+  void make(SphereColours colours) {
+    colours_ = colours;
+    hip_ = std::make_unique<HipScene>(HipScene::Options{.packing = &spec_, .colours = colours});
+  }
+
+  const haptics::engine::PackingSpec& spec_;
+  SphereColours colours_ = SphereColours::Density;
+  std::unique_ptr<HipScene> hip_;
+  SoftwareRenderer renderer_;
+};
+
+CupPainter::CupPainter(const haptics::engine::PackingSpec& spec, Changes past, QObject* parent)
+    : QObject(parent), spec_(spec) {
+  wish_.changes = std::move(past);
+  thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
+}
+
+CupPainter::~CupPainter() = default;
+
+void CupPainter::choose(SphereColours colours) {
+  const std::scoped_lock lock(mutex_);
+  wish_.colours = colours;
+  hasNews_ = true;
+  woken_.notify_one();
+}
+
+void CupPainter::resize(QSize size) {
+  const std::scoped_lock lock(mutex_);
+  wish_.size = size.expandedTo({16, 16});
+  hasNews_ = true;
+  woken_.notify_one();
+}
+
+/// Where the thread has the lock just now, the next call hands on more.
+void CupPainter::handOn(double depth, bool isRunning) {
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (!lock.owns_lock()) return;
+  wish_.changes.insert(wish_.changes.end(), untold_.begin(), untold_.end());
+  untold_.clear();
+  hasNews_ = hasNews_ || !wish_.changes.empty() || wish_.depth != depth || isRunning;
+  wish_.depth = depth;
+  wish_.isRunning = isRunning;
+  if (hasNews_) woken_.notify_one();
+}
+
+void CupPainter::work(const std::stop_token& stop) {
+  standBack();
+  measure();
+  std::unique_ptr<Cup> cup;
+  auto before = Clock::now();
+  while (!stop.stop_requested()) {
+    Wish wish;
+    {
+      std::unique_lock lock(mutex_);
+      if (!woken_.wait(lock, stop, [this] { return hasNews_; })) return;
+      wish = wish_;
+      wish_.changes.clear();
+      hasNews_ = false;
+    }
+    if (!cup) cup = std::make_unique<Cup>(spec_, wish.colours);
+    const auto begun = Clock::now();
+    const double seconds = std::chrono::duration<double>(begun - before).count();
+    before = begun;
+    showPicture(cup->draw(wish, std::min(seconds, 0.1)).copy());
+    std::unique_lock lock(mutex_);
+    woken_.wait_until(lock, stop, begun + kPace, [] { return false; });
+  }
+}
+
+void CupPainter::measure() {
+  const haptics::reaming::SphereField field(
+      spec_.bone->packing, spec_.bone->densities(spec_.hardness, spec_.forceScale));
+  const DensityRange range = densityRangeOf(field);
+  QMetaObject::invokeMethod(
+      this, [this, range] { emit measured(range); }, Qt::QueuedConnection);
+}
+
+void CupPainter::showPicture(const QImage& picture) {
+  QMetaObject::invokeMethod(
+      this, [this, picture] { emit painted(picture); }, Qt::QueuedConnection);
+}
+
+}  // namespace study::gui::simulation
