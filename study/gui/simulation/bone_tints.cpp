@@ -7,7 +7,7 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr Tint kCortical{243, 235, 214, 40};
+constexpr Tint kCortical{246, 231, 209, 40};
 constexpr Tint kCancellous{226, 186, 160, 30};
 constexpr Tint kUntouched{138, 150, 164, 25};
 

@@ -31,7 +31,12 @@ vec2 brightness(vec3 place, vec3 normal, float gloss) {
   sharp *= sharp;
   float sharper = sharp * sharp;
   float shine = 0.85 * gloss * gloss * mix(sharp, sharper * sharper, gloss);
-  return vec2(ambientLight * (1.0 + 0.5 * normal.y) + power * facing, power * shine);
+  float ambient = ambientLight * (1.0 + 0.5 * normal.y);
+  float up = 2.0 * dot(normal, toEye) * normal.y - toEye.y;
+  float mirror = (0.25 + 0.75 * up * up / (up * up + 0.12)) * (up > 0.0 ? 1.0 : 0.75);
+  float metal = clamp(10.0 * (gloss - 0.85), 0.0, 1.0);
+  float steel = ambient + power * (0.35 * facing + 0.6 * mirror);
+  return vec2(mix(ambient + power * facing, steel, metal), power * shine);
 }
 
 vec3 shown(vec3 light) {

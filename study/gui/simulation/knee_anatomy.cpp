@@ -69,7 +69,7 @@ KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* ow
     return surface != nullptr ? asMesh(*surface, mouth, tint) : ours();
   };
   return {
-      .tibia = choose(protocols::kTibia, kCartilage, [] { return plateauSurface(); }),
+      .tibia = choose(protocols::kTibia, kCartilage, [&] { return plateauSurface(layout); }),
       .femur = choose(protocols::kFemur, kCartilage, [] { return condyleSurface(); }),
       .capsule = choose(protocols::kCapsule, kSynovium, [&] { return capsuleSurface(layout); })};
 }

@@ -48,7 +48,7 @@ void KneeScene::lookThroughTheScope() {
   shot.fieldOfView = 62.0F;
   shot.nearest = 2.0F;
   shot.farthest = 90.0F;
-  shot.light = {.place = {2.5F, 3.5F, 0.0F}, .reach = 34.0F, .ambient = 0.07F};
+  shot.light = {.place = {2.5F, 3.5F, 0.0F}, .reach = 38.0F, .ambient = 0.09F};
   shot.parts = {Plateau, Condyle, Capsule, Tissue, Piece, Body, Jaw, Rod};
   scene_.shots.push_back(std::move(shot));
 }
@@ -118,8 +118,11 @@ void KneeScene::movePiece(double seconds) {
   const QVector3D inwards = (layout_.arcCentre - middle).normalized();
   auto& pose = scene_.parts[Piece].pose;
   pose.setToIdentity();
+  // Out of the open jaws to their left, not through them.
+  const QVector3D left = -punchPose(layout_).column(2).toVector3D();
   pose.translate(
-      middle + (0.7F + 3.0F * share) * inwards + QVector3D(0.0F, 0.25F + 5.0F * share, 0.0F));
+      middle + (0.35F + 2.0F * share) * inwards + 5.0F * share * left +
+      QVector3D(0.0F, 1.5F * share, 0.0F));
   pose.rotate(70.0F * share, 0.3F, 0.2F, 1.0F);
   pose.scale(1.0F - 0.85F * share * share);
   pose.translate(-middle);

@@ -146,7 +146,7 @@ void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& 
   for (int i = kUpright; i >= 0; --i) add(upright(columns.back(), i), isPiece ? kCutFace : kRim);
   for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, lit(tints[i], 0.9F));
   for (int i = 0; i <= kUpright; ++i) {
-    add(upright(columns.front(), i), isCut ? kCutFace : lit(kEdge, 1.02F));
+    add(upright(columns.front(), i), isCut ? kCutFace : lit(kEdge, 0.94F));
   }
 }
 

@@ -7,9 +7,9 @@
 namespace study::gui::simulation {
 namespace {
 
-constexpr Tint kSteel{168, 174, 182, 215};
-constexpr Tint kJawSteel{190, 196, 203, 235};
-constexpr Tint kDarkSteel{116, 122, 130, 170};
+constexpr Tint kSteel{186, 190, 196, 242};
+constexpr Tint kJawSteel{206, 210, 215, 246};
+constexpr Tint kDarkSteel{128, 133, 140, 230};
 
 constexpr float kJawOpen = 38.0F;    // [°]
 constexpr float kLeverOpen = 17.0F;  // [°]

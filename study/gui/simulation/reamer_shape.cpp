@@ -9,10 +9,10 @@ namespace study::gui::simulation {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
-constexpr Tint kCapSteel{176, 181, 188, 210};
+constexpr Tint kCapSteel{192, 196, 202, 240};
 constexpr Tint kToothSteel{214, 218, 223, 245};
 constexpr Tint kHole{38, 38, 42, 20};
-constexpr Tint kShaftSteel{150, 156, 164, 200};
+constexpr Tint kShaftSteel{176, 181, 188, 242};
 
 /// A frame on the cap, @p polar away from its top: x along the way that it turns, z outwards.
 QMatrix4x4 onTheCap(float radius, float polar, float azimuth) {

@@ -7,7 +7,8 @@ namespace study::gui::simulation {
 /// How bright things are, for the renderer that has no shaders; gl_shaders.h says the same.
 ///
 /// Light comes from one lamp and a little from everywhere, is thrown back evenly, and by gloss in a
-/// highlight (Blinn). Seen through an arthroscope, the picture grows darker towards its rim.
+/// highlight (Blinn); polished steel mirrors what is above and below. Seen through an arthroscope,
+/// the picture grows darker towards its rim.
 struct Brightness {
   float diffuse = 0.0F;  ///< times the colour of the surface
   float shine = 0.0F;    ///< added to it

@@ -119,7 +119,9 @@ void SphereCloud::begin() {
     if (held_[cell] != 0) continue;
     bool isBeside = false;
     eachNeighbour(cell, [&](std::size_t other) { isBeside |= held_[other] != 0; });
-    if (isBeside && isOpen(cell)) bare(cell);
+    if (!isBeside || !isOpen(cell)) continue;
+    bare(cell);
+    if (isBeforeTheSection(cell)) bareDeeper(cell);
   }
 }
 
@@ -159,6 +161,18 @@ void SphereCloud::eachNeighbour(std::size_t cell, Visit visit) const {
       }
     }
   }
+}
+
+/// A section goes through gaps: there one looks past the first spheres.
+bool SphereCloud::isBeforeTheSection(std::size_t cell) const noexcept {
+  const auto row = static_cast<float>(grid_.placeOf(cell)[1]);
+  return options_.isHalved && grid_.low.y() + grid_.cell * (row + 0.5F) < 0.5F * grid_.cell;
+}
+
+void SphereCloud::bareDeeper(std::size_t cell) {
+  eachNeighbour(cell, [this](std::size_t other) {
+    if (held_[other] != 0) bare(other);
+  });
 }
 
 /// Draws what lies in and around a cell into which one can look.

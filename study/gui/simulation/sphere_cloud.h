@@ -89,7 +89,9 @@ class SphereCloud {
   bool isOpen(std::size_t cell) const;
   template <typename Visit>
   void eachNeighbour(std::size_t cell, Visit visit) const;
+  bool isBeforeTheSection(std::size_t cell) const noexcept;
   void bare(std::size_t cell);
+  void bareDeeper(std::size_t cell);
   void show(std::uint32_t slot);
   void hide(std::uint32_t slot);
   void touch(std::size_t instance);

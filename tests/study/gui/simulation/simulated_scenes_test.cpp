@@ -7,6 +7,7 @@
 #include "study/gui/simulation/hip_scene.h"
 #include "study/gui/simulation/knee_scene.h"
 #include "study/gui/simulation/software_renderer.h"
+#include "tests/study/gui/pictures.h"
 
 namespace study::gui::simulation {
 namespace {
@@ -94,6 +95,16 @@ TEST(KneeScene, PartsTheTissueOnceInAClosureAndBringsUpTheNextBite) {
   EXPECT_FALSE(knee.meniscus().hasPiece());
   EXPECT_EQ(volumeOf(knee.meniscus().body()), volumeOf(once.meniscus().body()));
   EXPECT_GT(differences(whole, pictureOf(knee), kScope), 300);
+}
+
+TEST(KneeScene, IsPhotographedWithABiteInItsMouth) {
+  KneeScene knee;
+  knee.follow({.travel = 9.5}, 0.016);
+  for (int i = 0; i < 3; ++i) knee.follow({.travel = 5.5}, 0.016);
+  SoftwareRenderer renderer;
+  const QImage picture = renderer.draw(knee.scene(), {1280, 800}).copy();
+  tests::keepPicture(picture, QStringLiteral("knee"));
+  EXPECT_GT(countWhere(picture, [](QRgb pixel) { return !isBlack(pixel); }), 480'000);
 }
 
 TEST(KneeScene, PartsTheTissueWhereTheJawsMeetEvenWithoutAYield) {

@@ -1,0 +1,119 @@
+// What the operator may see of a bone beyond what the participant sees.
+#include <algorithm>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QSignalSpy>
+
+#include "study/gui/cup_button.h"
+#include "study/gui/feel_page.h"
+#include "study/gui/trial_panel.h"
+#include "tests/study/gui/simulation/visualised_trial.h"
+
+namespace study::gui {
+namespace {
+
+using tests::reamingThatIsSeen;
+
+/// The operator's window with the bone in colours.
+class BoneInColours : public tests::VisualisedTrial {
+ protected:
+  CupButton* button() const { return window_->findChild<CupButton*>(); }
+  static QWidget* colours() {
+    for (auto* widget : QApplication::topLevelWidgets()) {
+      if (widget->objectName() == QStringLiteral("cup-window")) return widget;
+    }
+    return nullptr;
+  }
+  simulation::HipScene* seen() const { return window_->controller()->seenCup(); }
+  static bool isNeutral(const simulation::SphereCloud& cloud) {
+    const auto& all = cloud.instances();
+    return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
+      return sphere.radius == 0.0F || sphere.tint.red >= sphere.tint.blue;
+    });
+  }
+  /// Reams until something is gone.
+  void reamALittle() {
+    ASSERT_NE(view(), nullptr);
+    window_->controller()->beginTrial();
+    ASSERT_NE(seen(), nullptr);
+    QTest::keyPress(window_->participantWindow()->findChild<FeelPage*>(), Qt::Key_Space);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return seen()->spheres()->changesSoFar().size() > 50; }, 20'000));
+  }
+};
+
+TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
+  beginWith(reamingThatIsSeen(), RunMode::Pilot);
+  ASSERT_NE(button(), nullptr);
+  EXPECT_FALSE(button()->isHidden());
+  EXPECT_FALSE(button()->isEnabled());  // nothing is reamed yet
+  reamALittle();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
+  EXPECT_EQ(colours(), nullptr);  // nobody has asked
+  EXPECT_EQ(window_->findChild<simulation::CupPainter*>(), nullptr);
+
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  auto* painter = colours()->findChild<simulation::CupPainter*>();
+  auto* legend = colours()->findChild<simulation::ColourLegend*>();
+  const QSignalSpy painted(painter, &simulation::CupPainter::painted);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 1; }, 20'000));
+  EXPECT_EQ(legend->marks().size(), 5U);
+  EXPECT_TRUE(legend->marks().front().startsWith(QStringLiteral("≤ ")));
+  EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
+  tests::photograph(*colours(), QStringLiteral("bone-density"));
+  auto* choice = colours()->findChild<QComboBox*>();
+  choice->setCurrentIndex(1);
+  EXPECT_EQ(legend->marks().back(), QStringLiteral("100"));
+  const auto before = painted.count();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > before + 2; }, 20'000));
+  tests::photograph(*colours(), QStringLiteral("bone-removal"));
+  tests::photograph(*window_, QStringLiteral("operator-reaming"));
+  // Whatever the operator sees, the participant's stays as it was.
+  EXPECT_TRUE(isNeutral(*seen()->spheres()));
+  const auto words = colours()->windowTitle() + colours()->accessibleName();
+  EXPECT_FALSE(
+      words.contains(QString::fromStdString(window_->controller()->session().step().condition)));
+
+  window_->controller()->stop();
+  EXPECT_EQ(colours(), nullptr);
+  EXPECT_FALSE(button()->isEnabled());
+}
+
+TEST_F(BoneInColours, AreGoneAtAWordAndWithEverythingThatTheyFollow) {
+  beginWith(reamingThatIsSeen(), RunMode::Pilot);
+  reamALittle();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  window_->findChild<TrialPanel*>()->closeBone();
+  EXPECT_EQ(colours(), nullptr);
+  button()->click();
+  ASSERT_NE(colours(), nullptr);
+  window_.reset();  // with everything that follows it
+  EXPECT_EQ(colours(), nullptr);
+}
+
+TEST_F(BoneInColours, AreRefusedWhereTheOperatorIsBlindAsWell) {
+  beginWith(reamingThatIsSeen());  // live, labels drawn
+  ASSERT_NE(view(), nullptr);
+  EXPECT_TRUE(whyNoColours(window_->controller()->session()).contains(QStringLiteral("blind")));
+  window_->controller()->beginTrial();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen() != nullptr; }, 2000));
+  QTest::qWait(100);
+  EXPECT_FALSE(button()->isEnabled());
+  EXPECT_EQ(button()->toolTip(), whyNoColours(window_->controller()->session()));
+  button()->click();
+  EXPECT_EQ(colours(), nullptr);
+  window_->controller()->stop();
+}
+
+TEST_F(BoneInColours, AreNotOfferedWhereNoBoneIsSeen) {
+  begin("punch-face-validity");
+  EXPECT_TRUE(button()->isHidden());
+  EXPECT_TRUE(whyNoColours(window_->controller()->session()).isEmpty());  // labels are fixed
+}
+
+}  // namespace
+}  // namespace study::gui

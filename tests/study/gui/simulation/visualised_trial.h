@@ -1,0 +1,89 @@
+// A session of a protocol in its windows, at its first trial.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "protocols/library.h"
+#include "protocols/loaded_protocol.h"
+#include "study/gui/operator_window.h"
+#include "study/gui/simulation/simulation_view.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace tests {
+
+using study::RunMode;
+using study::StepKind;
+using study::Study;
+using study::SystemClock;
+using study::gui::OperatorWindow;
+using study::gui::simulation::SimulationView;
+
+class VisualisedTrial : public testing::Test {
+ protected:
+  /// Brings a session of a protocol from the library to its first trial.
+  void begin(const std::string& protocol) {
+    questionnaires::Problems problems;
+    beginWith(*protocols::loadProtocolFile(protocol, problems));
+  }
+
+  void beginWith(const protocols::LoadedProtocol& loaded, RunMode mode = RunMode::Live) {
+    study_.emplace(Study::create(folder_ / "study", loaded, clock_, 7));
+    window_.emplace(*study_);
+    window_->show();
+    window_->enrol(
+        {.cohort = loaded.protocol.cohorts.front().id,
+         .runMode = mode,
+         .language = "en",
+         .code = {}});
+    const auto& plan = window_->controller()->session().plan();
+    int trial = 0;
+    while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+    participant_.emplace(*window_);
+    participant_->takePart(trial);
+  }
+
+  SimulationView* view() const {
+    QTest::qWait(100);  // it comes a moment after its page
+    return window_->participantWindow()->findChild<SimulationView*>();
+  }
+
+  std::vector<std::string> viewEvents() {
+    std::vector<std::string> details;
+    for (const auto& event : study_->events().read()) {
+      if (event.kind == "view") details.push_back(event.detail);
+    }
+    return details;
+  }
+
+  ScratchFolder folder_;
+  SystemClock clock_;
+  std::optional<Study> study_;
+  std::optional<OperatorWindow> window_;
+  std::optional<Participant> participant_;
+};
+
+/// The library's study of reaming, but seen, and of spheres that are taken away.
+inline protocols::LoadedProtocol reamingThatIsSeen() {
+  std::string json;
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == "reaming-hardness.json") json = file.content;
+  }
+  const auto replace = [&](const std::string& what, const std::string& with) {
+    for (std::size_t at = json.find(what); at != std::string::npos;
+         at = json.find(what, at + with.size())) {
+      json.replace(at, what.size(), with);
+    }
+  };
+  replace(R"("model": "material")", R"("model": "packing", "visualisation": true)");
+  questionnaires::Problems problems;
+  return *protocols::loadProtocol(
+      json, [](const std::string&) { return std::nullopt; }, problems);
+}
+
+}  // namespace tests
