@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "haptics/devices/device_error.h"
+#include "protocols/blanks.h"
 #include "study/hardware_rig.h"
 #include "study/live_trial.h"
 #include "study/trial_setup.h"
@@ -277,13 +278,28 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
   return std::nullopt;
 }
 
+/// A participant would read what stands in double brackets: whoever enrols one says that it may be.
+bool mayEnrol(Study& study, const Enrolment& enrolment) {
+  if (enrolment.runMode != RunMode::Live) return true;
+  const auto blanks = protocols::blanksOf(study.protocol(), enrolment.language);
+  if (blanks.empty()) return true;
+  fmt::print("A participant would read what is still to be filled in:\n");
+  for (const auto& blank : blanks) fmt::print("  {}: {}\n", blank.where, blank.words);
+  fmt::print(
+      "Write what holds there beside the protocol and amend the study, or try it with --pilot. "
+      "Begin "
+      "all the same? [y/N] ");
+  return isYes(readLine());
+}
+
 }  // namespace
 
 int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFile) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
-  auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
   try {
+    if (!open && !mayEnrol(study, enrolment)) return 1;
+    auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
     TerminalSession(study, session, deviceFile).run();
     return 0;
   } catch (const NoMoreInput&) {

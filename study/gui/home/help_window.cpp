@@ -13,6 +13,7 @@
 #include <QSplitter>
 #include <QTextBlock>
 #include <QTextDocument>
+#include <QTextList>
 
 #include "study/gui/participant_window.h"
 
@@ -65,13 +66,17 @@ void makeRoomRound(const QTextBlock& block) {
 
 /// A picture in a text.
 struct Picture {
-  int place;  ///< of its character
-  int width;  ///< its own [px]
+  int place;   ///< of its character
+  int width;   ///< its own [px]
+  int indent;  ///< of its line [px]
 };
 
 std::vector<Picture> picturesIn(const QTextDocument& document) {
   std::vector<Picture> pictures;
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    const int steps = block.blockFormat().indent() +
+                      (block.textList() == nullptr ? 0 : block.textList()->format().indent());
+    const int indent = static_cast<int>(steps * document.indentWidth());
     for (auto it = block.begin(); !it.atEnd(); ++it) {
       const auto format = it.fragment().charFormat().toImageFormat();
       if (!format.isValid()) continue;
@@ -79,7 +84,7 @@ std::vector<Picture> picturesIn(const QTextDocument& document) {
       const auto held = document.resource(QTextDocument::ImageResource, name);
       auto image = held.value<QImage>();
       if (image.isNull()) image = QImage::fromData(held.toByteArray());  // not painted yet
-      if (!image.isNull()) pictures.push_back({it.fragment().position(), image.width()});
+      if (!image.isNull()) pictures.push_back({it.fragment().position(), image.width(), indent});
     }
   }
   return pictures;
@@ -92,7 +97,7 @@ void fitPictures(QTextDocument& document, int room) {
     cursor.setPosition(picture.place);
     cursor.setPosition(picture.place + 1, QTextCursor::KeepAnchor);
     auto format = cursor.charFormat().toImageFormat();
-    format.setWidth(std::min(picture.width, room));
+    format.setWidth(std::min(picture.width, room - picture.indent));
     cursor.setCharFormat(format);
   }
 }
@@ -165,6 +170,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   text_->setOpenExternalLinks(false);
   text_->setAccessibleName(tr("Help"));
   text_->document()->setDocumentMargin(16);
+  text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   auto* sides = new QSplitter(this);
   sides->addWidget(contents_);
   sides->addWidget(text_);

@@ -35,24 +35,33 @@ class TerminalSessionTest : public testing::Test {
 
 TEST_F(TerminalSessionTest, TakesYesAndNoInItsLanguages) {
   for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
-    const auto finished = run(yes + "\\n\\n\\n");
+    const auto finished = run("y\\n" + yes + "\\n\\n\\n");
     EXPECT_EQ(consented(), "yes") << yes << "\n" << finished.out;
     EXPECT_EQ(last().status, "in_progress") << yes;
     auto session = Session::resume(*study_, last().id);
     session.withdraw("a test");
   }
   for (const std::string no : {"no", "Nein", "nei", "n"}) {
-    run(no + "\\n\\n\\n");
+    run("y\\n" + no + "\\n\\n\\n");
     EXPECT_EQ(last().status, "declined") << no;
   }
-  run("perhaps\\n");
+  run("y\\nperhaps\\n");
   EXPECT_EQ(last().status, "in_progress") << "neither yes nor no";
+}
+
+TEST_F(TerminalSessionTest, AsksBeforeSomebodyReadsWhatIsStillToBeFilledIn) {
+  const auto refused = run("\\n");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.out.find("[[institution]]"), std::string::npos) << refused.out;
+  EXPECT_TRUE(storage::Records(study_->database()).sessions().empty()) << "no place is taken";
+  const auto pilot = run("", "--pilot");
+  EXPECT_EQ(pilot.out.find("all the same"), std::string::npos) << "a pilot does not count";
 }
 
 TEST_F(TerminalSessionTest, IsForWhatTheRunModeSays) {
   run("", "--run-mode pilot");
   EXPECT_EQ(last().runMode, "pilot");
-  run("", "--cohort students");
+  run("y\\n", "--cohort students");
   EXPECT_EQ(last().runMode, "live");
   EXPECT_EQ(run("", "--run-mode simulated").status, 2);
   EXPECT_EQ(run("", "--pilot --run-mode live").status, 2);
