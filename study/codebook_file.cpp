@@ -59,7 +59,8 @@ constexpr const char* kPythonInWords =
 constexpr const char* kRInWords =
     "- `analysis.R` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
     "It "
-    "needs R alone: `Rscript analysis.R`.\n";
+    "needs R alone: `Rscript analysis.R`. Mixed models too where lmerTest and ordinal are there "
+    "(`sudo apt install r-cran-lmertest r-cran-ordinal`); where not, it says so.\n";
 
 std::string scriptsInWords(const ExportOptions& options) {
   const bool hasNone = options.format == ExportFormat::Bids || options.format == ExportFormat::Json;

@@ -373,8 +373,8 @@ TEST_F(ExportLayoutTest, HasNoBidsFolderForThePublic) {
       storage::StorageError);
 }
 
-/// Runs a script of the export with @p program; skips where that is not installed.
-void expectToComputeAgain(
+/// Runs a script of the export with @p program. @return  what it said.
+std::string expectToComputeAgain(
     const std::vector<std::string>& program, const fs::path& script, const fs::path& folder) {
   auto call = program;
   call.insert(call.end(), {script.string(), folder.string()});
@@ -389,6 +389,7 @@ void expectToComputeAgain(
   EXPECT_NE(finished.out.find("rm_anova p_epsilon"), std::string::npos);
   EXPECT_NE(finished.out.find("signed_rank estimate"), std::string::npos);
   EXPECT_NE(finished.out.find("votes share_high_exact"), std::string::npos);
+  return finished.out;
 }
 
 bool isInstalled(const std::vector<std::string>& call) {
@@ -451,7 +452,12 @@ class ComputedAgainTest : public ExportLayoutTest {
 TEST_F(ComputedAgainTest, InR) {
   if (!isInstalled({"Rscript", "-e", "0"})) GTEST_SKIP() << "needs R: ./setup --check";
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
-  expectToComputeAgain({"Rscript"}, folder / "analysis.R", folder);
+  const auto said = expectToComputeAgain({"Rscript"}, folder / "analysis.R", folder);
+  const bool hasModels = isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"});
+  for (const auto* number : {"mixed_model df", "mixed_model p_adj", "ordinal_model effect"}) {
+    EXPECT_EQ(said.find(number) != std::string::npos, hasModels) << number;
+  }
+  EXPECT_EQ(said.find("apt install r-cran-lmertest") == std::string::npos, hasModels) << said;
 }
 
 TEST_F(ComputedAgainTest, InPython) {
