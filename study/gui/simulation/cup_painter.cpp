@@ -4,6 +4,7 @@
 #include <sched.h>
 
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <utility>
 
@@ -56,33 +57,22 @@ class CupPainter::Cup {
 
 CupPainter::CupPainter(const haptics::engine::PackingSpec& spec, Changes past, QObject* parent)
     : QObject(parent), spec_(spec) {
-  wish_.changes = std::move(past);
+  next_.changes = std::move(past);
   thread_ = std::jthread([this](const std::stop_token& stop) { work(stop); });
 }
 
 CupPainter::~CupPainter() = default;
 
-void CupPainter::choose(SphereColours colours) {
-  const std::scoped_lock lock(mutex_);
-  wish_.colours = colours;
-  hasNews_ = true;
-  woken_.notify_one();
-}
-
-void CupPainter::resize(QSize size) {
-  const std::scoped_lock lock(mutex_);
-  wish_.size = size.expandedTo({16, 16});
-  hasNews_ = true;
-  woken_.notify_one();
-}
-
 /// Where the thread has the lock just now, the next call hands on more.
 void CupPainter::handOn(double depth, bool isRunning) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;
-  wish_.changes.insert(wish_.changes.end(), untold_.begin(), untold_.end());
-  untold_.clear();
-  hasNews_ = hasNews_ || !wish_.changes.empty() || wish_.depth != depth || isRunning;
+  hasNews_ = hasNews_ || !next_.changes.empty() || isRunning || depth != wish_.depth ||
+             next_.colours != wish_.colours || next_.size != wish_.size;
+  wish_.changes.insert(wish_.changes.end(), next_.changes.begin(), next_.changes.end());
+  next_.changes.clear();
+  wish_.colours = next_.colours;
+  wish_.size = next_.size;
   wish_.depth = depth;
   wish_.isRunning = isRunning;
   if (hasNews_) woken_.notify_one();
@@ -90,7 +80,17 @@ void CupPainter::handOn(double depth, bool isRunning) {
 
 void CupPainter::work(const std::stop_token& stop) {
   standBack();
-  measure();
+  try {
+    measure();
+    paint(stop);
+  } catch (const std::exception& error) {
+    const QString why = QString::fromUtf8(error.what());
+    QMetaObject::invokeMethod(
+        this, [this, why] { emit failed(why); }, Qt::QueuedConnection);
+  }
+}
+
+void CupPainter::paint(const std::stop_token& stop) {
   std::unique_ptr<Cup> cup;
   auto before = Clock::now();
   while (!stop.stop_requested()) {
@@ -98,8 +98,11 @@ void CupPainter::work(const std::stop_token& stop) {
     {
       std::unique_lock lock(mutex_);
       if (!woken_.wait(lock, stop, [this] { return hasNews_; })) return;
-      wish = wish_;
-      wish_.changes.clear();
+      std::swap(wish.changes, wish_.changes);
+      wish.colours = wish_.colours;
+      wish.size = wish_.size;
+      wish.depth = wish_.depth;
+      wish.isRunning = wish_.isRunning;
       hasNews_ = false;
     }
     if (!cup) cup = std::make_unique<Cup>(spec_, wish.colours);

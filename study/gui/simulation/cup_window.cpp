@@ -52,6 +52,9 @@ CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWid
     heard_->tellChangesTo([this](const auto& change) { painter_->tell(change); });
   }
   connect(painter_, &CupPainter::painted, this, &CupWindow::showPicture);
+  connect(painter_, &CupPainter::failed, this, [this](const QString& why) {
+    picture_->setText(tr("This bone cannot be drawn: %1").arg(why));
+  });
   connect(painter_, &CupPainter::measured, this, [this](const DensityRange& range) {
     range_ = range;
     choose(colours_->currentIndex());
@@ -59,8 +62,8 @@ CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWid
   connect(colours_, &QComboBox::currentIndexChanged, this, &CupWindow::choose);
   connect(&look_, &QTimer::timeout, this, &CupWindow::follow);
   choose(0);
-  painter_->handOn(kOutside, false);
-  if (trial_) look_.start(kLookAgain);
+  follow();
+  look_.start(kLookAgain);
 }
 
 CupWindow::~CupWindow() {
@@ -89,6 +92,7 @@ void CupWindow::choose(int index) {
 
 /// What a participant sees is asked how far it is; it goes with its page, and this with it.
 void CupWindow::follow() {
+  if (!trial_) return painter_->handOn(kOutside, false);
   const Present now = trial_();
   if (now.seen == nullptr || now.seen != heard_) {
     heard_ = nullptr;
