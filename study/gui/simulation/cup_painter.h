@@ -17,8 +17,8 @@
 
 namespace study::gui::simulation {
 
-/// Draws a cup in colours for a researcher, on a thread of its own that gets the processor where
-/// nobody else wants it: whoever feels and sees the trial is served first. At most 15 pictures a
+/// Draws a cup in colours for a researcher, on a thread of its own that stands back where others
+/// want the processor: whoever feels and sees the trial is served first. At most 15 pictures a
 /// second, half of what a participant sees without a graphics card.
 ///
 /// All calls come from the window's thread, and none of them waits but the end: for the picture
