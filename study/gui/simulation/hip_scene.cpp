@@ -31,7 +31,7 @@ HipScene::HipScene(const Options& options) {
   options.packing == nullptr ? addPlainCup() : addSpheres(options);
   lookIntoTheCup();
   // Colours that say something are read where there is light.
-  constexpr float kEven = 0.42F;
+  constexpr float kEven = 0.28F;
   if (options.colours != SphereColours::Neutral) scene_.shots.front().light.ambient = kEven;
   follow({}, 0.0);
 }

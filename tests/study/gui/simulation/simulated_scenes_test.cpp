@@ -149,6 +149,9 @@ TEST_F(HipSceneTest, ShowsWhatHasBeenTakenAway) {
   const QImage after = pictureOf(hip);
   EXPECT_GT(differences(before, after, before.rect()), 2000);
   EXPECT_GT(countWhere(after, isFreshBone), countWhere(before, isFreshBone) + 2000);
+  hip.follow({.travel = -0.004}, 0.016);
+  SoftwareRenderer renderer;
+  tests::keepPicture(renderer.draw(hip.scene(), {1280, 800}).copy(), QStringLiteral("cup"));
 }
 
 TEST_F(HipSceneTest, PutsTheReamerWhereTheBoneHoldsIt) {
