@@ -59,8 +59,8 @@ Mesh plateauSurface(const KneeLayout& layout) {
     return std::max(edge * (1.0F - std::pow(1.0F - v / kEdge, 1.7F)), 0.0005F);
   };
   return surface(
-      73,
-      24,
+      61,
+      22,
       [&](float u, float v) {
         QVector3D place = onArc(layout, angleAt(u), radiusAt(v));
         const float x = place.x();
@@ -114,8 +114,8 @@ Mesh capsuleSurface(const KneeLayout& layout) {
   };
   const auto riseAt = [](float v) { return std::pow(v, 1.6F); };
   return surface(
-      121,
-      34,
+      97,
+      29,
       [&](float u, float v) {
         const float angle = angleAt(u);
         const float rise = riseAt(v);
