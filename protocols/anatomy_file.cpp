@@ -15,14 +15,14 @@ using questionnaires::shown;
 
 constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
 constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
-constexpr float kSmallest = 20.0F;  // of a knee, along its longest axis [mm]
-constexpr float kLargest = 400.0F;  // [mm]
-constexpr float kFarthest = 60.0F;  // of any surface from the punch's mouth [mm]
-constexpr float kMetres = 1.0F;     // a knee whose numbers are below is in metres
-constexpr float kShortest = 0.5F;   // of a normal
+constexpr float kSmallestKnee = 20.0F;  // of a knee, along its longest axis [mm]
+constexpr float kLargestKnee = 400.0F;  // [mm]
+constexpr float kFarthestAway = 60.0F;  // of any surface from the punch's mouth [mm]
+constexpr float kMetres = 1.0F;         // a knee whose numbers are below is in metres
+constexpr float kShortest = 0.5F;       // of a normal
 
 template <std::size_t N>
-bool isAmong(const std::array<std::string_view, N>& names, std::string_view name) {
+bool isOneOf(const std::array<std::string_view, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -83,9 +83,9 @@ class AnatomyReader {
   explicit AnatomyReader(Problems& problems) : problems_(problems) {}
 
   void take(NamedSurface surface) {
-    if (isAmong(kForOrientation, surface.name)) return;
+    if (isOneOf(kForOrientation, surface.name)) return;
     const std::string place = placeOf(surface.name);
-    if (!isAmong(kReplaceable, surface.name)) return refuseName(surface.name, place);
+    if (!isOneOf(kReplaceable, surface.name)) return refuseName(surface.name, place);
     if (!isSound(surface, place)) return;
     const auto same =
         std::find_if(anatomy_.surfaces.begin(), anatomy_.surfaces.end(), [&](const auto& other) {
@@ -179,7 +179,7 @@ class AnatomyReader {
 
   void checkSize() {
     const float longest = longestAxis();
-    if (longest >= kSmallest && longest <= kLargest) return;
+    if (longest >= kSmallestKnee && longest <= kLargestKnee) return;
     const std::string size = "it is " + rounded(longest) + " mm long, which is no knee's size";
     const std::string wanted = " (a knee has 20 to 400 mm)";
     if (longest < kMetres) {
@@ -187,7 +187,7 @@ class AnatomyReader {
           "",
           "it is less than 1 mm long" + wanted,
           "its numbers are likely metres: save it in millimetres, 1000 times as large");
-    } else if (longest < kSmallest) {
+    } else if (longest < kSmallestKnee) {
       problems_.add(
           "",
           size + wanted,
@@ -215,7 +215,7 @@ class AnatomyReader {
   void checkPlace(const NamedSurface& surface) {
     float nearest = std::numeric_limits<float>::max();
     for (const auto& place : surface.places) nearest = std::min(nearest, lengthOf(place));
-    if (nearest <= kFarthest) return;
+    if (nearest <= kFarthestAway) return;
     problems_.add(
         placeOf(surface.name),
         "it comes no nearer than " + rounded(nearest) + " mm to the punch, and would not be seen",

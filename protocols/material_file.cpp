@@ -83,7 +83,8 @@ double deepestOf(const reaming::Material& material) {
   return deepest;
 }
 
-std::optional<reaming::Material> readRoot(const questionnaires::Value& value, Problems& problems) {
+std::optional<reaming::Material> readMaterialRoot(
+    const questionnaires::Value& value, Problems& problems) {
   const Node root(value, "$", problems);
   if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
     return std::nullopt;
@@ -190,7 +191,7 @@ std::optional<reaming::Material> readMaterial(std::string_view json, Problems& p
   Problems found;
   std::optional<reaming::Material> material;
   if (const auto value = questionnaires::parseJson(json, found)) {
-    material = readRoot(*value, found);
+    material = readMaterialRoot(*value, found);
   }
   problems.append(found);
   return found.hasErrors() ? std::nullopt : std::move(material);

@@ -73,7 +73,7 @@ void collect(
 }
 
 /// Corners without a place among numbers are the caller's to tell; nothing may trip over them here.
-bool isFinite(const aiMesh& mesh) {
+bool isFiniteMesh(const aiMesh& mesh) {
   const aiVector3D* first = mesh.mVertices;
   return std::all_of(first, first + mesh.mNumVertices, [](const auto& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -90,7 +90,7 @@ std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) 
   bool isSound = true;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
     hasNormals.push_back(scene->mMeshes[i]->HasNormals());
-    isSound = isSound && isFinite(*scene->mMeshes[i]);
+    isSound = isSound && isFiniteMesh(*scene->mMeshes[i]);
   }
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kStaysAnEdge);
   if (isSound) scene = importer.ApplyPostProcessing(more | aiProcess_JoinIdenticalVertices);

@@ -67,10 +67,10 @@ std::vector<std::size_t> readClosures(const Value& provenance, Problems& problem
 }
 
 void checkHash(const Node& node) {
-  constexpr std::size_t kDigits = 64;
+  constexpr std::size_t kHashDigits = 64;
   const std::string hash = node.text("source_sha256", "");
   const bool isHash =
-      hash.size() == kDigits && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+      hash.size() == kHashDigits && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (hash.empty() || isHash) return;
   node.problem("source_sha256", "this is no SHA-256", "write 64 of the digits 0-9 and a-f");
 }
