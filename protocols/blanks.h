@@ -10,12 +10,13 @@ namespace protocols {
 /// What the author of a text left for a laboratory to fill in, and nobody has: a participant would
 /// read the brackets.
 struct Blank {
-  std::string where;  ///< the instrument, or the place in the protocol
-  std::string words;  ///< "[[number]], [[institution]]"
+  std::string where;          ///< the instrument, or the place in the protocol; and its languages
+  std::string words;          ///< "[[number]], [[institution]]", of the first of them
+  bool isInProtocol = false;  ///< and not in an instrument
 };
 
-/// Those in what a participant of @p language reads: the protocol's own texts, and title,
-/// introduction and statements of the instruments that it uses, each instrument once.
-std::vector<Blank> blanksOf(const LoadedProtocol& loaded, const std::string& language);
+/// Those in whatever a participant may come to read, in any language of the protocol, since they
+/// can change it: the protocol's own texts, and all texts of the instruments that it uses.
+std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
 
 }  // namespace protocols

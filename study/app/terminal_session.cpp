@@ -281,7 +281,7 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
 /// A participant would read what stands in double brackets: whoever enrols one says that it may be.
 bool mayEnrol(Study& study, const Enrolment& enrolment) {
   if (enrolment.runMode != RunMode::Live) return true;
-  const auto blanks = protocols::blanksOf(study.protocol(), enrolment.language);
+  const auto blanks = protocols::blanksOf(study.protocol());
   if (blanks.empty()) return true;
   fmt::print("A participant would read what is still to be filled in:\n");
   for (const auto& blank : blanks) fmt::print("  {}: {}\n", blank.where, blank.words);
@@ -289,7 +289,11 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
       "Write what holds there beside the protocol and amend the study, or try it with --pilot. "
       "Begin "
       "all the same? [y/N] ");
-  return isYes(readLine());
+  try {
+    return isYes(readLine());
+  } catch (const NoMoreInput&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -297,8 +301,11 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
 int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFile) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
+  if (!open && !mayEnrol(study, enrolment)) {
+    fmt::print("\nNobody was enrolled.\n");
+    return 1;
+  }
   try {
-    if (!open && !mayEnrol(study, enrolment)) return 1;
     auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
     TerminalSession(study, session, deviceFile).run();
     return 0;

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <variant>
 
+#include <QApplication>
+#include <QMessageBox>
+#include <QScreen>
+
+#include "study/gui/participant_window.h"
 #include "study/trial_setup.h"
 
 namespace study::gui {
@@ -81,8 +86,26 @@ void CupButton::closeWindow() {
   delete window_.data();  // at once: what it follows may go
 }
 
+bool CupButton::mayShow() {
+  if (controller_->session().runMode() != RunMode::Live) return true;
+  const auto windows = QApplication::topLevelWidgets();
+  const bool isBesideParticipant = std::any_of(windows.begin(), windows.end(), [this](auto* each) {
+    return qobject_cast<ParticipantWindow*>(each) != nullptr && each->isVisible() &&
+           each->screen() == screen();
+  });
+  if (!isBesideParticipant) return true;
+  return QMessageBox::question(
+             this,
+             tr("The participant would see it"),
+             tr("The participant's window is on this screen: they would see how hard this "
+                "alternative is. Show the bone in colours all the same?"),
+             QMessageBox::Yes | QMessageBox::No,
+             QMessageBox::No) == QMessageBox::Yes;
+}
+
 void CupButton::openWindow() {
-  if (!isAllowed_ || present().seen == nullptr) return;
+  if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
+  if (present().seen == nullptr) return;  // the trial has ended meanwhile
   if (window_.isNull()) {
     const auto setup = setupFor(controller_->session(), {});
     window_ = new simulation::CupWindow(

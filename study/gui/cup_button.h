@@ -29,6 +29,8 @@ class CupButton final : public QPushButton {
   void closeWindow();
 
  private:
+  /// Asks where a participant would see the window, too; No is what Enter says.
+  bool mayShow();
   void openWindow();
   simulation::CupWindow::Present present() const;
 

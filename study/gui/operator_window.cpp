@@ -133,7 +133,9 @@ void OperatorWindow::resume(SessionId id) {
 
 void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
   if (controller_) return;
-  if (devices_->mayBegin(textsBefore(study_.protocol(), enrolment))) enrol(enrolment);
+  attempt(this, [&] {
+    if (devices_->mayBegin(textsBefore(study_.protocol(), enrolment))) enrol(enrolment);
+  });
 }
 
 void OperatorWindow::resumeIfFit(SessionId id) {
@@ -261,13 +263,14 @@ void OperatorWindow::showInterview() {
   connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
   connect(
       interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
+  connect(controller_.get(), &SessionController::notKept, interview_, &QuestionnairePage::takeBack);
   middle_->addWidget(interview_);
   middle_->setCurrentWidget(interview_);
 }
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  controller_->close();
+  if (!controller_->keepAll() && !wantsToLose()) return;
   trial_->follow(nullptr);
   controls_->follow(nullptr);
   participant_->allowClosing();
@@ -283,6 +286,17 @@ void OperatorWindow::endSession() {
   pages_->setCurrentIndex(0);
 }
 
+bool OperatorWindow::wantsToLose() {
+  return QMessageBox::question(
+             this,
+             tr("Not everything is kept"),
+             tr("Something that was written in this step could not be kept. Close all the same, "
+                "and "
+                "lose it?"),
+             QMessageBox::Yes | QMessageBox::No,
+             QMessageBox::No) == QMessageBox::Yes;
+}
+
 void OperatorWindow::closeEvent(QCloseEvent* event) {
   if (controller_ && controller_->isTrialRunning()) {
     QMessageBox::warning(
@@ -291,7 +305,7 @@ void OperatorWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   endSession();
-  event->accept();
+  event->setAccepted(!controller_);
 }
 
 }  // namespace study::gui

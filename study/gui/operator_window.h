@@ -41,6 +41,7 @@ class OperatorWindow final : public QMainWindow {
   void resume(SessionId id);
   /// The same after a check of devices and texts, where the operator does not think better of it.
   void enrolIfFit(const Enrolment& enrolment);
+  /// Goes on after a check of the devices.
   void resumeIfFit(SessionId id);
 
   SessionController* controller() const noexcept { return controller_.get(); }
@@ -64,6 +65,8 @@ class OperatorWindow final : public QMainWindow {
   void stop();
   void showInterview();
   void endSession();
+  /// Asks whether to go on though something could not be kept; No is what Enter says.
+  bool wantsToLose();
   void updateAll();
   void moveHand(double share);
   void speakTheSessionsLanguage();

@@ -67,11 +67,15 @@ bool QuestionnairePage::isComplete() const {
 void QuestionnairePage::handOn(std::size_t index) {
   auto& told = told_[index];
   const auto response = widgets_[index]->response();
-  if (response == told.response) return;
+  const bool isNew = response != told.response;
+  if (!isNew && told.isKept) return;
   const double now = static_cast<double>(shown_.elapsed()) / 1000.0;
-  if (told.changes < 0) told.firstTouch = now;
-  ++told.changes;
+  if (isNew) {
+    if (told.changes < 0) told.firstTouch = now;
+    ++told.changes;
+  }
   told.response = response;
+  told.isKept = true;  // takeBack() comes before the signal returns
   const auto& item = widgets_[index]->item();
   if (response) {
     emit answered(
@@ -86,6 +90,12 @@ void QuestionnairePage::handOn(std::size_t index) {
     emit retracted(QString::fromStdString(item.id));
   }
   emit completeChanged(isComplete());
+}
+
+void QuestionnairePage::takeBack(const QString& item) {
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (widgets_[i]->item().id == item.toStdString()) told_[i].isKept = false;
+  }
 }
 
 void QuestionnairePage::flush() {

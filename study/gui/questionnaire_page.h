@@ -34,6 +34,10 @@ class QuestionnairePage final : public QWidget {
   /// Hands on whatever was written and has not been yet.
   void flush();
 
+ public slots:
+  /// An item's answer could not be kept: it is handed on once more, with the next or by flush().
+  void takeBack(const QString& item);
+
  signals:
   /// An item has an answer, or another one.
   void answered(const study::GivenAnswer& answer);
@@ -46,6 +50,7 @@ class QuestionnairePage final : public QWidget {
     std::optional<questionnaires::Response> response;  ///< as last handed on
     double firstTouch = 0.0;                           ///< [s]
     int changes = -1;                                  ///< −1: untouched
+    bool isKept = true;                                ///< as far as anybody has said
   };
 
   void handOn(std::size_t index);

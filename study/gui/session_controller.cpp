@@ -31,9 +31,20 @@ bool SessionController::tryTo(Action&& action) {
   }
 }
 
+bool SessionController::keepAll() {
+  isAllKept_ = true;
+  emit aboutToLeave();
+  return isAllKept_;
+}
+
 template <typename Action>
 void SessionController::leaveBy(Action&& action) {
-  emit aboutToLeave();
+  if (keepAll() && tryTo(std::forward<Action>(action))) emit stepChanged();
+}
+
+template <typename Action>
+void SessionController::endBy(Action&& action) {
+  keepAll();
   if (tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
@@ -63,11 +74,15 @@ storage::VisitStatus SessionController::statusOf(int step) const {
 }
 
 void SessionController::answer(const study::GivenAnswer& answer) {
-  tryTo([&] { session_.record(answer); });
+  if (tryTo([&] { session_.record(answer); })) return;
+  isAllKept_ = false;
+  emit notKept(QString::fromStdString(answer.item));
 }
 
 void SessionController::retract(const QString& item) {
-  tryTo([&] { session_.retract(item.toStdString()); });
+  if (tryTo([&] { session_.retract(item.toStdString()); })) return;
+  isAllKept_ = false;
+  emit notKept(item);
 }
 
 void SessionController::countBenchmarkCut() {
@@ -157,15 +172,15 @@ void SessionController::resume() {
 
 void SessionController::withdraw(const QString& reason) {
   if (live_) stop();
-  leaveBy([&] { session_.withdraw(reason.toStdString()); });
+  endBy([&] { session_.withdraw(reason.toStdString()); });
 }
 
 void SessionController::reject(const QString& reason) {
-  leaveBy([&] { session_.reject(reason.toStdString()); });
+  endBy([&] { session_.reject(reason.toStdString()); });
 }
 
 void SessionController::giveUpOnDevice(const QString& reason) {
-  leaveBy([&] { session_.giveUpOnDevice(reason.toStdString()); });
+  endBy([&] { session_.giveUpOnDevice(reason.toStdString()); });
 }
 
 std::vector<SessionController::Note> SessionController::notes() const {
@@ -183,8 +198,8 @@ bool SessionController::note(const QString& text) {
 }
 
 void SessionController::chooseLanguage(const QString& language) {
-  emit aboutToLeave();
-  if (tryTo([&] { session_.setLanguage(language.toStdString()); })) emit languageChanged();
+  if (keepAll() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
+    emit languageChanged();
 }
 
 }  // namespace study::gui

@@ -73,6 +73,10 @@ class SessionController final : public QObject {
   };
   std::vector<Note> notes() const;
 
+  /// Asks whoever shows the step for what was written and not handed on, and keeps it.
+  /// @return whether all of it is kept; failed() has said what is not.
+  bool keepAll();
+
  public slots:
   void answer(const study::GivenAnswer& answer);
   void retract(const QString& item);
@@ -94,14 +98,14 @@ class SessionController final : public QObject {
   void giveUpOnDevice(const QString& reason);
   /// Returns whether it is kept.
   bool note(const QString& text);
-  /// Nobody looks at this session any more; it stays as it is.
-  void close() { emit aboutToLeave(); }
   void chooseLanguage(const QString& language);
 
  signals:
   /// The step is about to be left, or shown in other words: whoever shows it hands on what was
   /// written and has not been yet.
   void aboutToLeave();
+  /// An answer, or that it was taken back, could not be kept; failed() has said why.
+  void notKept(const QString& item);
   /// Another step, or another state of this one.
   void stepChanged();
   /// While a trial runs: new numbers.
@@ -114,8 +118,12 @@ class SessionController final : public QObject {
   void endTrial(TrialEnding ending);
   template <typename Action>
   bool tryTo(Action&& action);
+  /// The step goes only when everything that was written in it is kept.
   template <typename Action>
   void leaveBy(Action&& action);
+  /// The session goes to its end whatever could not be kept: that was told.
+  template <typename Action>
+  void endBy(Action&& action);
 
   Study& study_;
   Rig& rig_;
@@ -126,6 +134,7 @@ class SessionController final : public QObject {
   std::function<std::optional<ViewReport>()> viewReport_;
   std::function<simulation::HipScene*()> cup_;
   QTimer watch_;
+  bool isAllKept_ = true;  ///< of what was handed on since keepAll() was asked
 };
 
 }  // namespace study::gui

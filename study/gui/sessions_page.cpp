@@ -30,6 +30,13 @@ QString statusInWords(const std::string& status) {
   return QString::fromStdString(status).replace(u'_', u' ');
 }
 
+QString titleOf(const std::vector<protocols::Cohort>& cohorts, const std::string& id) {
+  for (const auto& cohort : cohorts) {
+    if (cohort.id == id) return QString::fromStdString(cohort.title.in("en"));
+  }
+  return QString::fromStdString(id);  // of an earlier version of the protocol
+}
+
 QLabel* sectionHeading(const QString& words, QWidget* parent) {
   auto* heading = bodyLabel(words, parent);
   heading->setProperty("role", QStringLiteral("heading"));
@@ -97,7 +104,8 @@ QWidget* SessionsPage::makeList() {
 QWidget* SessionsPage::makeEnrolment() {
   const auto& protocol = study_.protocol().protocol;
   for (const auto& cohort : protocol.cohorts) {
-    cohort_->addItem(cohortTitle(cohort.id), QString::fromStdString(cohort.id));
+    cohort_->addItem(
+        QString::fromStdString(cohort.title.in("en")), QString::fromStdString(cohort.id));
   }
   mode_->addItem(tr("live"), static_cast<int>(RunMode::Live));
   mode_->addItem(tr("pilot (does not count)"), static_cast<int>(RunMode::Pilot));
@@ -131,30 +139,26 @@ QWidget* SessionsPage::makeEnrolment() {
   return card;
 }
 
-QString SessionsPage::cohortTitle(const std::string& id) const {
-  for (const auto& cohort : study_.protocol().protocol.cohorts) {
-    if (cohort.id == id) return QString::fromStdString(cohort.title.in("en"));
-  }
-  return QString::fromStdString(id);  // of an earlier version of the protocol
-}
-
 void SessionsPage::refresh() {
   attempt(this, [&] {
     const auto sessions = storage::Records(study_.database()).sessions();
     unfinished_ = unfinishedSessions(study_);
-    fillTable(sessions);
-    fillCohorts(sessions);
+    const auto cohorts = study_.protocol().protocol.cohorts;
+    fillTable(sessions, cohorts);
+    fillCohorts(sessions, cohorts);
   });
   showSelected();
 }
 
-void SessionsPage::fillTable(const std::vector<storage::SessionRecord>& sessions) {
+void SessionsPage::fillTable(
+    const std::vector<storage::SessionRecord>& sessions,
+    const std::vector<protocols::Cohort>& cohorts) {
   table_->setRowCount(static_cast<int>(sessions.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto& s = sessions[static_cast<std::size_t>(row)];
     const std::array<QString, kSessionColumns> cells{
         QString::fromStdString(s.participant),
-        cohortTitle(s.cohort),
+        titleOf(cohorts, s.cohort),
         QString::fromStdString(s.runMode),
         nativeName(QString::fromStdString(s.language)),
         localTime(s.startedUtc),
@@ -170,9 +174,11 @@ void SessionsPage::fillTable(const std::vector<storage::SessionRecord>& sessions
 }
 
 /// How many of each cohort have finished, and have not ended otherwise.
-void SessionsPage::fillCohorts(const std::vector<storage::SessionRecord>& sessions) {
+void SessionsPage::fillCohorts(
+    const std::vector<storage::SessionRecord>& sessions,
+    const std::vector<protocols::Cohort>& cohorts) {
   QStringList lines;
-  for (const auto& cohort : study_.protocol().protocol.cohorts) {
+  for (const auto& cohort : cohorts) {
     const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
       return s.cohort == cohort.id && s.runMode == nameOf(RunMode::Live) && s.status == "completed";
     });

@@ -35,10 +35,13 @@ class SessionsPage final : public QWidget {
  private:
   QWidget* makeList();
   QWidget* makeEnrolment();
-  void fillTable(const std::vector<storage::SessionRecord>& sessions);
-  void fillCohorts(const std::vector<storage::SessionRecord>& sessions);
+  void fillTable(
+      const std::vector<storage::SessionRecord>& sessions,
+      const std::vector<protocols::Cohort>& cohorts);
+  void fillCohorts(
+      const std::vector<storage::SessionRecord>& sessions,
+      const std::vector<protocols::Cohort>& cohorts);
   void showSelected();
-  QString cohortTitle(const std::string& id) const;
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;

@@ -107,6 +107,7 @@ void CupPainter::paint(const std::stop_token& stop) {
       hasNews_ = false;
     }
     if (!cup) cup = std::make_unique<Cup>(spec_, wish.colours);
+    if (stop.stop_requested()) return;
     const auto begun = Clock::now();
     const double seconds = std::chrono::duration<double>(begun - before).count();
     before = begun;
