@@ -38,10 +38,18 @@ std::vector<StatisticsRow> instrumentRows(
     const std::vector<InstrumentSummary>& instruments,
     const std::map<std::string, std::string>& codes);
 
-/// How much alternatives differed at the handle: a row a pair, of all cohorts together.
+/// What was felt, or why that is not known: one damaged trace keeps no answers back.
+struct FeltResult {
+  std::vector<FeltCurve> curves;
+  std::string reason;  ///< empty, or what is wrong with the traces; then there are no curves
+};
+
+FeltResult feltResult(Study& study, RunMode mode);
+
+/// How much alternatives differed at the handle: a row a pair, of all cohorts together; one row
+/// with the reason where that is not known.
 std::vector<StatisticsRow> feltRows(
-    const std::vector<FeltDifference>& differences,
-    const std::map<std::string, std::string>& codes);
+    const FeltResult& felt, const std::map<std::string, std::string>& codes);
 
 /// Infinite statistics have no place in a table; their reason says so.
 inline Cell finite(const std::optional<double>& value) {

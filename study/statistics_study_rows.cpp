@@ -64,11 +64,25 @@ std::vector<StatisticsRow> instrumentRows(
   return rows;
 }
 
+FeltResult feltResult(Study& study, RunMode mode) {
+  try {
+    return {.curves = feltCurves(study, mode), .reason = {}};
+  } catch (const storage::StorageError& error) {
+    std::string reason = error.what();
+    const std::string folder = (study.folder() / "").string();  // is nobody else's business
+    const auto at = reason.find(folder);
+    return {.curves = {}, .reason = at == reason.npos ? reason : reason.erase(at, folder.size())};
+  }
+}
+
 std::vector<StatisticsRow> feltRows(
-    const std::vector<FeltDifference>& differences,
-    const std::map<std::string, std::string>& codes) {
+    const FeltResult& felt, const std::map<std::string, std::string>& codes) {
   std::vector<StatisticsRow> rows;
-  for (const auto& difference : differences) {
+  if (!felt.reason.empty()) {
+    rows.push_back(studyRow("felt_difference"));
+    addReason(rows.back(), felt.reason);
+  }
+  for (const auto& difference : feltDifferences(felt.curves)) {
     auto row = studyRow("felt_difference");
     row["design"] = std::string("paired");
     row["group1"] = codes.at(difference.condition1);

@@ -279,7 +279,7 @@ std::vector<Row> rowsOf(
     add(FamilyRows(family, study.protocol().protocol, nameOf(mode), codes).all());
   }
   add(instrumentRows(results.instruments, codes));
-  add(feltRows(feltDifferences(feltCurves(study, mode)), codes));
+  add(feltRows(feltResult(study, mode), codes));
   for (auto& row : rows) row["run_mode"] = std::string(nameOf(mode));
   return rows;
 }

@@ -5,6 +5,7 @@
 #include "study/apa_text.h"
 #include "study/app/json_file.h"
 #include "study/felt_curves.h"
+#include "study/statistics_row.h"
 
 namespace study::app {
 namespace {
@@ -350,6 +351,14 @@ ResultJson feltAsJson(const FeltDifference& felt) {
       {"conf", limits(felt.interval)}};
 }
 
+/// Null with its reason where the traces do not tell.
+void addFelt(ResultJson& json, const FeltResult& felt) {
+  auto& differences = json["felt_differences"];
+  if (felt.reason.empty()) differences = ResultJson::array();
+  for (const auto& one : feltDifferences(felt.curves)) differences.push_back(feltAsJson(one));
+  json["felt_differences_reason"] = reasonOf(felt.reason);
+}
+
 }  // namespace
 
 std::string resultsAsJson(Study& study, const Results& results) {
@@ -361,15 +370,12 @@ std::string resultsAsJson(Study& study, const Results& results) {
       {"flow", ResultJson::array()},
       {"families", ResultJson::array()},
       {"votes", ResultJson::array()},
-      {"instruments", ResultJson::array()},
-      {"felt_differences", ResultJson::array()}};
+      {"instruments", ResultJson::array()}};
   for (const auto& flow : results.flow) json["flow"].push_back(flowAsJson(flow));
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
-  for (const auto& felt : feltDifferences(feltCurves(study, results.runMode))) {
-    json["felt_differences"].push_back(feltAsJson(felt));
-  }
+  addFelt(json, feltResult(study, results.runMode));
   return json.dump(2) + "\n";
 }
 

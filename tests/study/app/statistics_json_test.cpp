@@ -26,6 +26,13 @@ class StatisticsJson : public testing::Test {
     text.insert(text.find(alpha), R"("equivalence_bound": 0.5, )");
     study_.emplace(tests::protocolFrom(text));
     simulateCohorts(**study_, study_->clock, 12, 3, [](const std::string&) {});
+    compute();
+    for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
+  }
+
+  /// What both say about the study as it is.
+  void compute() {
+    rows_.clear();
     json_ = json::parse(app::resultsAsJson(**study_, computeResults(**study_, RunMode::Simulated)));
     const auto table =
         statisticsTable(**study_, {.runMode = RunMode::Simulated, .isBlinded = false});
@@ -33,7 +40,6 @@ class StatisticsJson : public testing::Test {
       auto& row = rows_.emplace_back();
       for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = cells[i];
     }
-    for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
   }
 
   /// The one row of a method that has all that @p with asks for.
@@ -156,6 +162,20 @@ TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
     expectSame(found.at("conf_high"), felt["conf"][1], "conf_high");
   }
   EXPECT_EQ(compared_, 3 * 5);
+}
+
+TEST_F(StatisticsJson, GoesOnWithoutADamagedTraceAndSaysWhy) {
+  (*study_)->traces().database().execute(
+      "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
+  compute();
+  EXPECT_TRUE(json_["felt_differences"].is_null());
+  const auto& reason = json_["felt_differences_reason"];
+  EXPECT_NE(reason.get<std::string>().find("damaged"), std::string::npos) << reason;
+  const auto felt = row("felt_difference", {});
+  EXPECT_EQ(felt.at("reason"), Cell(reason.get<std::string>()));
+  EXPECT_EQ(felt.at("estimate"), Cell());
+  EXPECT_FALSE(json_["families"].empty());
+  EXPECT_GT(rows_.size(), 20U);
 }
 
 }  // namespace
