@@ -26,9 +26,14 @@ class RenderingWriter : HtmlWriter {
           "later ones, which go through its hole, are in this together: the median then lies "
           "between both.");
     }
-    if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
-    manipulation();
-    againstMaterial();
+    if (s_.curvesReason.empty()) {
+      if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
+      manipulation();
+      againstMaterial();
+    } else {
+      put("<p>{}</p>",
+          escaped(say("What was felt is not known: {}", s_.words.known(s_.curvesReason))));
+    }
     quality();
     return std::move(html_);
   }

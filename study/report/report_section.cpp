@@ -1,6 +1,9 @@
 #include "study/report/report_section.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "study/statistics_row.h"
 
 namespace study::report {
 namespace {
@@ -99,6 +102,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
 }
 
 ReportSection gather(Study& study, RunMode mode, words::Words words) {
+  auto felt = feltResult(study, mode);
   return {
       .protocol = study.protocol().protocol,
       .instruments = study.protocol().instruments,
@@ -108,7 +112,8 @@ ReportSection gather(Study& study, RunMode mode, words::Words words) {
       .seed = study.seed(),
       .uuid = study.uuid(),
       .results = computeResults(study, mode),
-      .curves = feltCurves(study, mode),
+      .curves = std::move(felt.curves),
+      .curvesReason = std::move(felt.reason),
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
       .figures = {},

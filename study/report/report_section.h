@@ -63,6 +63,7 @@ struct ReportSection {
   std::string uuid;
   Results results;
   std::vector<FeltCurve> curves;
+  std::string curvesReason;  ///< why there are none, where the traces do not tell
   TrialQuality quality;
   std::vector<questionnaires::Problem> warnings;  ///< that the protocol's check gives
   Figures figures;

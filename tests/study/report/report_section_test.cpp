@@ -7,6 +7,7 @@
 #include "study/report/html_report.h"
 #include "study/report/study_parts.h"
 #include "study/results_text.h"
+#include "study/simulated_participant.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 
@@ -31,6 +32,19 @@ TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
   const auto page = renderingAsHtml(section);
   EXPECT_NE(page.find("3 trials, 3 cuts or strokes: "), std::string::npos) << page;
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;
+}
+
+TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
+  tests::MadeStudy study;
+  simulateCohorts(*study, study.clock, 2, 3, [](const std::string&) {});
+  study->traces().database().execute(
+      "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
+  const auto section = gather(*study, RunMode::Simulated, words::wordsIn("de"));
+  const auto page = asHtml({section});
+  EXPECT_NE(page.find("Was gefühlt wurde, ist nicht bekannt: traces.db ist beschädigt: "),
+            std::string::npos)
+      << section.curvesReason;
+  EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }
 
 /// "1 cuts", "1 participants": one of what there are several of.
