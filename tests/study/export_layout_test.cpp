@@ -460,6 +460,21 @@ TEST_F(ComputedAgainTest, InR) {
   EXPECT_EQ(said.find("apt install r-cran-lmertest") == std::string::npos, hasModels) << said;
 }
 
+TEST_F(ComputedAgainTest, InRFindsAnOrdinalEstimateThatIsAHundredthOff) {
+  if (!isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"})) {
+    GTEST_SKIP() << "needs R with ordinal: ./setup --check";
+  }
+  const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
+  const auto table = (folder / "statistics.csv").string();
+  const std::string change =
+      "f <- '" + table + "'; s <- read.csv(f, na.strings = ''); i <- s$method == 'ordinal_model'; "
+      "s$estimate[i] <- 1.01 * s$estimate[i]; write.csv(s, f, row.names = FALSE, na = '')";
+  ASSERT_EQ(tests::run({"Rscript", "-e", change}).status, 0);
+  const auto finished = tests::run({"Rscript", (folder / "analysis.R").string(), folder.string()});
+  EXPECT_EQ(finished.status, 1) << finished.out << finished.error;
+  EXPECT_NE(finished.out.find("ordinal_model estimate"), std::string::npos) << finished.error;
+}
+
 TEST_F(ComputedAgainTest, InPython) {
   const std::string python = "/usr/bin/python3";  // Debian's, which has Debian's SciPy
   if (!isInstalled({python, "-c", "import scipy"})) GTEST_SKIP() << "needs SciPy: ./setup --check";
