@@ -41,7 +41,7 @@ std::vector<Column> statisticsColumns() {
       {"statistic", "Its value"},
       {"df", "Degrees of freedom; of F its first"},
       {"df2", "Second degrees of freedom of F"},
-      {"p", "Two-sided, not corrected"},
+      {"p", "Two-sided; of tost the larger of two one-sided ones; not corrected"},
       {"log10_p", "Decimal logarithm of p"},
       {"p_permutation", "Of Friedman's test: exact, all permutations within people"},
       {"epsilon", "Greenhouse and Geisser's: how spherical the conditions are"},
