@@ -109,8 +109,8 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
         ids.begin(), ids.end(), [&](auto id) { return protocols().load(id).frozenUtc; });
     if (hasBegun && reason.empty()) {
       throw StorageError(
-          "A participant has begun with the protocol as it is. A change is a new version and needs "
-          "a reason: add --reason \"…\".");
+          "A participant has begun. A change is a new version and needs a reason: add --reason "
+          "\"…\".");
     }
     const Moment now = clock_->now();
     const auto id = protocols().add(
