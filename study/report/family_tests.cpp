@@ -52,8 +52,8 @@ class TestsWriter : HtmlWriter {
             ? "The unit is the participant: what one person says about a method is averaged first. "
               "Declared in the protocol, and confirmatory: {}, α = {:g}. All else is exploratory."
             : "The unit is the participant: what one person says about a method is averaged first. "
-              "The protocol names {}, α = {:g}, but did not before the first participant: all is "
-              "exploratory.",
+              "The protocol names {}, α = {:g}, but did not both before the first participant "
+              "and ever since: all is exploratory.",
         declaredInWords(f_.family, s_.words),
         f_.family.alpha);
     comparisons();

@@ -145,14 +145,25 @@ class MethodsWriter : HtmlWriter {
     switch (change.kind) {
       case FamilyChange::Kind::Added:
         return say(
-            "Version {} ({}) added “{}” after the first participant had begun: all of it is "
-            "exploratory.",
+            "Version {} ({}) added “{}” after the first participant had begun{}",
             change.version,
             day,
-            change.title);
+            change.title,
+            cameTo(change));
       case FamilyChange::Kind::Removed:
         return say(
             "Version {} ({}) dropped “{}”, which had been declared before.",
+            change.version,
+            day,
+            change.title);
+      case FamilyChange::Kind::PutBack:
+        return say(
+            change.isHarmless
+                ? "Version {} ({}) put “{}” back as it was declared, before anybody had begun with "
+                  "the "
+                  "change."
+                : "Version {} ({}) put “{}” back as it was declared, but participants had begun "
+                  "with the change: all of it is exploratory.",
             change.version,
             day,
             change.title);
@@ -162,12 +173,19 @@ class MethodsWriter : HtmlWriter {
     std::string keys;
     for (const auto& key : change.keys) keys += (keys.empty() ? "" : ", ") + s_.words(key);
     return say(
-        "Version {} ({}) changed “{}” after the first participant had begun ({}): all of it is "
-        "exploratory.",
+        "Version {} ({}) changed “{}” after the first participant had begun ({}){}",
         change.version,
         day,
         change.title,
-        keys);
+        keys,
+        cameTo(change));
+  }
+
+  /// What a change makes of its family, as the end of a sentence.
+  const std::string& cameTo(const FamilyChange& change) const {
+    return s_.words(
+        change.isHarmless ? "; it was put back as it was declared."
+                          : ": all of it is exploratory.");
   }
 
   std::string computation() const {

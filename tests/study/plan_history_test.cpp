@@ -72,6 +72,38 @@ TEST(PlanHistory, DeclaresAgainWhatIsPutBack) {
   EXPECT_EQ(history.changes.size(), 2U);
   EXPECT_EQ(history.versionsSinceBegun, 2U);
   EXPECT_TRUE(history.isDeclared("methods"));
+  EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Changed);
+  EXPECT_TRUE(history.changes[0].isHarmless);
+  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::PutBack);
+  EXPECT_TRUE(history.changes[1].isHarmless);
+}
+
+TEST(PlanHistory, DoesNotDeclareAgainWhatSomebodyBeganWithInBetween) {
+  MadeStudy study;
+  Session::enrol(*study, {.cohort = "surgeons"});
+  study->amend(stricter(), "a reviewer asked");
+  Session::enrol(*study, {.cohort = "surgeons"});
+  study->amend(tests::protocolFrom(tests::shortProtocol()), "an editor asked back");
+  const auto history = planHistory(*study);
+  ASSERT_EQ(history.changes.size(), 2U);
+  EXPECT_FALSE(history.isDeclared("methods"));
+  EXPECT_FALSE(history.changes[0].isHarmless);
+  EXPECT_EQ(history.changes[1].kind, FamilyChange::Kind::PutBack);
+  EXPECT_FALSE(history.changes[1].isHarmless);
+}
+
+TEST(PlanHistory, DeclaresAgainWhatWasDroppedAndCameBackBeforeAnybodyBegan) {
+  MadeStudy study;
+  Session::enrol(*study, {.cohort = "surgeons"});
+  study->amend(with(R"("id": "methods")", R"("id": "afterthought")"), "a thought");
+  study->amend(tests::protocolFrom(tests::shortProtocol()), "a second thought");
+  const auto history = planHistory(*study);
+  ASSERT_EQ(history.changes.size(), 4U);
+  EXPECT_EQ(history.changes[0].kind, FamilyChange::Kind::Added);
+  EXPECT_FALSE(history.changes[0].isHarmless) << "it is in the protocol no longer";
+  EXPECT_EQ(history.changes[2].family, "methods");
+  EXPECT_EQ(history.changes[2].kind, FamilyChange::Kind::PutBack);
+  EXPECT_TRUE(history.isDeclared("methods"));
 }
 
 TEST(PlanHistory, NamesFamiliesThatCameAndWent) {
@@ -101,8 +133,12 @@ TEST(PlanHistory, AsksForAReasonForEveryVersionOnceSomebodyHasBegun) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");
-  EXPECT_THROW(study->amend(tests::protocolFrom(tests::shortProtocol()), ""), storage::StorageError)
-      << "nobody has begun with the last version, but somebody with an earlier one";
+  try {
+    study->amend(tests::protocolFrom(tests::shortProtocol()), "");
+    FAIL() << "nobody has begun with the last version, but somebody with an earlier one";
+  } catch (const storage::StorageError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("A participant has begun. ")) << error.what();
+  }
 }
 
 }  // namespace

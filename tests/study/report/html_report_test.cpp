@@ -161,6 +161,13 @@ TEST(HtmlReport, TellsWhichFamilyALaterVersionChanged) {
             "(instrument, "));
   EXPECT_TRUE(has(page, "Version 3 (2026-03-02) added “Effort” after"));
   EXPECT_TRUE(has(page, "Version 3 (2026-03-02) dropped “Ease”"));
+  EXPECT_TRUE(has(
+      page, "changed “Fun” after the first participant had begun (alpha); it was put back as it was "
+            "declared. "))
+      << page;
+  EXPECT_TRUE(has(page, "put “Fun” back as it was declared, before anybody had begun with the "));
+  EXPECT_TRUE(has(page, "put “Ease” back as it was declared, but participants had begun with the "
+                        "change: all of it is exploratory."));
   section.history = {};
   EXPECT_FALSE(has(asHtml({section}), "versions of the protocol"));
 }

@@ -102,7 +102,10 @@ study::report::ReportSection madeUpSection() {
             .version = "2",
             .addedUtc = "2026-03-01T10:00:00.000Z"},
            {.title = "Effort", .kind = Kind::Added, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"},
-           {.title = "Ease", .kind = Kind::Removed, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"}},
+           {.title = "Ease", .kind = Kind::Removed, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"},
+           {.title = "Fun", .keys = {"alpha"}, .version = "2", .addedUtc = "2026-03-01T10:00:00.000Z", .isHarmless = true},
+           {.title = "Fun", .kind = Kind::PutBack, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z", .isHarmless = true},
+           {.title = "Ease", .kind = Kind::PutBack, .keys = {}, .version = "4", .addedUtc = "2026-03-03T10:00:00.000Z"}},
       .undeclared = {}};
   section.results.runMode = study::RunMode::Simulated;
   section.results.flow = {{.cohort = "professional", .enrolled = 7, .completed = 6, .withdrawn = 1},
