@@ -1,4 +1,5 @@
 #include <array>
+#include <sstream>
 
 #include "study/apa_text.h"
 #include "study/data_table.h"
@@ -9,6 +10,8 @@ namespace study::report {
 namespace {
 
 using protocols::PhaseType;
+
+constexpr std::string_view kSeenKind = "anatomy";  // of a source; all others are felt
 
 class MethodsWriter : HtmlWriter {
  public:
@@ -199,16 +202,22 @@ class MethodsWriter : HtmlWriter {
   }
 
   void sources() {
-    if (s_.sources.empty()) return;
-    put("<p>{}</p><ul>", say("What was felt came from:"));
+    list("What was felt came from:", false);
+    list("What was seen came from:", true);
+  }
+
+  /// Of the sources, those that are seen, or those that are felt.
+  void list(std::string_view words, bool isOfSeen) {
+    std::string lines;
     for (const auto& source : s_.sources) {
+      if ((source.kind == kSeenKind) != isOfSeen) continue;
       std::string conditions;
       for (const auto& id : source.conditions) {
         conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
       }
-      put("<li>{}: {}</li>", inWords(source), escaped(conditions));
+      lines += fmt::format("<li>{}: {}</li>", inWords(source), escaped(conditions));
     }
-    put("</ul>");
+    if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", s_.words(words), lines);
   }
 
   std::string inWords(const protocols::FeltSource& source) const {
@@ -217,7 +226,19 @@ class MethodsWriter : HtmlWriter {
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";
     text += source.file.empty() ? say("{} ({}, built into the program)", title, kind)
                                 : say("{} ({} '{}')", title, kind, source.file);
-    return source.origin.empty() ? text : text + ", " + escaped(s_.words.known(source.origin));
+    if (source.origin.empty()) return text;
+    return text + ", " +
+           (source.kind == kSeenKind ? surfaces(source) : escaped(s_.words.known(source.origin)));
+  }
+
+  /// "tibia, femur", each in the report's language.
+  std::string surfaces(const protocols::FeltSource& knee) const {
+    std::istringstream names(knee.origin);
+    std::string words;
+    for (std::string name; std::getline(names >> std::ws, name, ',');) {
+      words += (words.empty() ? "" : ", ") + escaped(s_.words.known(name));
+    }
+    return words;
   }
 
   void instruments() {

@@ -1,5 +1,6 @@
 #include "study/words/words.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "study/report/html_report.h"
+#include "study/report/study_parts.h"
+#include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
 
 namespace study::words {
@@ -172,6 +175,61 @@ TEST_P(WordsTest, LeaveNoEnglishInAReport) {
   EXPECT_EQ(englishIn(report::asHtml(sections)), "");
   section.words = {};
   EXPECT_NE(englishIn(report::asHtml(sections)), "") << "or this test sees nothing";
+}
+
+/// The short protocol, whose first condition alone has a knee of its own.
+/// @param normal  of one of its surfaces, as OBJ; empty: neither has any
+/// @param show  "true" or "false", of all conditions
+protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string& show) {
+  auto json = tests::shortProtocol();
+  const std::string beyond = R"("beyond": "ramp-out"})";
+  json.insert(json.find(beyond) + beyond.size(), R"(, "anatomy": "knee.obj")");
+  json = std::regex_replace(
+      json, std::regex(R"("device": "punch", "model")"),
+      R"("device": "punch", "visualisation": )" + show + R"(, "model")");
+  const std::string corners = "v -30 -2 30\nv 30 -2 30\nv 30 -2 -30\n";
+  const std::string faces = normal.empty() ? "f 1 2 3\n" : "f 1//1 2//1 3//1\n";
+  return tests::protocolFrom(
+      json,
+      {{"knee.obj",
+        "o tibia\n" + corners + normal + faces + "o capsule\n" + corners + "vn 0 1 0\n" +
+            (normal.empty() ? "f 4//1 5//1 6//1\n" : "f 4//2 5//2 6//2\n")}});
+}
+
+TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
+  std::set<std::string> said;
+  for (const auto& [normal, show] :
+       {std::pair{"", "true"}, std::pair{"vn 0 0 0\n", "false"}}) {
+    tests::MadeStudy study(withAKnee(normal, show));
+    const auto section = report::gather(*study, RunMode::Simulated, wordsIn(GetParam()));
+    for (const auto& warning : section.warnings) {
+      EXPECT_NE(section.words.known(warning.what), warning.what);
+      EXPECT_NE(section.words.known(warning.fix), warning.fix);
+      said.insert(warning.what);
+    }
+    const auto page = report::methodsAsHtml(section);
+    const auto& seen = section.words("What was seen came from:");
+    ASSERT_NE(page.find(seen), std::string::npos) << page;
+    const auto list = page.substr(page.find(seen));
+    EXPECT_NE(
+        list.find(
+            section.words("tibia") + ", " + section.words("capsule") + ": The title of interp"),
+        std::string::npos)
+        << list;
+    EXPECT_NE(list.find(section.words("The knee that is seen")), std::string::npos) << list;
+    EXPECT_EQ(page.find(section.words("What was felt came from:") + "</p><ul></ul>"), page.npos);
+    EXPECT_TRUE(section.words.missing().empty()) << *section.words.missing().begin();
+    EXPECT_NE(section.words.known("anatomy"), "anatomy");
+  }
+  for (const auto* what :
+       {"it is never seen",
+        "it has no normals",
+        "of its normals have no direction",
+        "shows another knee than"}) {
+    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const auto& one) {
+      return one.find(what) != std::string::npos;
+    })) << what;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WordsTest, testing::Values("de", "nb"));
