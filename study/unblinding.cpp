@@ -4,7 +4,7 @@ namespace study {
 
 void noteUnblinding(
     Study& study, RunMode mode, const std::string& what, const std::string& reason) {
-  if (reason.empty() && mode != RunMode::Live) return;
+  if (mode != RunMode::Live) return;
   if (reason.empty()) {
     throw storage::StorageError(
         "This names every condition beside the answers of real people, and whoever reads it is no "

@@ -10,7 +10,7 @@ namespace study {
 
 /// Results that name conditions unblind whoever reads them, where real people took part: that is
 /// written into the audit trail with its reason, before anything is shown. Of pilots and simulated
-/// sessions it takes no reason.
+/// sessions it takes no reason, and nothing is written: nobody was blind.
 /// @param what  is shown: "report", "results"; the event is "unblinded_report"
 /// @throws storage::StorageError  in words, of live sessions without a reason.
 void noteUnblinding(Study& study, RunMode mode, const std::string& what, const std::string& reason);

@@ -45,6 +45,8 @@ TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
   EXPECT_THROW(noteUnblinding(*study_, RunMode::Live, "report", ""), storage::StorageError);
   EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Pilot, "report", ""));
   EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, "report", ""));
+  noteUnblinding(*study_, RunMode::Pilot, "report", "said though nobody asked");
+  noteUnblinding(*study_, RunMode::Simulated, "report", "said though nobody asked");
   EXPECT_TRUE(reasonsOf("unblinded_report").empty());
   noteUnblinding(*study_, RunMode::Live, "report", "plan signed");
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
