@@ -124,8 +124,8 @@ class Writer {
         family.isDeclared
             ? "declared, confirmatory: " + declaredInWords(family.family) +
                   "; all else is exploratory"
-            : "not declared before the first participant: all is exploratory, also what the "
-              "protocol names now, " +
+            : "not declared before the first participant and ever since: all is exploratory, also "
+              "what the protocol names now, " +
                   declaredInWords(family.family)));
     for (const auto& cohort : family.cohorts) {
       line(fmt::format(
@@ -195,12 +195,12 @@ class Writer {
       return;
     }
     words += fmt::format(
-        "difference {:>6.2f}, t({:.2f}) = {:>6.2f}, p = {:<7} adjusted p = {:<7}",
+        "difference {:>6.2f}, t({:.2f}) = {:>6.2f}, p {:<9} adjusted p {:<9}",
         *w.difference,
         *w.degreesOfFreedom,
         *w.t,
-        pInWords(w.p),
-        pInWords(row.adjustedP));
+        equalsInWords(pInWords(w.p)),
+        equalsInWords(pInWords(row.adjustedP)));
     line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
@@ -226,7 +226,7 @@ class Writer {
       for (const auto& share : vote.votes.shares()) {
         row += padded(titleOf(share.option) + " " + std::to_string(share.votes), 18);
       }
-      if (vote.test.exactP) row += "exact p " + pInWords(vote.test.exactP);
+      if (vote.test.exactP) row += "exact p " + equalsInWords(pInWords(vote.test.exactP));
       line(row);
     }
   }

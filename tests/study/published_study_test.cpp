@@ -262,6 +262,7 @@ TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
   const auto published = resultsAsText(*study_, results, Profile::AsPublished);
   EXPECT_NE(published.find("t(62.52) ="), std::string::npos) << published;
   EXPECT_NE(published.find("declared: confirmatory"), std::string::npos);
+  EXPECT_NE(published.find("adjusted p < .001"), std::string::npos) << published;
   const auto recommended = resultsAsText(*study_, results, Profile::Recommended);
   EXPECT_NE(recommended.find("t(5) = 3.62, p = .015, p_Bonferroni = .046"), std::string::npos)
       << recommended;
@@ -269,6 +270,7 @@ TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
   for (const auto& text : {published, recommended}) {
     EXPECT_NE(text.find("[pseudo_replication]"), std::string::npos);
     EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(text.find("p = <"), std::string::npos);
   }
 }
 
