@@ -102,16 +102,28 @@ void ControlPanel::connectButtons() {
 QPushButton* ControlPanel::add(const QString& text, SessionEvent event, Perform action) {
   auto* button = new QPushButton(text, this);
   choices_.push_back({button, event});
-  connect(button, &QPushButton::clicked, this, [this, action, text] { askAndDo(action, text); });
+  connect(button, &QPushButton::clicked, this, [this, action, text, event] {
+    askAndDo(action, text, event);
+  });
   return button;
 }
 
-void ControlPanel::askAndDo(Perform action, const QString& what) {
+void ControlPanel::askAndDo(Perform action, const QString& what, SessionEvent event) {
   if (controller_ == nullptr) return;
+  const bool isEnd = event == SessionEvent::Withdrew || event == SessionEvent::WasRejected ||
+                     event == SessionEvent::GaveUpOnDevice;
+  const QString consequence = isEnd ? tr("This ends the session for good; what was answered is "
+                                         "kept, and its place in the design is free again.\n\n")
+                                    : QString();
   controller_->stop();  // no force while somebody types why
   bool isMeant = false;
   const QString reason = QInputDialog::getText(
-      this, what, tr("Why? This goes into the record."), QLineEdit::Normal, {}, &isMeant);
+      this,
+      what,
+      consequence + tr("Why? This goes into the record."),
+      QLineEdit::Normal,
+      {},
+      &isMeant);
   if (isMeant && controller_ != nullptr) (controller_->*action)(reason);
 }
 

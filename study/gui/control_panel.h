@@ -41,7 +41,7 @@ class ControlPanel final : public QWidget {
   QWidget* makeButtons();
   void connectButtons();
   void showWho();
-  void askAndDo(Perform action, const QString& what);
+  void askAndDo(Perform action, const QString& what, SessionEvent event);
   void keepNote();
   void showNotes();
 

@@ -66,8 +66,11 @@ void FeelPage::setRunning(bool isRunning) {
     return;
   }
   hint_->setText(
-      tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
-         "to open."));
+      content_.isReamer
+          ? tr("No instrument at hand? Hold the space bar, or drag down on this page, to push in; "
+               "let go to draw back.")
+          : tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; "
+               "let go to open."));
   setFocus();
 }
 

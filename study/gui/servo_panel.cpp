@@ -22,6 +22,7 @@ class ServoPanel::Bars final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* /*event*/) override {
+    if (health_.ticks() == 0) return;
     QPainter painter(this);
     QFont small = font();
     small.setPixelSize(10);
@@ -31,11 +32,13 @@ class ServoPanel::Bars final : public QWidget {
     const auto& bars = health_.bars();
     const double wide = static_cast<double>(width()) / static_cast<double>(bars.size());
     constexpr double kFoot = 14.0;
+    const QString caption = ServoPanel::tr("ticks by lateness [µs]");
+    painter.drawText(QRectF(0, 0, width(), kFoot), Qt::AlignRight | Qt::AlignVCenter, caption);
     const double most = std::log10(1.0 + static_cast<double>(health_.ticks()));
     for (std::size_t i = 0; i < bars.size(); ++i) {
       const double left = wide * static_cast<double>(i);
       const double share = most > 0.0 ? std::log10(1.0 + static_cast<double>(bars[i])) / most : 0.0;
-      const double high = share * (height() - kFoot);
+      const double high = share * (height() - 2.0 * kFoot);
       const bool isLate = i + 1 == bars.size();
       painter.fillRect(
           QRectF(left + 2, height() - kFoot - high, wide - 4, high),
@@ -58,6 +61,8 @@ ServoPanel::ServoPanel(QWidget* parent)
   words_->setWordWrap(true);
   layout->addWidget(words_, 3);
   layout->addWidget(bars_, 2);
+  words_->setToolTip(
+      tr("The energy is that of the present contact: it begins anew whenever the tool comes free"));
   bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
   begin(haptics::devices::DeviceKind::Punch, 0.0);
 }

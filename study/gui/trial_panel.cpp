@@ -15,6 +15,11 @@
 #include "study/gui/trial_view.h"
 
 namespace study::gui {
+namespace {
+
+constexpr double kNominalRate = 1000.0;  // [Hz]
+
+}  // namespace
 
 TrialPanel::TrialPanel(QWidget* parent)
     : QWidget(parent),
@@ -59,6 +64,8 @@ TrialPanel::TrialPanel(QWidget* parent)
 void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
+  // Nothing of whoever was felt before.
+  showNothing(haptics::devices::DeviceKind::Punch, kNominalRate);
   cup_->follow(controller);
   updateSteps();
 }
@@ -84,11 +91,14 @@ void TrialPanel::updateSteps() {
   showState();
 }
 
+void TrialPanel::showNothing(haptics::devices::DeviceKind device, double rate) {
+  plot_->begin(device, rate);
+  servo_->begin(device, rate);
+  cuts_->begin(device, rate);
+}
+
 void TrialPanel::beginTrial() {
-  const double rate = controller_->trialRate();
-  plot_->begin(controller_->deviceKind(), rate);
-  servo_->begin(controller_->deviceKind(), rate);
-  cuts_->begin(controller_->deviceKind(), rate);
+  showNothing(controller_->deviceKind(), controller_->trialRate());
 }
 
 void TrialPanel::showState() {
@@ -97,7 +107,13 @@ void TrialPanel::showState() {
     return;
   }
   const QString device = controller_->deviceName();
-  if (controller_->session().state() == SessionState::Interrupted) {
+  const auto& session = controller_->session();
+  if (session.isOver()) {
+    const auto ending = asText(statusOf(session.state())).replace(u'_', u' ');
+    showHealth(tr("this session is over: %1").arg(ending), Health::Resting);
+  } else if (session.state() == SessionState::Paused) {
+    showHealth(tr("‖ paused: no force"), Health::Resting);
+  } else if (session.state() == SessionState::Interrupted) {
     showHealth(tr("✖ trial broke off: no force"), Health::Bad);
   } else if (wasRunning_) {
     showHealth(tr("● %1: running").arg(device), Health::Good);

@@ -34,6 +34,8 @@ class TrialPanel final : public QWidget {
   enum class Health { Good, Resting, Bad };
 
   void beginTrial();
+  /// Empties what tells of a trial, for one on such a device, of ticks at @p rate [Hz].
+  void showNothing(haptics::devices::DeviceKind device, double rate);
   void showHealth(const QString& words, Health health);
   void showState();
 

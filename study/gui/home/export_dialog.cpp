@@ -3,6 +3,7 @@
 #include "study/gui/background_task.h"
 #include "study/gui/home/study_dialogs.h"
 #include "study/public_tables.h"
+#include "study/words/counted.h"
 
 namespace study::gui::home {
 namespace {
@@ -120,7 +121,8 @@ void ExportDialog::work() {
       : how.isBlinded ? "blinded"
                       : "NOT blinded");
   say(sessions > 0 ? Outcome::Good : Outcome::Warning,
-      tr("%1 holds the data of %2 sessions, %3.").arg(target_->path()).arg(sessions).arg(what));
+      tr("%1 holds the data of %2, %3.")
+          .arg(target_->path(), QString::fromStdString(words::counted(sessions, "session")), what));
 }
 
 }  // namespace study::gui::home

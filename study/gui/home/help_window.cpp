@@ -14,6 +14,7 @@
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextList>
+#include <QTimer>
 
 #include "study/gui/participant_window.h"
 
@@ -169,6 +170,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   text_->setOpenExternalLinks(false);
   text_->setAccessibleName(tr("Help"));
+  text_->viewport()->installEventFilter(this);
   text_->document()->setDocumentMargin(16);
   text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   auto* sides = new QSplitter(this);
@@ -195,14 +197,20 @@ void HelpWindow::listHeadings() {
   fitToWidth();
 }
 
-void HelpWindow::resizeEvent(QResizeEvent* event) {
-  QMainWindow::resizeEvent(event);
-  fitToWidth();
+bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {
+  // The text has its new lines only after this event.
+  if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &HelpWindow::fitToWidth);
+  return QMainWindow::eventFilter(watched, event);
 }
 
+/// What is at the top stays there.
 void HelpWindow::fitToWidth() {
+  const auto place = text_->cursorForPosition({0, 0});
+  const int before = text_->cursorRect(place).top();
   const int margins = 2 * static_cast<int>(text_->document()->documentMargin());
   fitPictures(*text_->document(), std::max(1, text_->viewport()->width() - margins));
+  auto* bar = text_->verticalScrollBar();
+  bar->setValue(bar->value() + text_->cursorRect(place).top() - before);
 }
 
 void HelpWindow::goTo(int number) {

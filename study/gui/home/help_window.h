@@ -22,7 +22,8 @@ class HelpWindow final : public QMainWindow {
   QString heading() const { return heading_; }
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  /// Pictures follow the width of the text.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void listHeadings();

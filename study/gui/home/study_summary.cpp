@@ -17,7 +17,7 @@ void fill(StudySummary& summary) {
   summary.title = metadata.title;
   summary.protocol = metadata.id + " " + metadata.version + ", " +
                      (current.frozenUtc ? "frozen " + current.frozenUtc->substr(0, 10)
-                                        : "not frozen yet: nobody has begun");
+                                        : "not frozen yet: no live participant has begun");
   for (const auto& row : study.sessions().all()) {
     ++summary.sessions[row.runMode];
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];

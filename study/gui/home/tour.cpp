@@ -235,6 +235,7 @@ void Tour::showRecord() {
   const QString why = QString::fromStdString(judgement.reason);
   add(tr("Verdict"),
       asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
+  record_->resizeRowsToContents();
 }
 
 }  // namespace study::gui::home

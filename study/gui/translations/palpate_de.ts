@@ -50,6 +50,10 @@
         <source>Feel it again</source>
         <translation>Noch einmal fühlen</translation>
     </message>
+    <message>
+        <source>No instrument at hand? Hold the space bar, or drag down on this page, to push in; let go to draw back.</source>
+        <translation>Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen.</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::NumberItem</name>

@@ -50,6 +50,10 @@
         <source>Feel it again</source>
         <translation>Kjenn på det igjen</translation>
     </message>
+    <message>
+        <source>No instrument at hand? Hold the space bar, or drag down on this page, to push in; let go to draw back.</source>
+        <translation>Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på denne siden, for å skyve inn; slipp for å trekke tilbake.</translation>
+    </message>
 </context>
 <context>
     <name>study::gui::NumberItem</name>

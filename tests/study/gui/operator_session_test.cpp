@@ -12,7 +12,9 @@
 
 #include "protocols/loaded_protocol.h"
 #include "study/gui/control_panel.h"
+#include "study/gui/cut_table.h"
 #include "study/gui/findings_dialog.h"
+#include "study/gui/live_plot.h"
 #include "study/gui/operator_window.h"
 #include "study/storage/records.h"
 #include "study/study_files.h"
@@ -154,6 +156,43 @@ class Reader {
   QTimer look_;
   QStringList texts_;
 };
+
+TEST_F(OperatorSession, SaysThatItIsPausedAndHowItEnded) {
+  enrol();
+  goTo(StepKind::Interview);
+  const auto says = [&](const char* words) {
+    for (auto* label : window_.findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(QString::fromUtf8(words))) return true;
+    }
+    return false;
+  };
+  window_.controller()->pause(QStringLiteral("phone call"));
+  EXPECT_TRUE(says("paused: no force"));
+  window_.controller()->resume();
+  EXPECT_FALSE(says("paused"));
+  window_.controller()->withdraw({});
+  EXPECT_TRUE(says("this session is over: withdrawn"));
+}
+
+TEST_F(OperatorSession, ShowsNothingOfWhoeverWasThereBefore) {
+  enrol();
+  goTo(StepKind::Trial);
+  participant_.cut(1);
+  window_.controller()->stop();
+  auto* plot = window_.findChild<LivePlot*>();
+  auto* cuts = window_.findChild<CutTable*>();
+  ASSERT_FALSE(plot->channel(0).empty());
+  ASSERT_GT(cuts->rowCount(), 0);
+  window_.controller()->withdraw({});
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Close this session")), Qt::LeftButton);
+  enrol();
+  ASSERT_NE(window_.controller(), nullptr);
+  EXPECT_TRUE(plot->channel(0).empty());
+  EXPECT_EQ(cuts->rowCount(), 0);
+  EXPECT_EQ(
+      window_.findChild<QLabel*>(QStringLiteral("servo-health"))->text(),
+      QStringLiteral("Nothing is felt just now."));
+}
 
 TEST_F(OperatorSession, StaysInAStepWhoseWordsCannotBeKept) {
   enrol();

@@ -93,6 +93,14 @@ TEST_F(HelpTest, FitsItsPicturesAndLinesIntoTheWindow) {
   help.showTopic({});
   auto* text = help.findChild<QTextBrowser*>();
   std::set<double> widths;
+  QCoreApplication::processEvents();
+  for (auto block = text->document()->begin(); block.isValid(); block = block.next()) {
+    for (auto part = block.begin(); !part.atEnd(); ++part) {
+      const auto image = part.fragment().charFormat().toImageFormat();
+      if (!image.isValid()) continue;
+      EXPECT_GT(image.width(), 400.0) << "as it is shown first";
+    }
+  }
   for (const int wide : {760, 1400}) {
     help.resize(wide, 700);
     QCoreApplication::processEvents();
