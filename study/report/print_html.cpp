@@ -1,6 +1,7 @@
 #include "study/report/print_html.h"
 
-#include <regex>
+#include <string>
+#include <string_view>
 
 namespace study::report {
 namespace {
@@ -92,6 +93,18 @@ void cells(std::string& html) {
   }
 }
 
+/// "[0.41, 2.42]": both ends of an interval on one line.
+void intervals(std::string& html) {
+  constexpr std::string_view kStops = ", ]";
+  for (auto open = html.find('['); open != std::string::npos; open = html.find('[', open + 1)) {
+    const auto gap = html.find_first_of(kStops, open + 1);
+    if (gap == std::string::npos || gap == open + 1 || html.compare(gap, 2, ", ") != 0) continue;
+    const auto end = html.find_first_of(kStops, gap + 2);
+    if (end == std::string::npos || end == gap + 2 || html[end] != ']') continue;
+    html.replace(gap, 2, ",&nbsp;");
+  }
+}
+
 /// What belongs together is not torn apart at the end of a line: "p = .021", "[0.41, 2.42]",
 /// "95 %". Long codes may be, anywhere.
 void breaks(std::string& html) {
@@ -101,8 +114,7 @@ void breaks(std::string& html) {
   replaceAll(html, "&nbsp;.", "&nbsp;.&#8288;");  // Qt 6.4 would break before the digits
   replaceAll(html, " %", "&nbsp;%");
   replaceAll(html, "-%-", "&#8209;%&#8209;");
-  static const std::regex kInterval("\\[([^\\], ]+), ([^\\], ]+)\\]");
-  html = std::regex_replace(html, kInterval, "[$1,&nbsp;$2]");
+  intervals(html);
   for (auto span = spanOf(html, "<code>", "</code>", 0); span.begin != std::string::npos;
        span = spanOf(html, "<code>", "</code>", span.end)) {
     constexpr std::size_t kPiece = 8;
