@@ -147,13 +147,9 @@ void ControlPanel::showNotes() {
 void ControlPanel::showWho() {
   if (controller_ == nullptr) return;
   const auto& session = controller_->session();
-  QString cohort = QString::fromStdString(session.cohort());
-  for (const auto& each : session.protocol().protocol.cohorts) {
-    if (each.id == session.cohort()) cohort = QString::fromStdString(each.title.in("en"));
-  }
   who_->setText(QString::fromStdString(session.participant()));
   const QStringList parts{
-      cohort,
+      cohortTitle(session.protocol().protocol, session.cohort()),
       asText(nameOf(session.runMode())),
       nativeName(QString::fromStdString(session.language()))};
   cohort_->setText(parts.join(QStringLiteral(" · ")));

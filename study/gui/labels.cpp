@@ -31,6 +31,11 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
 }
 
+QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
+  const auto* cohort = protocol.cohort(id);
+  return QString::fromStdString(cohort == nullptr ? id : cohort->title.in("en"));
+}
+
 void setRole(QLabel& label, const char* role) {
   const QString wanted = QString::fromLatin1(role);
   if (label.property("role").toString() == wanted) return;

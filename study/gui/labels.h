@@ -1,15 +1,20 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <QLabel>
 #include <QString>
 #include <QWidget>
 
+#include "protocols/protocol.h"
+
 namespace study::gui {
 
 /// Words from below the windows, as Qt has them.
 QString asText(std::string_view words);
+/// The title of a cohort; its id where only an earlier version of the protocol had it.
+QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
 
 /// Labels of a page, as the theme draws them.
 QLabel* titleLabel(const QString& text, QWidget* parent);

@@ -291,8 +291,7 @@ bool OperatorWindow::wantsToLose() {
              this,
              tr("Not everything is kept"),
              tr("Something that was written in this step could not be kept. Close all the same, "
-                "and "
-                "lose it?"),
+                "and lose it?"),
              QMessageBox::Yes | QMessageBox::No,
              QMessageBox::No) == QMessageBox::Yes;
 }

@@ -30,13 +30,6 @@ QString statusInWords(const std::string& status) {
   return QString::fromStdString(status).replace(u'_', u' ');
 }
 
-QString titleOf(const std::vector<protocols::Cohort>& cohorts, const std::string& id) {
-  for (const auto& cohort : cohorts) {
-    if (cohort.id == id) return QString::fromStdString(cohort.title.in("en"));
-  }
-  return QString::fromStdString(id);  // of an earlier version of the protocol
-}
-
 QLabel* sectionHeading(const QString& words, QWidget* parent) {
   auto* heading = bodyLabel(words, parent);
   heading->setProperty("role", QStringLiteral("heading"));
@@ -104,8 +97,7 @@ QWidget* SessionsPage::makeList() {
 QWidget* SessionsPage::makeEnrolment() {
   const auto& protocol = study_.protocol().protocol;
   for (const auto& cohort : protocol.cohorts) {
-    cohort_->addItem(
-        QString::fromStdString(cohort.title.in("en")), QString::fromStdString(cohort.id));
+    cohort_->addItem(cohortTitle(protocol, cohort.id), QString::fromStdString(cohort.id));
   }
   mode_->addItem(tr("live"), static_cast<int>(RunMode::Live));
   mode_->addItem(tr("pilot (does not count)"), static_cast<int>(RunMode::Pilot));
@@ -143,22 +135,21 @@ void SessionsPage::refresh() {
   attempt(this, [&] {
     const auto sessions = storage::Records(study_.database()).sessions();
     unfinished_ = unfinishedSessions(study_);
-    const auto cohorts = study_.protocol().protocol.cohorts;
-    fillTable(sessions, cohorts);
-    fillCohorts(sessions, cohorts);
+    const auto& protocol = study_.protocol().protocol;
+    fillTable(sessions, protocol);
+    fillCohorts(sessions, protocol);
   });
   showSelected();
 }
 
 void SessionsPage::fillTable(
-    const std::vector<storage::SessionRecord>& sessions,
-    const std::vector<protocols::Cohort>& cohorts) {
+    const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
   table_->setRowCount(static_cast<int>(sessions.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const auto& s = sessions[static_cast<std::size_t>(row)];
     const std::array<QString, kSessionColumns> cells{
         QString::fromStdString(s.participant),
-        titleOf(cohorts, s.cohort),
+        cohortTitle(protocol, s.cohort),
         QString::fromStdString(s.runMode),
         nativeName(QString::fromStdString(s.language)),
         localTime(s.startedUtc),
@@ -175,14 +166,13 @@ void SessionsPage::fillTable(
 
 /// How many of each cohort have finished, and have not ended otherwise.
 void SessionsPage::fillCohorts(
-    const std::vector<storage::SessionRecord>& sessions,
-    const std::vector<protocols::Cohort>& cohorts) {
+    const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
   QStringList lines;
-  for (const auto& cohort : cohorts) {
+  for (const auto& cohort : protocol.cohorts) {
     const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
       return s.cohort == cohort.id && s.runMode == nameOf(RunMode::Live) && s.status == "completed";
     });
-    const QString title = QString::fromStdString(cohort.title.in("en"));
+    const QString title = cohortTitle(protocol, cohort.id);
     lines
         << (cohort.planned > 0
                 ? tr("%1: %2 of %3 completed").arg(title).arg(done).arg(cohort.planned)

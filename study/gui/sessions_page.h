@@ -36,11 +36,9 @@ class SessionsPage final : public QWidget {
   QWidget* makeList();
   QWidget* makeEnrolment();
   void fillTable(
-      const std::vector<storage::SessionRecord>& sessions,
-      const std::vector<protocols::Cohort>& cohorts);
+      const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void fillCohorts(
-      const std::vector<storage::SessionRecord>& sessions,
-      const std::vector<protocols::Cohort>& cohorts);
+      const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
   const UnfinishedSession* selectedUnfinished() const;
 

@@ -18,6 +18,7 @@ using reaming::Packing;
 using reaming::Reamer;
 using reaming::Vec3;
 
+#if defined(PALPATE_HAS_NANOFLANN) || defined(PALPATE_HAS_EMBREE)
 /// What a sphere adds to Σ a ρ.
 double partOf(const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
   const auto& s = packing.spheres[i];
@@ -28,14 +29,15 @@ double partOf(const Packing& packing, const double* densities, std::size_t i, co
   if (lens <= 0.0 || dot(away, r.axis) < 0.0) return 0.0;
   return std::numbers::pi * r.radius * lens / d * densities[i];
 }
+#endif
 
+#ifdef PALPATE_HAS_NANOFLANN
 double largestRadius(const Packing& packing) {
   double largest = 0.0;
   for (const auto& s : packing.spheres) largest = std::max(largest, double{s.radius});
   return largest;
 }
 
-#ifdef PALPATE_HAS_NANOFLANN
 /// All centres within the reamer's reach; those in its hollow are found as well, and sorted out.
 class Nanoflann final : public SpherePeer {
  public:

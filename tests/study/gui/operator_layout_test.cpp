@@ -79,14 +79,6 @@ class OperatorLayout : public testing::Test {
     EXPECT_EQ(stop->visibleRegion().boundingRect(), stop->rect()) << name.toStdString();
   }
 
-  void goTo(StepKind kind) {
-    const auto& plan = window_.controller()->session().plan();
-    int step = 0;
-    while (plan[static_cast<std::size_t>(step)].kind != kind) ++step;
-    participant_.takePart(step);
-    ASSERT_EQ(window_.controller()->session().stepIndex(), step);
-  }
-
   tests::ScratchFolder folder_;
   SystemClock clock_;
   Study study_{Study::create(folder_ / "study", shipped("punch-face-validity"), clock_, 7)};
@@ -107,7 +99,7 @@ TEST_F(OperatorLayout, ShowsEverythingBetweenSessions) {
 TEST_F(OperatorLayout, ShowsEverythingInASession) {
   enrol();
   expectAllInSight(QStringLiteral("in-session"));
-  goTo(StepKind::Trial);
+  participant_.goTo(StepKind::Trial);
   participant_.cut(2);
   expectAllInSight(QStringLiteral("in-trial"));
   window_.controller()->stop();
@@ -116,7 +108,7 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
 
 TEST_F(OperatorLayout, OffersPauseOrItsEndInOnePlace) {
   enrol();
-  goTo(StepKind::Trial);
+  participant_.goTo(StepKind::Trial);
   auto* pause = tests::buttonSaying(&window_, QStringLiteral("Pause…"));
   ASSERT_NE(pause, nullptr);
   EXPECT_EQ(tests::buttonSaying(&window_, QStringLiteral("Continue")), nullptr);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include <gtest/gtest.h>
+
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -133,6 +135,14 @@ void Participant::doStep() {
   }
   look();
   QTest::mouseClick(buttonSaying(page(), QStringLiteral("Next")), Qt::LeftButton);
+}
+
+void Participant::goTo(StepKind kind) {
+  const auto& session = window_.controller()->session();
+  int step = 0;
+  while (session.plan()[static_cast<std::size_t>(step)].kind != kind) ++step;
+  takePart(step);
+  EXPECT_EQ(session.stepIndex(), step);
 }
 
 void Participant::takePart(int stopBefore) {

@@ -21,6 +21,9 @@ class Participant {
   /// Takes the session from where it is to its end, or until @p stopBefore begins.
   void takePart(int stopBefore = -1);
 
+  /// Takes the session to the first step of such a kind.
+  void goTo(study::StepKind kind);
+
   /// One step: reads the page, answers all of it, goes on.
   void doStep();
   /// Begins the trial on the page and makes so many cuts with the space bar; does not end it.

@@ -35,15 +35,6 @@ class PunchSession : public testing::Test {
         {.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   }
 
-  /// Brings the session to its first trial.
-  void goToTheFirstTrial() {
-    const auto& plan = window_.controller()->session().plan();
-    int trial = 0;
-    while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
-    participant_.takePart(trial);
-    ASSERT_EQ(window_.controller()->session().stepIndex(), trial);
-  }
-
   tests::ScratchFolder folder_;
   SystemClock clock_;
   Study study_{Study::create(folder_ / "study", library("punch-face-validity"), clock_, 7)};
@@ -69,7 +60,7 @@ TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
 }
 
 TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   participant_.cut(1);
   QTest::mouseClick(window_.findChild<ControlPanel*>()->stopButton(), Qt::LeftButton);
   EXPECT_FALSE(window_.controller()->isTrialRunning());
@@ -78,14 +69,14 @@ TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
 }
 
 TEST_F(PunchSession, StopsOnEscapeInTheParticipantsWindowToo) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   participant_.cut(1);
   QTest::keyClick(window_.participantWindow()->findChild<FeelPage*>(), Qt::Key_Escape);
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 }
 
 TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   const auto step = window_.controller()->session().stepIndex();
   participant_.cut(1);
   dynamic_cast<SimulatedRig&>(window_.rig()).unplug("punch");
@@ -101,7 +92,7 @@ TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
 }
 
 TEST_F(PunchSession, StopsWhileTheOperatorTypesANote) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   participant_.cut(1);
   auto* note = window_.findChild<QLineEdit*>();
   QTest::keyClicks(note, QStringLiteral("the cable hu"));
@@ -113,7 +104,7 @@ TEST_F(PunchSession, StopsWhileTheOperatorTypesANote) {
 }
 
 TEST_F(PunchSession, ShowsAttemptsAndWhatWasSkipped) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   const int trial = window_.controller()->session().stepIndex();
   participant_.cut(1);
   window_.controller()->stop();
@@ -128,7 +119,7 @@ TEST_F(PunchSession, ShowsAttemptsAndWhatWasSkipped) {
 }
 
 TEST_F(PunchSession, RefusesToCloseWhileATrialRuns) {
-  goToTheFirstTrial();
+  participant_.goTo(StepKind::Trial);
   participant_.cut(1);
   EXPECT_FALSE(window_.participantWindow()->close());
   window_.controller()->stop();
