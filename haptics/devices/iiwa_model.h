@@ -50,9 +50,8 @@ inline constexpr IiwaProperties kIiwa14{
 /// The data sheet of @p model.
 ///
 /// Lengths agree in two public descriptions: the URDF of IFL-CAMP/iiwa_stack and the DH table of
-/// Modi1987/KST-Kuka-Sunrise-Toolbox. Limits of position and velocity agree between our notes on
-/// FRI, section 9, and lbr-stack/lbr_fri_ros2_stack. The torques stand in our notes only
-/// [unverified].
+/// Modi1987/KST-Kuka-Sunrise-Toolbox. Limits of position and velocity are those of
+/// lbr-stack/lbr_fri_ros2_stack. The torques were not confirmed by a second source [unverified].
 constexpr const IiwaProperties& propertiesOf(IiwaModel model) noexcept {
   return model == IiwaModel::Iiwa7 ? detail::kIiwa7 : detail::kIiwa14;
 }

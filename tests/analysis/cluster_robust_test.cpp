@@ -11,14 +11,13 @@
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/analysis/study_answers.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
 using analysis::FixedEffects;
 
 TEST(ClusterRobust, ReachesTheGoldenStudy) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto golden = tests::statsJson("study/study_golden.json");
   for (const std::string key : {"professional", "non-professional"}) {
     const auto answers = tests::studyAnswers(key);

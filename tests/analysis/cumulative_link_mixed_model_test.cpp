@@ -11,7 +11,7 @@
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/analysis/study_answers.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -56,7 +56,6 @@ class StudyOrdinal : public testing::TestWithParam<std::pair<const char*, const 
 };
 
 TEST_P(StudyOrdinal, IsReachedWithRandomIntercepts) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto answers = tests::studyAnswers(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -81,7 +80,6 @@ TEST_P(StudyOrdinal, IsReachedWithRandomIntercepts) {
 }
 
 TEST_P(StudyOrdinal, IsReachedWithoutRandomIntercepts) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto answers = tests::studyAnswers(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");

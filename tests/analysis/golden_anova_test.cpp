@@ -1,4 +1,4 @@
-// Analyses of variance against the golden values of shared/data/stats and NIST's certified ones;
+// Analyses of variance against the golden values of tests/data/stats and NIST's certified ones;
 // the gates are those of the README there.
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 #include "analysis/repeated_measures_anova.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -36,7 +36,6 @@ Table blocksOf(const std::string& dataSet) {
 }
 
 TEST(GoldenBlocks, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   tests::WorstDigits worst("repeated measures");
   const auto gate = [](const std::string& quantity) {
     return quantity.find("_p") == std::string::npos ? 13.0 : 12.0;
@@ -83,7 +82,7 @@ Table nistGroups(const std::string& dataSet) {
 }
 
 TEST(NistAnova, ReachesWhatDoublesCanAttain) {
-  SKIP_WITHOUT_SHARED_DATA("stats/nist/nist.json");
+  SKIP_WITHOUT_FETCHED_DATA("stats/nist/nist.json");
   constexpr double kMostAsked = 15.0;
   constexpr double kSlack = 0.2;
   tests::WorstDigits worst("NIST analysis of variance");
@@ -142,7 +141,6 @@ Table studyScores(const std::string& cohort, const std::string& method) {
 }
 
 TEST(StudyReliability, IsCronbachsAlphaOfR) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto golden = tests::statsJson("study/study_golden.json");
   const std::map<std::string, std::string> cohorts{
       {"prof", "professional"}, {"non", "non-professional"}};

@@ -3,21 +3,23 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace tests {
 namespace {
-std::string content(std::string_view relative) {
-  return contentOf(sharedData("stats/" + std::string(relative)));
+
+std::string content(const std::string& relative) {
+  return contentOf(relative.starts_with("nist/") ? fetchedData("stats/" + relative) : testData("stats/" + relative));
 }
+
 }  // namespace
 
 nlohmann::json statsJson(std::string_view relative) {
-  return nlohmann::json::parse(content(relative));
+  return nlohmann::json::parse(content(std::string(relative)));
 }
 
 analysis::CsvTable statsTable(std::string_view relative) {
-  return analysis::readCsv(content(relative));
+  return analysis::readCsv(content(std::string(relative)));
 }
 
 analysis::GroupedValues statsGroups(const std::string& dataSet) {

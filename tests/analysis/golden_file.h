@@ -10,7 +10,7 @@
 
 namespace tests {
 
-/// A file of shared/data/stats.
+/// A file of tests/data/stats.
 nlohmann::json statsJson(std::string_view relative);
 analysis::CsvTable statsTable(std::string_view relative);
 

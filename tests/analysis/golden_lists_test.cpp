@@ -1,4 +1,4 @@
-// NIST's certified values, and the golden p values and votes of shared/data/stats.
+// NIST's certified values, and the golden p values and votes of tests/data/stats.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@
 #include "analysis/summary.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -28,7 +28,7 @@ std::vector<double> nistValues(const std::string& dataSet) {
 }
 
 TEST(NistUnivariate, ReachesWhatDoublesCanAttain) {
-  SKIP_WITHOUT_SHARED_DATA("stats/nist/nist.json");
+  SKIP_WITHOUT_FETCHED_DATA("stats/nist/nist.json");
   constexpr double kMostAsked = 15.0;
   constexpr double kSlack = 0.2;
   tests::WorstDigits worst("NIST");
@@ -73,7 +73,6 @@ std::string goldenName(analysis::Adjustment method) {
 }
 
 TEST(GoldenAdjustments, AreAllReached) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   tests::WorstDigits worst("adjusted p values");
 
   int visited = 0;
@@ -101,7 +100,6 @@ TEST(GoldenAdjustments, AreAllReached) {
 }
 
 TEST(GoldenVotes, GiveTheExactMultinomialP) {
-  SKIP_WITHOUT_SHARED_DATA("stats/counts.json");
   const auto golden = tests::statsJson("golden.json")["counts"];
   tests::WorstDigits worst("votes");
 

@@ -1,5 +1,5 @@
 // Effect sizes, equivalence, Bayes factors and the paired t test against the golden values of
-// shared/data/stats; the gates are those of the README there.
+// tests/data/stats; the gates are those of the README there.
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -17,7 +17,7 @@
 #include "analysis/welch.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -58,7 +58,6 @@ Quantities effectsOf(const std::vector<double>& a, const std::vector<double>& b)
 }
 
 TEST(GoldenEffects, OfTwoSamplesAreReached) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   tests::WorstDigits worst("effect sizes and Bayes factors");
   int visited = 0;
   const auto all = tests::statsJson("golden.json")["two"];
@@ -73,7 +72,6 @@ TEST(GoldenEffects, OfTwoSamplesAreReached) {
 }
 
 TEST(GoldenEffects, SayWhyWhereSomethingIsMissing) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto reasonOf = [](const std::string& dataSet) {
     const auto groups = tests::statsGroups(dataSet);
     return analysis::effectSizes(groups.group1.values, groups.group2.values).reason;
@@ -86,7 +84,6 @@ TEST(GoldenEffects, SayWhyWhereSomethingIsMissing) {
 }
 
 TEST(GoldenEquivalence, OfTwoSamplesIsReached) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   tests::WorstDigits worst("equivalence");
   int visited = 0;
   const auto all = tests::statsJson("golden.json")["two"];
@@ -134,7 +131,6 @@ Quantities pairedQuantities(const std::vector<double>& x, const std::vector<doub
 }
 
 TEST(GoldenPairs, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   tests::WorstDigits worst("pairs");
   const auto gate = [](const std::string& quantity) {
     return quantity.starts_with("ci") ? 12.0 : gateOf(quantity);

@@ -1,4 +1,4 @@
-// The golden values of rank tests and votes in shared/data/stats, to the gates of the README there:
+// The golden values of rank tests and votes in tests/data/stats, to the gates of the README there:
 // every quantity of these tests in every data set.
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@
 #include "analysis/vote_tests.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -84,7 +84,6 @@ void addSignedRank(Quantities& quantities, const std::string& name, const std::v
 }
 
 TEST(GoldenPairs, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["pair"];
   tests::WorstDigits worst("signed ranks");
   for (const auto& [dataSet, truth] : golden.items()) {
@@ -132,7 +131,6 @@ Quantities rankQuantities(const std::vector<double>& a, const std::vector<double
 }
 
 TEST(GoldenRankSums, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["two"];
   tests::WorstDigits worst("rank sums");
   for (const auto& [dataSet, truth] : golden.items()) {
@@ -147,7 +145,6 @@ TEST(GoldenRankSums, AreAllReachedToTheirGate) {
 }
 
 TEST(GoldenRankSums, FollowFromFiveBinHistograms) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   for (const std::string dataSet : {"t01_likert36", "t02_likert36_30", "t03_counts_I30_K30"}) {
     const auto groups = tests::statsGroups(dataSet);
     analysis::LikertCounts a(1, 5);
@@ -169,7 +166,6 @@ TEST(GoldenRankSums, FollowFromFiveBinHistograms) {
 }
 
 TEST(GoldenBlocks, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["block"];
   tests::WorstDigits worst("Friedman");
   int pairs = 0;
@@ -200,7 +196,6 @@ TEST(GoldenBlocks, AreAllReachedToTheirGate) {
 }
 
 TEST(GoldenVotes, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/counts.json");
   const auto golden = tests::statsJson("golden.json")["counts"];
   tests::WorstDigits worst("votes and their intervals");
   const auto all = tests::statsJson("counts.json");

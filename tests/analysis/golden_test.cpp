@@ -1,4 +1,4 @@
-// The golden values of shared/data/stats: exact rational arithmetic and 60 digits, made by
+// The golden values of tests/data/stats: exact rational arithmetic and 60 digits, made by
 // golden_exact.py beside them. The gates are those
 // of the README there.
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include "analysis/welch.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -104,7 +104,6 @@ void compare(
 }
 
 TEST(GoldenTwoSamples, AreAllReachedToTheirGate) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["two"];
   tests::WorstDigits worst("two samples");
 
@@ -126,11 +125,10 @@ TEST(GoldenTwoSamples, AreAllReachedToTheirGate) {
 }
 
 TEST(GoldenTwoSamples, LeaveNoDataSetUnread) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["two"];
 
   std::set<std::string> files;
-  for (const auto& file : std::filesystem::directory_iterator(tests::sharedData("stats/two"))) {
+  for (const auto& file : std::filesystem::directory_iterator(tests::testData("stats/two"))) {
     files.insert(file.path().stem().string());
   }
 
@@ -140,7 +138,6 @@ TEST(GoldenTwoSamples, LeaveNoDataSetUnread) {
 }
 
 TEST(GoldenTwoSamples, SayWhyWhereSomethingIsMissing) {
-  SKIP_WITHOUT_SHARED_DATA("stats/golden.json");
   const auto golden = tests::statsJson("golden.json")["two"];
   for (const auto& entry : golden.items()) {
     const auto groups = tests::statsGroups(entry.key());
@@ -174,7 +171,6 @@ std::vector<double> unfolded(const analysis::LikertCounts& counts) {
 }
 
 TEST(GoldenMillion, IsReachedFromCountsAndFromValues) {
-  SKIP_WITHOUT_SHARED_DATA("stats/big.json");
   const auto recipe = tests::statsJson("big.json")["sets"].at(0);
   const auto golden = tests::statsJson("golden.json")["big"]["big_1e6"];
   const auto a = generated(recipe["a"]);

@@ -12,7 +12,7 @@
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/analysis/study_answers.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -74,7 +74,6 @@ class StudyGolden : public testing::TestWithParam<std::pair<const char*, const c
 };
 
 TEST_P(StudyGolden, IsReachedByTheFixedEffects) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -87,7 +86,6 @@ TEST_P(StudyGolden, IsReachedByTheFixedEffects) {
 }
 
 TEST_P(StudyGolden, IsReachedByVariancesAndLogLikelihood) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json");
@@ -103,7 +101,6 @@ TEST_P(StudyGolden, IsReachedByVariancesAndLogLikelihood) {
 }
 
 TEST_P(StudyGolden, IsReachedByThePairsOfMethods) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const StudyModel model(GetParam().first);
   const std::string key = GetParam().second;
   const auto golden = tests::statsJson("study/study_golden.json")[key + "_pairs_holm"];
@@ -120,7 +117,6 @@ TEST_P(StudyGolden, IsReachedByThePairsOfMethods) {
 /// For balanced data without a variance at zero, the restricted estimates are those of the analysis
 /// of variance, and Satterthwaite's degrees of freedom those of its mean squares.
 TEST_P(StudyGolden, EqualsTheAnalysisOfVariance) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const StudyModel model(GetParam().first);
   const auto& fit = model.fit;
   const auto people = static_cast<double>(model.answers.participant.levels.size());
@@ -164,7 +160,6 @@ INSTANTIATE_TEST_SUITE_P(
         std::pair("professional", "lmm_prof"), std::pair("non-professional", "lmm_non")));
 
 TEST(LinearMixedModelOfTheStudy, GivesMarginalMeansAndIntervals) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const StudyModel model("professional");
   const auto means = analysis::marginalMeans(model.fit, model.fixed, "method");
 

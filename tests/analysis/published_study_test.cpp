@@ -1,4 +1,4 @@
-// The synthetic study of shared/data/stats/study: invented answers of the published structure,
+// The synthetic study of tests/data/stats/study: invented answers of the published structure,
 // which round to the published Table 2 and vote as in Table 4.
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "analysis/vote_counts.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -59,7 +59,6 @@ double toOneDecimal(double number) {
 }
 
 TEST(PublishedStudy, PoolsToTheCellsOfTheCodebook) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_codebook.json");
   const auto cells = pooledAnswers();
   const auto golden = tests::statsJson("study/study_codebook.json")["cells"];
 
@@ -77,7 +76,6 @@ TEST(PublishedStudy, PoolsToTheCellsOfTheCodebook) {
 }
 
 TEST(PublishedStudy, RoundsToTable2) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_answers.csv");
   struct Printed {
     const char* cell;
     double mean;
@@ -97,7 +95,6 @@ TEST(PublishedStudy, RoundsToTable2) {
 }
 
 TEST(PublishedStudy, ComparesAsThePipelineInRDoes) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto cells = pooledAnswers();
   const auto golden = tests::statsJson("study/study_golden.json")["paper_welch"];
   tests::WorstDigits worst("the study, against 15 printed digits of R");
@@ -131,7 +128,6 @@ TEST(PublishedStudy, ComparesAsThePipelineInRDoes) {
 }
 
 TEST(PublishedStudy, FindsItsSignificantDifferences) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_answers.csv");
   const auto cells = pooledAnswers();
   const auto professionals = analysis::comparePairwise(cohort("P", cells), kDeclared);
   const auto others = analysis::comparePairwise(cohort("N", cells), kDeclared);
@@ -146,7 +142,6 @@ TEST(PublishedStudy, FindsItsSignificantDifferences) {
 }
 
 TEST(PublishedStudy, VotesAsInTable4) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_preferences.csv");
   const auto table = tests::statsTable("study/study_preferences.csv");
   std::map<std::string, analysis::VoteCounts> votes;
   int missing = 0;

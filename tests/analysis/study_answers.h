@@ -7,7 +7,7 @@
 
 namespace tests {
 
-/// The scores of one cohort of the synthetic study in shared/data/stats/study, and what they
+/// The scores of one cohort of the synthetic study in tests/data/stats/study, and what they
 /// belong to.
 struct StudyAnswers {
   std::vector<double> scores;

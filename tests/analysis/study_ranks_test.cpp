@@ -1,4 +1,4 @@
-// The participants of the synthetic study of shared/data/stats/study, compared within themselves:
+// The participants of the synthetic study of tests/data/stats/study, compared within themselves:
 // against R (study_golden.R), which took differences to ten decimals.
 #include <map>
 #include <string>
@@ -15,7 +15,7 @@
 #include "analysis/signed_rank.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -43,7 +43,6 @@ std::map<std::string, std::vector<double>> participantMeans() {
 }
 
 TEST(StudyWithinParticipants, ComparesAsRDoes) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto means = participantMeans();
   const auto golden = tests::statsJson("study/study_golden.json")["within"];
   ASSERT_EQ(golden.size(), 6U);
@@ -67,7 +66,6 @@ TEST(StudyWithinParticipants, ComparesAsRDoes) {
 }
 
 TEST(StudyWithinParticipants, HasTheFriedmanTestOfR) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_golden.json");
   const auto means = participantMeans();
   const auto golden = tests::statsJson("study/study_golden.json")["friedman"];
   ASSERT_EQ(golden.size(), 2U);

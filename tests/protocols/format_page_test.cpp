@@ -10,12 +10,13 @@
 #include "protocols/cut_file.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
 
 namespace protocols {
 namespace {
 
 std::string page() {
-  return tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/docs/protocol-format.md");
+  return tests::contentOf((tests::repository() / "docs/protocol-format.md").string());
 }
 
 /// The examples after "```json" and @p kind.
@@ -112,7 +113,7 @@ TEST(ProtocolFormatPage, HasCutsThatCanBeRead) {
 
 TEST(ProtocolFormatPage, ExplainsEveryKey) {
   const auto schema = nlohmann::json::parse(tests::contentOf(
-      std::string(PALPATE_SOURCE_DIR) + "/protocols/library/protocol-1.schema.json"));
+      (tests::repository() / "protocols/library/protocol-1.schema.json").string()));
   std::set<std::string> keys;
   collectKeys(schema, keys);
   EXPECT_GE(keys.size(), 60U);
@@ -152,7 +153,7 @@ TEST(ProtocolFormatPage, HasTheSectionsThatMessagesReferTo) {
 
 TEST(ProtocolFormatPage, ExplainsEveryWord) {
   const auto schema = nlohmann::json::parse(tests::contentOf(
-      std::string(PALPATE_SOURCE_DIR) + "/protocols/library/protocol-1.schema.json"));
+      (tests::repository() / "protocols/library/protocol-1.schema.json").string()));
   const std::string text = page();
   const auto parts = schema.flatten();  // outlives what items() looks at
   for (const auto& part : parts.items()) {

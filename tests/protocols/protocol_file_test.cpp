@@ -11,6 +11,7 @@
 #include "protocols/loaded_protocol.h"
 #include "tests/protocols/refusals.h"
 #include "tests/protocols/small_protocol.h"
+#include "tests/support/test_data.h"
 
 namespace protocols {
 namespace {
@@ -26,7 +27,7 @@ struct Reading {
 
 /// Loads a file of the corpora, with what lies beside it.
 Reading read(const std::string& kind, const std::string& name) {
-  const auto file = std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/protocols/data" / kind;
+  const auto file = tests::repository() / "tests/protocols/data" / kind;
   Problems problems;
   Reading reading{.loaded = loadProtocolFile((file / (name + ".json")).string(), problems)};
   reading.problems = problems.all();

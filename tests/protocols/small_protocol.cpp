@@ -7,12 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "questionnaires/document.h"
+#include "tests/support/test_data.h"
 
 namespace tests {
 namespace {
 
 const std::filesystem::path kCorpora =
-    std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/protocols/data";
+    tests::repository() / "tests/protocols/data";
 
 }  // namespace
 

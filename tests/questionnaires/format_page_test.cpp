@@ -10,12 +10,13 @@
 #include "questionnaires/instrument_file.h"
 #include "questionnaires/wording.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
 
 namespace questionnaires {
 namespace {
 
 const std::string kPage =
-    tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/docs/questionnaire-format.md");
+    tests::contentOf((tests::repository() / "docs/questionnaire-format.md").string());
 
 /// What stands between "```json" and "```".
 std::vector<std::string> examples() {
@@ -63,7 +64,7 @@ TEST(QuestionnaireFormatPage, HasExamplesThatCanBeUsed) {
 TEST(QuestionnaireFormatPage, ExplainsEveryKey) {
   Problems problems;
   const std::string file =
-      std::string(PALPATE_SOURCE_DIR) + "/questionnaires/library/instrument-1.schema.json";
+      (tests::repository() / "questionnaires/library/instrument-1.schema.json").string();
   const auto schema = parseJson(readTextFile(file), problems);
   ASSERT_TRUE(schema.has_value());
   std::set<std::string> keys;
@@ -106,7 +107,7 @@ TEST(QuestionnaireFormatPage, ShowsEveryTypeOfItem) {
 
 TEST(QuestionnaireFormatPage, ListsTheWholeLibrary) {
   const std::filesystem::path folder =
-      std::filesystem::path(PALPATE_SOURCE_DIR) / "questionnaires/library";
+      tests::repository() / "questionnaires/library";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().stem().string();
     EXPECT_NE(kPage.find("`" + name), std::string::npos) << name;

@@ -5,12 +5,13 @@
 
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
+#include "tests/support/test_data.h"
 
 namespace questionnaires {
 namespace {
 
 const std::string kWhole =
-    readTextFile(PALPATE_SOURCE_DIR "/tests/questionnaires/data/good/scores.json");
+    readTextFile((tests::repository() / "tests/questionnaires/data/good/scores.json").string());
 
 TEST(InstrumentFile, SurvivesEveryFileThatBreaksOff) {
   const std::size_t lastBracket = kWhole.rfind('}');

@@ -10,12 +10,13 @@
 
 #include "questionnaires/document.h"
 #include "tests/questionnaires/refusals.h"
+#include "tests/support/test_data.h"
 
 namespace questionnaires {
 namespace {
 
 std::filesystem::path corpus(const std::string& kind) {
-  return std::filesystem::path(PALPATE_SOURCE_DIR) / "tests/questionnaires/data" / kind;
+  return tests::repository() / "tests/questionnaires/data" / kind;
 }
 
 std::set<std::string> filesIn(const std::string& kind) {

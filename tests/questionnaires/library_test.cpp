@@ -14,13 +14,13 @@
 #include "questionnaires/instrument_file.h"
 #include "tests/questionnaires/shipped_instruments.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace questionnaires {
 namespace {
 
 const std::filesystem::path kFolder =
-    std::filesystem::path(PALPATE_SOURCE_DIR) / "questionnaires/library";
+    tests::repository() / "questionnaires/library";
 
 using tests::isInstrument;
 using tests::shipped;
@@ -142,10 +142,9 @@ TEST(PunchFaceValidity, AsksTheStatementsOfTable1) {
 }
 
 TEST(PunchFaceValidity, AgreesWithTheCodebookOfTheStudy) {
-  SKIP_WITHOUT_SHARED_DATA("stats/study/study_codebook.json");
   Problems problems;
   const auto json =
-      parseJson(tests::contentOf(tests::sharedData("stats/study/study_codebook.json")), problems);
+      parseJson(tests::contentOf(tests::testData("stats/study/study_codebook.json")), problems);
   ASSERT_TRUE(json.has_value());
   const Node codebook(*json, "$", problems);
   const auto statements = codebook.requiredObject("statements")->members();

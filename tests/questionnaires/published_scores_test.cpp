@@ -1,4 +1,4 @@
-// The shipped instruments, scored as their authors key them: reference/statistics.md, section 9.
+// The shipped instruments, scored as their authors key them.
 #include <algorithm>
 #include <set>
 #include <string>

@@ -45,7 +45,7 @@ std::vector<Answer> points(std::vector<std::optional<std::int64_t>> given) {
   return answers;
 }
 
-// Published test points: reference/statistics.md, section 9.
+// Points whose scores follow from the published keys by hand.
 
 TEST(RawTlx, IsZeroWhereEverySliderIs) {
   const auto& tlx = tests::shipped().at("nasa-tlx-raw");

@@ -7,6 +7,7 @@
 #include "study/hardware_rig.h"
 #include "study/session.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace {
@@ -141,7 +142,7 @@ TEST(DeviceFile, NamesTheKeyThatWasMeant) {
 }
 
 TEST(DeviceFile, CanBeCopiedFromTheDocumentation) {
-  const auto page = tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/docs/devices.md");
+  const auto page = tests::contentOf((tests::repository() / "docs/devices.md").string());
   const std::string begin = "```json\n";
   int files = 0;
   for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1)) {
@@ -155,7 +156,7 @@ TEST(DeviceFile, CanBeCopiedFromTheDocumentation) {
 }
 
 TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
-  const auto page = tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/docs/devices.md");
+  const auto page = tests::contentOf((tests::repository() / "docs/devices.md").string());
   const std::string text = kBoth;
   int keys = 0;
   for (auto colon = text.find("\":"); colon != std::string::npos;

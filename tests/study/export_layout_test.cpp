@@ -25,7 +25,7 @@
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace {

@@ -1,4 +1,4 @@
-// The synthetic study of shared/data/stats/study, answered step by step in the shipped protocol of
+// The synthetic study of tests/data/stats/study, answered step by step in the shipped protocol of
 // the published study: what comes out rounds to the paper's Table 2 and equals its Table 4.
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace {
@@ -23,7 +23,7 @@ namespace {
 constexpr const char* kAnswers = "stats/study/study_answers.csv";
 
 analysis::CsvTable tableOf(const char* file) {
-  return analysis::readCsv(tests::contentOf(tests::sharedData(file)));
+  return analysis::readCsv(tests::contentOf(tests::testData(file)));
 }
 
 std::string conditionOf(const std::string& method) {
@@ -65,7 +65,6 @@ std::string labelOf(const Session& session, const std::string& condition) {
 class PublishedStudyTest : public testing::Test {
  protected:
   void SetUp() override {
-    SKIP_WITHOUT_SHARED_DATA(kAnswers);
     synthetic_ = std::make_unique<Synthetic>();
     for (const auto& [participant, cohort] : synthetic_->cohorts) takePart(participant, cohort);
   }
@@ -135,7 +134,7 @@ TEST_F(PublishedStudyTest, RoundsToThePapersTable2) {
 
 TEST_F(PublishedStudyTest, ComparesAsThePipelineInRDoes) {
   const auto golden = nlohmann::json::parse(
-      tests::contentOf(tests::sharedData("stats/study/study_golden.json")))["paper_welch"];
+      tests::contentOf(tests::testData("stats/study/study_golden.json")))["paper_welch"];
   const auto results = computeResults(*study_, RunMode::Live);
   std::size_t i = 0;
   for (const auto& cohort : results.families.at(0).cohorts) {
@@ -208,7 +207,7 @@ double numberIn(const nlohmann::json& value) {
 
 TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
   const auto golden =
-      nlohmann::json::parse(tests::contentOf(tests::sharedData("stats/study/study_golden.json")));
+      nlohmann::json::parse(tests::contentOf(tests::testData("stats/study/study_golden.json")));
   const auto results = computeResults(*study_, RunMode::Live);
   int compared = 0;
   for (const auto& cohort : results.families.at(0).cohorts) {

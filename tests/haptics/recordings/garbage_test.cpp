@@ -10,7 +10,7 @@
 #include "haptics/recordings/recording_text.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 // A recording that was damaged is read, or refused in words; it never crashes the importer and
 // never puts a number into a curve that is none.
@@ -96,8 +96,8 @@ TEST(Garbage, OfNoiseIsRefused) {
 
 TEST(Garbage, OfARealRecordingIsReadOrRefused) {
   const char* const kCopy = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
-  const std::string whole = tests::contentOf(tests::sharedData(kCopy));
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
+  const std::string whole = tests::contentOf(tests::fetchedData(kCopy));
   std::mt19937 random(1758);
   std::uniform_int_distribution<std::size_t> length(0, whole.size());
   for (int i = 0; i < 40; ++i) survives(whole.substr(0, length(random)));

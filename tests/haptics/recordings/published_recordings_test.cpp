@@ -13,7 +13,7 @@
 #include "haptics/recordings/error.h"
 #include "haptics/recordings/recording_file.h"
 #include "haptics/recordings/recording_survey.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 // The eight recordings of the punch paper, against what data/punch/measure.py finds in them.
 
@@ -41,7 +41,7 @@ class PublishedRecording : public testing::TestWithParam<Published> {
   static std::string path() { return "punch/" + GetParam().file; }
 
   static nlohmann::json measured() {
-    std::ifstream stream(tests::sharedData("punch/measured.json"));
+    std::ifstream stream(tests::fetchedData("punch/measured.json"));
     for (const nlohmann::json& entry : nlohmann::json::parse(stream)) {
       if (entry.at("file") == GetParam().file) return entry;
     }
@@ -54,9 +54,9 @@ double millimetric(double value) {
 }
 
 TEST_P(PublishedRecording, HasTheRowsThatWereMeasured) {
-  SKIP_WITHOUT_SHARED_DATA(path());
+  SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured();
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
 
   EXPECT_EQ(recording.rows.size(), expected.at("rows").get<std::size_t>());
   EXPECT_EQ(recording.refusedCount, expected.at("rejected_lines").get<std::size_t>());
@@ -67,9 +67,9 @@ TEST_P(PublishedRecording, HasTheRowsThatWereMeasured) {
 }
 
 TEST_P(PublishedRecording, WasSampledAsMeasured) {
-  SKIP_WITHOUT_SHARED_DATA(path());
+  SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured();
-  const Sampling sampling = samplingOf(readRecordingFile(tests::sharedData(path())));
+  const Sampling sampling = samplingOf(readRecordingFile(tests::fetchedData(path())));
 
   EXPECT_NEAR(sampling.rate, expected.at("rate_hz").get<double>(), 1e-4);
   EXPECT_NEAR(sampling.stepMin * 1e3, expected.at("step_ms").at("min").get<double>(), 1e-9);
@@ -78,9 +78,9 @@ TEST_P(PublishedRecording, WasSampledAsMeasured) {
 }
 
 TEST_P(PublishedRecording, IsSurveyedAsMeasured) {
-  SKIP_WITHOUT_SHARED_DATA(path());
+  SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured();
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
   const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
   const RecordingSurvey survey = surveyOf(recording, trace);
 
@@ -95,9 +95,9 @@ TEST_P(PublishedRecording, IsSurveyedAsMeasured) {
 }
 
 TEST_P(PublishedRecording, HasTheClosuresThatWereMeasured) {
-  SKIP_WITHOUT_SHARED_DATA(path());
+  SKIP_WITHOUT_FETCHED_DATA(path());
   const nlohmann::json expected = measured().at("each_closure");
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
   const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
   const std::vector<Closure> closures = closuresOf(recording, trace);
 
@@ -114,8 +114,8 @@ TEST_P(PublishedRecording, HasTheClosuresThatWereMeasured) {
 }
 
 TEST_P(PublishedRecording, ShowsItsLandmarksInSound) {
-  SKIP_WITHOUT_SHARED_DATA(path());
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  SKIP_WITHOUT_FETCHED_DATA(path());
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
   const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
   Published found{};
   for (const Closure& closure : closuresOf(recording, trace)) {
@@ -133,8 +133,8 @@ TEST_P(PublishedRecording, ShowsItsLandmarksInSound) {
 }
 
 TEST_P(PublishedRecording, HasLandmarksInTheOrderOfTheTravel) {
-  SKIP_WITHOUT_SHARED_DATA(path());
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  SKIP_WITHOUT_FETCHED_DATA(path());
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
   const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
   for (const Closure& closure : closuresOf(recording, trace)) {
     if (!closure.isComplete) continue;
@@ -152,8 +152,8 @@ TEST_P(PublishedRecording, HasLandmarksInTheOrderOfTheTravel) {
 }
 
 TEST_P(PublishedRecording, IsImportedOrRefusedInWords) {
-  SKIP_WITHOUT_SHARED_DATA(path());
-  const Recording recording = readRecordingFile(tests::sharedData(path()));
+  SKIP_WITHOUT_FETCHED_DATA(path());
+  const Recording recording = readRecordingFile(tests::fetchedData(path()));
   if (GetParam().interceptions == 0) {
     EXPECT_THROW(importCut(recording), Error);  // every closure is saturated
     return;
@@ -165,9 +165,9 @@ TEST_P(PublishedRecording, IsImportedOrRefusedInWords) {
 }
 
 TEST_P(PublishedRecording, HasItsOwnCubicInColumnTwo) {  // R7
-  SKIP_WITHOUT_SHARED_DATA(path());
+  SKIP_WITHOUT_FETCHED_DATA(path());
   double largest = 0.0;
-  for (const Recording::Row& row : readRecordingFile(tests::sharedData(path())).rows) {
+  for (const Recording::Row& row : readRecordingFile(tests::fetchedData(path())).rows) {
     const double newtons = forceOf(row.reading, ForceCalibration::Recorder2021);
     largest = std::max(largest, std::abs(newtons / 9.81e-3 - row.grams));
   }

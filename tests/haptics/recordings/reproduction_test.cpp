@@ -11,10 +11,10 @@
 #include "haptics/recordings/kaiser_low_pass.h"
 #include "haptics/recordings/process_noise.h"
 #include "haptics/recordings/recording_file.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
-// The reproduction check of reference/punch-recordings.md, section 8: does palpate read the
-// recordings as their authors did? (R7 is in published_recordings_test.cpp.)
+// Does palpate read the published recordings as their authors did? Their own numbers, printed in
+// their sketch and found in their files, say so.
 
 namespace haptics::recordings {
 namespace {
@@ -43,7 +43,7 @@ const std::vector<Printed> kPrinted{
     {75, 10.820, 4.344}};
 
 Recording copy() {
-  return readRecordingFile(tests::sharedData(kCopy));
+  return readRecordingFile(tests::fetchedData(kCopy));
 }
 
 /// The 76 pairs of the cut.
@@ -73,9 +73,9 @@ std::pair<double, double> slopesOf(const std::vector<CurvePoint>& points) {
 }
 
 TEST(Reproduction, R1ForcesOfTheReferenceCut) {
-  SKIP_WITHOUT_SHARED_DATA(kReference);
+  SKIP_WITHOUT_FETCHED_DATA(kReference);
   const std::vector<CurvePoint> cut = pairs();
-  std::ifstream csv(tests::sharedData(kReference));
+  std::ifstream csv(tests::fetchedData(kReference));
   std::string line;
   std::getline(csv, line);
   ASSERT_EQ(line, "index,angle_raw,force_n");
@@ -94,7 +94,7 @@ TEST(Reproduction, R1ForcesOfTheReferenceCut) {
 }
 
 TEST(Reproduction, R2TravelsOfTheReferenceCut) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const std::vector<CurvePoint> cut = pairs();
   for (const Printed& printed : kPrinted) {
     EXPECT_NEAR(cut[printed.index].travel, printed.travel, 5e-4) << printed.index;
@@ -102,9 +102,9 @@ TEST(Reproduction, R2TravelsOfTheReferenceCut) {
 }
 
 TEST(Reproduction, R3CopyIsPartOfTheWhole) {
-  SKIP_WITHOUT_SHARED_DATA(kWhole);
+  SKIP_WITHOUT_FETCHED_DATA(kWhole);
   const Recording part = copy();
-  const Recording whole = readRecordingFile(tests::sharedData(kWhole));
+  const Recording whole = readRecordingFile(tests::fetchedData(kWhole));
 
   ASSERT_EQ(part.rows.size(), 7237U);
   EXPECT_TRUE(std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin() + 7586));
@@ -114,15 +114,15 @@ TEST(Reproduction, R3CopyIsPartOfTheWhole) {
 }
 
 TEST(Reproduction, R3CutIsTheSameFromCopyAndWhole) {
-  SKIP_WITHOUT_SHARED_DATA(kWhole);
-  const Recording whole = readRecordingFile(tests::sharedData(kWhole));
+  SKIP_WITHOUT_FETCHED_DATA(kWhole);
+  const Recording whole = readRecordingFile(tests::fetchedData(kWhole));
   const ForceCurve fromCopy = importCut(copy(), {.rows = kCut}).cut.curve;
   const ForceCurve fromWhole = importCut(whole, {.rows = RowRange{13486, 13561}}).cut.curve;
   EXPECT_EQ(fromCopy, fromWhole);
 }
 
 TEST(Reproduction, R4StiffnessOfTheReferenceCut) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const std::vector<CurvePoint> cut = pairs();
   const double stiffness = (rounded(cut[30].force) - rounded(cut[16].force)) /
                            (rounded(cut[30].travel) - rounded(cut[16].travel));
@@ -130,7 +130,7 @@ TEST(Reproduction, R4StiffnessOfTheReferenceCut) {
 }
 
 TEST(Reproduction, R6SlopesOfTheTable) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   std::vector<CurvePoint> table = pairs();
   const auto [leastRead, mostRead] = slopesOf(table);
   for (CurvePoint& pair : table) pair = {rounded(pair.travel), rounded(pair.force)};
@@ -161,7 +161,7 @@ ProcessNoise ofTenCuts(const Trace& trace) {
 }
 
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
   const ProcessNoise found =
       ofTenCuts(traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir));
@@ -172,7 +172,7 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
 }
 
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
   Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::None);
   // A hair higher, and still 17.69 Hz: the best fit to the 76 printed angles.
@@ -186,7 +186,7 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
 }
 
 TEST(Reproduction, FindsTheLandmarksOfTheReferenceCut) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const CutLandmarks found = importCut(copy(), {.rows = kCut}).cut.landmarks;
 
   ASSERT_TRUE(found.interception && found.yield && found.bottomOut);
@@ -200,15 +200,15 @@ TEST(Reproduction, FindsTheLandmarksOfTheReferenceCut) {
 }
 
 TEST(Reproduction, ChoosesTheAuthorsOwnCutUnasked) {
-  SKIP_WITHOUT_SHARED_DATA(kWhole);
-  const ImportReport report = importCut(readRecordingFile(tests::sharedData(kWhole))).report;
+  SKIP_WITHOUT_FETCHED_DATA(kWhole);
+  const ImportReport report = importCut(readRecordingFile(tests::fetchedData(kWhole))).report;
   ASSERT_EQ(report.rows.size(), 1U);
   EXPECT_LE(report.rows[0].first, 13486U);
   EXPECT_GE(report.rows[0].last, 13561U);
 }
 
 TEST(Reproduction, MovesTheReferenceCutLittleToLimitItsSlope) {
-  SKIP_WITHOUT_SHARED_DATA(kCopy);
+  SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const ImportedCut imported = importCut(copy(), {.rows = kCut});
   EXPECT_EQ(imported.cut.curve.nodes().size(), 76U);
   EXPECT_EQ(imported.report.mergedSamples, 0U);

@@ -13,7 +13,7 @@
 #include "haptics/wire/crc32.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace haptics::wire::fri {
 namespace {
@@ -261,7 +261,7 @@ struct GoldenCase {
 };
 
 std::vector<GoldenCase> goldenCases() {
-  const json file = json::parse(tests::contentOf(tests::sharedData("fri/golden.json")));
+  const json file = json::parse(tests::contentOf(tests::testData("fri/golden.json")));
   std::vector<GoldenCase> cases;
   for (const json& entry : file.at("cases")) {
     cases.push_back(
@@ -293,7 +293,6 @@ void expectMeaning(const GoldenCase& golden) {
 }
 
 TEST(FriCodec, ReadsRefusesAndWritesTheGoldenDatagrams) {
-  SKIP_WITHOUT_SHARED_DATA("fri/golden.json");
   int accepted = 0;
   int canonical = 0;
   for (const GoldenCase& golden : goldenCases()) {
@@ -325,7 +324,6 @@ Refusal steadyVerdict(std::span<const std::uint8_t> bytes, Version version) {
 }
 
 TEST(FriCodec, SurvivesEveryTruncationAndEveryChangedByte) {
-  SKIP_WITHOUT_SHARED_DATA("fri/golden.json");
   for (const GoldenCase& golden : goldenCases()) {
     SCOPED_TRACE(golden.id);
     const auto verdict =

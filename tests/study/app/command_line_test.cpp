@@ -8,7 +8,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
-#include "tests/support/shared_data.h"
+#include "tests/support/test_data.h"
 
 namespace {
 
@@ -340,10 +340,10 @@ TEST_F(CommandLineTest, SaysWhatIsWrongWithATable) {
 
 TEST_F(CommandLineTest, ImportsARealRecording) {
   constexpr const char* kRecording = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
-  SKIP_WITHOUT_SHARED_DATA(kRecording);
+  SKIP_WITHOUT_FETCHED_DATA(kRecording);
   const std::string cut = folder_ / "cut.json";
   const auto finished = palpate(
-      {"recording", "import", tests::sharedData(kRecording).string(), "--out", cut, "--json"});
+      {"recording", "import", tests::fetchedData(kRecording).string(), "--out", cut, "--json"});
   ASSERT_EQ(finished.status, 0) << finished.error;
   const auto report = json::parse(finished.out);
   for (const auto* key : {"rows", "sample_rate_hz", "saturated_rows", "max_force_n", "cuts"}) {
@@ -452,8 +452,8 @@ TEST_F(CommandLineTest, TellsWhatAConditionCostsWithMoreInIt) {
 
 TEST_F(CommandLineTest, WorksOutTheProcessNoiseOfARecording) {
   constexpr const char* kRecording = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
-  SKIP_WITHOUT_SHARED_DATA(kRecording);
-  const std::string path = tests::sharedData(kRecording).string();
+  SKIP_WITHOUT_FETCHED_DATA(kRecording);
+  const std::string path = tests::fetchedData(kRecording).string();
   const Words call{
       "recording",
       "noise",

@@ -12,6 +12,7 @@
 
 #include "haptics/devices/datagram_socket.h"
 #include "tests/study/storage/sql.h"
+#include "tests/support/test_data.h"
 
 namespace tests {
 namespace {
@@ -30,7 +31,7 @@ std::uint16_t freePort() {
 
 /// The shipped protocol for both devices, with so many cuts each.
 std::string shortProtocol(int cuts, int strokes) {
-  std::ifstream file(std::string(PALPATE_SOURCE_DIR) + "/protocols/library/two-devices.json");
+  std::ifstream file((tests::repository() / "protocols/library/two-devices.json").string());
   auto json = ordered_json::parse(file);
   for (auto& phase : json["phases"]) {
     if (phase.contains("minimum_cuts"))

@@ -11,6 +11,7 @@
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/child_process.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace {
@@ -109,7 +110,7 @@ TEST_F(KilledInBetweenTest, LosesNothingOfAnOlderFormat) {
   fs::create_directory(old);
   tests::Sql study(old + "/study.db");
   study.run(
-      tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/tests/study/data/study-format-1.sql"));
+      tests::contentOf((tests::repository() / "tests/study/data/study-format-1.sql").string()));
   study.run("PRAGMA application_id = 0x50616c53; PRAGMA user_version = 1");
   storage::Database::create(old + "/traces.db", storage::traceSchema());
   const auto identities = storage::identitySchema();

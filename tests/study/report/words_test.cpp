@@ -12,6 +12,7 @@
 #include "study/report/study_parts.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
+#include "tests/support/test_data.h"
 
 namespace study::words {
 namespace {
@@ -62,7 +63,7 @@ TEST_P(WordsTest, PutTheSameThingsIn) {
 }
 
 std::string sourceOf(const std::string& file) {
-  std::ifstream stream(std::filesystem::path(PALPATE_SOURCE_DIR) / file);
+  std::ifstream stream(tests::repository() / file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -14,6 +14,7 @@
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
+#include "tests/support/test_data.h"
 
 namespace study::storage {
 namespace {
@@ -27,7 +28,7 @@ class FormatOneTest : public testing::Test {
     std::filesystem::create_directory(folder_);
     tests::Sql study(folder_ + "/study.db");
     study.run(
-        tests::contentOf(std::string(PALPATE_SOURCE_DIR) + "/tests/study/data/study-format-1.sql"));
+        tests::contentOf((tests::repository() / "tests/study/data/study-format-1.sql").string()));
     study.run("PRAGMA application_id = 0x50616c53; PRAGMA user_version = 1");
     Database::create(folder_ + "/traces.db", traceSchema());
     Database::create(folder_ + "/identity.db", identitySchema());
