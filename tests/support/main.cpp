@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/standstill.h"
+
 /// The C library keeps the words of LOCPATH for good; the leak sanitizer asks here whether it may.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
@@ -12,5 +14,5 @@ int main(int argc, char** argv) {
   // Windows are tested without a display; tests are also listed at build time.
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
   testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
+  return tests::runAllTests();
 }

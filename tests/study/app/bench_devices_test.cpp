@@ -8,6 +8,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ Rows rowsOf(const std::string& file) {
 class BenchDevices : public testing::Test {
  protected:
   tests::Finished bench(const std::vector<std::string>& more) {
-    std::vector<std::string> call{PALPATE_PROGRAM, "bench", "devices", "--out", out_};
+    std::vector<std::string> call{tests::program(), "bench", "devices", "--out", out_};
     call.insert(call.end(), more.begin(), more.end());
     return tests::run(call);
   }

@@ -13,6 +13,7 @@
 #include "study/storage/coded_answers.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace study::app {
 namespace {
@@ -50,7 +51,7 @@ TEST(SyntheticStudy, GivesTheSameCountsByItsRowsAndByItsNumbers) {
 TEST(BenchStats, TimesWhatItSaysAndKeepsNothing) {
   tests::ScratchFolder folder;
   const auto finished = tests::run(
-      {PALPATE_PROGRAM,
+      {tests::program(),
        "bench",
        "stats",
        "--answers",
@@ -81,7 +82,7 @@ TEST(BenchStats, TimesWhatItSaysAndKeepsNothing) {
 
 TEST(BenchStats, SaysWhichPackagesBringPeersThatAreNotThere) {
   const auto finished = tests::run(
-      {PALPATE_PROGRAM,
+      {tests::program(),
        "bench",
        "stats",
        "--answers",

@@ -4,6 +4,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -13,7 +14,7 @@ using tests::Finished;
 class CheckTableCommandTest : public testing::Test {
  protected:
   Finished check(std::vector<std::string> more = {}) const {
-    std::vector<std::string> call{PALPATE_PROGRAM, "stats", "check-table", groups_, comparisons_};
+    std::vector<std::string> call{tests::program(), "stats", "check-table", groups_, comparisons_};
     call.insert(call.end(), more.begin(), more.end());
     return tests::run(call);
   }

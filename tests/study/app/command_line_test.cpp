@@ -9,6 +9,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -20,7 +21,7 @@ constexpr int kTheWorldSaidNo = 1;
 constexpr int kTheCallIsWrong = 2;
 
 Finished palpate(Words arguments) {
-  arguments.insert(arguments.begin(), PALPATE_PROGRAM);
+  arguments.insert(arguments.begin(), tests::program());
   return tests::run(arguments);
 }
 
@@ -284,7 +285,7 @@ TEST_F(CommandLineTest, PrintsEveryTestOfAStudyForPrograms) {
 }
 
 TEST_F(CommandLineTest, SaysThatItCouldNotPrint) {
-  const std::string call = std::string(PALPATE_PROGRAM) + " protocol check punch-face-validity";
+  const std::string call = tests::program() + " protocol check punch-face-validity";
   EXPECT_EQ(tests::run({"sh", "-c", call}).status, 0);
   const auto finished = tests::run({"sh", "-c", call + " > /dev/full"});
   EXPECT_EQ(finished.status, kTheWorldSaidNo);

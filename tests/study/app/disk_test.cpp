@@ -9,6 +9,7 @@
 #include "tests/study/app/simulation.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 
 namespace study {
 namespace {
@@ -41,7 +42,7 @@ class DiskTest : public testing::Test {
   }
 
   tests::Finished onAReadOnlyDisk(const std::vector<std::string>& command) const {
-    std::vector<std::string> call{PALPATE_PROGRAM};
+    std::vector<std::string> call{tests::program()};
     call.insert(call.end(), command.begin(), command.end());
     return onItsOwn(
         "mount --bind '" + study_.folder() + "' '" + disk_ + "' && mount -o remount,ro,bind '" +
@@ -85,7 +86,7 @@ TEST_F(DiskTest, ThatIsFullHoldsNoHalfOfAnExport) {
     return onASmallDisk(
         size,
         asShell(
-            {PALPATE_PROGRAM,
+            {tests::program(),
              "export",
              study_.folder(),
              "--run-mode",

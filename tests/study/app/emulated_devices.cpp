@@ -13,6 +13,7 @@
 #include "haptics/devices/datagram_socket.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/test_data.h"
+#include "tests/support/programs.h"
 
 namespace tests {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using nlohmann::ordered_json;
 
 std::vector<std::string> emulate(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {PALPATE_PROGRAM, "device", "emulate"});
+  arguments.insert(arguments.begin(), {tests::program(), "device", "emulate"});
   return arguments;
 }
 
@@ -94,13 +95,13 @@ EmulatedLaboratory::EmulatedLaboratory(int cuts, int strokes) : port_(folder_ / 
 }
 
 Finished EmulatedLaboratory::palpate(std::vector<std::string> call) const {
-  call.insert(call.begin(), PALPATE_PROGRAM);
+  call.insert(call.begin(), tests::program());
   return run(call);
 }
 
 std::unique_ptr<ChildProcess> EmulatedLaboratory::participant() const {
   return std::make_unique<ChildProcess>(std::vector<std::string>{
-      PALPATE_PROGRAM,
+      tests::program(),
       "study",
       "simulate",
       study_,

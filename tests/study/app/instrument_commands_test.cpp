@@ -6,13 +6,14 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
 using Words = std::vector<std::string>;
 
 tests::Finished instrument(Words arguments) {
-  arguments.insert(arguments.begin(), {PALPATE_PROGRAM, "instrument"});
+  arguments.insert(arguments.begin(), {tests::program(), "instrument"});
   return tests::run(arguments);
 }
 

@@ -12,6 +12,7 @@
 #include "tests/study/storage/sql.h"
 #include "tests/support/child_process.h"
 #include "tests/support/test_data.h"
+#include "tests/support/programs.h"
 
 namespace study {
 namespace {
@@ -29,7 +30,7 @@ class KilledInBetweenTest : public testing::Test {
   }
 
   static tests::Finished palpate(const Words& command) {
-    Words call{PALPATE_PROGRAM};
+    Words call{tests::program()};
     call.insert(call.end(), command.begin(), command.end());
     return tests::run(call);
   }
@@ -67,7 +68,7 @@ class KilledInBetweenTest : public testing::Test {
 
   static bool isKilledAt(const std::string& name, int n, const Words& command) {
     const std::string what = name + ":signal=KILL:when=" + std::to_string(n);
-    Words call{"strace", "-o", "/dev/null", "-e", "inject=" + what, PALPATE_PROGRAM};
+    Words call{"strace", "-o", "/dev/null", "-e", "inject=" + what, tests::program()};
     call.insert(call.end(), command.begin(), command.end());
     const auto finished = tests::run(call, {"ASAN_OPTIONS=detect_leaks=0"});
     EXPECT_TRUE(finished.status == kKilled || finished.status == 0) << finished.error;

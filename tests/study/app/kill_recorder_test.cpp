@@ -12,6 +12,7 @@
 #include "study/storage/trace_store.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace study {
 namespace {
@@ -32,7 +33,7 @@ std::optional<fs::path> traceIn(const fs::path& folder) {
 TEST(KilledRecorder, LosesAtMostTheSecondUnderWay) {
   const tests::ScratchFolder folder;
   tests::ChildProcess child(
-      {PALPATE_PROGRAM,
+      {tests::program(),
        "bench",
        "servo",
        "--rates",

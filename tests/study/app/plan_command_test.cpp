@@ -4,6 +4,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -11,7 +12,7 @@ using nlohmann::json;
 using tests::Finished;
 
 Finished plan(std::vector<std::string> arguments) {
-  std::vector<std::string> call{PALPATE_PROGRAM, "plan"};
+  std::vector<std::string> call{tests::program(), "plan"};
   call.insert(call.end(), arguments.begin(), arguments.end());
   return tests::run(call);
 }

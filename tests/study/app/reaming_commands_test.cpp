@@ -5,13 +5,14 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
 class ReamingCommands : public testing::Test {
  protected:
   tests::Finished palpate(std::vector<std::string> call) const {
-    call.insert(call.begin(), PALPATE_PROGRAM);
+    call.insert(call.begin(), tests::program());
     return tests::run(call);
   }
   std::string output(const std::vector<std::string>& call) const {

@@ -8,6 +8,7 @@
 #include "protocols/library.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -42,7 +43,7 @@ class ReproducibleTest : public testing::Test {
   }
 
   static void run(std::vector<std::string> call, const std::vector<std::string>& environment) {
-    call.insert(call.begin(), PALPATE_PROGRAM);
+    call.insert(call.begin(), tests::program());
     const auto finished = tests::run(call, environment);
     ASSERT_EQ(finished.status, 0) << finished.error;
   }
@@ -84,7 +85,7 @@ TEST_F(ReproducibleTest, TellsItOnRequestAndRemembersThatItDid) {
   const std::string study = folder_ / "study";
   const std::string out = folder_ / "unblinded";
   std::vector<std::string> call{
-      PALPATE_PROGRAM, "export", study, "--run-mode", "simulated", "--out", out, "--unblind"};
+      tests::program(), "export", study, "--run-mode", "simulated", "--out", out, "--unblind"};
   EXPECT_EQ(tests::run(call).status, 2);  // a reason is needed
   call.insert(call.end(), {"--reason", "the analysis is written"});
   ASSERT_EQ(tests::run(call).status, 0);

@@ -5,12 +5,13 @@
 #include "study/storage/records.h"
 #include "study/storage/statement.h"
 #include "study/verification.h"
+#include "tests/support/programs.h"
 
 namespace tests {
 
 std::vector<std::string> simulation(const std::string& folder, int participants) {
   return {
-      PALPATE_PROGRAM,
+      tests::program(),
       "study",
       "simulate",
       folder,

@@ -4,6 +4,7 @@
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 
 namespace study {
 namespace {
@@ -13,7 +14,7 @@ class TerminalSessionTest : public testing::Test {
   /// Runs a session that is told @p typed and then nothing more.
   tests::Finished run(const std::string& typed, const std::string& options = "") {
     study_.close();
-    const std::string call = "printf '" + typed + "' | '" + PALPATE_PROGRAM + "' study run '" +
+    const std::string call = "printf '" + typed + "' | '" + tests::program() + "' study run '" +
                              study_.folder() + "' " + options;
     auto finished = tests::run({"sh", "-c", call});
     study_.reopen();

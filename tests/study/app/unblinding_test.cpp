@@ -9,6 +9,7 @@
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 
 namespace study {
 namespace {
@@ -23,7 +24,7 @@ class UnblindingTest : public testing::Test {
 
   tests::Finished palpate(std::vector<std::string> arguments) {
     study_.close();
-    arguments.insert(arguments.begin(), PALPATE_PROGRAM);
+    arguments.insert(arguments.begin(), tests::program());
     auto finished = tests::run(arguments);
     study_.reopen();
     return finished;

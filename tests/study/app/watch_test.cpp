@@ -5,6 +5,7 @@
 
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -23,22 +24,22 @@ TEST(StatsWatch, FollowsWhatAnotherProcessWrites) {
   const std::string study = folder / "study";
   const auto simulate = [&](const char* participants) {
     const auto finished =
-        tests::run({PALPATE_PROGRAM, "study", "simulate", study, "--participants", participants});
+        tests::run({tests::program(), "study", "simulate", study, "--participants", participants});
     ASSERT_EQ(finished.status, 0) << finished.error;
   };
   ASSERT_EQ(
-      tests::run({PALPATE_PROGRAM, "study", "create", study, "--protocol", "punch-face-validity"})
+      tests::run({tests::program(), "study", "create", study, "--protocol", "punch-face-validity"})
           .status,
       0);
   simulate("2");
   tests::ChildProcess watching(
-      {PALPATE_PROGRAM, "stats", "run", study, "--watch", "--run-mode", "simulated"});
+      {tests::program(), "stats", "run", study, "--watch", "--run-mode", "simulated"});
   const auto before = nextTables(watching);
   simulate("5");
   auto after = nextTables(watching);
   // Each look may come between two of the three.
   const auto everybody = tests::run(
-      {PALPATE_PROGRAM,
+      {tests::program(),
        "stats",
        "run",
        study,

@@ -11,6 +11,7 @@
 #include "tests/study/gui/participant.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/programs.h"
 
 namespace study::gui {
 namespace {
@@ -45,7 +46,7 @@ TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
   auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
   Study::create(place, *protocol, clock, 7);
   const auto killed = tests::run(
-      {GUI_TESTS,
+      {tests::thisProgram(),
        "--gtest_also_run_disabled_tests",
        "--gtest_filter=KilledSession.DISABLED_IsUnderWayAndKilled"},
       {std::string(kFolder) + "=" + place});

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 
 #include "study/gui/theme.h"
+#include "tests/support/standstill.h"
 
 namespace {
 
@@ -32,5 +33,5 @@ int main(int argc, char** argv) {
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   study::gui::applyTheme(application);
   testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
+  return tests::runAllTests();
 }

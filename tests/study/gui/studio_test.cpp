@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 
 namespace {
 
@@ -14,7 +15,7 @@ tests::Finished studioWithoutAScreen(const std::string& argument) {
        "WAYLAND_DISPLAY",
        "-u",
        "QT_QPA_PLATFORM",
-       STUDIO_PROGRAM,
+       tests::studio(),
        argument});
 }
 
