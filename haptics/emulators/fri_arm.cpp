@@ -51,6 +51,18 @@ Wrench inAxesOf(const Eigen::Matrix3d& rotation, const Wrench& wrench) noexcept 
   return result;
 }
 
+/// The shortest rotation of the z axis to the unit vector @p axis (Rodrigues' formula, with
+/// sin θ and cos θ taken from the vectors). Eigen's FromTwoVectors would need a singular value
+/// decomposition for the opposite axis, where half a turn about x does.
+Eigen::Matrix3d rotationFromZ(const Eigen::Vector3d& axis) {
+  const double cosine = axis.z();
+  if (cosine < -1.0 + 1e-12) return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ().cross(axis);
+  Eigen::Matrix3d cross;
+  cross << 0.0, -normal.z(), normal.y(), normal.z(), 0.0, -normal.x(), -normal.y(), normal.x(), 0.0;
+  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + cosine);
+}
+
 FriArm::Options sound(const FriArm::Options& options) {
   const bool hasAxis = options.reamingAxis.allFinite() && options.reamingAxis.norm() > 1e-6;
   if (!hasAxis || !(options.toolLength >= 0.0 && options.toolLength <= 2.0)) {
@@ -70,9 +82,7 @@ FriArm::Options sound(const FriArm::Options& options) {
   }
   FriArm::Options made = options;
   made.reamingAxis.normalize();
-  made.cartesian.frame =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), made.reamingAxis)
-          .toRotationMatrix();
+  made.cartesian.frame = rotationFromZ(made.reamingAxis);
   return made;
 }
 

@@ -4,21 +4,18 @@
 #include <filesystem>
 
 namespace tests {
-namespace {
-
-std::string chosen(const char* variable, const char* built) {
-  const char* other = std::getenv(variable);
-  return other != nullptr ? other : built;
-}
-
-}  // namespace
 
 std::string program() {
-  return chosen("PALPATE_PROGRAM", PROGRAM_OF_THIS_BUILD);
+  return PROGRAM_OF_THIS_BUILD;
+}
+
+std::string releaseProgram() {
+  const char* release = std::getenv("PALPATE_RELEASE_PROGRAM");  // NOLINT: one thread
+  return release != nullptr ? release : program();
 }
 
 std::string studio() {
-  return chosen("PALPATE_STUDIO_PROGRAM", STUDIO_OF_THIS_BUILD);
+  return STUDIO_OF_THIS_BUILD;
 }
 
 std::string punchFirmware() {

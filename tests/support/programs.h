@@ -4,11 +4,14 @@
 
 namespace tests {
 
-/// The program 'palpate' that is tested from outside: of this build, or the one that the environment
-/// variable PALPATE_PROGRAM names.
+/// The program 'palpate' of this build, with the sanitizers that it was built with.
 std::string program();
 
-/// The windows, 'palpate-studio': of this build, or the one in PALPATE_STUDIO_PROGRAM.
+/// The program as it is shipped, for tests that start it hundreds of times: the environment variable
+/// PALPATE_RELEASE_PROGRAM names it; without it, the program of this build.
+std::string releaseProgram();
+
+/// The windows, 'palpate-studio', of this build.
 std::string studio();
 
 /// The punch's own program for its microcontroller; empty where it was not built.

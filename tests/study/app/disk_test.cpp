@@ -42,7 +42,7 @@ class DiskTest : public testing::Test {
   }
 
   tests::Finished onAReadOnlyDisk(const std::vector<std::string>& command) const {
-    std::vector<std::string> call{tests::program()};
+    std::vector<std::string> call{tests::releaseProgram()};
     call.insert(call.end(), command.begin(), command.end());
     return onItsOwn(
         "mount --bind '" + study_.folder() + "' '" + disk_ + "' && mount -o remount,ro,bind '" +
@@ -86,7 +86,7 @@ TEST_F(DiskTest, ThatIsFullHoldsNoHalfOfAnExport) {
     return onASmallDisk(
         size,
         asShell(
-            {tests::program(),
+            {tests::releaseProgram(),
              "export",
              study_.folder(),
              "--run-mode",

@@ -30,7 +30,7 @@ class KilledInBetweenTest : public testing::Test {
   }
 
   static tests::Finished palpate(const Words& command) {
-    Words call{tests::program()};
+    Words call{tests::releaseProgram()};
     call.insert(call.end(), command.begin(), command.end());
     return tests::run(call);
   }
@@ -68,7 +68,7 @@ class KilledInBetweenTest : public testing::Test {
 
   static bool isKilledAt(const std::string& name, int n, const Words& command) {
     const std::string what = name + ":signal=KILL:when=" + std::to_string(n);
-    Words call{"strace", "-o", "/dev/null", "-e", "inject=" + what, tests::program()};
+    Words call{"strace", "-o", "/dev/null", "-e", "inject=" + what, tests::releaseProgram()};
     call.insert(call.end(), command.begin(), command.end());
     const auto finished = tests::run(call, {"ASAN_OPTIONS=detect_leaks=0"});
     EXPECT_TRUE(finished.status == kKilled || finished.status == 0) << finished.error;

@@ -33,7 +33,7 @@ std::optional<fs::path> traceIn(const fs::path& folder) {
 TEST(KilledRecorder, LosesAtMostTheSecondUnderWay) {
   const tests::ScratchFolder folder;
   tests::ChildProcess child(
-      {tests::program(),
+      {tests::releaseProgram(),
        "bench",
        "servo",
        "--rates",

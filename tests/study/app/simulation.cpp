@@ -11,7 +11,7 @@ namespace tests {
 
 std::vector<std::string> simulation(const std::string& folder, int participants) {
   return {
-      tests::program(),
+      tests::releaseProgram(),
       "study",
       "simulate",
       folder,
