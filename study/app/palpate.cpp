@@ -5,8 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "study/app/commands.h"
-#include "study/study.h"
+#include "study/app/program.h"
 
 namespace {
 
@@ -54,31 +53,9 @@ bool isPrinted() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program(
-      "Face-validity studies of haptic surgical simulators: write a protocol, run sessions, get "
-      "the table.\nEvery command explains itself: palpate COMMAND --help. The windows: "
-      "palpate-studio.",
-      "palpate");
-  program.set_version_flag("--version", "palpate " + std::string(study::appVersion()));
-  program.require_subcommand(1);
-  program.get_formatter()->column_width(34);
-
   study::app::Action action;
-  study::app::addDemoCommand(program, action);
-  study::app::addProtocolCommands(program, action);
-  study::app::addInstrumentCommands(program, action);
-  study::app::addPlanCommand(program, action);
-  study::app::addStudyCommands(program, action);
-  study::app::addStatsCommands(program, action);
-  study::app::addReportCommand(program, action);
-  study::app::addExportCommand(program, action);
-  study::app::addRecordingCommands(program, action);
-  study::app::addMaterialCommands(program, action);
-  study::app::addPackingCommands(program, action);
-  study::app::addSceneCommands(program, action);
-  study::app::addDeviceCommands(program, action);
-  study::app::addBenchCommands(program, action);
-
+  const auto described = study::app::makeProgram(action);
+  CLI::App& program = *described;
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -6,11 +6,15 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
+#include <QIcon>
 
 #include "study/app/studio_bench.h"
+#include "study/app/studio_options.h"
 #include "study/gui/attempt.h"
 #include "study/gui/home/help_window.h"
 #include "study/gui/home/home_window.h"
+#include "study/gui/home/protocol_window.h"
 #include "study/gui/home/recent_studies.h"
 #include "study/gui/home/tour.h"
 #include "study/gui/operator_window.h"
@@ -37,24 +41,31 @@ bool hasScreen(int argc, char** argv) {
 }
 
 void describe(QCommandLineParser& parser) {
-  QCoreApplication::setApplicationName(QStringLiteral("palpate-studio"));
+  const auto program = study::app::describeStudio();
+  QCoreApplication::setApplicationName(QString::fromStdString(program.name));
   QCoreApplication::setApplicationVersion(QString::fromUtf8(study::appVersion().data()));
-  parser.setApplicationDescription(
-      QStringLiteral("The windows of a study: for the operator, and for the participant."));
+  parser.setApplicationDescription(QString::fromStdString(program.text));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(
-      QStringLiteral("DIR"),
-      QStringLiteral("The study's folder; left out: all studies of this computer."));
-  parser.addOption(
-      {QStringLiteral("devices"),
-       QStringLiteral("The laboratory's device file (default: devices.json in DIR)."),
-       QStringLiteral("FILE")});
-  parser.addOption(
-      {QStringLiteral("write-knee"),
-       QStringLiteral("Write the knee that is shown as OBJ, to fit an anatomy to, and end."),
-       QStringLiteral("FILE")});
-  study::app::addBenchOptions(parser);
+  for (const auto& option : program.options) {
+    const auto name = QString::fromStdString(study::app::nameOf(option));
+    const auto text = QString::fromStdString(option.text);
+    if (option.isPositional) {
+      parser.addPositionalArgument(name, text);
+    } else if (name != QLatin1String("help") && name != QLatin1String("version")) {
+      parser.addOption(
+          {name,
+           text,
+           QString::fromStdString(option.value),
+           QString::fromStdString(option.initial)});
+    }
+  }
+}
+
+/// The study that is meant: a file manager hands over the study.db in its folder.
+QString folderOf(const QString& path) {
+  const QFileInfo file(path);
+  return file.fileName() == QLatin1String("study.db") ? file.absolutePath() : path;
 }
 
 int writeKnee(const QString& path) {
@@ -91,20 +102,28 @@ int main(int argc, char** argv) {
     return 1;
   }
   QApplication application(argc, argv);
+  QGuiApplication::setDesktopFileName(QStringLiteral(PALPATE_DESKTOP_ID));
+  QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/palpate.svg")));
   study::gui::applyChosenTheme(application);
   study::gui::home::offerHelp(application);
   parser.process(application);
   if (parser.isSet(QStringLiteral("bench"))) return study::app::benchStudio(parser);
 
-  const QString folder = parser.positionalArguments().value(0);
+  const QString path = parser.positionalArguments().value(0);
   const std::string devices = parser.value(QStringLiteral("devices")).toStdString();
-  if (folder.isEmpty()) {
+  if (path.isEmpty()) {
     study::gui::home::HomeWindow home(devices);
     home.show();
     if (study::gui::home::Tour::isNew()) home.showTour();
     return QApplication::exec();
   }
+  if (path.endsWith(QLatin1String(".json"))) {
+    study::gui::home::ProtocolWindow protocol(path);
+    protocol.show();
+    return QApplication::exec();
+  }
 
+  const QString folder = folderOf(path);
   study::SystemClock clock;
   int status = 1;
   study::gui::attempt(nullptr, [&] {

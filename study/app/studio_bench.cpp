@@ -271,26 +271,6 @@ bool tell(const QString& name, const Measured& measured) {
 
 }  // namespace
 
-void addBenchOptions(QCommandLineParser& parser) {
-  const auto add =
-      [&](const char* name, const char* words, const char* value, const char* initial) {
-        parser.addOption(
-            {QString::fromLatin1(name),
-             QString::fromUtf8(words),
-             QString::fromLatin1(value),
-             QString::fromLatin1(initial)});
-      };
-  parser.addOption(
-      {QStringLiteral("bench"),
-       QStringLiteral("Measure how fast the simulations are drawn here, and end.")});
-  add("seconds", "With --bench: of each simulation, 0.5 to 600.", "S", "8");
-  add("spheres", "With --bench: of the cup, at least 1000.", "N", "201532");
-  add("colours", "With --bench: neutral, density or removal.", "WHAT", "neutral");
-  add("anatomy", "With --bench: a knee of your own, as OBJ.", "FILE", "");
-  add("renderer", "With --bench: best, finest (as on a graphics card) or software.", "WHO", "best");
-  add("out", "With --bench: a folder for pictures.", "DIR", "");
-}
-
 int benchStudio(const QCommandLineParser& parser) {
   Settings settings;
   if (!readSettings(parser, settings)) {

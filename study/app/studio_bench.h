@@ -4,9 +4,6 @@
 
 namespace study::app {
 
-/// The options of `palpate-studio --bench`.
-void addBenchOptions(QCommandLineParser& parser);
-
 /// Draws both simulations at 1280 × 800 while simulated hands work in them, as fast as it goes;
 /// prints who draws, how many pictures a second, how old what they show is, what was handed on
 /// about spheres, and the targets beside them; leaves pictures where it was told. Then the desk

@@ -1,0 +1,264 @@
+#include "study/app/command_reference.h"
+
+#include <CLI/CLI.hpp>
+
+namespace study::app {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::string join(const std::vector<std::string>& parts, const std::string& separator) {
+  std::string text;
+  for (const auto& part : parts) text += (text.empty() ? "" : separator) + part;
+  return text;
+}
+
+/// CLI11 describes a type as "TEXT:{csv,json}", "INT:INT in [1 - 100]" or "TEXT:DIR": the type, and
+/// after a colon its validator.
+void readType(const std::string& type, OptionDescription& option) {
+  const auto colon = type.find(':');
+  option.value = type.substr(0, colon);
+  if (colon == std::string::npos) return;
+  const std::string validator = type.substr(colon + 1);
+  const std::string interval = option.value + " in ";
+  if (validator == "DIR" || validator == "FILE") {
+    option.value = validator;
+  } else if (validator.size() > 2 && validator.front() == '{' && validator.back() == '}') {
+    option.choices = split(validator.substr(1, validator.size() - 2), ',');
+  } else if (validator.rfind(interval, 0) == 0) {
+    option.range = validator.substr(option.value.size() + 1);
+  } else {
+    option.range = validator;
+  }
+}
+
+OptionDescription describe(const CLI::Option& option) {
+  OptionDescription described{
+      .text = option.get_description(),
+      .initial = option.get_default_str(),
+      .isRequired = option.get_required(),
+      .isPositional = option.get_positional()};
+  for (const auto& name : option.get_snames()) described.names.push_back("-" + name);
+  for (const auto& name : option.get_lnames()) described.names.push_back("--" + name);
+  if (described.names.empty()) described.names.push_back(option.get_name(true));
+  if (option.get_items_expected_max() > 0) readType(option.get_type_name(), described);
+  return described;
+}
+
+CommandDescription describe(const CLI::App& command, const std::string& above) {
+  CommandDescription described{
+      .name = above + command.get_name(), .text = command.get_description()};
+  for (const auto* option : command.get_options({})) {
+    if (!option->get_group().empty()) described.options.push_back(describe(*option));
+  }
+  for (const auto* below : command.get_subcommands({})) {
+    if (!below->get_group().empty()) {
+      described.commands.push_back(describe(*below, described.name + " "));
+    }
+  }
+  return described;
+}
+
+/// Text for troff. A hyphen-minus is kept as such, so that options can be copied from the page.
+std::string escaped(const std::string& text) {
+  std::string result;
+  bool isLineStart = true;
+  for (const char c : text) {
+    // A dot or an apostrophe at the start of a line would be a request.
+    if (isLineStart && (c == '.' || c == '\'')) result += "\\&";
+    isLineStart = c == '\n';
+    if (c == '\\') {
+      result += "\\e";
+    } else if (c == '-') {
+      result += "\\-";
+    } else if (c == '\'') {
+      result += "\\(aq";
+    } else if (c == '`') {
+      result += "\\(ga";
+    } else if (c == '^') {
+      result += "\\(ha";
+    } else if (c == '~') {
+      result += "\\(ti";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string bold(const std::string& text) {
+  return "\\fB" + escaped(text) + "\\fR";
+}
+std::string italic(const std::string& text) {
+  return "\\fI" + escaped(text) + "\\fR";
+}
+
+std::string heading(const OptionDescription& option) {
+  if (option.isPositional) return italic(option.names.front());
+  std::vector<std::string> names;
+  for (const auto& name : option.names) names.push_back(bold(name));
+  return join(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
+}
+
+/// What follows an option's text: the accepted values, its default, that it is required.
+std::string remarks(const OptionDescription& option) {
+  std::vector<std::string> parts;
+  if (option.isRequired) parts.emplace_back("required");
+  if (!option.choices.empty()) parts.push_back("one of: " + join(option.choices, ", "));
+  if (!option.range.empty()) parts.push_back(option.range);
+  if (!option.initial.empty()) parts.push_back("default: " + option.initial);
+  return parts.empty() ? "" : " (" + join(parts, "; ") + ")";
+}
+
+std::string sectionOfOptions(const CommandDescription& command) {
+  std::string text;
+  for (const bool isPositional : {true, false}) {
+    for (const auto& option : command.options) {
+      if (option.isPositional != isPositional) continue;
+      text += ".TP\n" + heading(option) + "\n" + escaped(option.text + remarks(option)) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string synopsis(const CommandDescription& command) {
+  std::string text = ".B " + escaped(command.name) + "\n";
+  for (const auto& option : command.options) {
+    if (option.isPositional || !option.isRequired) continue;
+    text += bold(option.names.back()) + " " + italic(option.value) + "\n";
+  }
+  if (!command.options.empty()) text += "[" + italic("OPTIONS") + "]\n";
+  for (const auto& option : command.options) {
+    if (!option.isPositional) continue;
+    const auto name = italic(option.names.front());
+    text += option.isRequired ? name + "\n" : "[" + name + "]\n";
+  }
+  if (!command.commands.empty()) text += italic("COMMAND") + "\n";
+  return text;
+}
+
+/// Commands that have commands below are headings only: their text, and what is below.
+void addCommands(const CommandDescription& above, std::string& page) {
+  for (const auto& command : above.commands) {
+    page += ".SS " + escaped(command.name) + "\n" + synopsis(command) + ".PP\n" +
+            escaped(command.text) + "\n" + sectionOfOptions(command);
+    addCommands(command, page);
+  }
+}
+
+/// A word of a case label or of a list in double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\' || c == '$' || c == '`') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+struct CompletionCases {
+  std::vector<std::string> commands;  ///< labels of commands below the program
+  std::string values;                 ///< what may follow an option
+  std::string words;                  ///< commands and options of a command
+};
+
+void addCompletions(const CommandDescription& command, CompletionCases& cases) {
+  std::vector<std::string> verbs;
+  std::vector<std::string> options;
+  for (const auto& below : command.commands) {
+    verbs.push_back(below.name.substr(below.name.rfind(' ') + 1));
+    cases.commands.push_back(quoted(below.name));
+  }
+  for (const auto& option : command.options) {
+    if (option.isPositional) {
+      verbs.insert(verbs.end(), option.choices.begin(), option.choices.end());
+      continue;
+    }
+    options.insert(options.end(), option.names.begin(), option.names.end());
+    if (option.value.empty()) continue;
+    std::vector<std::string> labels;
+    for (const auto& name : option.names) labels.push_back(quoted(command.name + " " + name));
+    cases.values +=
+        "    " + join(labels, " | ") + ") words=" + quoted(join(option.choices, " ")) + " ;;\n";
+  }
+  cases.words += "    " + quoted(command.name) + ") words=" + quoted(join(verbs, " ")) +
+                 " options=" + quoted(join(options, " ")) + " ;;\n";
+  for (const auto& below : command.commands) addCompletions(below, cases);
+}
+
+}  // namespace
+
+CommandDescription describe(const CLI::App& program) {
+  return describe(program, "");
+}
+
+std::string manPage(const CommandDescription& program, const ManPageSections& sections) {
+  std::string title;
+  for (const char c : program.name) title += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  std::string page = ".TH " + escaped(title) + " 1 \"\" \"" + escaped(sections.version) +
+                     "\" \"Palpate\"\n.SH NAME\n" + escaped(program.name) + " \\- " +
+                     escaped(sections.summary) + "\n.SH SYNOPSIS\n" + synopsis(program) +
+                     ".SH DESCRIPTION\n" + escaped(program.text) + "\n.SH OPTIONS\n" +
+                     sectionOfOptions(program);
+  if (!program.commands.empty()) {
+    page += ".SH COMMANDS\n";
+    addCommands(program, page);
+  }
+  const auto add = [&](const char* name, const std::string& text) {
+    if (!text.empty()) page += ".SH " + std::string(name) + "\n" + escaped(text) + "\n";
+  };
+  add("EXIT STATUS", sections.exitStatus);
+  add("FILES", sections.files);
+  add("SEE ALSO", join(sections.seeAlso, ", "));
+  return page;
+}
+
+std::string bashCompletion(const CommandDescription& program) {
+  CompletionCases cases;
+  addCompletions(program, cases);
+  std::string function = "_" + program.name;
+  for (char& c : function) {
+    if (c == '-') c = '_';
+  }
+  std::string script =
+      "# bash completion for " + program.name + ", generated from its command line\n\n" + function +
+      "() {\n"
+      "  local word=\"${COMP_WORDS[COMP_CWORD]}\" before=\"${COMP_WORDS[COMP_CWORD - 1]}\"\n"
+      "  local command=" +
+      quoted(program.name) + " words=\"\" options=\"\" i\n";
+  if (!cases.commands.empty()) {
+    script +=
+        "  for ((i = 1; i < COMP_CWORD; i++)); do\n"
+        "    case \"$command ${COMP_WORDS[i]}\" in\n"
+        "      " +
+        join(cases.commands, " | \\\n      ") +
+        ")\n"
+        "        command+=\" ${COMP_WORDS[i]}\" ;;\n"
+        "    esac\n"
+        "  done\n";
+  }
+  script += "  case \"$command $before\" in\n" + cases.values +
+            "    *)\n"
+            "      case \"$command\" in\n" +
+            cases.words +
+            "      esac ;;\n"
+            "  esac\n"
+            "  [[ \"$word\" != -* ]] || words=\"$options\"\n"
+            "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+            "}\n"
+            "complete -o bashdefault -o default -F " +
+            function + " " + program.name + "\n";
+  return script;
+}
+
+}  // namespace study::app

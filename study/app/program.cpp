@@ -1,0 +1,36 @@
+#include "study/app/program.h"
+
+#include <CLI/CLI.hpp>
+
+#include "study/app/commands.h"
+#include "study/study.h"
+
+namespace study::app {
+
+std::unique_ptr<CLI::App> makeProgram(Action& action) {
+  auto program = std::make_unique<CLI::App>(
+      "Face-validity studies of haptic surgical simulators: write a protocol, run sessions, get "
+      "the table.\nEvery command explains itself: palpate COMMAND --help. The windows: "
+      "palpate-studio.",
+      "palpate");
+  program->set_version_flag("--version", "palpate " + std::string(appVersion()));
+  program->require_subcommand(1);
+  program->get_formatter()->column_width(34);
+  addDemoCommand(*program, action);
+  addProtocolCommands(*program, action);
+  addInstrumentCommands(*program, action);
+  addPlanCommand(*program, action);
+  addStudyCommands(*program, action);
+  addStatsCommands(*program, action);
+  addReportCommand(*program, action);
+  addExportCommand(*program, action);
+  addRecordingCommands(*program, action);
+  addMaterialCommands(*program, action);
+  addPackingCommands(*program, action);
+  addSceneCommands(*program, action);
+  addDeviceCommands(*program, action);
+  addBenchCommands(*program, action);
+  return program;
+}
+
+}  // namespace study::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "study/app/commands.h"
+
+namespace study::app {
+
+/// The whole command line of palpate. Parsing it sets the action of the command that was called.
+/// @param action  outlives the program.
+std::unique_ptr<CLI::App> makeProgram(Action& action);
+
+}  // namespace study::app

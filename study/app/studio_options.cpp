@@ -1,0 +1,54 @@
+#include "study/app/studio_options.h"
+
+namespace study::app {
+
+CommandDescription describeStudio() {
+  return {
+      .name = "palpate-studio",
+      .text = "The windows of a study: for the operator, and for the participant.",
+      .options = {
+          {.names = {"PATH"},
+           .text =
+               "A study's folder or its study.db, or a protocol (.json) to look at; left out: all "
+               "studies of this computer.",
+           .isPositional = true},
+          {.names = {"-h", "--help"}, .text = "Print the options and end."},
+          {.names = {"-v", "--version"}, .text = "Print the version and end."},
+          {.names = {"--devices"},
+           .value = "FILE",
+           .text = "The laboratory's device file (default: devices.json in the study's folder)."},
+          {.names = {"--write-knee"},
+           .value = "FILE",
+           .text = "Write the knee that is shown as OBJ, to fit an anatomy to, and end."},
+          {.names = {"--bench"},
+           .text = "Measure how fast the simulations are drawn here, and end."},
+          {.names = {"--seconds"},
+           .value = "S",
+           .text = "With --bench: of each simulation, 0.5 to 600.",
+           .initial = "8"},
+          {.names = {"--spheres"},
+           .value = "N",
+           .text = "With --bench: of the cup, at least 1000.",
+           .initial = "201532"},
+          {.names = {"--colours"},
+           .value = "WHAT",
+           .text = "With --bench: neutral, density or removal.",
+           .choices = {"neutral", "density", "removal"},
+           .initial = "neutral"},
+          {.names = {"--anatomy"},
+           .value = "FILE",
+           .text = "With --bench: a knee of your own, as OBJ."},
+          {.names = {"--renderer"},
+           .value = "WHO",
+           .text = "With --bench: best, finest (as on a graphics card) or software.",
+           .choices = {"best", "finest", "software"},
+           .initial = "best"},
+          {.names = {"--out"}, .value = "DIR", .text = "With --bench: a folder for pictures."}}};
+}
+
+std::string nameOf(const OptionDescription& option) {
+  const auto& name = option.names.back();
+  return name.substr(name.find_first_not_of('-'));
+}
+
+}  // namespace study::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "study/app/command_reference.h"
+
+namespace study::app {
+
+/// The command line of palpate-studio: its parser and its manual page are made from this.
+CommandDescription describeStudio();
+
+/// An option's longest name without dashes: "devices".
+std::string nameOf(const OptionDescription& option);
+
+}  // namespace study::app
