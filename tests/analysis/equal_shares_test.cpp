@@ -56,7 +56,7 @@ TEST(EqualShares, AreTheBinomialTestForTwoOptions) {
 
 TEST(EqualShares, HaveTheirExactProbability) {
   EXPECT_EQ(equalSharesP(votes({3, 0, 0})), 3.0 / 27.0);                  // AAA, BBB, CCC
-  EXPECT_NEAR(equalSharesP(votes({11, 1, 9})).value(), 0.0081, 0.00005);  // statistics.md, A11
+  EXPECT_NEAR(equalSharesP(votes({11, 1, 9})).value(), 0.0081, 0.00005);  // votes of TABLE 4, punch paper
 }
 
 TEST(EqualShares, AgreeWithWalkingThroughAllOutcomes) {

@@ -54,7 +54,7 @@ void expectIntervals(
 }
 
 TEST(PublishedCheck, BoundsEveryPOfThePunchPaper) {
-  // paper-discrepancies, 9.5: means and variances ± 0.05, Welch, two-sided.
+  // Means and variances as printed, ± 0.05; Welch, two-sided.
   expectIntervals(professionals(), 36, {{0, .0001}, {.0024, .0165}, {.062, .188}}, 5e-4);
   expectIntervals(professionals(), 33, {{0, .0002}, {.0037, .0217}, {.074, .208}}, 5e-4);
   expectIntervals(professionals(), 30, {{0, .0003}, {.0056, .0287}, {.089, .230}}, 5e-4);

@@ -34,7 +34,7 @@ analysis::VoteCounts preferences(std::uint64_t i, std::uint64_t f, std::uint64_t
 }
 
 TEST(EqualSharesTest, IsThatOfTable4) {
-  // TABLE 4 of the punch paper; statistics.md, A11
+  // TABLE 4 of the punch paper
   const auto professionals = equalSharesTest(preferences(7, 0, 4));
   EXPECT_NEAR(professionals.exactP.value(), 0.0209, 0.00005);
   EXPECT_NEAR(professionals.p.value(), 0.0346, 0.00005);

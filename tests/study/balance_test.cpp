@@ -1,4 +1,4 @@
-// A design stays balanced whoever leaves: experiment-conventions.md §11, test 2.
+// A design stays balanced when participants leave.
 #include <map>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Whatever somebody writes is kept byte for byte, as long as it is text: reliability.md, F19.
+// Every answer that is text is kept byte for byte.
 #include <random>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Whatever people write comes back byte for byte: reliability.md, F19.
+// Every text comes back byte for byte.
 #include <gtest/gtest.h>
 
 #include "study/verification.h"

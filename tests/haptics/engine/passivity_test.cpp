@@ -5,7 +5,7 @@
 namespace haptics::engine {
 namespace {
 
-// The paper's own numbers, K = 4.39 N/deg at 57 deg/s: paper-discrepancies §8.2, G8.
+// The numbers that the punch paper prints below its eq. (25): K = 4.39 N/deg at 57 deg/s.
 constexpr double kSpeed = 57.0;
 
 Passivity at(double rate) {

@@ -108,7 +108,7 @@ TEST_F(FirmwareTest, GivesTheSameForcesInSinglePrecision) {
 }
 
 TEST_F(FirmwareTest, StaysWithinItsInstructions) {
-  // performance.md, T9; the published code takes 28,400 and 143,900 in single precision.
+  // Our bounds. The published code takes 28,400 and 143,900 in single precision.
   const auto& said = saidByTheBoard();
   EXPECT_LE(said.at("instructions-float-5").at(0), 6000U);
   EXPECT_LE(said.at("instructions-float-15").at(0), 7000U);

@@ -1,5 +1,4 @@
-// Elements of very different stiffness, against the assembled matrix in 100 digits: performance.md
-// §4, target T3.
+// Elements of very different stiffness, against the assembled matrix in 100 digits.
 #include <cmath>
 #include <limits>
 #include <random>

@@ -41,7 +41,7 @@ double stiffness(int elements, Boundary boundary, ToolWeights weights) {
 }
 
 TEST(FiniteElements, ReproduceReadingAOfThePaper) {
-  // paper-discrepancies §5.1, "A, paper weights" at x = 1.5.
+  // Solved from eq. (3) to (11) of the punch paper, tool at 1.5.
   EXPECT_NEAR(stiffness(5, Boundary::A, ToolWeights::Paper), 1.714, 5e-4);
   EXPECT_NEAR(stiffness(10, Boundary::A, ToolWeights::Paper), 1.600, 5e-4);
   EXPECT_NEAR(stiffness(15, Boundary::A, ToolWeights::Paper), 1.622, 5e-4);

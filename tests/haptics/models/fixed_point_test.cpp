@@ -74,7 +74,7 @@ TEST(UniformCurve, IsTheStraightLineBetweenItsPoints) {
 
 TEST(SteadyFilter, HasTheGainsThatTheFilterSettlesTo) {
   const auto gains = SteadyFilter<double>::gainsOf(KalmanNoise<double>().factored());
-  EXPECT_NEAR(gains.finiteElements, 0.9999, 1e-4);  // paper-discrepancies §13, G6
+  EXPECT_NEAR(gains.finiteElements, 0.9999, 1e-4);  // as the step goes to 0
   EXPECT_NEAR(gains.interpolation, 0.4758, 1e-4);
 }
 

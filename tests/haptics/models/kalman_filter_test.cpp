@@ -133,7 +133,7 @@ double weightOfInterpolation(KalmanScheme scheme, const Noise& noise, double tra
 }
 
 TEST(KalmanFilter, WeighsTheInterpolationAsEachSchemeDoes) {
-  // paper-discrepancies §6.1: 0.24, 0.48–0.53, 0.000.
+  // Computed with matrices on curves like those of Fig. 10 of the punch paper.
   EXPECT_NEAR(weightOfInterpolation(KalmanScheme::PaperText, {}, 0.0), 0.238, 0.005);
   EXPECT_NEAR(weightOfInterpolation(KalmanScheme::AuthorsFirmware, {}, 0.0), 0.4758, 1e-4);
   EXPECT_NEAR(weightOfInterpolation(KalmanScheme::AuthorsFirmware, {}, 0.15), 0.50, 0.03);
@@ -141,7 +141,7 @@ TEST(KalmanFilter, WeighsTheInterpolationAsEachSchemeDoes) {
 }
 
 TEST(KalmanFilter, WeighsByTheMeasurementNoiseAlone) {
-  // paper-discrepancies §13, G7.
+  // The same curves, eq. (12) to (24) with six variances of the interpolation.
   const std::vector<std::pair<double, double>> published{
       {0.001, 0.499}, {0.1, 0.492}, {1, 0.438}, {7.742, 0.239}, {50, 0.061}, {500, 0.005}};
   for (const auto& [variance, weight] : published) {

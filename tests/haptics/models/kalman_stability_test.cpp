@@ -1,5 +1,5 @@
-// Noise and steps over many decades: performance.md §5, target T4. Compiled twice, with fused
-// multiply-add and without: rounding once instead of twice makes the textbook's form worse.
+// Noise and steps over many decades. Compiled twice, with fused multiply-add and without: rounding
+// once instead of twice makes the textbook's form worse.
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -150,7 +150,7 @@ TEST_F(KalmanStability, AgreesWithAHundredDigits) {
     }
   }
   std::sort(errors.begin(), errors.end());
-  EXPECT_LE(errors[errors.size() * 99 / 100], 6e-8);  // performance.md §5: p99 at ±6 decades
+  EXPECT_LE(errors[errors.size() * 99 / 100], 6e-8);  // what Joseph's form reaches, too
   EXPECT_LE(errors[errors.size() / 2], 1e-14);
 }
 

@@ -15,7 +15,8 @@
 #include "haptics/recordings/recording_survey.h"
 #include "tests/support/test_data.h"
 
-// The eight recordings of the punch paper, against what data/punch/measure.py finds in them.
+// The eight published recordings (docs/references.md, [punch-code]), against the numbers in
+// punch/measured.json of the fetched data, which a separate script found in them.
 
 namespace haptics::recordings {
 namespace {

@@ -1,5 +1,5 @@
 // An answer is acknowledged when it is on the disk, and not before: what the program asks of the
-// system, in its order, as strace sees it. reliability.md, D1, D2 and F5.
+// system, in its order, as strace sees it.
 #include <filesystem>
 #include <iostream>
 #include <set>

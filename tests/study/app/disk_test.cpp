@@ -1,4 +1,4 @@
-// What happens when the disk has no room, or is only read: reliability.md, F6 and F7.
+// What happens when the disk is full or read-only.
 #include <unistd.h>
 
 #include <algorithm>

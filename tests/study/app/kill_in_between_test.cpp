@@ -1,5 +1,5 @@
 // Killed while a study is made, brought up to date or exported: what is half done is never taken
-// for the whole. reliability.md, F6 and F10.
+// for the whole.
 #include <filesystem>
 #include <iostream>
 

@@ -1,5 +1,5 @@
 // The program is killed, at any moment: nothing that it has acknowledged is lost, and the session
-// goes on. reliability.md, F1.
+// goes on.
 #include <signal.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // A bit that turns over by itself, a page of zeros, a file that was cut off: found, or without any
-// consequence for what is kept. reliability.md, F11.
+// consequence for what is kept.
 #include <array>
 #include <cstdlib>
 #include <filesystem>

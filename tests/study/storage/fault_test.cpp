@@ -1,4 +1,4 @@
-// The n-th call of the disk, and the n-th need of memory, fail: reliability.md, F3, F4, F5.
+// The n-th call of the disk, and the n-th need of memory, fail.
 // All points of both kinds: PALPATE_EVERY_FAULT=1 (minutes); otherwise every one of the first, and
 // then every few.
 #include <cstdlib>

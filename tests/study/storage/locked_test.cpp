@@ -1,4 +1,4 @@
-// Another program holds the right to write: reliability.md, F8.
+// Another program holds the write lock.
 #include <chrono>
 
 #include <gtest/gtest.h>

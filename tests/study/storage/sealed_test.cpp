@@ -1,5 +1,5 @@
 // A study in an archive, that nobody may write to: it is still read, and never less of it than
-// there is. reliability.md, F7.
+// there is.
 #include <unistd.h>
 
 #include <filesystem>

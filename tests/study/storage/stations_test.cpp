@@ -1,4 +1,4 @@
-// Several stations write into one study at the same time: reliability.md, F9.
+// Several stations write into one study at the same time.
 #include <sys/wait.h>
 #include <unistd.h>
 
