@@ -36,8 +36,8 @@ void measureKalmanFilter(const Report& report);
 /// [N].
 void measureEncoders(const Report& report);
 
-/// How often a second each of the punch's three renderings can be worked out with its mesh: the
-/// paper's Fig. 12.
+/// How often a second each of the punch's three renderings can be worked out with its mesh: Fig. 12
+/// of the punch paper.
 void measureRefresh(const Report& report);
 
 /// Bone of spheres: area ripple [%] and time of a contact, beside nanoflann, Embree and a loop over

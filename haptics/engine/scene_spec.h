@@ -24,7 +24,7 @@ namespace haptics::engine {
 
 /// Which branches of a recorded cut are felt.
 enum class Branches {
-  ClosingOnly,  ///< opening goes back along the closing branch, as in the paper
+  ClosingOnly,  ///< opening goes back along the closing branch, as in the punch paper
   Hysteresis,   ///< opening follows the recorded opening branch
 };
 
@@ -38,7 +38,7 @@ struct InterpolationSpec {
   double turningWidth = 0.5;         ///< of travel from one branch to the other [travel units], > 0
 };
 
-/// Force by one-dimensional finite elements: eq. (3)–(11).
+/// Force by one-dimensional finite elements: eq. (3)–(11) of the punch paper.
 struct FiniteElementsSpec {
   models::FiniteElements<double>::Parameters parameters;
   std::vector<double> elementStiffnesses;  ///< of each element, where they differ; or none
@@ -47,7 +47,7 @@ struct FiniteElementsSpec {
   models::FiniteElements<double>::Parameters asParameters() const noexcept;
 };
 
-/// Both fused by a Kalman filter: eq. (12)–(24).
+/// Both fused by a Kalman filter: eq. (12)–(24) of the punch paper.
 struct KalmanSpec {
   InterpolationSpec interpolation;
   FiniteElementsSpec finiteElements;

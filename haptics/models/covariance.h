@@ -24,7 +24,8 @@ struct FactoredVariances {
   constexpr Scalar stiffness() const noexcept { return slope * slope * force + rest; }
 };
 
-/// How sure a filter is of its force and its stiffness: P of eq. (15), (18), as L D Lᵀ.
+/// How sure a filter is of its force and its stiffness: P of eq. (15), (18) of the punch paper, as
+/// L D Lᵀ.
 ///
 /// Textbook forms subtract to update P, and with small noise, or in single precision, end with
 /// negative variances (of 120,000 adversarial steps 4,498; Joseph's form 2,727). Here

@@ -5,7 +5,8 @@
 
 namespace haptics::models {
 
-/// What can be made of the process noise that eq. (22) prints: [7.0275 0.02772; 0.2772 6.1024].
+/// What can be made of the process noise that eq. (22) of the punch paper prints:
+/// [7.0275 0.02772; 0.2772 6.1024].
 enum class ProcessReading {
   AsPrinted,    ///< not symmetric: for replaying what was published, nothing else
   Symmetrised,  ///< 0.2772 on both sides: 0.02772 is a misprint
@@ -14,7 +15,7 @@ enum class ProcessReading {
   Product,      ///< off the diagonal the product of both deviations, as "σ_f σ_ζ" says
 };
 
-/// The variances of eq. (22)–(24).
+/// The variances of eq. (22)–(24) of the punch paper.
 template <typename Scalar>
 struct KalmanNoise {
   Scalar processForce = Scalar(7.0275);       ///< Q₁₁ [N²]

@@ -39,8 +39,8 @@ DensityFit fitMultiplicative(
     std::span<const double> prior,
     int iterations);
 
-/// The paper's way: a particle swarm (Kennedy & Eberhart 1995, with the constriction of Clerc &
-/// Kennedy 2002). The paper says nothing of its size or settings.
+/// The reaming paper's way: a particle swarm (Kennedy & Eberhart 1995, with the constriction of
+/// Clerc & Kennedy 2002). The paper says nothing of its size or settings.
 struct SwarmOptions {
   int particles = 40;
   int iterations = 500;

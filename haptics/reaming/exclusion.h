@@ -10,7 +10,7 @@ namespace haptics::reaming {
 enum class ExclusionReason {
   None,
   Implausible,   ///< no numbers, too short, gaps, an axis that goes back
-  FeedChanged,   ///< the paper's (1): alterations of the feed rate during the test
+  FeedChanged,   ///< the reaming paper's (1): alterations of the feed rate during the test
   BrokeOut,      ///< (2): the acetabulum broke out of its resin embedding
   ReamedThrough  ///< (3): reamed completely after a displacement of 10 mm
 };
@@ -22,7 +22,7 @@ struct Exclusion {
   bool isExcluded() const noexcept { return reason != ExclusionReason::None; }
 };
 
-/// Looks for the paper's three reasons, and for whatever cannot be a measurement at all.
+/// Looks for the paper's three reasons, and for data that cannot be a measurement at all.
 ///
 /// - Feed: the slope of displacement over time, in twenty parts; one that differs from their median
 ///   by more than a third.

@@ -15,7 +15,7 @@
 
 namespace haptics::reaming {
 
-/// How measured series become a material: every choice that the paper leaves open, by name.
+/// How measured series become a material: every choice that the reaming paper leaves open, by name.
 struct FitOptions {
   CutoffRule cutoffRule = CutoffRule::Floor;
   std::optional<double> cutoff;  ///< of every dynamic series, instead of its own [Hz]

@@ -28,7 +28,7 @@ struct ReamerContact {
   double lever = 0.0;     ///< Σ a ρ times the distance from the reamer's axis [N·m]
   int touched = 0;        ///< spheres
 
-  /// Contact density Σ a ρ / Σ a of the paper; 0 where nothing is touched [N/m²].
+  /// Contact density Σ a ρ / Σ a of the reaming paper; 0 where nothing is touched [N/m²].
   double density() const noexcept { return area > 0.0 ? pressing / area : 0.0; }
 };
 
