@@ -40,10 +40,10 @@ DataTable targetTable(const std::vector<Target>& targets) {
 }
 
 void printTargets(const std::vector<Target>& targets) {
-  fmt::print("\n  {:<4} {:<58} {:>10}   {}\n", "", "", "measured", "wanted");
+  fmt::print("\n  {:<15} {:<58} {:>10}   {}\n", "", "", "measured", "wanted");
   for (const auto& target : targets) {
     fmt::print(
-        "  {:<4} {:<58} {:>10.3g}   {} {:<8g} {}\n",
+        "  {:<15} {:<58} {:>10.3g}   {} {:<8g} {}\n",
         target.id,
         target.what,
         target.measured,

@@ -17,7 +17,7 @@ DataTable machineTable();
 
 /// A target, what came out, and whether it was reached.
 struct Target {
-  std::string id;  ///< "T1"
+  std::string id;  ///< "splines"
   std::string what;
   double measured = 0.0;
   double wanted = 0.0;

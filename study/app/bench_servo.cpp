@@ -104,25 +104,25 @@ std::vector<Target> servoTargets(const ServoMeasurement& measured) {
     if (!isJudged) continue;
     const auto& r = run.report;
     const auto at = fmt::format("{:g} Hz, real-time, without holes", run.rate);
-    targets.push_back({"T8", at + ": p50 [µs]", r.ownLateness.quantile(0.5), 30.0, true});
-    targets.push_back({"T8", at + ": p99 [µs]", r.ownLateness.quantile(0.99), 65.0, true});
+    targets.push_back({"lateness", at + ": p50 [µs]", r.ownLateness.quantile(0.5), 30.0, true});
+    targets.push_back({"lateness", at + ": p99 [µs]", r.ownLateness.quantile(0.99), 65.0, true});
     targets.push_back(
-        {"T8", at + ": ticks missed", static_cast<double>(r.lateTicksOfOurs), 0.0, true});
+        {"lateness", at + ": ticks missed", static_cast<double>(r.lateTicksOfOurs), 0.0, true});
   }
   if (measured.recorders.empty()) return targets;
   const auto& ours = measured.recorders.front();
   const auto& raw = measured.recorders.back();
-  targets.push_back({"T10", "samples a second, in millions", ours.samplesPerSecond / 1e6, 1.0});
-  targets.push_back({"T10", "bytes a sample", ours.bytesPerSample, 66.0, true});
+  targets.push_back({"recorder", "samples a second, in millions", ours.samplesPerSecond / 1e6, 1.0});
+  targets.push_back({"recorder", "bytes a sample", ours.bytesPerSample, 66.0, true});
   targets.push_back(
-      {"T10",
+      {"recorder",
        "of a raw file's samples a second",
        ours.samplesPerSecond / raw.samplesPerSecond,
        0.35});
   const auto& loop = measured.loop;
-  targets.push_back({"T10", "in the loop, p99.9 [µs]", loop.push.quantile(0.999), 2.0, true});
+  targets.push_back({"recorder", "in the loop, p99.9 [µs]", loop.push.quantile(0.999), 2.0, true});
   targets.push_back(
-      {"T10",
+      {"recorder",
        fmt::format("samples lost in {:.0f} s", loop.seconds),
        static_cast<double>(loop.ticks - loop.kept),
        0.0,

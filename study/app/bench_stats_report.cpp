@@ -105,21 +105,21 @@ DataTable resultTable(const StatsMeasurement& measured) {
 std::vector<Target> statsTargets(const StatsMeasurement& measured) {
   constexpr double kNoDifference = 1e-9;
   std::vector<Target> targets{
-      {"T12",
+      {"statistics",
        fmt::format("{} answers, database to table [s]", measured.answers),
        quantileOf(measured.ours.seconds, 0.5),
        wantedSeconds(measured.answers),
        true},
-      {"T12",
+      {"statistics",
        "one answer changed, new table [ms]",
        1e3 * quantileOf(measured.edits, 0.5),
        1.0,
        true},
-      {"T12", "memory of the whole process [MB]", measured.memory, 50.0, true}};
+      {"statistics", "memory of the whole process [MB]", measured.memory, 50.0, true}};
   for (const auto& peer : measured.peers) {
     if (peer.seconds.empty()) continue;
     targets.push_back(
-        {"T12",
+        {"statistics",
          "largest difference to " + peer.way,
          largestDifference(measured.ours.rows, peer.rows),
          kNoDifference,

@@ -1,4 +1,4 @@
-// What the models are meant to reach, and whether they did: targets T1, T3 and T4.
+// What the models are meant to reach, and whether they did.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,8 +34,8 @@ constexpr const char* kLu = "Eigen dense LU, each step";
 constexpr const char* kAlike = "elements alike";
 
 constexpr RatioTarget kRatios[]{
-    {"T1", "coherent, 12 nodes: times as fast as GSL", "splines", "coherent", 12, kGsl, kOurs, 1.4},
-    {"T1",
+    {"splines", "coherent, 12 nodes: times as fast as GSL", "splines", "coherent", 12, kGsl, kOurs, 1.4},
+    {"splines",
      "coherent, 12 nodes: times as fast as Boost",
      "splines",
      "coherent",
@@ -43,7 +43,7 @@ constexpr RatioTarget kRatios[]{
      kBoost,
      kOurs,
      1.8},
-    {"T1",
+    {"splines",
      "random, 10,000 nodes: times as fast as GSL",
      "splines",
      "random",
@@ -51,7 +51,7 @@ constexpr RatioTarget kRatios[]{
      kGsl,
      kOurs,
      3.0},
-    {"T1",
+    {"splines",
      "random, 10,000 nodes: times as fast as Boost",
      "splines",
      "random",
@@ -59,11 +59,11 @@ constexpr RatioTarget kRatios[]{
      kBoost,
      kOurs,
      3.0},
-    {"T1", "cold, 12 nodes: times as fast as Boost", "splines", "cold", 12, kBoost, kOurs, 1.0},
-    {"T1", "cold, 12 nodes: times as fast as GSL", "splines", "cold", 12, kGsl, kOurs, 1.8},
-    {"T1", "cold, 100 nodes: times as fast as Boost", "splines", "cold", 100, kBoost, kOurs, 1.0},
-    {"T1", "cold, 100 nodes: times as fast as GSL", "splines", "cold", 100, kGsl, kOurs, 1.8},
-    {"T1",
+    {"splines", "cold, 12 nodes: times as fast as Boost", "splines", "cold", 12, kBoost, kOurs, 1.0},
+    {"splines", "cold, 12 nodes: times as fast as GSL", "splines", "cold", 12, kGsl, kOurs, 1.8},
+    {"splines", "cold, 100 nodes: times as fast as Boost", "splines", "cold", 100, kBoost, kOurs, 1.0},
+    {"splines", "cold, 100 nodes: times as fast as GSL", "splines", "cold", 100, kGsl, kOurs, 1.8},
+    {"splines",
      "cold, 10,000 nodes: times as fast as Boost",
      "splines",
      "cold",
@@ -71,8 +71,8 @@ constexpr RatioTarget kRatios[]{
      kBoost,
      kOurs,
      1.0},
-    {"T1", "cold, 10,000 nodes: times as fast as GSL", "splines", "cold", 10'000, kGsl, kOurs, 1.8},
-    {"T1",
+    {"splines", "cold, 10,000 nodes: times as fast as GSL", "splines", "cold", 10'000, kGsl, kOurs, 1.8},
+    {"splines",
      "coherent, 12 nodes: times one cubic",
      "splines",
      "coherent",
@@ -81,7 +81,7 @@ constexpr RatioTarget kRatios[]{
      kHorner,
      1.4,
      true},
-    {"T1",
+    {"splines",
      "random, 10,000 nodes: times one cubic",
      "splines",
      "random",
@@ -90,9 +90,9 @@ constexpr RatioTarget kRatios[]{
      kHorner,
      5.0,
      true},
-    {"T3", "N = 5: times as fast as dense LU", "finite elements", kAlike, 5, kLu, kMesh, 12},
-    {"T3", "N = 15: times as fast as dense LU", "finite elements", kAlike, 15, kLu, kMesh, 45},
-    {"T3",
+    {"finite elements", "N = 5: times as fast as dense LU", "finite elements", kAlike, 5, kLu, kMesh, 12},
+    {"finite elements", "N = 15: times as fast as dense LU", "finite elements", kAlike, 15, kLu, kMesh, 45},
+    {"finite elements",
      "N = 12,445: times as fast as LDLᵀ factorised before",
      "finite elements",
      kAlike,
@@ -100,7 +100,7 @@ constexpr RatioTarget kRatios[]{
      "Eigen sparse LDLᵀ, once",
      kMesh,
      40},
-    {"T4",
+    {"filter",
      "times as fast as Eigen, fixed size",
      "Kalman filter",
      "a step",
@@ -108,7 +108,7 @@ constexpr RatioTarget kRatios[]{
      "Eigen, fixed size",
      kFilter,
      2.0},
-    {"T4",
+    {"filter",
      "times as fast as Eigen, dynamic size",
      "Kalman filter",
      "a step",
@@ -116,7 +116,7 @@ constexpr RatioTarget kRatios[]{
      "Eigen, dynamic size",
      kFilter,
      25.0},
-    {"T4",
+    {"filter",
      "times the standard scalar form",
      "Kalman filter",
      "a step",
@@ -125,7 +125,7 @@ constexpr RatioTarget kRatios[]{
      "standard, scalar",
      1.5,
      true},
-    {"T5",
+    {"spheres",
      "201,532 spheres: times as fast as nanoflann",
      "packing",
      "contact",
@@ -133,7 +133,7 @@ constexpr RatioTarget kRatios[]{
      "nanoflann",
      "palpate",
      5.0},
-    {"T5",
+    {"spheres",
      "201,532 spheres: times as fast as Embree",
      "packing",
      "contact",
@@ -141,7 +141,7 @@ constexpr RatioTarget kRatios[]{
      "Embree",
      "palpate",
      8.0},
-    {"T5",
+    {"spheres",
      "201,532 spheres: times as fast as all of them",
      "packing",
      "contact",
@@ -174,7 +174,7 @@ void addErrorTarget(
     const bool isOfIt = m.family == "finite elements" && m.method == method && m.parameter <= 1000;
     if (isOfIt && m.error) worst = std::max(worst, *m.error);
   }
-  if (worst >= 0.0) targets.push_back({"T3", what, worst, wanted, true});
+  if (worst >= 0.0) targets.push_back({"finite elements", what, worst, wanted, true});
 }
 
 void addVarianceTarget(const Measured& all, std::vector<Target>& targets) {
@@ -188,7 +188,7 @@ void addVarianceTarget(const Measured& all, std::vector<Target>& targets) {
     isMeasured = true;
     negative += m.error.value_or(0.0);
   }
-  if (isMeasured) targets.push_back({"T4", "negative variances", negative, 0.0, true});
+  if (isMeasured) targets.push_back({"filter", "negative variances", negative, 0.0, true});
 }
 
 /// The largest of what @p valueOf makes of the measurements it makes something of.
@@ -224,13 +224,13 @@ void addPackingTargets(const Measured& all, std::vector<Target>& targets) {
   constexpr double kTick = 1e6;            // [ns]
   if (const auto* cold = find(all, "packing", "removal at 2 mm/s, cold", "palpate")) {
     const double p99 = cold->time->p99 / kMicrosecond;
-    targets.push_back({"T5", "201,532 spheres, removal, cold: p99 [µs]", p99, 260.0, true});
+    targets.push_back({"spheres", "201,532 spheres, removal, cold: p99 [µs]", p99, 260.0, true});
   }
   const auto most = worstOf(all, [&](const Measurement& m) -> std::optional<double> {
     const bool isIt = m.family == "packing" && m.setting == "removal at 0.5 mm/s";
     return isIt && m.time->p99 < kTick ? std::optional(m.parameter) : std::nullopt;
   });
-  if (most) targets.push_back({"T6", "spheres with removal, p99 below 1 ms", *most, 3e6});
+  if (most) targets.push_back({"most spheres", "spheres with removal, p99 below 1 ms", *most, 3e6});
 }
 
 void addDensityTargets(const Measured& all, std::vector<Target>& targets) {
@@ -240,12 +240,12 @@ void addDensityTargets(const Measured& all, std::vector<Target>& targets) {
     return isIt ? m.error : std::nullopt;
   });
   if (gap)
-    targets.push_back({"T7", "densities: above the bounded optimum, a share", *gap, 0.01, true});
+    targets.push_back({"densities", "densities: above the bounded optimum, a share", *gap, 0.01, true});
   const auto* best = find(all, "density", "all spheres", ours, 1e-6);
   const auto* swarm = find(all, "density", "all spheres", "swarm, median of 20 seeds", 8);
   if (best == nullptr || swarm == nullptr) return;
   targets.push_back(
-      {"T7",
+      {"densities",
        "densities: error of the swarm, times ours, after " +
            std::to_string(static_cast<int>(std::round(swarm->time->median / best->time->median))) +
            " times the time",
@@ -266,19 +266,19 @@ void addFilterTargets(const Measured& all, std::vector<Target>& targets) {
     const bool isIt = m.family == "filter" && m.setting == nodes && m.method == greedy;
     return isIt ? std::optional(m.time->median / kMillisecond) : std::nullopt;
   });
-  if (share) targets.push_back({"T2", "nodes: times as many as the optimum", *share, 2.0, true});
-  if (time) targets.push_back({"T2", "nodes of 200,000 samples [ms]", *time, 5.0, true});
+  if (share) targets.push_back({"nodes", "nodes: times as many as the optimum", *share, 2.0, true});
+  if (time) targets.push_back({"nodes", "nodes of 200,000 samples [ms]", *time, 5.0, true});
   const std::string cutoff = "cut-off and low-pass, RMS from the noiseless curve [N]";
   const auto* found = find(all, "filter", cutoff, "detrended-hann");
   const auto* oracle = find(all, "filter", cutoff, "the best of all cut-offs");
   if (found != nullptr && oracle != nullptr) {
     targets.push_back(
-        {"T11", "residual: times the best cut-off's", *found->error / *oracle->error, 4.0, true});
+        {"low-pass", "residual: times the best cut-off's", *found->error / *oracle->error, 4.0, true});
   }
   if (const auto* all200 =
           find(all, "filter", "199,999 samples: cut-off, filter, nodes", "palpate")) {
     targets.push_back(
-        {"T11", "2000 s at 100 Hz prepared [ms]", all200->time->median / kMillisecond, 25.0, true});
+        {"low-pass", "2000 s at 100 Hz prepared [ms]", all200->time->median / kMillisecond, 25.0, true});
   }
 }
 

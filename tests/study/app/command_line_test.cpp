@@ -432,7 +432,7 @@ TEST_F(CommandLineTest, MeasuresTheClockAndTheRecorder) {
        "--disk",
        folder_.path().string()});
   ASSERT_EQ(servo.status, 0) << servo.error;
-  EXPECT_NE(servo.out.find("T10  bytes a sample"), std::string::npos) << servo.out;
+  EXPECT_NE(servo.out.find("recorder        bytes a sample"), std::string::npos) << servo.out;
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // nothing is left behind
 }
 
