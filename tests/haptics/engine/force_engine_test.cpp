@@ -99,6 +99,18 @@ TEST_F(ForceEngineTest, StartsSoftlyAfterItIsArmedAgain) {
   EXPECT_EQ(engine_.tick(kDt).marks, TickSample::None);
 }
 
+TEST_F(ForceEngineTest, CommandsNothingInTheFirstTickAfterItIsArmedAgain) {
+  engine_.setScene(&scene_);
+  ASSERT_GT(feelAt(6.0), 3.0);  // ten times what the limit lets the force change in a tick
+  engine_.stop();
+  engine_.tick(kDt);
+  engine_.arm();
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(engine_.tick(kDt).force, 0.0) << "tick " << i;
+    EXPECT_EQ(device_.commanded, 0.0) << "tick " << i;
+  }
+}
+
 TEST_F(ForceEngineTest, StartsSoftlyInAnotherScene) {
   engine_.setScene(&scene_);
   feelAt(6.0);
@@ -218,6 +230,21 @@ TEST_F(ForceEngineTest, LetsGoOfADeviceThatIsGoneAndStaysStoppedWhenItIsBack) {
   EXPECT_TRUE(engine_.isStopped());
 }
 
+TEST_F(ForceEngineTest, StopsForADeviceThatSaysItIsFaulty) {
+  engine_.setScene(&scene_);
+  ASSERT_GT(feelAt(6.0), 3.0);
+  device_.sample.status = devices::DeviceStatus::Faulted;
+  const auto faulted = engine_.tick(kDt);
+  EXPECT_EQ(faulted.force, 0.0);
+  EXPECT_EQ(device_.commanded, 0.0);
+  EXPECT_EQ(faulted.status, devices::DeviceStatus::Faulted);
+  EXPECT_TRUE((faulted.marks & TickSample::Stopped) != 0);
+  EXPECT_TRUE(engine_.isStopped());
+  device_.sample.status = devices::DeviceStatus::Ok;
+  EXPECT_EQ(stayAt(0.0, 200).force, 0.0) << "until the operator has decided";
+  EXPECT_EQ(stayAt(6.0, 200).force, 0.0);
+}
+
 TEST_F(ForceEngineTest, BridgesOneMissingSampleAndThenFades) {
   engine_.setScene(&scene_);
   const double full = feelAt(5.0);
@@ -234,6 +261,17 @@ TEST_F(ForceEngineTest, BridgesOneMissingSampleAndThenFades) {
   EXPECT_TRUE(engine_.isStopped());
   device_.sample.status = devices::DeviceStatus::Ok;
   EXPECT_EQ(stayAt(0.0, 200).force, 0.0);  // until the operator has decided
+}
+
+TEST_F(ForceEngineTest, FadesFromTheSecondMissingSampleOn) {
+  engine_.setScene(&scene_);
+  const double full = feelAt(5.0);
+  device_.sample.status = devices::DeviceStatus::Stale;
+  EXPECT_EQ(engine_.tick(kDt).force, full);
+  for (int missing = 2; missing <= 10; ++missing) {
+    // A hundredth less with each: the force fades over a tenth of a second.
+    EXPECT_NEAR(engine_.tick(kDt).force, full * (1.0 - 0.01 * (missing - 1)), 1e-9) << missing;
+  }
 }
 
 TEST_F(ForceEngineTest, NeverCommandsWhatIsNoNumber) {
