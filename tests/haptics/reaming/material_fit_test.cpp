@@ -56,6 +56,27 @@ TEST(MaterialFit, OrdersItsEnvelopesBothWays) {
   }
 }
 
+TEST(MaterialFit, IsSofterAtItsMinimumThanAtItsMaximumByBothRules) {
+  const auto area = [](const FittedCurve& curve) {
+    double sum = 0.0;
+    for (const double x : curve.data.x) sum += curve.spline.at(x);
+    return sum;
+  };
+  const auto study = syntheticStudy(1);
+  int envelopes = 0;
+  for (const auto rule : {EnvelopeRule::Pointwise, EnvelopeRule::SingleSample}) {
+    for (const auto& set : fitMaterial(study, {.envelope = rule}).sets) {
+      for (const auto* envelope : {&set.force, set.torque ? &*set.torque : nullptr}) {
+        if (envelope == nullptr) continue;
+        ++envelopes;
+        EXPECT_LT(area(envelope->minimum), area(envelope->average));
+        EXPECT_LT(area(envelope->average), area(envelope->maximum));
+      }
+    }
+  }
+  EXPECT_EQ(envelopes, 10);  // by each rule forces of three sets, and torques of two
+}
+
 TEST(MaterialFit, RecoversTheCurveOfOneSpecimen) {
   const SyntheticTest test{.hardness = 0.6, .seed = 4};
   const auto fit = fitMaterial(std::vector{syntheticSeries(test)}, {.wantedError = 0.02});
