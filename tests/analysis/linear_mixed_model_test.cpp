@@ -100,6 +100,35 @@ TEST(LinearMixedModel, OfBalancedBlocksIsThePairedTTest) {
   EXPECT_NEAR(fit.fixedEffects[1].degreesOfFreedom.value(), 11.0, 1e-6);
 }
 
+TEST(LinearMixedModel, TakesEachLaterLevelFromTheEarlierOne) {
+  // Level means 1, 4 and 9, with scatter that takes nothing from them.
+  const std::vector<double> means{1.0, 4.0, 9.0};
+  const std::vector<double> people{-1.0, 0.5, 1.5, -0.5, -0.5};
+  std::vector<double> y;
+  for (std::size_t person = 0; person < people.size(); ++person) {
+    const double twist = 0.25 * (static_cast<double>(person % 2) - 0.4);
+    y.insert(
+        y.end(),
+        {means[0] + people[person] + twist,
+         means[1] + people[person] - 2.0 * twist,
+         means[2] + people[person] + twist});
+  }
+  FixedEffects fixed(y.size());
+  fixed.add(turns("method", 3, y.size()));
+  const auto fit =
+      analysis::fitLinearMixedModel(y, fixed, {{blocks("participant", 5, 3)}}).fit.value();
+
+  const auto differences = analysis::pairwiseDifferences(fit, fixed, "method");
+  ASSERT_EQ(differences.size(), 3U);
+  EXPECT_EQ(differences[0].name, "0 - 1");
+  EXPECT_NEAR(differences[0].estimate, -3.0, 1e-9);
+  EXPECT_LT(differences[0].t.value(), 0.0);
+  EXPECT_EQ(differences[1].name, "0 - 2");
+  EXPECT_NEAR(differences[1].estimate, -8.0, 1e-9);
+  EXPECT_EQ(differences[2].name, "1 - 2");
+  EXPECT_NEAR(differences[2].estimate, -5.0, 1e-9);
+}
+
 /// The estimates of crossed intercepts: mean squares of a two-way layout without interaction.
 TEST(LinearMixedModel, OfCrossedInterceptsIsTheAnalysisOfVariance) {
   constexpr std::size_t kPeople = 8;
