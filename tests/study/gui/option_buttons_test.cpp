@@ -49,6 +49,22 @@ TEST_F(OptionButtonsTest, SpaceEnterAndDigitsChoose) {
   EXPECT_EQ(buttons_.chosen(), 1);
 }
 
+TEST(OptionButtonsWithWords, AreChosenByTheDigitOfTheirPlaceFromTheFirstToTheLast) {
+  OptionButtons buttons(
+      {{"Soft", "soft"}, {"Firm", "firm"}, {"Hard", "hard"}},
+      Qt::Vertical,
+      QStringLiteral("option"));
+  buttons.show();
+  for (const int place : {1, 3, 2, 1}) {
+    QTest::keyClick(buttons.button(1), static_cast<Qt::Key>(Qt::Key_0 + place));
+    EXPECT_EQ(buttons.chosen(), place - 1);
+  }
+  for (const auto key : {Qt::Key_0, Qt::Key_4, Qt::Key_9}) {
+    QTest::keyClick(buttons.button(1), key);
+    EXPECT_EQ(buttons.chosen(), 0) << "there is no option at that place";
+  }
+}
+
 TEST_F(OptionButtonsTest, IsChosenByAScreenReaderToo) {
   QSignalSpy spy(&buttons_, &OptionButtons::chosenChanged);
   auto* accessible = QAccessible::queryAccessibleInterface(buttons_.button(2));

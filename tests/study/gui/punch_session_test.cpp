@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "protocols/loaded_protocol.h"
@@ -57,6 +58,31 @@ TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
     EXPECT_GE(trial.cuts, 3);
     EXPECT_EQ(trial.traceSamples, trial.ticks);
   }
+}
+
+TEST_F(PunchSession, DoesNotEndATrialBeforeItsLeastNumberOfCuts) {
+  participant_.goTo(StepKind::Trial);
+  auto& controller = *window_.controller();
+  ASSERT_EQ(controller.session().step().minimumCuts, 3);
+  controller.beginTrial();
+  ASSERT_TRUE(controller.isTrialRunning());
+  controller.finishTrial();
+  EXPECT_TRUE(controller.isTrialRunning());
+  EXPECT_EQ(controller.session().state(), SessionState::InTrial);
+  EXPECT_TRUE(storage::Records(study_.database()).trials().empty());
+}
+
+TEST_F(PunchSession, StaysOnAPageWhoseStepCouldNotBeFinished) {
+  participant_.goTo(StepKind::Questionnaire);
+  auto& controller = *window_.controller();
+  const auto visit = controller.session().visit();
+  ASSERT_FALSE(controller.session().missing().empty());
+  QSignalSpy changes(&controller, &SessionController::stepChanged);
+  QSignalSpy failures(&controller, &SessionController::failed);
+  controller.finishStep();
+  EXPECT_EQ(failures.count(), 1);
+  EXPECT_EQ(changes.count(), 0) << "the page went on although nothing was kept";
+  EXPECT_EQ(controller.session().visit(), visit);
 }
 
 TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
