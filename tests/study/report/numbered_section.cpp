@@ -1,0 +1,282 @@
+#include "tests/study/report/numbered_section.h"
+
+#include <map>
+#include <string>
+
+#include "tests/study/made_study.h"
+
+namespace tests {
+namespace {
+
+using questionnaires::LocalizedText;
+using study::CohortResult;
+
+constexpr const char* kFirst = "interpolation";
+constexpr const char* kSecond = "finite-elements";
+constexpr const char* kCohort = "professional";
+
+LocalizedText inEnglish(const std::string& text) {
+  return LocalizedText(std::map<std::string, std::string>{{"en", text}});
+}
+
+analysis::PairwiseComparisons pooledComparisons() {
+  analysis::PairwiseComparison row{.group1 = kFirst, .group2 = kSecond};
+  row.welch.n1 = 201;
+  row.welch.n2 = 202;
+  row.welch.mean1 = 2.03;
+  row.welch.mean2 = 2.04;
+  row.welch.variance1 = 2.05;
+  row.welch.variance2 = 2.06;
+  row.welch.difference = 2.07;
+  row.welch.standardError = 2.08;
+  row.welch.t = 2.09;
+  row.welch.degreesOfFreedom = 21.11;
+  row.welch.p = 0.212;
+  row.welch.pToolpak = 0.213;
+  row.adjustedP = 0.214;
+  row.isSignificant = true;
+  row.interval = {2.15, 2.16};
+  row.adjustedInterval = {2.17, 2.18};
+  return {.alpha = 0.01, .tests = 4, .alphaPerTest = 0.0025, .rows = {row}};
+}
+
+analysis::WithinComparison withinComparison() {
+  analysis::WithinComparison row{.group1 = kFirst, .group2 = kSecond};
+  row.differences = {0.1, 0.2};
+  row.paired.n = 301;
+  row.paired.meanDifference = 3.02;
+  row.paired.variance = 3.03;
+  row.paired.standardError = 3.04;
+  row.paired.t = 3.05;
+  row.paired.degreesOfFreedom = 36.0;
+  row.paired.p = 0.307;
+  row.interval = {3.08, 3.09};
+  row.adjustedInterval = {3.11, 3.12};
+  row.effects.cohenDz = {3.13, analysis::Interval{3.14, 3.15}};
+  row.effects.hedgesGz = {3.16, analysis::Interval{3.17, 3.18}};
+  row.signFlip.p = 0.319;
+  row.signedRank.p = 0.321;
+  row.signedRank.pAsymptotic = 0.322;
+  row.signedRank.v = 323.0;
+  row.location.estimate = 3.24;
+  row.bayes.bf10 = 3.25;
+  row.equivalence.emplace();
+  row.equivalence->bounds = {-0.26, 0.26};
+  row.equivalence->p = 0.327;
+  row.mixed.estimate = 3.28;
+  row.mixed.standardError = 3.29;
+  row.mixed.t = 3.31;
+  row.mixed.degreesOfFreedom = 33.25;
+  row.mixed.p = 0.333;
+  row.ordinal = analysis::WaldEstimate{
+      .estimate = 1.0, .standardError = 0.1, .z = 3.34, .p = 0.335, .oddsRatio = 2.72};
+  row.pairedP = {0.307, 0.341, false};
+  row.signFlipP = {0.319, 0.342, false};
+  row.signedRankP = {0.321, 0.343, true};
+  row.mixedP = {0.333, 0.344, false};
+  row.ordinalP = {0.335, 0.345, false};
+  return row;
+}
+
+analysis::WithinAnalysis withinAnalysis() {
+  analysis::WithinAnalysis within{.participants = 41, .tests = 4};
+  within.friedman.treatments = 3;
+  within.friedman.chiSquared = 4.02;
+  within.friedman.p = 0.403;
+  within.friedman.kendallW = 0.44;
+  within.friedman.exactP = 0.405;
+  within.anova.f = 4.06;
+  within.anova.degreesOfFreedom1 = 47.0;
+  within.anova.degreesOfFreedom2 = 48.0;
+  within.anova.p = 0.409;
+  within.anova.partialEtaSquared = 0.41;
+  within.anova.greenhouseGeisser = 0.42;
+  within.anova.pGreenhouseGeisser = 0.411;
+  within.mixed.fit.emplace();
+  within.mixed.fit->components = {{.name = "participant", .variance = 4.13}};
+  within.mixed.fit->residualVariance = 4.14;
+  within.ordinal.reason = "it was not asked for";
+  within.rows = {withinComparison()};
+  return within;
+}
+
+analysis::ScaleChecks checks() {
+  analysis::MethodChecks method{.method = kFirst};
+  method.alpha.respondents = 501;
+  method.alpha.items = 52;
+  method.alpha.value = 0.53;
+  method.alpha.interval = {0.54, 0.55};
+  method.omega.respondents = 506;
+  method.omega.items = 57;
+  method.omega.value = 0.58;
+  method.normality.n = 509;
+  method.normality.w = 0.511;
+  method.normality.p = 0.512;
+  analysis::ScaleChecks all{.methods = {method}};
+  all.spread.f = 5.13;
+  all.spread.degreesOfFreedom1 = 54.0;
+  all.spread.degreesOfFreedom2 = 55.0;
+  all.spread.p = 0.516;
+  return all;
+}
+
+analysis::PositionEffect position() {
+  analysis::PositionEffect effect;
+  effect.slope.meanDifference = 6.01;
+  effect.slope.standardError = 6.02;
+  effect.slope.t = 6.03;
+  effect.slope.degreesOfFreedom = 64.0;
+  effect.slope.p = 0.605;
+  effect.slopeInterval = {6.06, 6.07};
+  return effect;
+}
+
+CohortResult cohortResult() {
+  CohortResult result{.cohort = kCohort};
+  // 1 4 4 5 5 5: mean 4, variance 2.4; and 1 2 2: mean 1.7, variance 0.3.
+  result.conditions.push_back(
+      {kFirst, analysis::LikertCounts(1, std::vector<std::uint64_t>{1, 0, 0, 2, 3})});
+  result.conditions.push_back(
+      {kSecond, analysis::LikertCounts(1, std::vector<std::uint64_t>{1, 2, 0, 0, 0})});
+  result.comparisons = pooledComparisons();
+  result.within = withinAnalysis();
+  result.checks = checks();
+  result.position = position();
+  return result;
+}
+
+study::BetweenResult betweenResult() {
+  study::BetweenResult result{
+      .condition = kSecond, .cohort1 = kCohort, .cohort2 = "non-professional"};
+  result.mannWhitney.n1 = 701;
+  result.mannWhitney.n2 = 702;
+  result.mannWhitney.u = 703.5;
+  result.mannWhitney.p = 0.704;
+  result.mannWhitney.pAsymptotic = 0.705;
+  result.brunnerMunzel.probability = 0.706;
+  result.brunnerMunzel.w = 7.07;
+  result.brunnerMunzel.p = 0.708;
+  result.cliff.delta = 0.71;
+  result.cliff.probabilityOfSuperiority = 0.72;
+  result.cliff.interval = {0.73, 0.74};
+  return result;
+}
+
+study::VoteResult voteResult() {
+  analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});
+  votes.add("interpolation", 81);
+  votes.add("finite-elements", 82);
+  votes.add("kalman", 83);
+  study::VoteResult result{kCohort, "preference-1", "round-1", votes, {}, {}};
+  result.test.exactP = 0.804;
+  result.test.p = 0.805;
+  result.intervals = {
+      analysis::Interval{0.11, 0.12},
+      analysis::Interval{0.13, 0.14},
+      analysis::Interval{0.15, 0.16}};
+  return result;
+}
+
+questionnaires::Instrument scoredInstrument() {
+  questionnaires::Instrument instrument{.id = "scored", .version = "1"};
+  instrument.title = inEnglish("Scored");
+  questionnaires::Item item{.id = "ease"};
+  item.text = inEnglish("It was easy.");
+  instrument.items = {item};
+  questionnaires::Score score{.id = "total"};
+  score.title = inEnglish("Total");
+  instrument.scores = {score};
+  return instrument;
+}
+
+study::InstrumentSummary instrumentSummary() {
+  study::InstrumentSummary summary{.instrument = "scored"};
+  summary.scores = {
+      {.score = "total",
+       .cohort = kCohort,
+       .condition = "kalman",
+       .occasion = "",
+       .values = {1.0, 2.0, 3.0},
+       .missing = 91,
+       .mean = 9.02,
+       .standardDeviation = 9.03,
+       .interval = analysis::Interval{9.04, 9.05}}};
+  summary.acceptable = {
+      {.cohort = kCohort,
+       .condition = "kalman",
+       .item =
+           {.itemId = "ease",
+            .acceptableFrom = 9.5,
+            .acceptable = 96,
+            .answered = 97,
+            .share = 0.21},
+       .interval = analysis::Interval{0.22, 0.23}}};
+  return summary;
+}
+
+/// Two curves that are 3 N apart on the whole, and 1 N, 2 N and 4.5 N for three participants.
+std::vector<study::FeltCurve> feltCurves() {
+  const auto curve = [](const char* condition, double force, const std::vector<double>& own) {
+    study::FeltCurve made{
+        .condition = condition,
+        .device = "punch",
+        .travelUnit = "travel_unit",
+        .trials = 4,
+        .points = {}};
+    for (const double travel : {1.0, 2.0}) {
+      made.points.push_back({travel, force - 0.5, force, force + 0.5});
+    }
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      made.medians["P" + std::to_string(i)] = {{1, own[i]}, {2, own[i]}};
+    }
+    return made;
+  };
+  auto first = curve(kFirst, 7.0, {5.0, 6.0, 8.5});
+  first.meant = {5.75, 5.75};
+  return {first, curve(kSecond, 4.0, {4.0, 4.0, 4.0})};
+}
+
+}  // namespace
+
+study::report::ReportSection numberedSection() {
+  const auto loaded = libraryProtocol("punch-face-validity");
+  study::report::ReportSection section;
+  section.protocol = loaded.protocol;
+  section.instruments = loaded.instruments;
+  section.instruments.push_back(scoredInstrument());
+  section.results.runMode = study::RunMode::Live;
+  section.results.flow = {
+      {.cohort = kCohort,
+       .enrolled = 11,
+       .completed = 12,
+       .inProgress = 13,
+       .declined = 14,
+       .withdrawn = 15,
+       .rejected = 16,
+       .abortedHardware = 17}};
+  auto family = loaded.protocol.analysis.families.front();
+  family.alpha = 0.01;
+  family.test = protocols::TestType::SignedRank;
+  family.correction = protocols::CorrectionType::Holm;
+  section.results.families = {
+      {.family = family,
+       .isDeclared = true,
+       .cohorts = {cohortResult()},
+       .between = {betweenResult()}}};
+  section.results.votes = {voteResult()};
+  section.results.instruments = {instrumentSummary()};
+  section.curves = feltCurves();
+  section.quality = {
+      .trials = 101,
+      .feltAgain = 102,
+      .pass = 103,
+      .warn = 104,
+      .fail = 105,
+      .cuts = 106,
+      .saturated = 10.7,
+      .contact = 10.8};
+  section.quality.worstLateness = 109.0;
+  return section;
+}
+
+}  // namespace tests

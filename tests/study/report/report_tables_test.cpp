@@ -1,0 +1,327 @@
+// Every table of a report, by its caption and the headings of its columns: which number stands
+// where.
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "study/report/html_report.h"
+#include "study/results_text.h"
+#include "tests/study/made_study.h"
+#include "tests/study/report/numbered_section.h"
+
+namespace study::report {
+namespace {
+
+using Cells = std::vector<std::string>;
+using Row = std::map<std::string, std::string>;
+
+/// Markup as it reads: without elements, and with characters for entities.
+std::string asRead(const std::string& html) {
+  std::string text;
+  bool isElement = false;
+  for (const char c : html) {
+    if (c == '<') isElement = true;
+    if (!isElement) text += c;
+    if (c == '>') isElement = false;
+  }
+  const std::vector<std::pair<std::string, std::string>> entities{
+      {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}};
+  for (const auto& [entity, character] : entities) {
+    for (auto at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1)) {
+      text.replace(at, entity.size(), character);
+    }
+  }
+  return text;
+}
+
+/// What stands in each element of a kind within @p html.
+Cells elements(const std::string& html, const std::string& kind) {
+  Cells found;
+  std::size_t at = 0;
+  while ((at = html.find("<" + kind, at)) != std::string::npos) {
+    const auto next = html[at + 1 + kind.size()];
+    const auto begin = html.find('>', at) + 1;
+    at = begin;
+    if (next != '>' && next != ' ') continue;  // <thead> is no <th>
+    found.push_back(html.substr(begin, html.find("</" + kind + ">", begin) - begin));
+  }
+  return found;
+}
+
+struct Table {
+  std::string caption;
+  Cells headings;
+  std::vector<Cells> rows;
+
+  /// The rows that have a cell for every heading, by heading.
+  std::vector<Row> byHeading() const {
+    std::vector<Row> all;
+    for (const auto& cells : rows) {
+      if (cells.size() != headings.size()) continue;
+      auto& row = all.emplace_back();
+      for (std::size_t i = 0; i < cells.size(); ++i) row[headings[i]] = cells[i];
+    }
+    return all;
+  }
+};
+
+/// The one table of @p page whose caption begins with @p caption.
+Table tableOf(const std::string& page, const std::string& caption) {
+  std::vector<Table> found;
+  for (const auto& html : elements(page, "table")) {
+    Table table{.caption = asRead(elements(html, "caption").at(0))};
+    if (!table.caption.starts_with(caption)) continue;
+    for (const auto& head : elements(html, "th")) table.headings.push_back(asRead(head));
+    for (const auto& line : elements(html.substr(html.find("<tbody>")), "tr")) {
+      auto& cells = table.rows.emplace_back();
+      for (const auto& cell : elements(line, "td")) cells.push_back(asRead(cell));
+    }
+    found.push_back(std::move(table));
+  }
+  if (found.size() != 1) {
+    throw std::runtime_error(std::to_string(found.size()) + " tables begin with: " + caption);
+  }
+  return found.front();
+}
+
+/// A page whose results are another number in every place.
+class ReportTables : public testing::Test {
+ protected:
+  /// The only row of the table with that caption.
+  Row row(const std::string& caption) const {
+    const auto rows = tableOf(page_, caption).byHeading();
+    if (rows.size() != 1) throw std::runtime_error(std::to_string(rows.size()) + " rows");
+    return rows.front();
+  }
+
+  void expectSaid(const std::string& words) const {
+    EXPECT_NE(text_.find(words), std::string::npos) << words;
+  }
+
+  ReportSection section_ = tests::numberedSection();
+  std::string page_ = asHtml({section_});
+  std::string text_ = asRead(page_);
+};
+
+TEST_F(ReportTables, OfParticipantsHasEachEndInItsColumn) {
+  const Row expected{
+      {"Cohort", "Orthopaedic surgeons"},
+      {"Enrolled", "11"},
+      {"Completed", "12"},
+      {"In progress", "13"},
+      {"Declined", "14"},
+      {"Withdrawn", "15"},
+      {"Rejected", "16"},
+      {"Device failed", "17"}};
+  EXPECT_EQ(row("Who took part"), expected);
+}
+
+TEST_F(ReportTables, OfMeansHasMeanVarianceAndCountOfEachCondition) {
+  const auto table = tableOf(page_, "Mean μ and variance σ²");
+  EXPECT_EQ(
+      table.headings, (Cells{"", "Interpolation", "FEM", "", "μ", "σ²", "n", "μ", "σ²", "n"}));
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows[0], (Cells{"Orthopaedic surgeons", "4.0", "2.4", "6", "1.7", "0.3", "3"}));
+}
+
+TEST_F(ReportTables, OfWelchsTestsHasThePlainIntervalAndBothP) {
+  const Row expected{
+      {"Comparison", "Interpolation vs. FEM"},
+      {"Difference", "2.07"},
+      {"99 % CI", "[2.15, 2.16]"},
+      {"t", "2.09"},
+      {"df", "21.11"},
+      {"p", ".212"},
+      {"adjusted p", ".214"}};
+  EXPECT_EQ(row("Welch’s t-tests with Bonferroni correction, α = 0.01"), expected);
+  EXPECT_EQ(
+      tableOf(page_, "Welch’s t-tests").rows[0], Cells{"Orthopaedic surgeons, α per test 0.0025"});
+}
+
+TEST_F(ReportTables, OfDifferencesHasThePlainIntervalAndTheCorrectedEffect) {
+  const Row expected{
+      {"Comparison", "Interpolation vs. FEM"},
+      {"Difference", "3.02"},
+      {"99 % CI", "[3.08, 3.09]"},
+      {"t", "3.05"},
+      {"df", "36"},
+      {"gz", "3.16 [3.17, 3.18]"},
+      {"BF10", "3.25"}};
+  EXPECT_EQ(row("Differences of participants’ means"), expected);
+  EXPECT_EQ(
+      tableOf(page_, "Differences of participants’ means").rows[0],
+      Cells{"Orthopaedic surgeons, 41 participants"});
+}
+
+TEST_F(ReportTables, OfTestsWithinPeopleHasEachTestInItsColumn) {
+  const Row expected{
+      {"Comparison", "Interpolation vs. FEM"},
+      {"Paired t", ".307 (.341)"},
+      {"Sign flip", ".319 (.342)"},
+      {"Signed rank *", ".321 (.343)"},
+      {"Mixed model", ".333 (.344)"},
+      {"Ordinal model", ".335 (.345)"}};
+  EXPECT_EQ(row("The same, tested: p, and in brackets p after Holm correction"), expected);
+  EXPECT_NE(page_.find("<strong>.321 (.343)</strong>"), std::string::npos)
+      << "the declared test is significant";
+}
+
+TEST_F(ReportTables, BetweenCohortsHasEachTestInItsColumn) {
+  const Row expected{
+      {"Method", "FEM"},
+      {"U", "703.5"},
+      {"exact p", ".704"},
+      {"Brunner–Munzel p", ".708"},
+      {"Cliff’s δ", "0.71 [0.73, 0.74]"}};
+  EXPECT_EQ(row("Between cohorts, on participants’ means"), expected);
+}
+
+TEST_F(ReportTables, OfTheScaleHasReliabilityAndDistributionInTheirColumns) {
+  const Row expected{
+      {"Method", "Interpolation"},
+      {"Statements", "52"},
+      {"Cronbach’s α", "0.53"},
+      {"95 % CI", "[0.54, 0.55]"},
+      {"McDonald’s ω", "0.58"},
+      {"Shapiro–Wilk W", "0.511"},
+      {"p", ".512"}};
+  const std::string caption = "Reliability of the statements";
+  EXPECT_EQ(row(caption), expected);
+  EXPECT_EQ(
+      tableOf(page_, caption).rows[0],
+      Cells{"Orthopaedic surgeons: Brown–Forsythe F(54, 55) = 5.13, p = .516"});
+}
+
+TEST_F(ReportTables, OfScoresHasMeanDeviationAndIntervalInTheirColumns) {
+  const Row expected{
+      {"Score", "Total"},
+      {"About", "KF"},
+      {"n", "3"},
+      {"Mean", "9.02"},
+      {"SD", "9.03"},
+      {"95 % CI", "[9.04, 9.05]"},
+      {"No score", "91"}};
+  EXPECT_EQ(row("Scored: scores of participants"), expected);
+}
+
+TEST_F(ReportTables, OfAcceptabilityHasThresholdShareAndInterval) {
+  const Row expected{
+      {"Statement", "It was easy."},
+      {"Cohort", "Orthopaedic surgeons"},
+      {"About", "KF"},
+      {"From", "9.5"},
+      {"n", "97"},
+      {"Acceptable", "21 %"},
+      {"95 % CI", "[22 %, 23 %]"}};
+  EXPECT_EQ(row("Scored: participants at or above the threshold of acceptability"), expected);
+}
+
+TEST_F(ReportTables, OfPreferencesHasVotesAndIntervalsOfEachCondition) {
+  const Row expected{
+      {"Cohort", "Orthopaedic surgeons"},
+      {"After", "round-1"},
+      {"Interpolation", "81 [11 %, 12 %]"},
+      {"FEM", "82 [13 %, 14 %]"},
+      {"KF", "83 [15 %, 16 %]"},
+      {"exact p", ".804"}};
+  EXPECT_EQ(row("How many participants named each method"), expected);
+}
+
+// R: t.test(c(1, 2, 4.5)): mean 2.5, interval -1.98 6.98
+TEST_F(ReportTables, OfWhatWasFeltHasThePooledAndTheMeanDifference) {
+  const Row expected{
+      {"Pair", "Interpolation vs. FEM"},
+      {"All samples [N]", "3.00"},
+      {"n", "3"},
+      {"By participant [N]", "2.50"},
+      {"95 % CI", "[-1.98, 6.98]"}};
+  EXPECT_EQ(row("Manipulation check"), expected);
+  EXPECT_EQ(
+      row("Felt against the material"), (Row{{"Alternative", "Interpolation"}, {"[N]", "1.25"}}));
+}
+
+TEST_F(ReportTables, AreFollowedByTheSameNumbersInSentences) {
+  expectSaid(
+      "6.01 points from one position to the next, 95 % CI [6.06, 6.07], t(64) = 6.03, "
+      "p = .605.");
+  expectSaid(
+      "t(36) = 3.05, p = .307, pHolm = .341, mean difference 3.02, 99 % CI [3.08, 3.09], "
+      "gz = 3.16 [3.17, 3.18]");
+  expectSaid(
+      "exact sign flip p = .319, pHolm = .342; signed rank V = 323, p = .321, "
+      "pHolm = .343; BF10 = 3.25");
+  expectSaid("mixed model: t(33.25) = 3.31, p = .333, pHolm = .344, difference 3.28");
+  // exp(1 ± 2.5758 · 0.1)
+  expectSaid(
+      "ordinal mixed model: odds ratio 2.72, 99 % CI [2.10, 3.52], z = 3.34, p = .335, "
+      "pHolm = .345");
+  expectSaid("equivalent within ±0.26: TOST p = .327");
+  expectSaid("Friedman χ²(2) = 4.02, p = .403, W = 0.44, exact p = .405");
+  expectSaid(
+      "Repeated-measures ANOVA F(47, 48) = 4.06, p = .409, partial η² = 0.41, "
+      "Greenhouse–Geisser ε = 0.42, p = .411");
+  expectSaid("variances: participant 4.13, residual 4.14");
+  expectSaid("101 trials, 106 cuts or strokes: 103 PASS, 104 WARN, 105 FAIL.");
+  expectSaid("more than the force limit for 10.7 s of 10.8 s of contact.");
+  expectSaid("Not among them: 102 times");
+  expectSaid("99 % of the ticks were at most 109 µs late.");
+}
+
+TEST_F(ReportTables, HaveTheConfidenceThatGoesWithTheAlphaOfTheFamily) {
+  for (const auto& [alpha, heading] :
+       {std::pair{0.05, "95 % CI"}, std::pair{0.01, "99 % CI"}, std::pair{0.1, "90 % CI"}}) {
+    section_.results.families.front().family.alpha = alpha;
+    const auto page = asHtml({section_});
+    for (const auto* caption : {"Welch’s t-tests", "Differences of participants’ means"}) {
+      EXPECT_EQ(tableOf(page, caption).headings.at(2), heading) << caption;
+    }
+    EXPECT_NE(asRead(page).find("mean difference 3.02, " + std::string(heading)), std::string::npos)
+        << heading;
+  }
+}
+
+/// What the terminal shows of the same results.
+class ResultsText : public testing::Test {
+ protected:
+  void expectSaid(Profile profile, const std::string& words) {
+    const auto text = resultsAsText(*study_, tests::numberedSection().results, profile);
+    EXPECT_NE(text.find(words), std::string::npos) << words << "\nis not in\n" << text;
+  }
+
+  tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity")};
+};
+
+TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesAsPublished) {
+  const auto profile = Profile::AsPublished;
+  expectSaid(profile, "Orthopaedic surgeons: 11 enrolled, 12 completed, 13 in progress, 62 left");
+  expectSaid(profile, "4.0 / 2.4 (n=6)");
+  expectSaid(profile, "1.7 / 0.3 (n=3)");
+  expectSaid(profile, "(alpha per test 0.0025)");
+  expectSaid(
+      profile,
+      "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214     significant");
+  expectSaid(profile, "Interpolation 81");
+  expectSaid(profile, "FEM 82");
+  expectSaid(profile, "KF 83");
+  expectSaid(profile, "exact p = .804");
+  expectSaid(profile, "9.02 9.03 [9.04, 9.05], n = 3");
+}
+
+TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesWithinPeople) {
+  const auto profile = Profile::Recommended;
+  expectSaid(profile, "Orthopaedic surgeons: 41 participants who judged every method");
+  expectSaid(
+      profile,
+      "t(36) = 3.05, p = .307, p_Holm = .341, mean difference 3.02, 99 % CI [3.08, 3.09], "
+      "g_z = 3.16 [3.17, 3.18]");
+  expectSaid(profile, "Order: 6.01 points from one position to the next [6.06, 6.07], p = .605");
+  expectSaid(profile, "Scale, Interpolation: Cronbach's α = 0.53, ω = 0.58, Shapiro–Wilk p = .512");
+  expectSaid(
+      profile, "U = 703.5, exact p = .704, Cliff's δ = 0.71 [0.73, 0.74]; Brunner–Munzel p = .708");
+}
+
+}  // namespace
+}  // namespace study::report
