@@ -1,0 +1,509 @@
+// Every column of every exported table, by name: what it holds, and which tables and columns a
+// blinded export has.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv_table.h"
+#include "study/export.h"
+#include "study/simulated_participant.h"
+#include "study/storage/records.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Names = std::vector<std::string>;
+using Row = std::map<std::string, std::string>;
+
+/// The rows of an exported table, as its CSV file has them, each by the names of its columns.
+std::vector<Row> rowsOf(const DataTable& table) {
+  const auto csv = analysis::readCsv(asCsv(table));
+  std::vector<Row> rows;
+  for (const auto& line : csv.rows) {
+    auto& row = rows.emplace_back();
+    for (std::size_t i = 0; i < csv.columns.size(); ++i) row[csv.columns[i]] = line.cells[i];
+  }
+  return rows;
+}
+
+std::vector<Row> rowsOf(Study& study, const std::string& table, bool isBlinded = false) {
+  for (const auto& each : exportTables(study, {.isBlinded = isBlinded})) {
+    if (each.name == table) return rowsOf(each);
+  }
+  throw std::logic_error("no table " + table);
+}
+
+/// A trial with another number in every field, so that two that are exchanged are noticed.
+TrialRecord numberedTrial() {
+  using Cut = TrialRecord::Cut;
+  TrialRecord trial{
+      .device = "a punch",
+      .travelUnit = "travel_unit",
+      .duration = 1.5,
+      .ticks = 2001,
+      .nominalRate = 1003.0,
+      .achievedRate = 1004.25,
+      .latenessMedian = 5.5,
+      .latenessP99 = 6.5,
+      .latenessLargest = 7.5,
+      .lateTicks = 8,
+      .holes = 9,
+      .lostSamples = 10,
+      .invalidTicks = 11,
+      .saturated = 12.5,
+      .slewed = 13.5,
+      .undefined = 14.5,
+      .contact = 15.5,
+      .largestForce = 16.5,
+      .traceSamples = 17};
+  Cut cut;
+  cut.interception = {.travel = 21.5, .force = 22.5, .found = true};
+  cut.yield = {.travel = 23.5, .force = 24.5, .found = true};
+  cut.bottomOut = {.travel = 25.5, .force = 26.5, .found = true};
+  cut.opening = {.travel = 27.5, .force = 28.5, .found = true};
+  cut.peakForce = 29.5;
+  trial.cuts = {cut, Cut{}, Cut{}};
+  trial.cuts[1].peakForce = 30.5;
+  return trial;
+}
+
+/// The second trial of one participant.
+class ExportedTrial : public testing::Test {
+ protected:
+  ExportedTrial() {
+    tests::walkTo(session_, StepKind::Trial);
+    tests::passStep(session_);
+    tests::walkTo(session_, StepKind::Trial);
+    step_ = session_.step();
+    visit_ = session_.visit();
+    session_.beginTrial();
+    session_.finishTrial(trial_);
+  }
+
+  std::string code() { return conditionCodes(*study_).at(step_.condition); }
+  std::string stepNumber() const { return std::to_string(visit_.step + 1); }
+
+  tests::MadeStudy study_;
+  Session session_ = Session::enrol(*study_, {.cohort = "students", .code = "S17"});
+  TrialRecord trial_ = numberedTrial();
+  Step step_;
+  VisitKey visit_;
+};
+
+TEST_F(ExportedTrial, HasEachNumberInTheColumnThatIsNamedAfterIt) {
+  const auto judgement = trial_.judgement();
+  const Row expected{
+      {"participant_id", "S17"},
+      {"session_num", "1"},
+      {"cohort", "students"},
+      {"run_mode", "live"},
+      {"step_num", stepNumber()},
+      {"attempt", "1"},
+      {"block", "felt"},
+      {"position", "2"},
+      {"alternative", std::to_string(step_.label)},
+      {"condition_code", code()},
+      {"condition", step_.condition},
+      {"device", "a punch"},
+      {"ending", "finished"},
+      {"qc_status", "FAIL"},
+      {"qc_reason", judgement.reason},
+      {"duration_s", "1.5"},
+      {"cuts", "3"},
+      {"contact_s", "15.5"},
+      {"saturation_s", "12.5"},
+      {"slewed_s", "13.5"},
+      {"undefined_s", "14.5"},
+      {"ticks", "2001"},
+      {"nominal_rate_hz", "1003"},
+      {"loop_rate_hz", "1004.25"},
+      {"lateness_p50_us", "5.5"},
+      {"lateness_p99_us", "6.5"},
+      {"lateness_max_us", "7.5"},
+      {"deadline_misses", "8"},
+      {"lost_samples", "10"},
+      {"invalid_ticks", "11"},
+      {"trace_samples", "17"}};
+  const auto rows = rowsOf(*study_, "trials");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1], expected);
+}
+
+TEST_F(ExportedTrial, HasEachLandmarkOfACutInItsOwnColumns) {
+  const Row expected{
+      {"participant_id", "S17"},
+      {"session_num", "1"},
+      {"step_num", stepNumber()},
+      {"attempt", "1"},
+      {"cut_num", "1"},
+      {"interception_travel", "21.5"},
+      {"interception_n", "22.5"},
+      {"yield_travel", "23.5"},
+      {"yield_n", "24.5"},
+      {"bottom_out_travel", "25.5"},
+      {"bottom_out_n", "26.5"},
+      {"opening_travel", "27.5"},
+      {"opening_n", "28.5"},
+      {"peak_n", "29.5"}};
+  std::vector<Row> rows;
+  for (const auto& row : rowsOf(*study_, "cuts")) {
+    if (row.at("step_num") == stepNumber()) rows.push_back(row);
+  }
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0], expected);
+  EXPECT_EQ(rows[1].at("cut_num"), "2");
+  EXPECT_EQ(rows[1].at("peak_n"), "30.5");
+  EXPECT_EQ(rows[1].at("yield_travel"), "") << "a landmark that was not found is missing";
+}
+
+TEST_F(ExportedTrial, IsReadBackFromTheDatabaseAsItWasRecorded) {
+  const auto rows = storage::Records(study_->database()).trials();
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].travelUnit, "travel_unit");
+  EXPECT_EQ(rows[1].largestForce, 16.5);
+}
+
+TEST(Export, SaysOfEveryAnswerWhetherItCountsAndWhyNot) {
+  tests::MadeStudy study;
+  auto completed = Session::enrol(*study, {.cohort = "surgeons", .code = "A1"});
+  tests::walkTo(completed, StepKind::Questionnaire);
+  const auto questions = std::to_string(completed.stepIndex() + 1);
+  tests::passStep(completed);
+  completed.repeatStep("somebody else had answered");
+  tests::walkToTheEnd(completed);
+  auto withdrawn = Session::enrol(*study, {.cohort = "surgeons", .code = "A2"});
+  tests::walkTo(withdrawn, StepKind::Questionnaire);
+  tests::answerStep(withdrawn);
+  withdrawn.withdraw("has to leave");
+  auto skipped = Session::enrol(*study, {.cohort = "surgeons", .code = "A3"});
+  tests::walkTo(skipped, StepKind::Questionnaire);
+  tests::answerStep(skipped);
+  skipped.skipStep("answered for another alternative");
+  tests::walkToTheEnd(skipped);
+
+  std::map<std::string, std::set<std::string>> said;
+  for (const auto& row : rowsOf(*study, "responses")) {
+    if (row.at("step_num") != questions) continue;
+    said[row.at("participant_id") + ", attempt " + row.at("attempt")].insert(
+        row.at("included") + " " + row.at("exclude_reason"));
+  }
+  const std::map<std::string, std::set<std::string>> expected{
+      {"A1, attempt 1", {"false repeated"}},
+      {"A1, attempt 2", {"true "}},
+      {"A2, attempt 1", {"false withdrawn"}},
+      {"A3, attempt 1", {"false skipped"}}};
+  EXPECT_EQ(said, expected);
+}
+
+TEST(Export, KeepsTheEventsThatTellWhatAnAlternativeIsOutOfABlindedTable) {
+  tests::MadeStudy study;
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkTo(session, StepKind::Trial);
+  auto record = tests::feltTrial();
+  record.view = ViewReport{.renderer = "a graphics card", .frames = 512};
+  session.beginTrial();
+  session.finishTrial(record);
+
+  const auto kinds = [&](bool isBlinded) {
+    std::multiset<std::string> found;
+    for (const auto& row : rowsOf(*study, "events", isBlinded)) found.insert(row.at("event"));
+    return found;
+  };
+  const auto blinded = kinds(true);
+  EXPECT_EQ(blinded.count("view"), 0U);
+  EXPECT_EQ(blinded.count("passivity"), 0U);
+  EXPECT_EQ(blinded.count("finished_trial"), 1U);
+  auto open = kinds(false);
+  EXPECT_EQ(open.count("view"), 1U);
+  EXPECT_EQ(open.count("passivity"), 1U);
+  open.erase("view");
+  open.erase("passivity");
+  EXPECT_EQ(open, blinded) << "all others are in both";
+}
+
+/// Conditions in the order of their codes: C1, C2, …
+Names codedConditions(Study& study) {
+  std::map<std::string, std::string> byCode;
+  for (const auto& [condition, code] : conditionCodes(study)) byCode[code] = condition;
+  Names conditions;
+  for (const auto& [code, condition] : byCode) conditions.push_back(code + " " + condition);
+  return conditions;
+}
+
+// Computed in Python, independently of random_stream.cpp: the sorted ids, shuffled as Fisher and
+// Yates do by xoshiro256**, its state filled by SplitMix64 from the seed, 0 and FNV-1a("blinding").
+TEST(ConditionCodes, AreShuffledByTheSeedOfTheStudy) {
+  const auto codes = [](std::uint64_t seed) {
+    tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol()), seed);
+    return codedConditions(*study);
+  };
+  EXPECT_EQ(codes(1), (Names{"C1 kalman", "C2 finite-elements", "C3 interpolation"}));
+  EXPECT_EQ(codes(2), (Names{"C1 finite-elements", "C2 kalman", "C3 interpolation"}));
+  EXPECT_EQ(codes(3), (Names{"C1 interpolation", "C2 finite-elements", "C3 kalman"}));
+  EXPECT_EQ(codes(8), (Names{"C1 interpolation", "C2 kalman", "C3 finite-elements"}));
+}
+
+TEST(ConditionCodes, StayWhenALaterVersionAddsConditions) {
+  tests::MadeStudy study;
+  study->amend(
+      tests::protocolFrom(tests::shortProtocol(
+          {.conditions = {"another", "finite-elements", "interpolation", "kalman"}})),
+      "for a test");
+  EXPECT_EQ(
+      codedConditions(*study),
+      (Names{"C1 kalman", "C2 finite-elements", "C3 interpolation", "C4 another"}));
+}
+
+using Tables = std::map<std::string, Names>;  ///< columns by the table's name
+
+const Tables& blindedTables() {
+  static const Tables kTables{
+      {"sessions",
+       {"participant_id",
+        "session_num",
+        "cohort",
+        "run_mode",
+        "status",
+        "end_reason",
+        "included",
+        "session_language",
+        "place",
+        "started_utc",
+        "ended_utc",
+        "protocol_hash",
+        "app_version"}},
+      {"responses",
+       {"participant_id", "session_num",    "cohort",         "run_mode",       "step_num",
+        "attempt",        "block",          "position",       "alternative",    "condition_code",
+        "instrument",     "item_id",        "item_order",     "item_type",      "key",
+        "response",       "response_keyed", "response_label", "first_touch_s",  "response_time_s",
+        "n_changes",      "language",       "included",       "exclude_reason", "saved_utc"}},
+      {"trials", {"participant_id",  "session_num",     "cohort",          "run_mode",
+                  "step_num",        "attempt",         "block",           "position",
+                  "alternative",     "condition_code",  "device",          "ending",
+                  "qc_status",       "qc_reason",       "duration_s",      "cuts",
+                  "contact_s",       "saturation_s",    "slewed_s",        "undefined_s",
+                  "ticks",           "nominal_rate_hz", "loop_rate_hz",    "lateness_p50_us",
+                  "lateness_p99_us", "lateness_max_us", "deadline_misses", "lost_samples",
+                  "invalid_ticks",   "trace_samples"}},
+      {"events",
+       {"participant_id",
+        "session_num",
+        "step_num",
+        "attempt",
+        "utc",
+        "onset_s",
+        "actor",
+        "event",
+        "detail"}},
+      {"items",
+       {"instrument",
+        "instrument_version",
+        "item_id",
+        "item_num",
+        "item_type",
+        "key",
+        "relative_to",
+        "lowest",
+        "highest",
+        "language",
+        "text",
+        "left_text",
+        "right_text",
+        "scale"}}};
+  return kTables;
+}
+
+const Names kColumnsTable{"table", "column", "type", "description", "value", "label"};
+
+/// Between @p begin and the next @p end.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const auto from = text.find(begin);
+  if (from == std::string::npos) return {};
+  const auto start = from + begin.size();
+  return text.substr(start, text.find(end, start) - start);
+}
+
+/// What a folder holds: its tables, and the names of all other files.
+struct Content {
+  Tables tables;
+  std::set<std::string> others;
+};
+
+/// The table that a file of a BIDS folder holds.
+std::string bidsTable(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const auto acquisition = between(stem, "_acq-", "_");
+  if (!acquisition.empty()) return acquisition;
+  return stem.substr(stem.rfind('_') + 1);
+}
+
+void readJsonTables(const fs::path& file, Tables& tables) {
+  for (const auto& [name, table] : nlohmann::ordered_json::parse(tests::contentOf(file)).items()) {
+    if (!table.is_array()) continue;
+    for (const auto& [column, cell] : table.front().items()) tables[name].push_back(column);
+  }
+}
+
+Content contentOf(const fs::path& folder) {
+  Content content;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    const auto& path = entry.path();
+    const auto text = tests::contentOf(path);
+    const auto name = path.stem().string();
+    if (path.extension() == ".csv") {
+      const auto psychDs = between(name, "_description-", "_data");
+      content.tables[psychDs.empty() ? name : psychDs] = analysis::readCsv(text).columns;
+    } else if (path.extension() == ".tsv") {
+      auto& columns = content.tables[bidsTable(path)];
+      columns.clear();
+      std::istringstream head(text.substr(0, text.find('\n')));
+      for (std::string column; std::getline(head, column, '\t');) columns.push_back(column);
+    } else if (name == "study") {
+      readJsonTables(path, content.tables);
+    } else {
+      content.others.insert(fs::relative(path, folder).generic_string());
+    }
+  }
+  return content;
+}
+
+class BlindedExport : public testing::Test {
+ protected:
+  void take(int people) {
+    simulateCohorts(*study_, study_.clock, people, 3, [](const std::string&) {});
+  }
+
+  Content exported(ExportFormat format, std::optional<std::size_t> publicClass = std::nullopt) {
+    const auto folder = folder_ / ("out" + std::to_string(++exports_));
+    exportStudy(
+        *study_,
+        folder,
+        {.format = format, .runMode = RunMode::Simulated, .publicClass = publicClass});
+    return contentOf(folder);
+  }
+
+  tests::ScratchFolder folder_;
+  tests::MadeStudy study_{tests::libraryProtocol("punch-counterbalanced.json"), 1};
+  int exports_ = 0;
+};
+
+TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsCsvAndJson) {
+  take(2);
+  for (const auto format : {ExportFormat::Csv, ExportFormat::Json}) {
+    const auto content = exported(format);
+    EXPECT_EQ(content.tables, blindedTables()) << static_cast<int>(format);
+    EXPECT_EQ(content.others, (std::set<std::string>{"README.md", "codebook.json"}));
+  }
+}
+
+TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersForRAndPython) {
+  take(2);
+  auto expected = blindedTables();
+  expected["columns"] = kColumnsTable;
+  const auto forR = exported(ExportFormat::R);
+  EXPECT_EQ(forR.tables, expected);
+  EXPECT_EQ(forR.others, (std::set<std::string>{"README.md", "codebook.json", "read_tables.R"}));
+  const auto forPython = exported(ExportFormat::Python);
+  EXPECT_EQ(forPython.tables, expected);
+  EXPECT_EQ(
+      forPython.others, (std::set<std::string>{"README.md", "codebook.json", "read_tables.py"}));
+}
+
+TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsPsychDs) {
+  take(2);
+  const auto content = exported(ExportFormat::PsychDs);
+  EXPECT_EQ(content.tables, blindedTables());
+  std::set<std::string> expected{"README.md", "CHANGES.md", "dataset_description.json"};
+  for (const auto& [table, columns] : blindedTables()) {
+    expected.insert("data/study-punchcounterbalanced_description-" + table + "_data.json");
+  }
+  EXPECT_EQ(content.others, expected);
+}
+
+/// Without the columns that the path of a BIDS file has instead.
+Names withoutWhose(const Names& columns) {
+  return {columns.begin() + 2, columns.end()};
+}
+
+TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsBids) {
+  take(2);
+  auto expected = blindedTables();
+  for (const auto* table : {"sessions", "responses", "trials", "events"}) {
+    expected[table] = withoutWhose(expected[table]);
+  }
+  auto& sessions = expected["sessions"];
+  sessions.insert(sessions.begin(), "session_id");
+  expected["events"] = {
+      "onset", "duration", "step_num", "attempt", "utc", "actor", "event", "detail"};
+  expected["participants"] = {"participant_id", "cohort", "run_mode"};
+  const auto content = exported(ExportFormat::Bids);
+  EXPECT_EQ(content.tables, expected);
+  for (const auto& file : content.others) {
+    EXPECT_TRUE(file.ends_with(".json") || file == "README.md") << file;
+  }
+}
+
+TEST_F(BlindedExport, OfThePublicHasPeopleResponsesAndItemsOnly) {
+  take(12);
+  for (const auto format :
+       {ExportFormat::Csv,
+        ExportFormat::Json,
+        ExportFormat::PsychDs,
+        ExportFormat::R,
+        ExportFormat::Python}) {
+    auto tables = exported(format, kSmallestPublicClass).tables;
+    tables.erase("columns");
+    Names names;
+    for (const auto& [name, columns] : tables) names.push_back(name);
+    EXPECT_EQ(names, (Names{"items", "participants", "responses"})) << static_cast<int>(format);
+    auto& responses = tables["responses"];
+    std::erase_if(responses, [](const auto& column) {
+      return column == "cohort" || column == "position";  // told where enough people share them
+    });
+    EXPECT_EQ(
+        responses,
+        (Names{
+            "participant_id",
+            "block",
+            "condition_code",
+            "instrument",
+            "item_id",
+            "item_type",
+            "key",
+            "response",
+            "response_keyed",
+            "response_label"}));
+  }
+}
+
+TEST_F(BlindedExport, LacksCutsStatisticsVotesAndConditions) {
+  take(2);
+  const auto folder = folder_ / "open";
+  exportStudy(*study_, folder, {.runMode = RunMode::Simulated, .isBlinded = false}, "for a test");
+  auto tables = contentOf(folder).tables;
+  for (const auto* table : {"cuts", "statistics", "votes"}) {
+    EXPECT_EQ(tables.erase(table), 1U) << table;
+  }
+  for (const auto* table : {"responses", "trials"}) {
+    EXPECT_EQ(std::erase(tables[table], "condition"), 1U) << table;
+  }
+  EXPECT_EQ(tables, blindedTables());
+}
+
+}  // namespace
+}  // namespace study
