@@ -1,0 +1,72 @@
+// A commit that fails: nothing has changed, on the disk and in the session.
+#include <functional>
+#include <tuple>
+
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include "study/verification.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study::storage {
+namespace {
+
+class FailedCommitTest : public testing::Test {
+ protected:
+  /// Everything that a session says about where it is.
+  auto situation() {
+    return std::tuple(
+        session_.state(),
+        session_.isOver() ? -1 : session_.stepIndex(),
+        session_.visit(),
+        session_.language(),
+        session_.answers(),
+        tests::eventsOf(*study_, session_.id()));
+  }
+
+  /// SQLite asks the hook before each commit, and rolls back where it answers other than 0.
+  void letCommits(bool succeed) {
+    sqlite3_commit_hook(
+        study_->database().handle(), succeed ? nullptr : +[](void*) { return 1; }, nullptr);
+  }
+
+  /// Does what @p action does, but only after its first commit has failed without a trace.
+  void failFirst(const char* name, const std::function<void()>& action) {
+    SCOPED_TRACE(name);
+    const auto before = situation();
+    letCommits(false);
+    EXPECT_THROW(action(), StorageError);
+    letCommits(true);
+    EXPECT_EQ(situation(), before);
+    action();
+    EXPECT_NE(situation(), before);
+  }
+
+  tests::MadeStudy study_;
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_F(FailedCommitTest, LeavesTheSessionWhereItWas) {
+  const auto consent = session_.items().front();
+  failFirst("answer", [&] { session_.record(tests::answerTo(session_, consent)); });
+  failFirst("language", [&] { session_.setLanguage("de"); });
+  failFirst("finish a step", [&] { session_.finishStep(); });
+  tests::walkTo(session_, StepKind::Trial);
+  failFirst("pause", [&] { session_.pause("the telephone"); });
+  failFirst("resume", [&] { session_.resumeAfterPause(); });
+  failFirst("begin a trial", [&] { session_.beginTrial(); });
+  failFirst("break off", [&] { session_.breakOffTrial({.ending = TrialEnding::Stopped}); });
+  failFirst("repeat", [&] { session_.repeatStep("stopped by mistake"); });
+  session_.beginTrial();
+  failFirst("finish a trial", [&] { session_.finishTrial(tests::feltTrial()); });
+  failFirst("skip", [&] { session_.skipStep("no time"); });
+  failFirst("note", [&] { session_.note("wears gloves"); });
+  failFirst("withdraw", [&] { session_.withdraw("enough"); });
+  EXPECT_EQ(session_.state(), SessionState::Withdrawn);
+  const auto report = verify(*study_);
+  EXPECT_TRUE(report.isSound());
+}
+
+}  // namespace
+}  // namespace study::storage
