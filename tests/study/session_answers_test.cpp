@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "study/storage/answer_repository.h"
+#include "study/storage/records.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
@@ -74,6 +75,40 @@ TEST_F(SessionAnswersTest, ChangesAnAnswerInPlace) {
   const auto events = study_->events().read(session_.id());
   EXPECT_EQ(events.back().detail, "agree = 4");
   EXPECT_EQ(events[events.size() - 2].detail, "agree = 2");  // nothing is forgotten
+}
+
+TEST_F(SessionAnswersTest, KeepsTheChangesTimeAndLanguageOfACorrectedAnswer) {
+  session_.record(
+      {.item = "agree",
+       .response = std::int64_t{2},
+       .itemOrder = 4,
+       .firstTouch = 1.25,
+       .responseTime = 2.5,
+       .changes = 0,
+       .language = "en"});
+  session_.record(
+      {.item = "agree",
+       .response = std::int64_t{5},
+       .itemOrder = 4,
+       .firstTouch = 1.25,
+       .responseTime = 7.75,
+       .changes = 3,
+       .language = "de"});
+  const GivenAnswer corrected{
+      .item = "agree",
+      .response = std::int64_t{5},
+      .itemOrder = 4,
+      .firstTouch = 1.25,
+      .responseTime = 7.75,
+      .changes = 3,
+      .language = "de"};
+  EXPECT_EQ(kept("agree"), corrected);
+  EXPECT_EQ(session_.answers(), std::vector<GivenAnswer>{corrected});
+  bool isExported = false;
+  for (const auto& row : storage::Records(study_->database()).answers()) {
+    isExported = isExported || row.answer == corrected;
+  }
+  EXPECT_TRUE(isExported);
 }
 
 TEST_F(SessionAnswersTest, RefusesWhatCannotBeAnAnswer) {

@@ -153,6 +153,56 @@ TEST_F(SessionStepsTest, NeitherSkipsNorRepeatsConsent) {
   EXPECT_THROW(session_.repeatStep("again, please"), NotNow);
 }
 
+/// A consent form with two boxes, both of which have to be ticked, and one that need not be.
+std::string twoConsents() {
+  const auto box = [](const std::string& id, bool isRequired) {
+    return R"({"id": ")" + id + R"(", "type": "single_choice", "required": )" +
+           (isRequired ? "true" : "false") + R"(, "consent_option": "yes",
+        "text": {"en": "Do you agree?", "de": "Sind Sie einverstanden?", "nb": "Samtykker du?"},
+        "options": [{"id": "yes", "text": {"en": "Yes", "de": "Ja", "nb": "Ja"}},
+                    {"id": "no", "text": {"en": "No", "de": "Nein", "nb": "Nei"}}]})";
+  };
+  return R"({"$schema": "instrument-1.schema.json", "id": "two-consents", "version": "1",
+    "title": {"en": "Consent", "de": "Einwilligung", "nb": "Samtykke"},
+    "source": {"citation": "Own wording.", "licence": "CC0-1.0"},
+    "languages": ["en", "de", "nb"], "items": [)" +
+         box("study", true) + "," + box("storage", true) + "," + box("video", false) + "]}";
+}
+
+class TwoConsents
+    : public testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
+ protected:
+  static std::string protocol() {
+    auto json = tests::shortProtocol({.files = R"("two-consents.json")"});
+    const std::string shipped = "consent-punch";
+    return json.replace(json.find(shipped), shipped.size(), "two-consents");
+  }
+
+  MadeStudy study_{tests::protocolFrom(protocol(), {{"two-consents.json", twoConsents()}})};
+  Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
+};
+
+TEST_P(TwoConsents, AreBothNeededAndAnOptionalOneIsNot) {
+  const auto& [study, storage, video] = GetParam();
+  session_.record({.item = "study", .response = std::string(study), .itemOrder = 1});
+  session_.record({.item = "storage", .response = std::string(storage), .itemOrder = 2});
+  session_.record({.item = "video", .response = std::string(video), .itemOrder = 3});
+  session_.finishStep();
+  const bool gaveBoth = std::string(study) == "yes" && std::string(storage) == "yes";
+  EXPECT_EQ(session_.state(), gaveBoth ? SessionState::Consented : SessionState::Declined);
+  EXPECT_EQ(session_.isOver(), !gaveBoth);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of,
+    TwoConsents,
+    testing::Values(
+        std::tuple("yes", "yes", "yes"),
+        std::tuple("yes", "yes", "no"),
+        std::tuple("yes", "no", "yes"),
+        std::tuple("no", "yes", "yes"),
+        std::tuple("no", "no", "yes")));
+
 TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
   tests::walkTo(session_, StepKind::Questionnaire);
   tests::answerStep(session_);
