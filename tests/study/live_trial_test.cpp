@@ -9,6 +9,7 @@
 
 #include "haptics/devices/simulated_device.h"
 #include "study/rig.h"
+#include "tests/study/faulting_device.h"
 
 namespace study {
 namespace {
@@ -86,12 +87,49 @@ TEST_F(LiveTrialTest, SaysThatTheDeviceIsGone) {
   EXPECT_EQ(live.finish(TrialEnding::Finished).ending, TrialEnding::DeviceGone);
 }
 
+TEST_F(LiveTrialTest, StopsForADeviceThatSaysItIsFaulty) {
+  tests::FaultingDevice device;
+  Trial trial(
+      device,
+      {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
+       .limits = {.maxForce = 8.0, .maxRate = 500.0},
+       .keep = [](int, const std::vector<TraceSample>&) {}});
+  LiveTrial live(trial);
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= 20; }));
+  device.fail();
+  ASSERT_TRUE(wait([&] { return live.status().isDeviceGone; }));
+  EXPECT_TRUE(trial.isStopped());
+  const auto record = live.finish(TrialEnding::Finished);
+  EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
+  EXPECT_EQ(record.deviceFault, "The encoder has failed.");
+}
+
 TEST_F(LiveTrialTest, LetsGoWhereNothingCanBeKept) {
   isDiskFull_ = true;
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
   EXPECT_EQ(live.finish(TrialEnding::Finished).ending, TrialEnding::TraceLost);
   EXPECT_EQ(device_.commandedForce(), 0.0);
+}
+
+TEST_F(LiveTrialTest, HasNoForceFromTheMomentOnWhereNothingCanBeKept) {
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
+  isDiskFull_ = true;  // for the next chunk, which is due within a second
+  ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
+
+  EXPECT_TRUE(trial_.isStopped()) << "before anybody finishes the trial";
+  const auto stopped = live.status().ticks + 1;  // one may have been under way
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= stopped + 200; }));
+  haptics::engine::TickSample sample;
+  int seen = 0;
+  while (live.nextToPlot(sample)) {
+    if (sample.tick <= stopped) continue;
+    ++seen;
+    ASSERT_EQ(sample.force, 0.0) << "tick " << sample.tick;
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_EQ(live.status().force, 0.0);
 }
 
 }  // namespace

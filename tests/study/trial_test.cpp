@@ -7,6 +7,7 @@
 
 #include "haptics/devices/simulated_device.h"
 #include "study/rig.h"
+#include "tests/study/faulting_device.h"
 #include "tests/study/made_study.h"
 
 namespace study {
@@ -117,6 +118,19 @@ TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
   EXPECT_EQ(record.invalidTicks, 1);
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
   EXPECT_NE(record.judgement().reason.find("aborted_hardware"), std::string::npos);
+}
+
+TEST_F(TrialTest, EndsWithTheDevicesOwnWordsWhereItIsFaulty) {
+  tests::FaultingDevice device;
+  Trial trial(device, setup());
+  for (int i = 0; i < 10; ++i) trial.keep(trial.step(1e-3));
+  device.fail();
+  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  EXPECT_TRUE(trial.isStopped());
+  EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
+  EXPECT_EQ(record.ticks, 11) << "in its first faulty tick";
+  EXPECT_EQ(record.deviceFault, "The encoder has failed.");
+  EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
 }
 
 TEST_F(TrialTest, HasNoForceFromTheTickOnAfterSomebodyPressedStop) {

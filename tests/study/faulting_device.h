@@ -1,0 +1,32 @@
+#pragma once
+
+#include <atomic>
+
+#include "haptics/devices/simulated_device.h"
+
+namespace tests {
+
+/// A punch that stands still, and says that it is faulty once it is told to.
+class FaultingDevice final : public haptics::devices::Device {
+ public:
+  const haptics::devices::Capabilities& capabilities() const noexcept override {
+    return capabilities_;
+  }
+  haptics::devices::DeviceSample read(double /*dt*/) noexcept override {
+    using enum haptics::devices::DeviceStatus;
+    return {.status = isFaulty_.load(std::memory_order_relaxed) ? Faulted : Ok};
+  }
+  void command(double /*force*/) noexcept override {}
+  std::string fault() const override {
+    return isFaulty_.load(std::memory_order_relaxed) ? "The encoder has failed." : "";
+  }
+
+  /// Any thread.
+  void fail() noexcept { isFaulty_.store(true, std::memory_order_relaxed); }
+
+ private:
+  haptics::devices::Capabilities capabilities_ = haptics::devices::simulatedPunch();
+  std::atomic<bool> isFaulty_{false};
+};
+
+}  // namespace tests
