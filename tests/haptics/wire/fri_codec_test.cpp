@@ -1,6 +1,7 @@
 #include "haptics/wire/fri_codec.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -387,6 +388,59 @@ TEST(FriCodec, WritesAndReadsWhatWasObserved) {
   CommandMessage message;
   EXPECT_EQ(decode(expected, Version::V1_15, message), Refusal::None);
   EXPECT_EQ(message, observed());
+}
+
+/// A field of so many bytes, below 16 384, as protobuf writes it.
+Bytes field(int number, const Bytes& content) {
+  Bytes bytes{static_cast<std::uint8_t>(number << 3 | 2)};
+  const auto size = content.size();
+  if (size < 0x80) {
+    bytes.push_back(static_cast<std::uint8_t>(size));
+  } else {
+    bytes.push_back(static_cast<std::uint8_t>((size & 0x7f) | 0x80));
+    bytes.push_back(static_cast<std::uint8_t>(size >> 7));
+  }
+  bytes.insert(bytes.end(), content.begin(), content.end());
+  return bytes;
+}
+
+Joints jointsFrom(double first) {
+  Joints joints{};
+  for (double& joint : joints) joint = first++;
+  return joints;
+}
+
+/// The values of seven joints: field 1, seven times, each with eight bytes.
+Bytes onTheWire(const Joints& joints) {
+  Bytes bytes;
+  for (const double joint : joints) {
+    bytes.push_back(1 << 3 | 1);
+    const auto bits = std::bit_cast<std::uint64_t>(joint);
+    for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<std::uint8_t>(bits >> (8 * i)));
+  }
+  return bytes;
+}
+
+TEST(FriCodec, ReadsAndWritesTheValuesOfJointsInTheFieldsOfTheirNumbers) {
+  // Fields 1 to 5 of the monitor data, in the order of tests/data/fri/fri_messages.proto.
+  Bytes data;
+  for (int number = 1; number <= 5; ++number) {
+    const auto joints = field(number, onTheWire(jointsFrom(10.0 * number)));
+    data.insert(data.end(), joints.begin(), joints.end());
+  }
+  auto datagram = encoded(MonitoringMessage{.header = {kMonitoring, 600, 598}}, Version::V1_15);
+  const auto monitorData = field(3, data);
+  datagram.insert(datagram.end(), monitorData.begin(), monitorData.end());
+
+  MonitoringMessage message;
+  ASSERT_EQ(decode(datagram, Version::V1_15, message), Refusal::None);
+  ASSERT_TRUE(message.monitorData.has_value());
+  EXPECT_EQ(message.monitorData->measuredPosition, jointsFrom(10.0));
+  EXPECT_EQ(message.monitorData->measuredTorque, jointsFrom(20.0));
+  EXPECT_EQ(message.monitorData->commandedPosition, jointsFrom(30.0));
+  EXPECT_EQ(message.monitorData->commandedTorque, jointsFrom(40.0));
+  EXPECT_EQ(message.monitorData->externalTorque, jointsFrom(50.0));
+  EXPECT_EQ(encoded(message, Version::V1_15), datagram);
 }
 
 TEST(FriCodec, HasTheObservedSizes) {
