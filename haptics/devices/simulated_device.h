@@ -54,8 +54,8 @@ class SimulatedDevice final : public Device {
   double force_ = 0.0;
 };
 
-/// The device of the punch paper, simulated: an encoder of 0.0439° as 0.0439 travel units, 8 N at the
-/// handle.
+/// The device of the punch paper, simulated: an encoder of 0.0439° as 0.0439 travel units, 8 N at
+/// the handle.
 Capabilities simulatedPunch();
 SimulatedDevice::Mechanism punchMechanism();
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/emulators/connection_quality.h"
 #include "haptics/devices/datagram_socket.h"
+#include "haptics/emulators/connection_quality.h"
 #include "haptics/emulators/fri_answers.h"
 #include "haptics/emulators/fri_arm.h"
 #include "haptics/emulators/fri_limits.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptics/models/compensated_sum.h"
+#include "haptics/models/finite.h"
 #include "haptics/models/response.h"
 
 namespace haptics::models {
@@ -148,7 +149,6 @@ class FiniteElements {
     Scalar right{};
   };
 
-  static constexpr bool isFinite(Scalar value) noexcept { return value - value == Scalar{0}; }
   static constexpr bool isEndless(Scalar value) noexcept { return !isFinite(value); }
 
   /// a b / (a + b); either may be nothing or without end.

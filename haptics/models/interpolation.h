@@ -2,6 +2,7 @@
 
 #include <stddef.h>
 
+#include "haptics/models/finite.h"
 #include "haptics/models/response.h"
 #include "haptics/models/segment_index.h"
 
@@ -57,7 +58,7 @@ class Interpolation {
       if (!isFinite(nodes[i]) || !(nodes[i].travel > nodes[i - 1].travel)) return false;
       const Scalar slope =
           (nodes[i].force - nodes[i - 1].force) / (nodes[i].travel - nodes[i - 1].travel);
-      if (slope - slope != Scalar{0}) return false;
+      if (!models::isFinite(slope)) return false;
     }
     return true;
   }

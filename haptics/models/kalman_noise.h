@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptics/models/covariance.h"
+#include "haptics/models/finite.h"
 #include "haptics/models/kalman_filter.h"
 
 namespace haptics::models {
@@ -44,7 +45,7 @@ struct KalmanNoise {
     const Scalar sum = processForce + processCovariance + processStiffness + finiteElements +
                        interpolation + wandering;
     const Scalar product = processForce * processStiffness;
-    if (!(sum - sum == Scalar{0}) || !(product - product == Scalar{0})) {
+    if (!isFinite(sum) || !isFinite(product)) {
       return "a variance of the Kalman filter is not finite";
     }
     if (finiteElements < Scalar{0} || interpolation < Scalar{0}) {

@@ -67,7 +67,8 @@ std::optional<std::string> feedChanged(const Series& series) {
   for (std::size_t part = 0; part < kParts; ++part) {
     if (std::abs(feeds[part] - usual) <= kTolerated * usual) continue;
     const auto second = [&](std::size_t of) {
-      return shown(static_cast<double>(of * (x.size() - 1) / kParts) / series.rate);
+      const std::size_t sample = of * (x.size() - 1) / kParts;
+      return shown(static_cast<double>(sample) / series.rate);
     };
     return "the feed was changed: it is " + shown(kMillimetres * feeds[part], 3) +
            " mm/s between " + second(part) + " and " + second(part + 1) + " s, and mostly " +

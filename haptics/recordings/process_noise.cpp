@@ -24,8 +24,7 @@ double covarianceOf(const std::vector<double>& a, const std::vector<double>& b) 
 
 }  // namespace
 
-ProcessNoise processNoiseOf(
-    const Trace& trace, std::span<const RowRange> rows, double leastStep) {
+ProcessNoise processNoiseOf(const Trace& trace, std::span<const RowRange> rows, double leastStep) {
   constexpr std::size_t kFewest = 3;
   std::vector<double> force;
   std::vector<double> stiffness;

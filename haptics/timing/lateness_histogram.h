@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace haptics::timing {
@@ -23,7 +24,7 @@ class LatenessHistogram {
   static int binOf(double lateness) noexcept;
   static double upperEdgeOf(int bin) noexcept;
 
-  std::array<std::uint64_t, kPerOctave * kOctaves> bins_{};
+  std::array<std::uint64_t, std::size_t{kPerOctave} * kOctaves> bins_{};
   std::uint64_t count_ = 0;
   double largest_ = 0.0;
 };

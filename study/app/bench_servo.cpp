@@ -112,7 +112,8 @@ std::vector<Target> servoTargets(const ServoMeasurement& measured) {
   if (measured.recorders.empty()) return targets;
   const auto& ours = measured.recorders.front();
   const auto& raw = measured.recorders.back();
-  targets.push_back({"recorder", "samples a second, in millions", ours.samplesPerSecond / 1e6, 1.0});
+  targets.push_back(
+      {"recorder", "samples a second, in millions", ours.samplesPerSecond / 1e6, 1.0});
   targets.push_back({"recorder", "bytes a sample", ours.bytesPerSample, 66.0, true});
   targets.push_back(
       {"recorder",

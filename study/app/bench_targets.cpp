@@ -34,7 +34,14 @@ constexpr const char* kLu = "Eigen dense LU, each step";
 constexpr const char* kAlike = "elements alike";
 
 constexpr RatioTarget kRatios[]{
-    {"splines", "coherent, 12 nodes: times as fast as GSL", "splines", "coherent", 12, kGsl, kOurs, 1.4},
+    {"splines",
+     "coherent, 12 nodes: times as fast as GSL",
+     "splines",
+     "coherent",
+     12,
+     kGsl,
+     kOurs,
+     1.4},
     {"splines",
      "coherent, 12 nodes: times as fast as Boost",
      "splines",
@@ -59,9 +66,23 @@ constexpr RatioTarget kRatios[]{
      kBoost,
      kOurs,
      3.0},
-    {"splines", "cold, 12 nodes: times as fast as Boost", "splines", "cold", 12, kBoost, kOurs, 1.0},
+    {"splines",
+     "cold, 12 nodes: times as fast as Boost",
+     "splines",
+     "cold",
+     12,
+     kBoost,
+     kOurs,
+     1.0},
     {"splines", "cold, 12 nodes: times as fast as GSL", "splines", "cold", 12, kGsl, kOurs, 1.8},
-    {"splines", "cold, 100 nodes: times as fast as Boost", "splines", "cold", 100, kBoost, kOurs, 1.0},
+    {"splines",
+     "cold, 100 nodes: times as fast as Boost",
+     "splines",
+     "cold",
+     100,
+     kBoost,
+     kOurs,
+     1.0},
     {"splines", "cold, 100 nodes: times as fast as GSL", "splines", "cold", 100, kGsl, kOurs, 1.8},
     {"splines",
      "cold, 10,000 nodes: times as fast as Boost",
@@ -71,7 +92,14 @@ constexpr RatioTarget kRatios[]{
      kBoost,
      kOurs,
      1.0},
-    {"splines", "cold, 10,000 nodes: times as fast as GSL", "splines", "cold", 10'000, kGsl, kOurs, 1.8},
+    {"splines",
+     "cold, 10,000 nodes: times as fast as GSL",
+     "splines",
+     "cold",
+     10'000,
+     kGsl,
+     kOurs,
+     1.8},
     {"splines",
      "coherent, 12 nodes: times one cubic",
      "splines",
@@ -90,8 +118,22 @@ constexpr RatioTarget kRatios[]{
      kHorner,
      5.0,
      true},
-    {"finite elements", "N = 5: times as fast as dense LU", "finite elements", kAlike, 5, kLu, kMesh, 12},
-    {"finite elements", "N = 15: times as fast as dense LU", "finite elements", kAlike, 15, kLu, kMesh, 45},
+    {"finite elements",
+     "N = 5: times as fast as dense LU",
+     "finite elements",
+     kAlike,
+     5,
+     kLu,
+     kMesh,
+     12},
+    {"finite elements",
+     "N = 15: times as fast as dense LU",
+     "finite elements",
+     kAlike,
+     15,
+     kLu,
+     kMesh,
+     45},
     {"finite elements",
      "N = 12,445: times as fast as LDLᵀ factorised before",
      "finite elements",
@@ -240,7 +282,8 @@ void addDensityTargets(const Measured& all, std::vector<Target>& targets) {
     return isIt ? m.error : std::nullopt;
   });
   if (gap)
-    targets.push_back({"densities", "densities: above the bounded optimum, a share", *gap, 0.01, true});
+    targets.push_back(
+        {"densities", "densities: above the bounded optimum, a share", *gap, 0.01, true});
   const auto* best = find(all, "density", "all spheres", ours, 1e-6);
   const auto* swarm = find(all, "density", "all spheres", "swarm, median of 20 seeds", 8);
   if (best == nullptr || swarm == nullptr) return;
@@ -273,12 +316,20 @@ void addFilterTargets(const Measured& all, std::vector<Target>& targets) {
   const auto* oracle = find(all, "filter", cutoff, "the best of all cut-offs");
   if (found != nullptr && oracle != nullptr) {
     targets.push_back(
-        {"low-pass", "residual: times the best cut-off's", *found->error / *oracle->error, 4.0, true});
+        {"low-pass",
+         "residual: times the best cut-off's",
+         *found->error / *oracle->error,
+         4.0,
+         true});
   }
   if (const auto* all200 =
           find(all, "filter", "199,999 samples: cut-off, filter, nodes", "palpate")) {
     targets.push_back(
-        {"low-pass", "2000 s at 100 Hz prepared [ms]", all200->time->median / kMillisecond, 25.0, true});
+        {"low-pass",
+         "2000 s at 100 Hz prepared [ms]",
+         all200->time->median / kMillisecond,
+         25.0,
+         true});
   }
 }
 

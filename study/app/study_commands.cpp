@@ -169,7 +169,8 @@ int status(const StudyArguments& options) {
       metadata.id,
       metadata.version,
       current.sha256.substr(0, 12),
-      current.frozenUtc ? "frozen " + *current.frozenUtc : "not frozen yet: no live participant has begun",
+      current.frozenUtc ? "frozen " + *current.frozenUtc
+                        : "not frozen yet: no live participant has begun",
       study.seed(),
       study.createdUtc());
   fmt::print(

@@ -55,8 +55,9 @@ TEST(EqualShares, AreTheBinomialTestForTwoOptions) {
 }
 
 TEST(EqualShares, HaveTheirExactProbability) {
-  EXPECT_EQ(equalSharesP(votes({3, 0, 0})), 3.0 / 27.0);                  // AAA, BBB, CCC
-  EXPECT_NEAR(equalSharesP(votes({11, 1, 9})).value(), 0.0081, 0.00005);  // votes of TABLE 4, punch paper
+  EXPECT_EQ(equalSharesP(votes({3, 0, 0})), 3.0 / 27.0);  // AAA, BBB, CCC
+  EXPECT_NEAR(
+      equalSharesP(votes({11, 1, 9})).value(), 0.0081, 0.00005);  // votes of TABLE 4, punch paper
 }
 
 TEST(EqualShares, AgreeWithWalkingThroughAllOutcomes) {

@@ -171,7 +171,8 @@ TEST(Flags, CountWhatIsMissing) {
   const auto flags = analysis::flagsOf(table, facts);
   ASSERT_EQ(flags.size(), 1U);
   EXPECT_EQ(flags[0].id, "missing_cells");
-  EXPECT_EQ(flags[0].inEnglish().rfind("1 of 24 answers is missing, in 1 of 12", 0), 0U) << flags[0].inEnglish();
+  EXPECT_EQ(flags[0].inEnglish().rfind("1 of 24 answers is missing, in 1 of 12", 0), 0U)
+      << flags[0].inEnglish();
 }
 
 TEST(Flags, NameTrialsThatWereNotRenderedAsMeant) {

@@ -9,7 +9,9 @@ namespace tests {
 namespace {
 
 std::string content(const std::string& relative) {
-  return contentOf(relative.starts_with("nist/") ? fetchedData("stats/" + relative) : testData("stats/" + relative));
+  return contentOf(
+      relative.starts_with("nist/") ? fetchedData("stats/" + relative)
+                                    : testData("stats/" + relative));
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ const std::vector<Refusal>& refusedPlans() {
       {"family-correction-misspelt",
        "$.analysis.families[0].correction",
        "unknown word 'bonferoni'",
-       "did you mean 'bonferroni'? one of: bonferroni, holm, hochberg, hommel, bh, by, holm_sidak, none"},
+       "did you mean 'bonferroni'? one of: bonferroni, holm, hochberg, hommel, bh, by, holm_sidak, "
+       "none"},
       {"family-key-misspelt",
        "$.analysis.families[0].block",
        "unknown key 'block'",

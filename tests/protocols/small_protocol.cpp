@@ -12,8 +12,7 @@
 namespace tests {
 namespace {
 
-const std::filesystem::path kCorpora =
-    tests::repository() / "tests/protocols/data";
+const std::filesystem::path kCorpora = tests::repository() / "tests/protocols/data";
 
 }  // namespace
 

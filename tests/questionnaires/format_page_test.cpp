@@ -106,8 +106,7 @@ TEST(QuestionnaireFormatPage, ShowsEveryTypeOfItem) {
 }
 
 TEST(QuestionnaireFormatPage, ListsTheWholeLibrary) {
-  const std::filesystem::path folder =
-      tests::repository() / "questionnaires/library";
+  const std::filesystem::path folder = tests::repository() / "questionnaires/library";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().stem().string();
     EXPECT_NE(kPage.find("`" + name), std::string::npos) << name;

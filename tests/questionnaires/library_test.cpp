@@ -19,8 +19,7 @@
 namespace questionnaires {
 namespace {
 
-const std::filesystem::path kFolder =
-    tests::repository() / "questionnaires/library";
+const std::filesystem::path kFolder = tests::repository() / "questionnaires/library";
 
 using tests::isInstrument;
 using tests::shipped;

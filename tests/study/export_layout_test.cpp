@@ -467,7 +467,8 @@ TEST_F(ComputedAgainTest, InRFindsAnOrdinalEstimateThatIsAHundredthOff) {
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
   const auto table = (folder / "statistics.csv").string();
   const std::string change =
-      "f <- '" + table + "'; s <- read.csv(f, na.strings = ''); i <- s$method == 'ordinal_model'; "
+      "f <- '" + table +
+      "'; s <- read.csv(f, na.strings = ''); i <- s$method == 'ordinal_model'; "
       "s$estimate[i] <- 1.01 * s$estimate[i]; write.csv(s, f, row.names = FALSE, na = '')";
   ASSERT_EQ(tests::run({"Rscript", "-e", change}).status, 0);
   const auto finished = tests::run({"Rscript", (folder / "analysis.R").string(), folder.string()});
@@ -492,8 +493,8 @@ TEST_F(ComputedAgainTest, SaysHowToGetSciPyWhereItIsMissing) {
   EXPECT_EQ(contentOf(folder / "README.md").find("analysis.R"), std::string::npos);
   std::ofstream(folder_ / "scipy.py") << "raise ImportError('there is none here')\n";
   const auto script = (folder / "analysis.py").string();
-  const auto finished = tests::run(
-      {"env", "PYTHONPATH=" + folder_.path().string(), python, script, folder.string()});
+  const auto finished =
+      tests::run({"env", "PYTHONPATH=" + folder_.path().string(), python, script, folder.string()});
   EXPECT_EQ(finished.status, 2) << finished.out << finished.error;
   EXPECT_NE(finished.error.find("needs NumPy and SciPy"), std::string::npos) << finished.error;
   EXPECT_NE(finished.error.find("apt install python3-scipy"), std::string::npos);

@@ -7,8 +7,8 @@ namespace tests {
 /// The program 'palpate' of this build, with the sanitizers that it was built with.
 std::string program();
 
-/// The program as it is shipped, for tests that start it hundreds of times: the environment variable
-/// PALPATE_RELEASE_PROGRAM names it; without it, the program of this build.
+/// The program as it is shipped, for tests that start it hundreds of times: the environment
+/// variable PALPATE_RELEASE_PROGRAM names it; without it, the program of this build.
 std::string releaseProgram();
 
 /// The windows, 'palpate-studio', of this build.

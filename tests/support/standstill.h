@@ -7,8 +7,8 @@
 namespace tests {
 
 /// Watches how punctual this machine is while a test runs: a thread that asks to be woken every
-/// millisecond and keeps how late it was at most. A test of a device fails for no fault of ours when
-/// the machine stands still for longer than a device waits (20 ms).
+/// millisecond and keeps how late it was at most. A test of a device fails for no fault of ours
+/// when the machine stands still for longer than a device waits (20 ms).
 class StandstillWatch {
  public:
   StandstillWatch();
@@ -24,8 +24,9 @@ class StandstillWatch {
   std::thread thread_;
 };
 
-/// Runs all tests. When PALPATE_JUDGE_MACHINE is set, a run that fails on a machine that stood still
-/// for 10 ms or longer says so and ends with kMachineStoodStill, which ctest counts as skipped.
+/// Runs all tests. When PALPATE_JUDGE_MACHINE is set, a run that fails on a machine that stood
+/// still for 10 ms or longer says so and ends with kMachineStoodStill, which ctest counts as
+/// skipped.
 int runAllTests();
 
 inline constexpr int kMachineStoodStill = 77;

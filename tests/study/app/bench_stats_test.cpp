@@ -12,8 +12,8 @@
 #include "study/pooled_answers.h"
 #include "study/storage/coded_answers.h"
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study::app {
 namespace {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.h"
+#include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
-#include "tests/support/programs.h"
 
 namespace {
 

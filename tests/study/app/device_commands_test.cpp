@@ -330,8 +330,8 @@ TEST(DeviceEmulators, DoNotTakeANameThatAnotherHas) {
   tests::ScratchFolder folder;
   const std::string port = folder / "port";
   Emulator punch({"punch", "--link", port});
-  const auto second =
-      tests::run({tests::program(), "device", "emulate", "punch", "--link", port, "--seconds", "1"});
+  const auto second = tests::run(
+      {tests::program(), "device", "emulate", "punch", "--link", port, "--seconds", "1"});
   EXPECT_EQ(second.status, 1);
   EXPECT_NE(second.error.find("another emulator has it"), std::string::npos) << second.error;
   EXPECT_NE(punch.ask("status").find("plugged=1"), std::string::npos);

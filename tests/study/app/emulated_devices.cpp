@@ -12,8 +12,8 @@
 
 #include "haptics/devices/datagram_socket.h"
 #include "tests/study/storage/sql.h"
-#include "tests/support/test_data.h"
 #include "tests/support/programs.h"
+#include "tests/support/test_data.h"
 
 namespace tests {
 namespace {

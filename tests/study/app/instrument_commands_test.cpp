@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 

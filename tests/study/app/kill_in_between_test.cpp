@@ -11,8 +11,8 @@
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/child_process.h"
-#include "tests/support/test_data.h"
 #include "tests/support/programs.h"
+#include "tests/support/test_data.h"
 
 namespace study {
 namespace {

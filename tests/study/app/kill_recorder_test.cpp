@@ -11,8 +11,8 @@
 #include "study/storage/study_schema.h"
 #include "study/storage/trace_store.h"
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study {
 namespace {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 

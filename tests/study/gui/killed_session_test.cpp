@@ -10,8 +10,8 @@
 #include "study/verification.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study::gui {
 namespace {

@@ -23,7 +23,8 @@ std::string textsIn(const std::string& svg) {
   QXmlStreamReader reader(QString::fromStdString(svg));
   QString texts;
   while (!reader.atEnd()) {
-    if (reader.readNext() == QXmlStreamReader::Characters) texts += reader.text().toString() + QLatin1Char(' ');
+    if (reader.readNext() == QXmlStreamReader::Characters)
+      texts += reader.text().toString() + QLatin1Char(' ');
   }
   EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
   return texts.simplified().toStdString();
@@ -46,8 +47,17 @@ TEST(Figures, AreOneForEachFamilyEachDeviceAndTheVotes) {
 
 TEST(Figures, SayHowOftenEachPointWasChosen) {
   const auto texts = textsIn(painted().figures.families.front().answers);
-  for (const auto* words : {"Interpolation", "FEM", "KF", "Orthopaedic surgeons", "17", "13", "μ 4.1",
-                            "μ 2.6", "strongly disagree", "strongly agree"}) {
+  for (const auto* words :
+       {"Interpolation",
+        "FEM",
+        "KF",
+        "Orthopaedic surgeons",
+        "17",
+        "13",
+        "μ 4.1",
+        "μ 2.6",
+        "strongly disagree",
+        "strongly agree"}) {
     EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
   }
 }
@@ -63,7 +73,9 @@ TEST(Figures, ShowEffectsWithTheirNumbers) {
   const auto section = painted();
   const auto texts = textsIn(section.figures.families.front().effects);
   const auto& row = section.results.families.front().cohorts.front().within.rows.front();
-  EXPECT_NE(texts.find(rounded(row.paired.meanDifference, 2) + " " + intervalInWords(row.interval)), std::string::npos)
+  EXPECT_NE(
+      texts.find(rounded(row.paired.meanDifference, 2) + " " + intervalInWords(row.interval)),
+      std::string::npos)
       << texts;
   EXPECT_NE(texts.find("Interpolation − FEM"), std::string::npos);
   EXPECT_NE(texts.find("difference of participants’ means [points]"), std::string::npos);
@@ -73,7 +85,8 @@ TEST(Figures, ShowEveryParticipantOnce) {
   const auto section = painted();
   const auto& svg = section.figures.families.front().people;
   std::size_t dots = 0;
-  for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) ++dots;
+  for (auto at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
+    ++dots;
   EXPECT_EQ(dots, 3U * 6U + 3U * 5U);
 }
 
@@ -89,7 +102,8 @@ TEST(Figures, BecomePdfAndPngOfTheirSize) {
   EXPECT_EQ(figureAsPdf(svg).substr(0, 5), "%PDF-");
   const auto png = figureAsPng(svg);
   QImage image;
-  ASSERT_TRUE(image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size())));
+  ASSERT_TRUE(
+      image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size())));
   EXPECT_EQ(image.width(), 2563);  // 820 px at 96 dpi are so many at 300
 }
 
@@ -100,7 +114,8 @@ TEST(PdfReport, HasPagesWithTheFiguresInThem) {
   const auto bare = asPdf("<html><body><p>Nothing</p></body></html>", "A study");
   const auto pagesOf = [](const std::string& bytes) {
     std::size_t pages = 0;
-    for (auto at = bytes.find("/Type /Page\n"); at != std::string::npos; at = bytes.find("/Type /Page\n", at + 1)) {
+    for (auto at = bytes.find("/Type /Page\n"); at != std::string::npos;
+         at = bytes.find("/Type /Page\n", at + 1)) {
       ++pages;
     }
     return pages;
@@ -150,7 +165,8 @@ TEST(PdfReport, TearsNoWordApartInANarrowColumn) {
   section.words = words::wordsIn("de");
   const auto said = textOf(asPdf(asHtml({section}), "A study"));
   if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-  for (const auto* whole : {"Gruppe", "Laufend", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
+  for (const auto* whole :
+       {"Gruppe", "Laufend", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
     EXPECT_GE(timesIn(*said, whole), 1U) << whole;
   }
 }
@@ -160,15 +176,19 @@ TEST(Figures, SpeakTheLanguageOfTheReport) {
     auto section = tests::madeUpSection();
     section.words = words::wordsIn(language);
     paintFigures(section);
-    EXPECT_TRUE(section.words.missing().empty()) << language << ": " << *section.words.missing().begin();
+    EXPECT_TRUE(section.words.missing().empty())
+        << language << ": " << *section.words.missing().begin();
   }
 }
 
 TEST(Figures, AreTheSameBytesEveryTime) {
   const auto first = painted().figures;
   const auto second = painted().figures;
-  for (const auto part : {&FamilyFigures::answers, &FamilyFigures::people, &FamilyFigures::effects,
-                          &FamilyFigures::positions}) {
+  for (const auto part :
+       {&FamilyFigures::answers,
+        &FamilyFigures::people,
+        &FamilyFigures::effects,
+        &FamilyFigures::positions}) {
     EXPECT_EQ(first.families.front().*part, second.families.front().*part);
   }
   EXPECT_EQ(first.timing, second.timing);

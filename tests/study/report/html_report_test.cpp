@@ -64,10 +64,12 @@ TEST(HtmlReport, SetsTheNameOfACorrectionLow) {
 
 TEST(PrintHtml, PutsCaptionsIntoHeadsAndTakesFiguresOut) {
   const auto page = forPrint(
-      "<style>x</style><table><caption>What</caption><thead><tr><th>A</th><th>B</th><th colspan=\"2\">C</th></tr></thead></table>"
+      "<style>x</style><table><caption>What</caption><thead><tr><th>A</th><th>B</th><th "
+      "colspan=\"2\">C</th></tr></thead></table>"
       "<figure><svg a></svg><figcaption>Words</figcaption></figure>");
   EXPECT_EQ(page.figures, std::vector<std::string>{"<svg a></svg>"});
-  EXPECT_TRUE(has(page.html, "<td class=\"caption\" colspan=\"4\" align=\"left\">What</td></tr><tr><th"));
+  EXPECT_TRUE(
+      has(page.html, "<td class=\"caption\" colspan=\"4\" align=\"left\">What</td></tr><tr><th"));
   EXPECT_TRUE(has(page.html, "<th align=\"left\">A</th><th align=\"right\">B</th>"));
   EXPECT_TRUE(has(page.html, "<img src=\"figure:0\">"));
   EXPECT_FALSE(has(page.html, "<caption>"));
@@ -77,7 +79,8 @@ TEST(PrintHtml, KeepsTogetherWhatBelongsTogether) {
   const auto page = forPrint(
       "<p>t(5) = 2.77, p &lt; .001 [0.07, 1.98], 95 % and 95-%-KI</p>"
       "<code>0123456789abcdef01</code>");
-  EXPECT_TRUE(has(page.html, "t(5)&nbsp;=&nbsp;2.77, p&nbsp;&lt;&nbsp;.&#8288;001 [0.07,&nbsp;1.98]"))
+  EXPECT_TRUE(
+      has(page.html, "t(5)&nbsp;=&nbsp;2.77, p&nbsp;&lt;&nbsp;.&#8288;001 [0.07,&nbsp;1.98]"))
       << page.html;
   EXPECT_TRUE(has(page.html, "95&nbsp;%"));
   EXPECT_TRUE(has(page.html, "95&#8209;%&#8209;KI"));
@@ -156,18 +159,22 @@ TEST(HtmlReport, TellsInTheMethodsWhatWasComparedWithAndFeltAgain) {
 TEST(HtmlReport, TellsWhichFamilyALaterVersionChanged) {
   auto section = tests::madeUpSection();
   const auto page = asHtml({section});
-  EXPECT_TRUE(has(
-      page, "Version 2 (2026-03-01) changed “Realism” after the first participant had begun "
-            "(instrument, "));
+  EXPECT_TRUE(
+      has(page,
+          "Version 2 (2026-03-01) changed “Realism” after the first participant had begun "
+          "(instrument, "));
   EXPECT_TRUE(has(page, "Version 3 (2026-03-02) added “Effort” after"));
   EXPECT_TRUE(has(page, "Version 3 (2026-03-02) dropped “Ease”"));
-  EXPECT_TRUE(has(
-      page, "changed “Fun” after the first participant had begun (alpha); it was put back as it was "
-            "declared. "))
+  EXPECT_TRUE(
+      has(page,
+          "changed “Fun” after the first participant had begun (alpha); it was put back as it was "
+          "declared. "))
       << page;
   EXPECT_TRUE(has(page, "put “Fun” back as it was declared, before anybody had begun with the "));
-  EXPECT_TRUE(has(page, "put “Ease” back as it was declared, but participants had begun with the "
-                        "change: all of it is exploratory."));
+  EXPECT_TRUE(
+      has(page,
+          "put “Ease” back as it was declared, but participants had begun with the "
+          "change: all of it is exploratory."));
   section.history = {};
   EXPECT_FALSE(has(asHtml({section}), "versions of the protocol"));
 }

@@ -41,8 +41,9 @@ TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
       "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
   const auto section = gather(*study, RunMode::Simulated, words::wordsIn("de"));
   const auto page = asHtml({section});
-  EXPECT_NE(page.find("Was gefühlt wurde, ist nicht bekannt: traces.db ist beschädigt: "),
-            std::string::npos)
+  EXPECT_NE(
+      page.find("Was gefühlt wurde, ist nicht bekannt: traces.db ist beschädigt: "),
+      std::string::npos)
       << section.curvesReason;
   EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }

@@ -13,9 +13,12 @@ namespace {
 /// Answers with these counts, dealt out to @p people one after the other; of six people the orders
 /// are balanced, of fewer there is one order and every method has statements of its own.
 analysis::AnswerTable dealt(
-    std::size_t people, const std::vector<std::pair<std::string, std::vector<std::uint64_t>>>& counts) {
-  analysis::AnswerTable table{.rounds = {"round-1", "round-2"}, .statements = {"1", "2", "3", "4", "5"}};
-  for (std::size_t i = 0; i < people; ++i) table.participants.push_back("SIM-00" + std::to_string(i + 1));
+    std::size_t people,
+    const std::vector<std::pair<std::string, std::vector<std::uint64_t>>>& counts) {
+  analysis::AnswerTable table{
+      .rounds = {"round-1", "round-2"}, .statements = {"1", "2", "3", "4", "5"}};
+  for (std::size_t i = 0; i < people; ++i)
+    table.participants.push_back("SIM-00" + std::to_string(i + 1));
   for (std::size_t method = 0; method < counts.size(); ++method) {
     table.methods.push_back(counts[method].first);
     std::size_t number = 0;
@@ -29,7 +32,8 @@ analysis::AnswerTable dealt(
              .round = turn / 3,
              .statement = turn % 3 + (isBalanced ? 0 : method),
              .position =
-                 static_cast<int>((method + (isBalanced ? number % people : 0)) % counts.size()) + 1,
+                 static_cast<int>((method + (isBalanced ? number % people : 0)) % counts.size()) +
+                 1,
              .score = static_cast<int>(point) + 1});
       }
     }
@@ -38,7 +42,9 @@ analysis::AnswerTable dealt(
 }
 
 CohortResult cohort(
-    const std::string& id, const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b,
+    const std::string& id,
+    const std::vector<std::uint64_t>& a,
+    const std::vector<std::uint64_t>& b,
     const std::vector<std::uint64_t>& c) {
   CohortResult result{.cohort = id, .conditions = {}, .comparisons = {}};
   result.table = dealt(
@@ -47,7 +53,9 @@ CohortResult cohort(
   result.conditions.push_back({"finite-elements", LikertCounts(1, b)});
   result.conditions.push_back({"kalman", LikertCounts(1, c)});
   const std::vector<analysis::DeclaredPair> pairs{
-      {"interpolation", "finite-elements"}, {"interpolation", "kalman"}, {"kalman", "finite-elements"}};
+      {"interpolation", "finite-elements"},
+      {"interpolation", "kalman"},
+      {"kalman", "finite-elements"}};
   result.comparisons = analysis::comparePairwise(result.conditions, pairs, 0.05);
   result.within = analysis::compareWithin(result.table, pairs, {});
   result.checks = analysis::scaleChecks(result.table);
@@ -67,7 +75,11 @@ CohortResult cohort(
 
 study::FeltCurve curve(const std::string& condition, double force) {
   study::FeltCurve curve{
-      .condition = condition, .device = "punch", .travelUnit = "travel_unit", .trials = 4, .points = {}};
+      .condition = condition,
+      .device = "punch",
+      .travelUnit = "travel_unit",
+      .trials = 4,
+      .points = {}};
   for (int i = 0; i < 20; ++i) {
     curve.points.push_back({0.5 * i, force - 0.2, force, force + 0.2});
   }
@@ -97,29 +109,63 @@ study::report::ReportSection madeUpSection() {
       .changes =
           {{.title = "Realism",
             .keys =
-                {"instrument", "blocks", "comparisons", "test", "correction", "alpha",
+                {"instrument",
+                 "blocks",
+                 "comparisons",
+                 "test",
+                 "correction",
+                 "alpha",
                  "equivalence_bound"},
             .version = "2",
             .addedUtc = "2026-03-01T10:00:00.000Z"},
-           {.title = "Effort", .kind = Kind::Added, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"},
-           {.title = "Ease", .kind = Kind::Removed, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z"},
-           {.title = "Fun", .keys = {"alpha"}, .version = "2", .addedUtc = "2026-03-01T10:00:00.000Z", .isHarmless = true},
-           {.title = "Fun", .kind = Kind::PutBack, .keys = {}, .version = "3", .addedUtc = "2026-03-02T10:00:00.000Z", .isHarmless = true},
-           {.title = "Ease", .kind = Kind::PutBack, .keys = {}, .version = "4", .addedUtc = "2026-03-03T10:00:00.000Z"}},
+           {.title = "Effort",
+            .kind = Kind::Added,
+            .keys = {},
+            .version = "3",
+            .addedUtc = "2026-03-02T10:00:00.000Z"},
+           {.title = "Ease",
+            .kind = Kind::Removed,
+            .keys = {},
+            .version = "3",
+            .addedUtc = "2026-03-02T10:00:00.000Z"},
+           {.title = "Fun",
+            .keys = {"alpha"},
+            .version = "2",
+            .addedUtc = "2026-03-01T10:00:00.000Z",
+            .isHarmless = true},
+           {.title = "Fun",
+            .kind = Kind::PutBack,
+            .keys = {},
+            .version = "3",
+            .addedUtc = "2026-03-02T10:00:00.000Z",
+            .isHarmless = true},
+           {.title = "Ease",
+            .kind = Kind::PutBack,
+            .keys = {},
+            .version = "4",
+            .addedUtc = "2026-03-03T10:00:00.000Z"}},
       .undeclared = {}};
   section.results.runMode = study::RunMode::Simulated;
-  section.results.flow = {{.cohort = "professional", .enrolled = 7, .completed = 6, .withdrawn = 1},
-                          {.cohort = "non-professional", .enrolled = 5, .completed = 5}};
+  section.results.flow = {
+      {.cohort = "professional", .enrolled = 7, .completed = 6, .withdrawn = 1},
+      {.cohort = "non-professional", .enrolled = 5, .completed = 5}};
   section.results.families.push_back(
-      {loaded.protocol.analysis.families.front(), true,
+      {loaded.protocol.analysis.families.front(),
+       true,
        {cohort("professional", {1, 3, 6, 9, 17}, {13, 7, 4, 4, 8}, {8, 5, 5, 8, 10}),
         cohort("non-professional", {0, 0, 0, 0, 5}, {0, 0, 5, 0, 0}, {0, 0, 0, 0, 5})}});
   analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});
   votes.add("interpolation", 4);
   votes.add("kalman", 2);
   section.results.votes.push_back(
-      {"professional", "preference-1", "round-1", votes, analysis::equalSharesTest(votes),
-       {analysis::wilsonInterval(4, 6), analysis::wilsonInterval(0, 6), analysis::wilsonInterval(2, 6)}});
+      {"professional",
+       "preference-1",
+       "round-1",
+       votes,
+       analysis::equalSharesTest(votes),
+       {analysis::wilsonInterval(4, 6),
+        analysis::wilsonInterval(0, 6),
+        analysis::wilsonInterval(2, 6)}});
   section.curves = {curve("interpolation", 3.0), curve("finite-elements", 5.0)};
   section.quality = {.trials = 36, .feltAgain = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;

@@ -186,7 +186,8 @@ protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string
   const std::string beyond = R"("beyond": "ramp-out"})";
   json.insert(json.find(beyond) + beyond.size(), R"(, "anatomy": "knee.obj")");
   json = std::regex_replace(
-      json, std::regex(R"("device": "punch", "model")"),
+      json,
+      std::regex(R"("device": "punch", "model")"),
       R"("device": "punch", "visualisation": )" + show + R"(, "model")");
   const std::string corners = "v -30 -2 30\nv 30 -2 30\nv 30 -2 -30\n";
   const std::string faces = normal.empty() ? "f 1 2 3\n" : "f 1//1 2//1 3//1\n";
@@ -199,8 +200,7 @@ protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string
 
 TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
   std::set<std::string> said;
-  for (const auto& [normal, show] :
-       {std::pair{"", "true"}, std::pair{"vn 0 0 0\n", "false"}}) {
+  for (const auto& [normal, show] : {std::pair{"", "true"}, std::pair{"vn 0 0 0\n", "false"}}) {
     tests::MadeStudy study(withAKnee(normal, show));
     const auto section = report::gather(*study, RunMode::Simulated, wordsIn(GetParam()));
     for (const auto& warning : section.warnings) {

@@ -5,8 +5,8 @@
 #include <QStandardPaths>
 
 #include "tests/support/child_process.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
 
 namespace {
 
