@@ -116,7 +116,6 @@ bool knowsItsKeys(const Node& node) {
        "wording"});
 }
 
-constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargestBound = 1e9;
 
 double bound(const Node& node, std::string_view key, std::optional<double> usual) {

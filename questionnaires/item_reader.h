@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "questionnaires/text_reader.h"
 
 namespace questionnaires {
+
+/// What stands for a number that could not be read.
+inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 
 /// Reads the items of an instrument.
 ///

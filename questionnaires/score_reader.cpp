@@ -11,7 +11,6 @@ namespace questionnaires {
 namespace {
 
 constexpr double kLargestFactor = 1e6;
-constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array kAggregates{
     Choice<Score::Aggregate>{"mean", Score::Aggregate::Mean},
     Choice<Score::Aggregate>{"sum", Score::Aggregate::Sum},

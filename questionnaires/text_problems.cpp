@@ -4,13 +4,10 @@
 #include <utility>
 
 namespace questionnaires {
-namespace {
 
 bool isBlank(const std::string& text) {
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
-
-}  // namespace
 
 std::string placeholdersOf(const std::string& text) {
   std::string result;

@@ -8,6 +8,9 @@
 
 namespace questionnaires {
 
+/// Whether a text has nothing but spaces, tabs and line ends.
+bool isBlank(const std::string& text);
+
 /// Whatever of @p text stands in double square brackets, one after the other: "[[a]], [[b]]".
 std::string placeholdersOf(const std::string& text);
 

@@ -5,16 +5,13 @@
 
 #include "questionnaires/document.h"
 #include "questionnaires/text_places.h"
+#include "questionnaires/text_problems.h"
 
 namespace questionnaires {
 namespace {
 
 bool isAmong(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
-}
-
-bool isBlank(const std::string& text) {
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
 /// Whether @p wording was written for @p instrument as it is.

@@ -83,7 +83,7 @@ class Interpolation {
 
  private:
   static constexpr bool isFinite(const CurveNode<Scalar>& node) noexcept {
-    return node.travel - node.travel == Scalar{0} && node.force - node.force == Scalar{0};
+    return models::isFinite(node.travel) && models::isFinite(node.force);
   }
 
   static constexpr Response<Scalar> clamped(const Response<Scalar>& response) noexcept {

@@ -125,7 +125,7 @@ class DamageTest : public testing::Test {
 };
 
 TEST_F(DamageTest, OfASingleBitIsFoundOrChangesNothing) {
-  const bool isLong = std::getenv("PALPATE_EVERY_FAULT") != nullptr;  // NOLINT: one thread
+  const bool isLong = std::getenv("PALPATE_LONG") != nullptr;  // NOLINT: one thread
   const int flips = isLong ? 3000 : 600;
   const std::array<std::string, 4> names{"study.db", "study.db", "traces.db", "identity.db"};
   std::mt19937_64 random(20261121);

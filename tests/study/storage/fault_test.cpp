@@ -1,5 +1,5 @@
 // The n-th call of the disk, and the n-th need of memory, fail.
-// All points of both kinds: PALPATE_EVERY_FAULT=1 (minutes); otherwise every one of the first, and
+// All points of both kinds: PALPATE_LONG=1 (minutes); otherwise every one of the first, and
 // then every few.
 #include <cstdlib>
 #include <iostream>
@@ -37,7 +37,7 @@ class FaultTest : public testing::TestWithParam<Kind> {
   void TearDown() override { GetParam().disarm(); }
 
   std::int64_t stride() const {
-    const bool isEvery = std::getenv("PALPATE_EVERY_FAULT") != nullptr;  // NOLINT: one thread
+    const bool isEvery = std::getenv("PALPATE_LONG") != nullptr;  // NOLINT: one thread
     return isEvery ? 1 : GetParam().stride;
   }
 };
