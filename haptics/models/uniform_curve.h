@@ -25,10 +25,12 @@ class UniformCurve {
 
   /// By a straight line between two points; none, and undefined, outside.
   constexpr Response<Fixed> at(Fixed travel) const noexcept {
-    const int32_t from = travel.raw() - start_.raw();
-    const int32_t i = from >> kShift;
-    if (travel < start_ || i < 0 || i >= kPoints - 1) return {};
-    const int32_t within = from & (kStep.raw() - 1);
+    if (travel < start_) return {};
+    // The difference of two numbers of 32 bits fits only without a sign.
+    const uint32_t from = static_cast<uint32_t>(travel.raw()) - static_cast<uint32_t>(start_.raw());
+    const uint32_t i = from >> kShift;
+    if (i >= static_cast<uint32_t>(kPoints - 1)) return {};
+    const auto within = static_cast<int32_t>(from & static_cast<uint32_t>(kStep.raw() - 1));
     const int32_t rise = forces_[i + 1] - forces_[i];
     const auto across = static_cast<int32_t>((int64_t{rise} * within) >> kShift);
     const auto slope = static_cast<int32_t>((int64_t{rise} << Fixed::kFraction) >> kShift);

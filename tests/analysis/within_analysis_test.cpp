@@ -17,8 +17,8 @@ analysis::AnswerTable judged() {
       .statements = {"S1", "S2", "S3"},
       .answers = {}};
   const int scores[3][4][3] = {
-      {{1, 2, 1}, {3, 2, 3}, {2, 1, 3}, {2, 3, 1}},   // poor: 24 of 12
-      {{5, 4, 5}, {6, 5, 4}, {4, 6, 5}, {5, 6, 5}},   // good: 60
+      {{1, 2, 1}, {3, 2, 4}, {2, 1, 3}, {1, 3, 1}},   // poor: 24 of 12
+      {{5, 4, 5}, {6, 5, 3}, {4, 6, 6}, {5, 6, 5}},   // good: 60
       {{4, 3, 5}, {5, 4, 4}, {3, 3, 4}, {4, 5, 4}}};  // fair: 48
   for (std::size_t method = 0; method < 3; ++method) {
     for (std::size_t person = 0; person < 4; ++person) {

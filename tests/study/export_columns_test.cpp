@@ -352,7 +352,8 @@ std::string bidsTable(const fs::path& file) {
 }
 
 void readJsonTables(const fs::path& file, Tables& tables) {
-  for (const auto& [name, table] : nlohmann::ordered_json::parse(tests::contentOf(file)).items()) {
+  const auto all = nlohmann::ordered_json::parse(tests::contentOf(file));
+  for (const auto& [name, table] : all.items()) {
     if (!table.is_array()) continue;
     for (const auto& [column, cell] : table.front().items()) tables[name].push_back(column);
   }

@@ -201,7 +201,11 @@ INSTANTIATE_TEST_SUITE_P(
         std::tuple("yes", "yes", "no"),
         std::tuple("yes", "no", "yes"),
         std::tuple("no", "yes", "yes"),
-        std::tuple("no", "no", "yes")));
+        std::tuple("no", "no", "yes")),
+    [](const auto& given) {
+      const auto& [study, storage, video] = given.param;
+      return std::string("Study_") + study + "_Storage_" + storage + "_Video_" + video;
+    });
 
 TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
   tests::walkTo(session_, StepKind::Questionnaire);

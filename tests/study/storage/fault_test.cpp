@@ -1,6 +1,6 @@
 // The n-th call of the disk, and the n-th need of memory, fail.
-// All points of both kinds: PALPATE_LONG=1 (minutes); otherwise every one of the first, and
-// then every few.
+// All points of both kinds: PALPATE_LONG=1 (minutes); otherwise each of the first 30, and then every
+// few.
 #include <cstdlib>
 #include <iostream>
 
@@ -24,7 +24,7 @@ struct Kind {
   Arm when;
   bool isPersistent;
   int error;
-  std::int64_t stride;  ///< between the points that are tried, after the first 100
+  std::int64_t stride;  ///< between the points that are tried, after the first 30
   std::size_t fewest;   ///< points that there must be, lest nothing was tried at all
 };
 
@@ -47,7 +47,7 @@ TEST_P(FaultTest, LosesNothingThatWasAcknowledgedAndSpeaksInWords) {
   tests::ScriptedStudy study;
   std::size_t points = 0;
   std::size_t complete = 0;
-  for (std::int64_t n = 1;; n += n <= 100 ? 1 : stride()) {
+  for (std::int64_t n = 1;; n += n <= 30 ? 1 : stride()) {
     const auto folder = study.copy();
     const auto arm = [&] {
       kind.arm({.first = n, .isPersistent = kind.isPersistent, .error = kind.error});
