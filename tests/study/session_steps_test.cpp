@@ -202,9 +202,10 @@ INSTANTIATE_TEST_SUITE_P(
         std::tuple("yes", "no", "yes"),
         std::tuple("no", "yes", "yes"),
         std::tuple("no", "no", "yes")),
-    [](const auto& given) {
-      const auto& [study, storage, video] = given.param;
-      return std::string("Study_") + study + "_Storage_" + storage + "_Video_" + video;
+    [](const auto& answers) {
+      const auto all = answers.param;
+      return std::string("Study_") + std::get<0>(all) + "_Storage_" + std::get<1>(all) + "_Video_" +
+             std::get<2>(all);
     });
 
 TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
