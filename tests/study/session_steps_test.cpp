@@ -11,6 +11,8 @@
 namespace study {
 namespace {
 
+using namespace std::string_literals;
+
 using tests::MadeStudy;
 
 class SessionStepsTest : public testing::Test {
@@ -170,7 +172,7 @@ std::string twoConsents() {
 }
 
 class TwoConsents
-    : public testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {
+    : public testing::TestWithParam<std::tuple<std::string, std::string, std::string>> {
  protected:
   static std::string protocol() {
     auto json = tests::shortProtocol({.files = R"("two-consents.json")"});
@@ -197,11 +199,11 @@ INSTANTIATE_TEST_SUITE_P(
     Of,
     TwoConsents,
     testing::Values(
-        std::tuple("yes", "yes", "yes"),
-        std::tuple("yes", "yes", "no"),
-        std::tuple("yes", "no", "yes"),
-        std::tuple("no", "yes", "yes"),
-        std::tuple("no", "no", "yes")),
+        std::tuple("yes"s, "yes"s, "yes"s),
+        std::tuple("yes"s, "yes"s, "no"s),
+        std::tuple("yes"s, "no"s, "yes"s),
+        std::tuple("no"s, "yes"s, "yes"s),
+        std::tuple("no"s, "no"s, "yes"s)),
     [](const auto& answers) {
       const auto all = answers.param;
       return std::string("Study_") + std::get<0>(all) + "_Storage_" + std::get<1>(all) + "_Video_" +

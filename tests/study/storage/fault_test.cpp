@@ -90,8 +90,8 @@ constexpr auto kMemory = [](const char* name, Arm when, bool isPersistent) {
       when,
       isPersistent,
       0,
-      71,
-      200};
+      401,
+      140};
 };
 
 INSTANTIATE_TEST_SUITE_P(
