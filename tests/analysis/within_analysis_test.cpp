@@ -3,34 +3,27 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/analysis/study_answers.h"
+
 namespace {
 
-/// Four people judge three methods three times each: "good" on the whole a point above "fair", and
-/// that two points above "poor".
-analysis::AnswerTable judged() {
+/// The answers of the synthetic study's professionals: 36 to each method, with the means 146/36
+/// (interpolation), 95/36 (fem) and 115/36 (kalman).
+analysis::AnswerTable professionals() {
+  const auto answers = tests::studyAnswers("professional");
   analysis::AnswerTable table{
-      .lowest = 1,
-      .highest = 7,
-      .participants = {"P1", "P2", "P3", "P4"},
-      .methods = {"poor", "good", "fair"},
-      .rounds = {"round"},
-      .statements = {"S1", "S2", "S3"},
+      .participants = answers.participant.levels,
+      .methods = answers.method.levels,
+      .rounds = answers.round.levels,
+      .statements = {"any"},
       .answers = {}};
-  const int scores[3][4][3] = {
-      {{1, 2, 1}, {3, 2, 4}, {2, 1, 3}, {1, 3, 1}},   // poor: 24 of 12
-      {{5, 4, 5}, {6, 5, 3}, {4, 6, 6}, {5, 6, 5}},   // good: 60
-      {{4, 3, 5}, {5, 4, 4}, {3, 3, 4}, {4, 5, 4}}};  // fair: 48
-  for (std::size_t method = 0; method < 3; ++method) {
-    for (std::size_t person = 0; person < 4; ++person) {
-      for (std::size_t statement = 0; statement < 3; ++statement) {
-        table.answers.push_back(
-            {.participant = person,
-             .method = method,
-             .statement = statement,
-             .position = static_cast<int>(method) + 1,
-             .score = scores[method][person][statement]});
-      }
-    }
+  for (std::size_t i = 0; i < answers.scores.size(); ++i) {
+    table.answers.push_back(
+        {.participant = answers.participant.levelOfAnswer[i],
+         .method = answers.method.levelOfAnswer[i],
+         .round = answers.round.levelOfAnswer[i],
+         .position = 1,
+         .score = static_cast<int>(answers.scores[i])});
   }
   return table;
 }
@@ -53,13 +46,16 @@ void expectDifference(const analysis::WithinComparison& row, double difference) 
 
 TEST(WithinAnalysis, TakesTheSecondMethodFromTheFirstInEveryTest) {
   const std::vector<analysis::DeclaredPair> pairs{
-      {"good", "fair"}, {"fair", "good"}, {"poor", "good"}, {"fair", "poor"}};
-  const auto result = analysis::compareWithin(judged(), pairs, {});
+      {"interpolation", "fem"},
+      {"fem", "interpolation"},
+      {"kalman", "interpolation"},
+      {"kalman", "fem"}};
+  const auto result = analysis::compareWithin(professionals(), pairs, {});
   ASSERT_EQ(result.rows.size(), 4U);
-  expectDifference(result.rows[0], 1.0);
-  expectDifference(result.rows[1], -1.0);
-  expectDifference(result.rows[2], -3.0);
-  expectDifference(result.rows[3], 2.0);
+  expectDifference(result.rows[0], 51.0 / 36.0);
+  expectDifference(result.rows[1], -51.0 / 36.0);
+  expectDifference(result.rows[2], -31.0 / 36.0);
+  expectDifference(result.rows[3], 20.0 / 36.0);
 }
 
 }  // namespace

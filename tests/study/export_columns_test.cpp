@@ -352,8 +352,8 @@ std::string bidsTable(const fs::path& file) {
 }
 
 void readJsonTables(const fs::path& file, Tables& tables) {
-  const auto all = nlohmann::ordered_json::parse(tests::contentOf(file));
-  for (const auto& [name, table] : all.items()) {
+  const auto json = nlohmann::ordered_json::parse(tests::contentOf(file));
+  for (const auto& [name, table] : json.items()) {
     if (!table.is_array()) continue;
     for (const auto& [column, cell] : table.front().items()) tables[name].push_back(column);
   }

@@ -155,11 +155,11 @@ TEST_F(SessionStepsTest, NeitherSkipsNorRepeatsConsent) {
   EXPECT_THROW(session_.repeatStep("again, please"), NotNow);
 }
 
-/// A consent form with two boxes, both of which have to be ticked, and one that need not be.
+/// A consent form with two questions that have to be answered with yes, and one that need not be.
 std::string twoConsents() {
-  const auto box = [](const std::string& id, bool isRequired) {
-    return R"({"id": ")" + id + R"(", "type": "single_choice", "required": )" +
-           (isRequired ? "true" : "false") + R"(, "consent_option": "yes",
+  const std::string asksForConsent = R"("required": true, "consent_option": "yes")";
+  const auto question = [](const std::string& id, const std::string& about) {
+    return R"({"id": ")" + id + R"(", "type": "single_choice", )" + about + R"(,
         "text": {"en": "Do you agree?", "de": "Sind Sie einverstanden?", "nb": "Samtykker du?"},
         "options": [{"id": "yes", "text": {"en": "Yes", "de": "Ja", "nb": "Ja"}},
                     {"id": "no", "text": {"en": "No", "de": "Nein", "nb": "Nei"}}]})";
@@ -168,7 +168,8 @@ std::string twoConsents() {
     "title": {"en": "Consent", "de": "Einwilligung", "nb": "Samtykke"},
     "source": {"citation": "Own wording.", "licence": "CC0-1.0"},
     "languages": ["en", "de", "nb"], "items": [)" +
-         box("study", true) + "," + box("storage", true) + "," + box("video", false) + "]}";
+         question("study", asksForConsent) + "," + question("storage", asksForConsent) + "," +
+         question("video", R"("required": false)") + "]}";
 }
 
 class TwoConsents
