@@ -302,7 +302,7 @@ TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesAsPublished) {
   expectSaid(profile, "(alpha per test 0.0025)");
   expectSaid(
       profile,
-      "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214     significant");
+      "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214    significant");
   expectSaid(profile, "Interpolation 81");
   expectSaid(profile, "FEM 82");
   expectSaid(profile, "KF 83");
