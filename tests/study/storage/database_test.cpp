@@ -42,7 +42,6 @@ TEST(Database, IsReallySetUpToKeepWhatItAcknowledges) {
     EXPECT_EQ(pragma(*database, "trusted_schema"), "0");
     EXPECT_EQ(pragma(*database, "cell_size_check"), "1");
     EXPECT_EQ(pragma(*database, "mmap_size"), "0");
-    EXPECT_EQ(pragma(*database, "busy_timeout"), "3000");
   }
 }
 
