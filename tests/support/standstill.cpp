@@ -1,5 +1,7 @@
 #include "tests/support/standstill.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -11,16 +13,33 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Half of what a device waits for the next sample.
-constexpr std::chrono::milliseconds kTooLong{10};
+/// A quarter of what a device waits for the next sample.
+constexpr std::chrono::milliseconds kTooLong{5};
+
+constexpr std::chrono::milliseconds kPause{1};
+constexpr std::chrono::microseconds kWork{150};  // about what a device's loop needs
+
+/// What this thread has had of a processor.
+std::chrono::nanoseconds processorTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+void work() {
+  const auto end = processorTime() + kWork;
+  while (processorTime() < end) {
+  }
+}
 
 }  // namespace
 
 StandstillWatch::StandstillWatch()
     : thread_([this] {
         while (!isOver_.load(std::memory_order_relaxed)) {
-          const auto due = Clock::now() + std::chrono::milliseconds(1);
-          std::this_thread::sleep_until(due);
+          const auto due = Clock::now() + kPause + kWork;
+          std::this_thread::sleep_for(kPause);
+          work();
           const auto late = (Clock::now() - due).count();
           longest_.store(std::max(late, longest_.load()), std::memory_order_relaxed);
         }

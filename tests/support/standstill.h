@@ -25,7 +25,7 @@ class StandstillWatch {
 };
 
 /// Runs all tests. When PALPATE_JUDGE_MACHINE is set, a run that fails on a machine that stood
-/// still for 10 ms or longer says so and ends with kMachineStoodStill, which ctest counts as
+/// still for 5 ms or longer says so and ends with kMachineStoodStill, which ctest counts as
 /// skipped.
 int runAllTests();
 
