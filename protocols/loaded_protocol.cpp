@@ -1,100 +1,13 @@
 #include "protocols/loaded_protocol.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <utility>
-
-#include "protocols/advice.h"
-#include "protocols/anatomy_file.h"
-#include "protocols/companions.h"
-#include "protocols/draft.h"
-#include "protocols/library.h"
-#include "protocols/packing_file.h"
-#include "protocols/protocol_file.h"
-#include "protocols/rules.h"
-#include "questionnaires/document.h"
 
 namespace protocols {
-namespace {
-
-namespace fs = std::filesystem;
-using questionnaires::Problems;
-
-/// Warnings are told once nothing is worse.
-void tell(const Problems& found, Problems& problems) {
-  if (!found.hasErrors()) return problems.append(found);
-  for (const auto& problem : found.all()) {
-    if (problem.severity == questionnaires::Severity::Error) {
-      problems.add(problem.path, problem.what, problem.fix);
-    }
-  }
-}
-
-/// How large a file of this name may be [bytes].
-std::size_t largestOf(const std::string& name) {
-  if (name.ends_with(kPackingEnding)) return kLargestPacking;
-  return name.ends_with(kAnatomyEnding) ? kLargestAnatomy : questionnaires::kLargestFile;
-}
-
-std::optional<LoadedProtocol> load(
-    std::string_view json, const FileFinder& find, Problems& problems) {
-  auto protocol = readDraft(json, problems);
-  if (!protocol) return std::nullopt;
-  Draft draft{
-      .loaded = {
-          .protocol = std::move(*protocol),
-          .instruments = {},
-          .text = std::string(json),
-          .files = {},
-          .sources = {}}};
-  Companions companions(draft, find, problems);
-  companions.readInstruments();
-  for (auto& condition : draft.loaded.protocol.conditions) {
-    companions.readCut(condition);
-    companions.readMaterial(condition);
-    companions.readPacking(condition);
-    companions.readAnatomy(condition);
-  }
-  checkRules(draft, problems);
-  if (problems.hasErrors()) return std::nullopt;
-  advise(draft.loaded, problems);
-  return std::move(draft.loaded);
-}
-
-}  // namespace
 
 const questionnaires::Instrument* LoadedProtocol::instrument(std::string_view id) const noexcept {
   const auto found = std::find_if(
       instruments.begin(), instruments.end(), [&](const auto& i) { return i.id == id; });
   return found == instruments.end() ? nullptr : &*found;
-}
-
-std::optional<LoadedProtocol> loadProtocol(
-    std::string_view json, const FileFinder& find, Problems& problems) {
-  Problems found;
-  auto loaded = load(json, find, found);
-  tell(found, problems);
-  return loaded;
-}
-
-std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
-  std::error_code ignored;
-  const bool isFile = fs::is_regular_file(path, ignored);  // a study's folder may bear the name
-  for (const auto& file : libraryFiles()) {
-    const std::string name(file.name);
-    if (!isFile && (path == name || path + ".json" == name)) {
-      return loadProtocol(
-          file.content, [](const std::string&) { return std::nullopt; }, problems);
-    }
-  }
-  const auto folder = fs::path(path).parent_path();
-  const auto beside = [&](const std::string& name) -> std::optional<std::string> {
-    const auto file = folder / name;
-    std::error_code absent;
-    if (!fs::exists(file, absent)) return std::nullopt;
-    return questionnaires::readTextFile(file.string(), largestOf(name));
-  };
-  return loadProtocol(questionnaires::readTextFile(path), beside, problems);
 }
 
 }  // namespace protocols

@@ -9,7 +9,6 @@
 #include "protocols/felt_source.h"
 #include "protocols/protocol.h"
 #include "questionnaires/instrument.h"
-#include "questionnaires/problem.h"
 
 namespace protocols {
 
@@ -33,16 +32,5 @@ struct LoadedProtocol {
 
 /// Finds the text of a file that a protocol names; nothing where there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
-
-/// Reads a protocol and everything it refers to, and checks that it all fits together. Nothing
-/// where there are errors; warnings leave it usable.
-std::optional<LoadedProtocol> loadProtocol(
-    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
-
-/// The same from a file, or from the library by name ("punch-face-validity"). What it refers to is
-/// looked for beside the file.
-/// @throws questionnaires::Error  if the file cannot be read at all.
-std::optional<LoadedProtocol> loadProtocolFile(
-    const std::string& path, questionnaires::Problems& problems);
 
 }  // namespace protocols

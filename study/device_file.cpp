@@ -11,7 +11,7 @@
 
 #include "haptics/devices/serial_port.h"
 #include "questionnaires/document.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study {
 namespace {
@@ -336,7 +336,7 @@ std::vector<DeviceEntry> loadDevices(const std::string& file) {
   Problems problems;
   auto devices = readDevices(questionnaires::readTextFile(file), problems);
   if (!devices) {
-    throw NotNow(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
   }
   return std::move(*devices);
 }

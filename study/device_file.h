@@ -39,7 +39,7 @@ inline constexpr std::string_view kDeviceFileName = "devices.json";
 std::optional<std::vector<DeviceEntry>> readDevices(
     std::string_view json, questionnaires::Problems& problems);
 
-/// The same from a file. @throws NotNow  with everything that is wrong with it, in words.
+/// The same from a file. @throws UserError  with everything that is wrong with it, in words.
 std::vector<DeviceEntry> loadDevices(const std::string& file);
 
 /// Device entries as such a file, for the ones that palpate starts itself.

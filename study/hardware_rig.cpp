@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study {
 namespace {
@@ -53,12 +53,12 @@ Device* HardwareRig::find(const std::string& id) {
 Device& HardwareRig::device(const protocols::DeviceNeed& need) {
   auto* device = find(need.id);
   if (device == nullptr) {
-    throw NotNow(
+    throw UserError(
         "The protocol needs a device '" + need.id +
         "', and the device file has none of that name. Add it, or give it that id.");
   }
   if (device->capabilities().kind != need.kind) {
-    throw NotNow(fmt::format(
+    throw UserError(fmt::format(
         "The protocol needs a {} as '{}', and the device file has a {} there. Correct one of them.",
         wordFor(need.kind),
         need.id,

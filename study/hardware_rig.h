@@ -19,7 +19,7 @@ class HardwareRig final : public Rig {
   /// @param handFor  for what the file has simulated.
   HardwareRig(std::vector<DeviceEntry> entries, SimulatedRig::HandFor handFor);
 
-  /// @throws NotNow  if the file has no such device, or it is another instrument.
+  /// @throws UserError  if the file has no such device, or it is another instrument.
   /// @throws haptics::devices::DeviceError  if it cannot be opened.
   haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
   bool isOpen(const std::string& id) const override;
@@ -42,7 +42,7 @@ class HardwareRig final : public Rig {
 
 /// The devices of @p deviceFile; where none is named, of the study's own device file if it has one;
 /// otherwise simulated ones.
-/// @throws NotNow  if the file cannot be used, in words.
+/// @throws UserError  if the file cannot be used, in words.
 std::unique_ptr<Rig> rigFor(
     const std::string& deviceFile,
     const std::filesystem::path& studyFolder,

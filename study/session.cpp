@@ -48,13 +48,13 @@ void requireSound(Study& study, const SessionRow& row, const std::vector<Step>& 
 void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrolment) {
   const auto& languages = protocol.languages;
   if (protocol.cohort(enrolment.cohort) == nullptr) {
-    throw NotNow("The protocol has no cohort '" + enrolment.cohort + "'.");
+    throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
   }
   if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
-    throw NotNow("The protocol has no texts in '" + enrolment.language + "'.");
+    throw UserError("The protocol has no texts in '" + enrolment.language + "'.");
   }
   if (!enrolment.code.empty() && !questionnaires::isSoundId(enrolment.code)) {
-    throw NotNow(
+    throw UserError(
         "'" + enrolment.code +
         "' cannot be a participant's code. Use letters, digits, '-' and '_'.");
   }
@@ -168,7 +168,7 @@ void Session::require(SessionEvent event) const {
 }
 
 void Session::require(bool condition, const std::string& otherwise) const {
-  if (!condition) throw NotNow(otherwise);
+  if (!condition) throw UserError(otherwise);
 }
 
 void Session::transact(const std::function<void()>& action) {
@@ -201,7 +201,8 @@ void Session::settleDoubt() {
   isInDoubt_ = false;
   if (kept == row_) return;
   row_ = kept;
-  throw NotNow("What could not be confirmed had been kept after all. Go on from the present step.");
+  throw UserError(
+      "What could not be confirmed had been kept after all. Go on from the present step.");
 }
 
 void Session::say(Actor actor, const std::string& kind, const std::string& detail) {

@@ -11,6 +11,7 @@
 #include "study/storage/lease.h"
 #include "study/study.h"
 #include "study/trial_record.h"
+#include "study/user_error.h"
 
 namespace study {
 
@@ -22,12 +23,6 @@ struct Enrolment {
   std::string code;  ///< empty: one is made up
 };
 
-/// Something that cannot happen now, in words for whoever tried.
-class NotNow : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// One sitting of one participant: what may happen next, and every step of it on the disk before
 /// anybody sees the next page. The window, the terminal and a simulated cohort go through it alike.
 ///
@@ -37,7 +32,7 @@ class NotNow : public std::runtime_error {
 class Session {
  public:
   /// Reserves the next place of the cohort. The first live participant freezes the protocol.
-  /// @throws NotNow  if the protocol has no such cohort or language.
+  /// @throws UserError  if the protocol has no such cohort or language.
   static Session enrol(Study& study, const Enrolment& enrolment);
 
   /// Goes on with a session at the step it was in. A trial that was under way counts as broken off.
@@ -71,7 +66,7 @@ class Session {
   std::vector<std::string> missing() const;
 
   /// One answer, or what it was changed to: one transaction.
-  /// @throws NotNow  if the item is not asked here, or the response cannot be an answer to it.
+  /// @throws UserError  if the item is not asked here, or the response cannot be an answer to it.
   void record(const GivenAnswer& answer);
 
   /// Takes an answer back: the item is missing again.
@@ -82,11 +77,11 @@ class Session {
   int benchmarkCuts() const;
 
   /// On to the next step; the consent step leads to consent or to its refusal by what was answered.
-  /// @throws NotNow  if something required is missing, or this is a trial.
+  /// @throws UserError  if something required is missing, or this is a trial.
   void finishStep();
 
   /// Goes on without feeling what is offered once more.
-  /// @throws NotNow  if nothing is offered in this step.
+  /// @throws UserError  if nothing is offered in this step.
   void declineOffer();
 
   void beginTrial();

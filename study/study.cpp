@@ -6,6 +6,7 @@
 
 #include <sodium.h>
 
+#include "protocols/load_protocol.h"
 #include "protocols/random_stream.h"
 #include "study/storage/ballast.h"
 #include "study/storage/statement.h"

@@ -15,7 +15,7 @@ const protocols::DeviceNeed& deviceFor(const Session& session);
 Trial::Setup setupFor(const Session& session, Trial::Keep keep);
 
 /// That trial on its device of @p rig, open and armed.
-/// @throws NotNow, haptics::devices::DeviceError  if the device is not there or not ready.
+/// @throws UserError, haptics::devices::DeviceError  if the device is not there or not ready.
 std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, Trial::Keep keep);
 
 }  // namespace study

@@ -23,7 +23,7 @@
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
 #include "study/app/emulator_process.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -107,7 +107,8 @@ class Stand {
   devices::Device& device() noexcept { return *device_; }
 
   void order(const std::string& line) {
-    if (!emulator_->ask(line).starts_with("ok")) throw NotNow("A stand-in does not obey: " + line);
+    if (!emulator_->ask(line).starts_with("ok"))
+      throw UserError("A stand-in does not obey: " + line);
   }
 
   /// As it stands at this moment.
@@ -121,7 +122,8 @@ class Stand {
   };
   Standing ask() {
     const std::string status = emulator_->ask("status");
-    if (status.empty()) throw NotNow("A stand-in for the " + name_ + " does not answer any more.");
+    if (status.empty())
+      throw UserError("A stand-in for the " + name_ + " does not answer any more.");
     Standing now;
     const bool isPunch = name_ == "punch";
     now.hasForce =
@@ -149,7 +151,7 @@ class Stand {
   static std::string valueIn(const std::string& words, const std::string& key) {
     const std::string all = " " + words + " ";
     const auto at = all.find(" " + key + "=");
-    if (at == std::string::npos) throw NotNow("A stand-in says nothing of its " + key + ".");
+    if (at == std::string::npos) throw UserError("A stand-in says nothing of its " + key + ".");
     const auto begin = at + key.size() + 2;
     return all.substr(begin, all.find(' ', begin) - begin);
   }
@@ -350,7 +352,7 @@ void injectInRounds(Stand& stand, LinkLoop& loop, int wanted, int perRound) {
     };
     const std::int64_t until = timing::now() + 10 * timing::kSecond;
     while (!isDone() && !loop.isOver()) {
-      if (timing::now() > until) throw NotNow("A stand-in does not spoil what it was told to.");
+      if (timing::now() > until) throw UserError("A stand-in does not spoil what it was told to.");
       pauseFor(1.0 / stand.rate());
     }
     pauseFor(kRoom / stand.rate());
@@ -379,7 +381,7 @@ FaultCounts countFaults(Stand stand, int faults, int perRound) {
       counts.found += foundBy(run.link);
       done += now;
     } else if (++counts.repeated > kMostRepeated) {
-      throw NotNow("The link fails too often to count on it. " + run.fault);
+      throw UserError("The link fails too often to count on it. " + run.fault);
     } else {
       pauseFor(0.5);  // what was ordered comes to its end while nobody counts
       stand.device().open();

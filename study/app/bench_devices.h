@@ -71,7 +71,7 @@ inline constexpr std::array<const char*, 4> kDeviceBenchParts{
 
 /// Starts stand-ins for devices as processes of their own, and measures what a loop of ours makes
 /// of them.
-/// @throws NotNow  or what devices throw, where no stand-in can be had.
+/// @throws UserError  or what devices throw, where no stand-in can be had.
 DeviceMeasurement measureDevices(const DeviceBenchOptions& options);
 
 report::Document devicesReport(const DeviceMeasurement& measured);

@@ -12,11 +12,11 @@
 
 #include "haptics/engine/realtime_loop.h"
 #include "haptics/engine/sample_ring.h"
-#include "study/session.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/trace_store.h"
 #include "study/storage/transaction.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -136,7 +136,7 @@ class RawFile final : public Recorder {
  public:
   explicit RawFile(const Corner& corner)
       : path_(corner / "raw"), file_(open(path_.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600)) {
-    if (file_ < 0) throw NotNow("No file can be written there for the benchmark.");
+    if (file_ < 0) throw UserError("No file can be written there for the benchmark.");
   }
   ~RawFile() override { close(file_); }
   RawFile(const RawFile&) = delete;
@@ -147,7 +147,7 @@ class RawFile final : public Recorder {
     const std::size_t size = chunk.size() * sizeof(TraceSample);
     const bool isKept =
         write(file_, chunk.data(), size) == static_cast<ssize_t>(size) && fdatasync(file_) == 0;
-    if (!isKept) throw NotNow("The disk took no more of the benchmark.");
+    if (!isKept) throw UserError("The disk took no more of the benchmark.");
   }
   std::uintmax_t bytes() override { return std::filesystem::file_size(path_); }
 

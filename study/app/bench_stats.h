@@ -52,7 +52,7 @@ struct StatsMeasurement {
 };
 
 /// Makes a synthetic study in a temporary folder, measures, and removes it.
-/// @throws NotNow, storage::StorageError  in words.
+/// @throws UserError, storage::StorageError  in words.
 StatsMeasurement measureStats(const StatsBenchOptions& options);
 
 /// The part of it that a process of its own does: prints what it measured for whoever started it.

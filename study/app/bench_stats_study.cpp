@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "protocols/load_protocol.h"
 #include "protocols/schedule.h"
 #include "study/session.h"
 #include "study/session_plan.h"

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "study/session.h"
+#include "study/user_error.h"
 
 extern char** environ;
 
@@ -44,7 +44,7 @@ std::optional<int> runAndRead(
     std::vector<std::string> arguments,
     const Line& line) {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw NotNow("Another process cannot be started: no pipe.");
+  if (pipe2(ends, O_CLOEXEC) != 0) throw UserError("Another process cannot be started: no pipe.");
   const std::unique_ptr<FILE, int (*)(FILE*)> output(fdopen(ends[0], "r"), fclose);
 
   arguments.insert(arguments.begin(), name);
@@ -68,7 +68,7 @@ std::optional<int> runAndRead(
 
 void runAnotherOfUs(const std::vector<std::string>& arguments, const Line& line) {
   if (runAndRead("/proc/self/exe", "palpate", arguments, line) == 0) return;
-  throw NotNow("A process that measured did not end well; what it measured is incomplete.");
+  throw UserError("A process that measured did not end well; what it measured is incomplete.");
 }
 
 std::optional<int> runProgram(

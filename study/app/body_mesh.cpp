@@ -4,7 +4,7 @@
 
 #include "protocols/mesh_file.h"
 #include "questionnaires/problem.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -24,12 +24,12 @@ reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& su
   return mesh;
 }
 
-/// @throws NotNow  with what the reader says.
+/// @throws UserError  with what the reader says.
 std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   try {
     return protocols::readMeshFile(path);
   } catch (const questionnaires::Error& error) {
-    throw NotNow(path + " cannot be filled: " + error.what() + ". Save it as STL, OBJ or PLY.");
+    throw UserError(path + " cannot be filled: " + error.what() + ". Save it as STL, OBJ or PLY.");
   }
 }
 
@@ -39,7 +39,7 @@ double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMe
   if (unit == "mm") return 0.001;
   const double likely = reaming::likelyUnit(mesh);
   if (likely == 0.0) {
-    throw NotNow(
+    throw UserError(
         "The mesh is of no bone's size, neither in metres nor in millimetres. Say which with "
         "--unit m or --unit mm.");
   }
@@ -53,7 +53,7 @@ double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMe
 
 BodyMesh readBody(const std::string& path, const std::string& unit) {
   if (!std::filesystem::is_regular_file(path)) {
-    throw NotNow("There is no file " + path + ". Check the spelling and the folder.");
+    throw UserError("There is no file " + path + ". Check the spelling and the folder.");
   }
   BodyMesh body{.mesh = trianglesOf(surfacesIn(path)), .said = {}};
   for (const auto& repair : reaming::repair(body.mesh)) body.said.push_back(repair);
@@ -61,7 +61,7 @@ BodyMesh readBody(const std::string& path, const std::string& unit) {
   for (auto& vertex : body.mesh.vertices) vertex = unitLength * vertex;
   std::string wrong;
   for (const auto& problem : reaming::problemsOf(body.mesh)) wrong += "\n  " + problem + ".";
-  if (!wrong.empty()) throw NotNow(path + " cannot be filled:" + wrong);
+  if (!wrong.empty()) throw UserError(path + " cannot be filled:" + wrong);
   return body;
 }
 

@@ -14,7 +14,7 @@ struct BodyMesh {
 };
 
 /// @param unit  "m", "mm", or empty: from the size of the mesh.
-/// @throws NotNow  in words, where there is no such file, or it has no inside.
+/// @throws UserError  in words, where there is no such file, or it has no inside.
 BodyMesh readBody(const std::string& path, const std::string& unit);
 
 }  // namespace study::app

@@ -7,7 +7,7 @@
 
 #include "haptics/recordings/recording_file.h"
 #include "protocols/library.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/write_report.h"
 #include "study/export.h"

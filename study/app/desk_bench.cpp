@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "protocols/load_protocol.h"
 #include "study/gui/live_plot.h"
 #include "study/gui/operator_window.h"
 #include "study/simulated_participant.h"

@@ -8,7 +8,7 @@
 
 #include "haptics/devices/firmware_build.h"
 #include "haptics/devices/serial_port.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/device_emulate.h"
 #include "study/app/device_json_file.h"
@@ -16,7 +16,7 @@
 #include "study/app/device_rehearse.h"
 #include "study/app/device_report.h"
 #include "study/hardware_rig.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -64,7 +64,7 @@ int list(const DeviceArguments& arguments) {
 
 std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
   if (!std::filesystem::exists(arguments.file)) {
-    throw NotNow(
+    throw UserError(
         "No device file " + arguments.file +
         " is there. docs/devices.md shows one, and 'palpate device check FILE' takes any other.");
   }
@@ -74,7 +74,7 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
     questionnaires::Problems problems;
     const auto loaded = protocols::loadProtocolFile(arguments.protocol, problems);
     if (!loaded) {
-      throw NotNow(
+      throw UserError(
           arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
     }
     needs = loaded->protocol.devices;

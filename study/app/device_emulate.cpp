@@ -18,7 +18,7 @@
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
 #include "study/app/qemu_punch.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -127,7 +127,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   namespace fri = haptics::wire::fri;
   emulators::FriController::Options options;
   const auto client = haptics::devices::endpointFrom(arguments.client, 30200);
-  if (!client) throw NotNow("'" + arguments.client + "' is no address such as 127.0.0.1:30200.");
+  if (!client) throw UserError("'" + arguments.client + "' is no address such as 127.0.0.1:30200.");
   options.client = *client;
   options.version = fri::versionNamed(arguments.version).value_or(fri::Version::V1_15);
   options.sendPeriod = arguments.period;

@@ -14,7 +14,7 @@
 #include "haptics/devices/serial_port.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/wire/sketch_line.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -50,7 +50,7 @@ struct Row {
 
 int listen(const ListenArguments& arguments) {
   if (!arguments.out.empty() && std::filesystem::exists(arguments.out)) {
-    throw NotNow(arguments.out + " is there already. Name a file that is not.");
+    throw UserError(arguments.out + " is there already. Name a file that is not.");
   }
   haptics::devices::SerialPort port;
   port.open(arguments.port, arguments.baud);
@@ -89,7 +89,7 @@ int listen(const ListenArguments& arguments) {
   }
   out.flush();
   if (understood == 0 && !arguments.out.empty()) std::filesystem::remove(arguments.out);
-  if (!out) throw NotNow("What was heard could not be written to " + arguments.out + ".");
+  if (!out) throw UserError("What was heard could not be written to " + arguments.out + ".");
   fmt::print(
       stderr,
       "{} lines of the published sketch, {} others{}.\n",

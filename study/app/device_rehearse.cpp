@@ -10,14 +10,14 @@
 #include "haptics/devices/datagram_socket.h"
 #include "haptics/devices/device_error.h"
 #include "haptics/emulators/fri_arm.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/app/device_report.h"
 #include "study/app/emulator_process.h"
 #include "study/app/simulated_endings.h"
 #include "study/hardware_rig.h"
-#include "study/session.h"
 #include "study/simulated_participant.h"
 #include "study/storage/event_log.h"
+#include "study/user_error.h"
 #include "study/verification.h"
 #include "study/words/counted.h"
 
@@ -71,7 +71,7 @@ class RehearsalFolder {
  public:
   explicit RehearsalFolder(const std::string& path) : path_(path) {
     if (!fs::create_directories(path_)) {
-      throw NotNow(path + " is there already. Name a folder that is not.");
+      throw UserError(path + " is there already. Name a folder that is not.");
     }
   }
   ~RehearsalFolder() {
@@ -130,7 +130,8 @@ void printLinks(Study& study) {
   }
 }
 
-/// How it went for those who do not exist. @throws NotNow  where a device could not be had again.
+/// How it went for those who do not exist. @throws UserError  where a device could not be had
+/// again.
 std::vector<SimulatedEnding> felt(
     Study& study,
     SimulatedClock& clock,
@@ -148,7 +149,7 @@ std::vector<SimulatedEnding> felt(
     printLinks(study);
     return endings;
   } catch (const haptics::devices::DeviceError& error) {
-    throw NotNow(std::string("REHEARSAL FAILED: ") + error.what());
+    throw UserError(std::string("REHEARSAL FAILED: ") + error.what());
   }
 }
 
@@ -186,7 +187,7 @@ int rehearse(const RehearseArguments& arguments) {
   questionnaires::Problems problems;
   const auto protocol = protocols::loadProtocolFile(arguments.protocol, problems);
   if (!protocol) {
-    throw NotNow(
+    throw UserError(
         arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
   }
   RehearsalFolder folder(arguments.out);

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "study/session.h"
+#include "study/user_error.h"
 
 extern char** environ;
 
@@ -38,7 +38,7 @@ EmulatorProcess::EmulatorProcess(const std::vector<std::string>& arguments) {
   ::close(errors_);
   constexpr std::string_view kName = "palpate: ";
   if (why.starts_with(kName)) why.erase(0, kName.size());
-  throw NotNow("A stand-in for a device did not begin" + (why.empty() ? "." : ": " + why));
+  throw UserError("A stand-in for a device did not begin" + (why.empty() ? "." : ": " + why));
 }
 
 void EmulatorProcess::start(const std::vector<std::string>& arguments) {

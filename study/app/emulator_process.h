@@ -12,7 +12,7 @@ namespace study::app {
 class EmulatorProcess {
  public:
   /// @param arguments  after "device emulate". Waits until it says that it is ready.
-  /// @throws NotNow  if it does not, with what it said instead.
+  /// @throws UserError  if it does not, with what it said instead.
   explicit EmulatorProcess(const std::vector<std::string>& arguments);
   ~EmulatorProcess();
   EmulatorProcess(const EmulatorProcess&) = delete;

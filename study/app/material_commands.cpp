@@ -18,8 +18,8 @@
 #include "study/app/finite_range.h"
 #include "study/app/material_report.h"
 #include "study/new_file.h"
-#include "study/session.h"
 #include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -49,7 +49,7 @@ std::map<std::string, std::string> pairs(const std::vector<std::string>& words) 
   for (const auto& word : words) {
     const auto equals = word.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw NotNow("'" + word + "' names nothing. Write WHAT=NAME, e.g. force=Kraft.");
+      throw UserError("'" + word + "' names nothing. Write WHAT=NAME, e.g. force=Kraft.");
     }
     result[word.substr(0, equals)] = word.substr(equals + 1);
   }
@@ -150,7 +150,7 @@ int fit(FitCommand& command) {
   std::vector<protocols::MaterialSource> sources;
   const auto series = readAll(command, sources);
   if (series.empty()) {
-    throw NotNow("No series were named. Say which test each is of: --dynamic-1 FILE …");
+    throw UserError("No series were named. Say which test each is of: --dynamic-1 FILE …");
   }
   const bool isSynthetic =
       std::any_of(series.begin(), series.end(), [](const auto& each) { return each.isSynthetic; });
@@ -159,7 +159,7 @@ int fit(FitCommand& command) {
   if (isSynthetic) {
     fmt::print("SYNTHETIC: nobody measured these series, and what comes of them says so.\n");
   }
-  if (result.sets.empty()) throw NotNow("Every series was left out; there is nothing to fit.");
+  if (result.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
   if (!command.out.empty()) {
     writeNewFile(
         command.out,
@@ -229,7 +229,7 @@ struct SynthesiseCommand {
 int synthesise(const SynthesiseCommand& command) {
   const std::filesystem::path folder(command.folder);
   if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder)) {
-    throw NotNow("'" + command.folder + "' is not empty. Choose a folder that is new.");
+    throw UserError("'" + command.folder + "' is not empty. Choose a folder that is new.");
   }
   std::filesystem::create_directories(folder);
   for (const auto& series : reaming::syntheticStudy(command.seed)) {

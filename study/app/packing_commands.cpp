@@ -21,8 +21,8 @@
 #include "study/app/packing_inputs.h"
 #include "study/app/packing_report.h"
 #include "study/new_file.h"
-#include "study/session.h"
 #include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -46,10 +46,11 @@ struct BuildCommand {
 
 std::string checkedEnding(const std::string& path) {
   if (!path.ends_with(protocols::kPackingEnding)) {
-    throw NotNow("'" + path + "' does not end in '.packing', by which such files are known.");
+    throw UserError("'" + path + "' does not end in '.packing', by which such files are known.");
   }
   if (fs::exists(path)) {
-    throw NotNow("'" + path + "' is there already, and nothing is overwritten. Choose a new name.");
+    throw UserError(
+        "'" + path + "' is there already, and nothing is overwritten. Choose a new name.");
   }
   return path;
 }
@@ -94,7 +95,7 @@ int buildPacking(BuildCommand& command) {
     bone.packing = *reaming::pack(
         *body, options, [&](const auto& progress) { return tell(progress, lastRadius); });
   } catch (const std::invalid_argument& wrong) {
-    throw NotNow(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
+    throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
   }
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   protocols::PackingOrigin origin{.mesh = "parametric acetabulum", .seed = options.seed};
@@ -196,7 +197,7 @@ int fitDensities(const DensityCommand& command) {
       fmt::print(stderr, "fitting the {} curve\n", curve);
     });
   } catch (const std::invalid_argument& wrong) {
-    throw NotNow(command.packing + ": " + wrong.what() + ".");
+    throw UserError(command.packing + ": " + wrong.what() + ".");
   }
   for (const auto& curve : report.curves) {
     fmt::print(

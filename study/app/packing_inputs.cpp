@@ -5,7 +5,7 @@
 #include "haptics/engine/parametric_bone.h"
 #include "protocols/material_file.h"
 #include "questionnaires/document.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 
@@ -20,7 +20,7 @@ void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
 
 reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin) {
   if (!path.ends_with(protocols::kPackingEnding)) {
-    throw NotNow(
+    throw UserError(
         "'" + path +
         "' does not end in '.packing': spheres are wanted here, as 'palpate packing build' writes "
         "them. A material goes after --material.");
@@ -28,7 +28,7 @@ reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& 
   questionnaires::Problems problems;
   auto bone = protocols::readPacking(
       questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
-  if (!bone) throw NotNow(path + ":\n" + questionnaires::inWords(problems.all()));
+  if (!bone) throw UserError(path + ":\n" + questionnaires::inWords(problems.all()));
   return std::move(*bone);
 }
 
@@ -38,7 +38,7 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
     return {haptics::engine::parametricCurves(), true};
   }
   if (choice.file.ends_with(protocols::kPackingEnding)) {
-    throw NotNow(
+    throw UserError(
         "'" + choice.file +
         "' holds spheres; --material wants a material, as 'palpate material fit' writes it "
         "(MATERIAL.json).");
@@ -47,14 +47,14 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
   const auto material =
       protocols::readMaterial(questionnaires::readTextFile(choice.file), problems);
   if (!material) {
-    throw NotNow(choice.file + ":\n" + questionnaires::inWords(problems.all()));
+    throw UserError(choice.file + ":\n" + questionnaires::inWords(problems.all()));
   }
   for (const auto& set : material->sets) {
     if (nameOf(set.set) != choice.set) continue;
     origin.material = material->name + ", " + choice.set;
     return {set.force, material->isSynthetic};
   }
-  throw NotNow("'" + choice.file + "' has no test set '" + choice.set + "'.");
+  throw UserError("'" + choice.file + "' has no test set '" + choice.set + "'.");
 }
 
 }  // namespace study::app

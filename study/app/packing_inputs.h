@@ -18,7 +18,7 @@ struct MaterialChoice {
 };
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice);
 
-/// @throws NotNow  in words, where the file is missing or no packing.
+/// @throws UserError  in words, where the file is missing or no packing.
 haptics::reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin);
 
 struct ChosenCurves {
@@ -27,7 +27,7 @@ struct ChosenCurves {
 };
 
 /// The curves, and into @p origin what they are called.
-/// @throws NotNow  in words, where the file is missing, no material, or has no such test set.
+/// @throws UserError  in words, where the file is missing, no material, or has no such test set.
 ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin);
 
 }  // namespace study::app

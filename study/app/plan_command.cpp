@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/study_plan.h"

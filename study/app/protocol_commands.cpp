@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "protocols/schedule.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/session.h"
+#include "study/user_error.h"
 
 extern char** environ;
 
@@ -45,7 +45,7 @@ pid_t start(const std::string& firmware, int out) {
   const int error = posix_spawnp(&id, kEmulator, &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (error == 0) return id;
-  throw NotNow(
+  throw UserError(
       "QEMU (qemu-system-arm) cannot be started. Install it with ./setup --firmware, or leave "
       "--firmware out: then the same program runs natively.");
 }
@@ -64,7 +64,7 @@ std::string portSaid(int from) {
     const auto end = begin == std::string::npos ? begin : said.find(' ', begin);
     if (end != std::string::npos) return said.substr(begin, end - begin);
   }
-  throw NotNow("QEMU did not offer a serial line: " + said);
+  throw UserError("QEMU did not offer a serial line: " + said);
 }
 
 }  // namespace
@@ -72,14 +72,14 @@ std::string portSaid(int from) {
 QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
     : firmware_(firmware), link_(link) {
   if (!std::filesystem::is_regular_file(firmware)) {
-    throw NotNow(
+    throw UserError(
         firmware +
         " is no firmware. It is built where arm-none-eabi-g++ is installed (./setup "
         "--firmware), as haptics/firmware/punch.elf in the build folder.");
   }
   refuseNameOfAnother();
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw NotNow("No pipe can be had from the system.");
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had from the system.");
   try {
     id_ = start(firmware, ends[1]);
     ::close(ends[1]);
@@ -104,7 +104,7 @@ void QemuPunch::refuseNameOfAnother() const {
   std::error_code ignored;
   if (!std::filesystem::is_symlink(link_, ignored)) return;
   if (!std::filesystem::exists(link_, ignored)) return;
-  throw NotNow(
+  throw UserError(
       "The name " + link_ +
       " leads to a port that is there: another emulator has it. End that one, choose another name, "
       "or remove the link.");

@@ -12,7 +12,7 @@ namespace study::app {
 class QemuPunch {
  public:
   /// @param link  a name for its port that stays; empty: the one that QEMU gets.
-  /// @throws NotNow  if QEMU or the firmware is missing, in words.
+  /// @throws UserError  if QEMU or the firmware is missing, in words.
   QemuPunch(const std::string& firmware, const std::string& link);
   ~QemuPunch();
   QemuPunch(const QemuPunch&) = delete;

@@ -17,7 +17,7 @@
 #include "study/app/json_file.h"
 #include "study/import_recording.h"
 #include "study/new_file.h"
-#include "study/session.h"
+#include "study/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -63,7 +63,7 @@ recordings::RowRange rowRange(const std::string& text) {
   const int read =
       std::sscanf(text.c_str(), "%zu%c%zu%c", &range.first, &colon, &range.last, &more);
   if (read != 3 || colon != ':' || range.first == 0 || range.last < range.first) {
-    throw NotNow(
+    throw UserError(
         "'" + text + "' is no range of rows. Write FIRST:LAST, numbered from 1, e.g. 5900:5975.");
   }
   return range;
@@ -177,7 +177,7 @@ int noise(const NoiseCommand& command) {
   }
   for (const auto& range : rows) {
     if (range.last <= recording.rows.size()) continue;
-    throw NotNow(fmt::format(
+    throw UserError(fmt::format(
         "Rows {} to {} do not lie in '{}', which has {} rows.",
         range.first,
         range.last,

@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "study/session.h"
+#include "study/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -52,7 +52,7 @@ RunMode chosenRunMode(Study& study, const std::string& name) {
                   what + " sessions are") +
               " there: add --run-mode " + what + ".";
   }
-  throw NotNow("No participant has taken part in " + study.folder().string() + " yet." + others);
+  throw UserError("No participant has taken part in " + study.folder().string() + " yet." + others);
 }
 
 }  // namespace study::app

@@ -21,7 +21,7 @@ void addRunModeOfSession(CLI::App& command, std::string& name);
 void addReasonOption(CLI::App& command, std::string& reason);
 
 /// The run mode that @p name says, or live where it says nothing.
-/// @throws NotNow  in words, where that leaves no session: which ones there are.
+/// @throws UserError  in words, where that leaves no session: which ones there are.
 RunMode chosenRunMode(Study& study, const std::string& name);
 
 }  // namespace study::app

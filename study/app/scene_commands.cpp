@@ -12,6 +12,7 @@
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/passivity.h"
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
@@ -20,7 +21,7 @@
 #include "study/app/scene_cost.h"
 #include "study/app/scene_play.h"
 #include "study/new_file.h"
-#include "study/session.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -108,7 +109,7 @@ const protocols::Condition& conditionOf(
   if (const auto* condition = protocol.condition(id)) return *condition;
   std::string known;
   for (const auto& c : protocol.conditions) known += (known.empty() ? "" : ", ") + c.id;
-  throw NotNow("There is no condition '" + id + "'. There are: " + known + ".");
+  throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 
 haptics::engine::SceneSpec sceneOf(
@@ -207,7 +208,7 @@ int playScene(const PlayOptions& options) {
     const auto spec = sceneOf(file->protocol, condition);
     const auto own = standInFor(spec.device);
     if (device && device->kind != own.kind) {
-      throw NotNow("These conditions are felt on different devices; play them one by one.");
+      throw UserError("These conditions are felt on different devices; play them one by one.");
     }
     device = own;
     profile = profileOf(motionFor(options, own));

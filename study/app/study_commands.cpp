@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
 #include "study/app/run_mode_option.h"
@@ -47,7 +48,7 @@ protocols::LoadedProtocol loadOrExplain(const std::string& file) {
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocolFile(file, problems);
   if (!loaded) {
-    throw NotNow(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
   }
   return std::move(*loaded);
 }

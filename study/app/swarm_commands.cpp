@@ -17,8 +17,8 @@
 #include "study/app/packing_inputs.h"
 #include "study/app/swarm_file.h"
 #include "study/new_file.h"
-#include "study/session.h"
 #include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
 
 namespace study::app {
 namespace {
@@ -47,7 +47,7 @@ void readShard(const std::string& text, SwarmShard& settings) {
     settings.shards = std::stoll(text.substr(slash + 1));
   }
   if (!isTwo || settings.shard < 1 || settings.shard > settings.shards) {
-    throw NotNow("'" + text + "' is no shard. Write which of how many, e.g. --shard 2/5.");
+    throw UserError("'" + text + "' is no shard. Write which of how many, e.g. --shard 2/5.");
   }
 }
 
@@ -154,12 +154,12 @@ int merge(const std::vector<std::string>& files) {
   for (const auto& file : files) {
     questionnaires::Problems problems;
     auto shard = readSwarmShard(questionnaires::readTextFile(file), problems);
-    if (!shard) throw NotNow(file + ":\n" + questionnaires::inWords(problems.all()));
+    if (!shard) throw UserError(file + ":\n" + questionnaires::inWords(problems.all()));
     shards.push_back(std::move(*shard));
   }
   std::string wrong;
   for (const auto& problem : problemsOf(shards)) wrong += "\n  " + problem + ".";
-  if (!wrong.empty()) throw NotNow("The shards are not one whole experiment:" + wrong);
+  if (!wrong.empty()) throw UserError("The shards are not one whole experiment:" + wrong);
   std::vector<SwarmSeed> all;
   for (const auto& shard : shards) {
     all.insert(all.end(), shard.results.begin(), shard.results.end());

@@ -160,7 +160,7 @@ class TerminalSession {
            .firstTouch = seconds,
            .responseTime = seconds,
            .language = language()});
-    } catch (const NotNow& objection) {
+    } catch (const UserError& objection) {
       fmt::print("{}\n", objection.what());
       return false;
     }

@@ -12,7 +12,7 @@ namespace study::gui {
 /// that does not work. @param participant  their code.
 void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent);
 
-/// The same without asking. @throws NotNow, storage::StorageError  in words.
+/// The same without asking. @throws UserError, storage::StorageError  in words.
 void writeConsentCopy(Study& study, const std::string& participant, const std::string& path);
 
 }  // namespace study::gui

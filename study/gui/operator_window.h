@@ -30,7 +30,7 @@ class OperatorWindow final : public QMainWindow {
  public:
   /// The study outlives it.
   /// @param deviceFile  of the laboratory; empty: the study's own, or else virtual instruments.
-  /// @throws NotNow  if it cannot be used.
+  /// @throws UserError  if it cannot be used.
   explicit OperatorWindow(
       Study& study, const std::string& deviceFile = {}, QWidget* parent = nullptr);
   ~OperatorWindow() override;

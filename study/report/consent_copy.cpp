@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "study/report/html_text.h"
-#include "study/session.h"
 #include "study/storage/records.h"
+#include "study/user_error.h"
 #include "study/words/words.h"
 
 namespace study::report {
@@ -139,7 +139,7 @@ class ConsentPage {
 std::string consentCopy(Study& study, const std::string& participant) {
   const auto consent = findConsent(study, participant);
   if (!consent) {
-    throw NotNow(
+    throw UserError(
         "Nobody of the code '" + participant +
         "' has come to the end of a consent form here. 'palpate study status' lists the codes.");
   }

@@ -10,7 +10,7 @@ namespace study::report {
 /// in the language that they read, what they chose and when, and the versions of the texts. The
 /// place for a signature is empty: names stay in identity.db.
 /// @param participant  their code.
-/// @throws NotNow  if nobody of that code has come to the end of a consent form.
+/// @throws UserError  if nobody of that code has come to the end of a consent form.
 std::string consentCopy(Study& study, const std::string& participant);
 
 }  // namespace study::report

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocols/load_protocol.h"
 #include "study/statistics_row.h"
 
 namespace study::report {

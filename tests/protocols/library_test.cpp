@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "protocols/schedule.h"
 #include "questionnaires/instrument_file.h"

@@ -11,6 +11,7 @@
 
 #include "haptics/recordings/parametric_cut.h"
 #include "protocols/library.h"
+#include "protocols/load_protocol.h"
 #include "questionnaires/document.h"
 #include "questionnaires/instrument_file.h"
 #include "questionnaires/library.h"

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "tests/protocols/refusals.h"
 #include "tests/protocols/small_protocol.h"

@@ -1,6 +1,6 @@
 // Loads protocols and says about each whether it is accepted and what was found: for
 // tests/support/schema_verdicts.mjs.
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "tests/support/verdicts.h"
 
 int main(int argc, char** argv) {

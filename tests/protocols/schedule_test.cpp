@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
 #include "questionnaires/document.h"
 #include "tests/support/test_data.h"
 

@@ -170,10 +170,10 @@ TEST(Enrolment, RefusesACodeOfAnotherCohortOrRunModeAndKeepsThePlaceFree) {
 
 TEST(Enrolment, RefusesWhatTheProtocolDoesNotKnow) {
   MadeStudy study;
-  EXPECT_THROW(Session::enrol(*study, {.cohort = "nurses"}), NotNow);
-  EXPECT_THROW(Session::enrol(*study, {.cohort = "surgeons", .language = "fr"}), NotNow);
+  EXPECT_THROW(Session::enrol(*study, {.cohort = "nurses"}), UserError);
+  EXPECT_THROW(Session::enrol(*study, {.cohort = "surgeons", .language = "fr"}), UserError);
   for (const char* code : {"two words", "a/b", "é", "=1+1", "-x", "a,b"}) {
-    EXPECT_THROW(Session::enrol(*study, {.cohort = "surgeons", .code = code}), NotNow) << code;
+    EXPECT_THROW(Session::enrol(*study, {.cohort = "surgeons", .code = code}), UserError) << code;
   }
   EXPECT_EQ(storage::Records(study->database()).sessions().size(), 0U);
   EXPECT_FALSE(isFrozen(*study));

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/load_protocol.h"
+
 namespace study {
 namespace {
 

@@ -103,7 +103,7 @@ TEST_P(LongAnswersTest, AreKeptByteForByte) {
 TEST_P(LongAnswersTest, AreNotTakenWithOneCharacterTooMany) {
   const auto& words = GetParam().words;
   const auto missing = kMost - *questionnaires::charactersIn(words);
-  EXPECT_THROW(write(words + std::string(missing + 1, 'x')), NotNow);
+  EXPECT_THROW(write(words + std::string(missing + 1, 'x')), UserError);
   EXPECT_EQ(kept(), "nothing");
   write(words + std::string(missing, 'x'));
   EXPECT_TRUE(kept() == words + std::string(missing, 'x'));

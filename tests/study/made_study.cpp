@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "protocols/load_protocol.h"
+
 namespace tests {
 namespace {
 

@@ -139,7 +139,7 @@ TEST_F(SessionAnswersTest, RefusesWhatCannotBeAnAnswer) {
       {"story", std::string(100'001, 'x')},
       {"pair", std::string("")}};
   for (const auto& [item, response] : wrong) {
-    EXPECT_THROW(give(item, response), NotNow) << item;
+    EXPECT_THROW(give(item, response), UserError) << item;
     EXPECT_FALSE(kept(item)) << item;
   }
   EXPECT_TRUE(session_.answers().empty());
@@ -164,14 +164,14 @@ TEST_F(SessionAnswersTest, TakesAnAnswerBackSoThatItIsMissingAgain) {
   EXPECT_TRUE(session_.missing().empty());
   session_.retract("agree");
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"agree"});
-  EXPECT_THROW(session_.finishStep(), NotNow);
+  EXPECT_THROW(session_.finishStep(), UserError);
   session_.retract("name");
   EXPECT_EQ(session_.missing(), (std::vector<std::string>{"agree", "name"}));
 }
 
 TEST_F(SessionAnswersTest, RetractsNothingThatIsNotAsked) {
   const std::string before = tests::eventsOf(*study_, session_.id());
-  EXPECT_THROW(session_.retract("elsewhere"), NotNow);
+  EXPECT_THROW(session_.retract("elsewhere"), UserError);
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()), before);
 }
 
@@ -187,7 +187,7 @@ TEST_F(SessionAnswersTest, KeepsAnswersWhenTheLanguageIsSwitched) {
   EXPECT_EQ(session_.language(), "de");
   EXPECT_EQ(kept("agree")->response, Response(std::int64_t{2}));
   EXPECT_EQ(kept("agree")->language, "en");  // in which it was read
-  EXPECT_THROW(session_.setLanguage("fr"), NotNow);
+  EXPECT_THROW(session_.setLanguage("fr"), UserError);
   EXPECT_EQ(session_.language(), "de");
 }
 
@@ -196,8 +196,8 @@ TEST_F(SessionAnswersTest, OffersTheAlternativesThatWereFelt) {
   give("name", std::string("Somebody"));
   tests::walkTo(session_, StepKind::Preference);
   EXPECT_EQ(session_.step().alternatives, (std::vector<std::string>{"1", "2", "3"}));
-  EXPECT_THROW(give("preferred", std::string("4")), NotNow);
-  EXPECT_THROW(give("preferred", std::string("interpolation")), NotNow);
+  EXPECT_THROW(give("preferred", std::string("4")), UserError);
+  EXPECT_THROW(give("preferred", std::string("interpolation")), UserError);
   give("preferred", std::string("3"));
 }
 

@@ -35,7 +35,7 @@ class SessionStepsTest : public testing::Test {
 
 TEST_F(SessionStepsTest, FinishesNoStepWhileSomethingRequiredIsMissing) {
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"consent"});
-  EXPECT_THROW(session_.finishStep(), NotNow);
+  EXPECT_THROW(session_.finishStep(), UserError);
   tests::answerStep(session_);
   EXPECT_TRUE(session_.missing().empty());
   session_.finishStep();
@@ -50,17 +50,17 @@ TEST_F(SessionStepsTest, EndsWithoutATrialWhenConsentIsRefused) {
   session_.finishStep();
   EXPECT_EQ(session_.state(), SessionState::Declined);
   EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));
-  EXPECT_THROW(session_.beginTrial(), NotNow);
+  EXPECT_THROW(session_.beginTrial(), UserError);
 }
 
 TEST_F(SessionStepsTest, RunsATrialAsATrialAndNothingElse) {
   tests::walkTo(session_, StepKind::Trial);
   EXPECT_FALSE(session_.allows(SessionEvent::FinishedStep));
-  EXPECT_THROW(session_.finishStep(), NotNow);
+  EXPECT_THROW(session_.finishStep(), UserError);
   session_.beginTrial();
-  EXPECT_THROW(session_.beginTrial(), NotNow);
-  EXPECT_THROW(session_.pause(""), NotNow);
-  EXPECT_THROW(session_.reject(""), NotNow);
+  EXPECT_THROW(session_.beginTrial(), UserError);
+  EXPECT_THROW(session_.pause(""), UserError);
+  EXPECT_THROW(session_.reject(""), UserError);
   session_.finishTrial(tests::feltTrial());
   EXPECT_EQ(session_.step().kind, StepKind::Questionnaire);
 }
@@ -69,7 +69,7 @@ TEST_F(SessionStepsTest, FinishesNoTrialThatWasNot) {
   tests::walkTo(session_, StepKind::Trial);
   session_.beginTrial();
   for (const auto ending : {TrialEnding::Stopped, TrialEnding::DeviceGone, TrialEnding::TimedOut}) {
-    EXPECT_THROW(session_.finishTrial({.ending = ending}), NotNow);
+    EXPECT_THROW(session_.finishTrial({.ending = ending}), UserError);
   }
   EXPECT_EQ(session_.state(), SessionState::InTrial);
 }
@@ -108,7 +108,7 @@ TEST_F(SessionStepsTest, DoesATrialAgainThatBrokeOff) {
   session_.beginTrial();
   session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
   EXPECT_EQ(session_.state(), SessionState::Interrupted);
-  EXPECT_THROW(session_.beginTrial(), NotNow);
+  EXPECT_THROW(session_.beginTrial(), UserError);
   session_.repeatStep("plugged in again");
   EXPECT_EQ(session_.stepIndex(), trial);
   EXPECT_EQ(session_.visit().attempt, 2);
@@ -149,10 +149,10 @@ TEST_F(SessionStepsTest, GoesBackToQuestionsThatWereSkippedAlone) {
 
 TEST_F(SessionStepsTest, NeitherSkipsNorRepeatsConsent) {
   EXPECT_FALSE(session_.allows(SessionEvent::SkippedStep));
-  EXPECT_THROW(session_.skipStep("in a hurry"), NotNow);
+  EXPECT_THROW(session_.skipStep("in a hurry"), UserError);
   tests::passStep(session_);
   EXPECT_FALSE(session_.allows(SessionEvent::RepeatedStep));
-  EXPECT_THROW(session_.repeatStep("again, please"), NotNow);
+  EXPECT_THROW(session_.repeatStep("again, please"), UserError);
 }
 
 /// A consent form with two questions that have to be answered with yes, and one that need not be.
@@ -216,9 +216,9 @@ TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
   tests::answerStep(session_);
   const auto visit = session_.visit();
   session_.pause("a telephone rings");
-  EXPECT_THROW(session_.finishStep(), NotNow);
-  EXPECT_THROW(session_.record(tests::answerTo(session_, session_.items().front())), NotNow);
-  EXPECT_THROW(session_.retract(session_.items().front().id), NotNow);
+  EXPECT_THROW(session_.finishStep(), UserError);
+  EXPECT_THROW(session_.record(tests::answerTo(session_, session_.items().front())), UserError);
+  EXPECT_THROW(session_.retract(session_.items().front().id), UserError);
   session_.resumeAfterPause();
   EXPECT_EQ(session_.visit(), visit);
   EXPECT_TRUE(session_.missing().empty());
@@ -257,12 +257,12 @@ TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {
   tests::walkTo(session, StepKind::Benchmark);
   EXPECT_EQ(session.benchmarkCuts(), 0);
   session.recordBenchmarkCuts(2);
-  EXPECT_THROW(session.finishStep(), NotNow);  // at least 3, says the protocol
-  EXPECT_THROW(session.recordBenchmarkCuts(-1), NotNow);
+  EXPECT_THROW(session.finishStep(), UserError);  // at least 3, says the protocol
+  EXPECT_THROW(session.recordBenchmarkCuts(-1), UserError);
   EXPECT_EQ(session.benchmarkCuts(), 2);
   session.recordBenchmarkCuts(3);
   session.finishStep();
-  EXPECT_THROW(session.recordBenchmarkCuts(4), NotNow);
+  EXPECT_THROW(session.recordBenchmarkCuts(4), UserError);
 }
 
 TEST_F(SessionStepsTest, TakesNotesAtAnyTimeAndAlsoAfterwards) {
@@ -277,14 +277,14 @@ TEST_F(SessionStepsTest, TakesNotesAtAnyTimeAndAlsoAfterwards) {
 TEST_F(SessionStepsTest, WritesNothingMoreIntoASessionThatIsOver) {
   tests::walkToTheEnd(session_);
   ASSERT_EQ(session_.state(), SessionState::Completed);
-  EXPECT_THROW(session_.record({.item = "preferred", .response = std::string("1")}), NotNow);
-  EXPECT_THROW(session_.retract("preferred"), NotNow);
-  EXPECT_THROW(session_.recordBenchmarkCuts(3), NotNow);
-  EXPECT_THROW(session_.setLanguage("de"), NotNow);
-  EXPECT_THROW(session_.repeatStep(""), NotNow);
-  EXPECT_THROW(session_.skipStep(""), NotNow);
-  EXPECT_THROW(session_.withdraw(""), NotNow);
-  EXPECT_THROW(session_.finishStep(), NotNow);
+  EXPECT_THROW(session_.record({.item = "preferred", .response = std::string("1")}), UserError);
+  EXPECT_THROW(session_.retract("preferred"), UserError);
+  EXPECT_THROW(session_.recordBenchmarkCuts(3), UserError);
+  EXPECT_THROW(session_.setLanguage("de"), UserError);
+  EXPECT_THROW(session_.repeatStep(""), UserError);
+  EXPECT_THROW(session_.skipStep(""), UserError);
+  EXPECT_THROW(session_.withdraw(""), UserError);
+  EXPECT_THROW(session_.finishStep(), UserError);
 }
 
 TEST_F(SessionStepsTest, SaysInTheAuditTrailWhoDidWhatAndWhy) {
@@ -331,7 +331,7 @@ TEST_F(OfferedAgain, IsFeltByWhoeverWantsToAndDeclinedByOthers) {
   session_.finishTrial(tests::feltTrial());
   session_.declineOffer();
   EXPECT_EQ(session_.step().kind, StepKind::Preference);
-  EXPECT_THROW(session_.declineOffer(), NotNow);
+  EXPECT_THROW(session_.declineOffer(), UserError);
   const auto id = session_.id();
   EXPECT_EQ(study_->sessions().statusOf({id, first, 1}), storage::VisitStatus::Skipped);
   EXPECT_EQ(study_->sessions().statusOf({id, first + 1, 1}), storage::VisitStatus::Finished);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "protocols/library.h"
+#include "protocols/load_protocol.h"
 #include "questionnaires/document.h"
 
 namespace study::gui::home {

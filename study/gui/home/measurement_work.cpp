@@ -16,8 +16,8 @@
 #include "protocols/packing_file.h"
 #include "study/import_recording.h"
 #include "study/new_file.h"
-#include "study/session.h"
 #include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
 
 namespace study::gui::home {
 namespace {
@@ -28,10 +28,11 @@ namespace reaming = haptics::reaming;
 /// Before anything is computed: what would be refused at the end.
 void requireNewFile(const std::string& out, std::string_view ending) {
   if (!out.ends_with(ending)) {
-    throw NotNow("'" + out + "' does not end in " + std::string(ending) + ". Choose another name.");
+    throw UserError(
+        "'" + out + "' does not end in " + std::string(ending) + ". Choose another name.");
   }
   if (fs::exists(out)) {
-    throw NotNow(out + " is there already. Nothing is ever overwritten: choose another name.");
+    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
   }
 }
 
@@ -52,9 +53,9 @@ std::vector<fs::path> seriesIn(const std::string& folder) {
     const auto ending = entry.path().extension();
     if (ending == ".csv" || ending == ".tsv" || ending == ".txt") files.push_back(entry.path());
   }
-  if (error) throw NotNow(folder + " cannot be read (" + error.message() + ").");
+  if (error) throw UserError(folder + " cannot be read (" + error.message() + ").");
   if (files.empty()) {
-    throw NotNow(folder + " holds no series. Choose a folder with tables (.csv, .tsv, .txt).");
+    throw UserError(folder + " holds no series. Choose a folder with tables (.csv, .tsv, .txt).");
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -131,7 +132,7 @@ std::string fitMaterialTo(
     tell(progress, kShareOfReading * share, "reading " + name);
     const auto test = testOf(name);
     if (!test) {
-      throw NotNow(
+      throw UserError(
           "Nobody can tell which test " + name +
           " is of: its name has to hold static, dynamic-1 or dynamic-2.");
     }
@@ -143,7 +144,7 @@ std::string fitMaterialTo(
   tell(progress, kUnknownShare, "filtering, and fitting the curves");
   const reaming::FitOptions options;
   const auto fit = reaming::fitMaterial(all, options);
-  if (fit.sets.empty()) throw NotNow("Every series was left out; there is nothing to fit.");
+  if (fit.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
   tell(progress, 1.0, "writing it");
   const auto name = fs::path(out).stem().string();
   writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
@@ -164,7 +165,7 @@ std::string buildBoneTo(
     if (!packing) throw Cancelled();
     bone.packing = *packing;
   } catch (const std::invalid_argument& wrong) {
-    throw NotNow(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
+    throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
   }
   tell(progress, 1.0, "writing it");
   writeNewFile(

@@ -8,8 +8,8 @@
 #include "study/report/figures.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
-#include "study/session.h"
 #include "study/unblinding.h"
+#include "study/user_error.h"
 
 namespace study::gui::home {
 namespace {
@@ -18,11 +18,11 @@ namespace {
 void requireWritable(const std::string& out) {
   const auto ending = std::filesystem::path(out).extension();
   if (ending != ".html" && ending != ".pdf") {
-    throw NotNow(
+    throw UserError(
         "A report is a page (.html) or a PDF (.pdf), not '" + out + "'. Choose another name.");
   }
   if (std::filesystem::exists(out)) {
-    throw NotNow(out + " is there already. Nothing is ever overwritten: choose another name.");
+    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
   }
 }
 
@@ -38,7 +38,7 @@ void write(const ReportOrder& order, const Progress& progress) {
     return session.runMode == order.mode;
   });
   if (!hasAny) {
-    throw NotNow(
+    throw UserError(
         "No " + std::string(nameOf(order.mode)) +
         " participant has taken part yet. Choose other "
         "sessions.");

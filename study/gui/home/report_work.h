@@ -17,7 +17,7 @@ struct ReportOrder {
 };
 
 /// Writes it, as `palpate report` does. May run in any thread.
-/// @throws storage::StorageError, NotNow  in words.
+/// @throws storage::StorageError, UserError  in words.
 void write(const ReportOrder& order, const Progress& progress);
 
 }  // namespace study::gui::home

@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "study/hardware_rig.h"
-#include "study/session.h"
 #include "study/storage/study_schema.h"
 #include "study/study_files.h"
 #include "study/trial_record.h"
+#include "study/user_error.h"
 
 namespace study::gui::home {
 namespace {
@@ -48,7 +48,7 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
         lines.push_back({"devices", std::move(result)});
       }
     }
-  } catch (const NotNow& error) {
+  } catch (const UserError& error) {
     lines.push_back(
         {"devices", {Finding::Fail, "device file", error.what(), "Mend the device file."}});
   }

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "protocols/load_protocol.h"
 #include "study/gui/attempt.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/labels.h"

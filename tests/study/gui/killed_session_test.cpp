@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/gui/operator_window.h"
 #include "study/storage/records.h"
 #include "study/verification.h"

@@ -10,7 +10,7 @@
 #include <QClipboard>
 #include <QRegularExpression>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/gui/operator_window.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"

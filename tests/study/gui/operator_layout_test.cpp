@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/operator_window.h"

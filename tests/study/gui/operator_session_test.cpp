@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QTest>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/cut_table.h"

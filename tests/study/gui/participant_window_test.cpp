@@ -11,6 +11,7 @@
 #include <QCoreApplication>
 #include <QTest>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/gui/consent_copy_dialog.h"
 #include "study/gui/operator_window.h"
@@ -206,7 +207,7 @@ TEST_F(OfferedPages, WriteACopyOfTheConsentOnRequest) {
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto code = window_.controller()->session().participant();
   const std::string pdf = folder_ / "copy.pdf";
-  EXPECT_THROW(writeConsentCopy(study_, code, pdf), NotNow) << "nobody has agreed yet";
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), UserError) << "nobody has agreed yet";
   participant_.takePart(3);
   writeConsentCopy(study_, code, pdf);
   std::ifstream file(pdf, std::ios::binary);

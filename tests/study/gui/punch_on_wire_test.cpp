@@ -16,7 +16,7 @@
 #include "haptics/emulators/punch_emulator.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 #include "study/gui/findings_dialog.h"
 #include "study/gui/operator_window.h"
 #include "study/storage/records.h"

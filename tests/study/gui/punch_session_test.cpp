@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/feel_page.h"

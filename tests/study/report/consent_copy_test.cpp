@@ -58,10 +58,10 @@ TEST_F(ConsentCopy, IsRefusedForWhoeverHasNotDecidedYet) {
   try {
     consentCopy(study_, session.participant());
     FAIL();
-  } catch (const NotNow& refusal) {
+  } catch (const UserError& refusal) {
     EXPECT_TRUE(has(refusal.what(), session.participant()));
   }
-  EXPECT_THROW(consentCopy(study_, "nobody"), NotNow);
+  EXPECT_THROW(consentCopy(study_, "nobody"), UserError);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "tests/study/report/section.h"
 
 #include "analysis/share_interval.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/load_protocol.h"
 
 namespace tests {
 

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTextBlock>
 
+#include "protocols/load_protocol.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/home/export_dialog.h"
 #include "study/gui/home/help_window.h"

@@ -8,6 +8,7 @@
 #include <QTextBrowser>
 
 #include "protocols/library.h"
+#include "protocols/load_protocol.h"
 #include "study/gui/home/home_window.h"
 #include "study/gui/home/new_study_dialog.h"
 #include "study/gui/home/recent_studies.h"

@@ -12,7 +12,7 @@
 #include "protocols/packing_file.h"
 #include "study/gui/home/measurement_dialogs.h"
 #include "study/gui/home/measurement_work.h"
-#include "study/session.h"
+#include "study/user_error.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
@@ -70,7 +70,7 @@ TEST_F(MeasurementTest, ASeriesOfNobodyKnowsWhichTestIsRefused) {
   try {
     fitMaterialTo(folder_.path().string(), "x", folder_ / "m.json", {});
     FAIL() << "was not refused";
-  } catch (const NotNow& error) {
+  } catch (const UserError& error) {
     EXPECT_NE(std::string(error.what()).find("series.csv"), std::string::npos) << error.what();
   }
 }
@@ -95,7 +95,7 @@ TEST_F(MeasurementTest, ABoneThatIsCancelledLeavesNoFile) {
 
 TEST_F(MeasurementTest, NothingIsOverwritten) {
   const auto mine = folder_.write("cup.packing", "mine");
-  EXPECT_THROW(buildBoneTo(400, 1, mine, {}), NotNow);
+  EXPECT_THROW(buildBoneTo(400, 1, mine, {}), UserError);
   EXPECT_EQ(tests::contentOf(mine), "mine");
 }
 

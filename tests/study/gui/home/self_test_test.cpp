@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "protocols/load_protocol.h"
 #include "study/gui/home/self_test_dialog.h"
 #include "study/study.h"
 #include "tests/study/gui/pictures.h"

@@ -12,6 +12,7 @@
 #include <QTextBrowser>
 #include <QTimer>
 
+#include "protocols/load_protocol.h"
 #include "study/clock.h"
 #include "study/gui/home/export_dialog.h"
 #include "study/public_tables.h"

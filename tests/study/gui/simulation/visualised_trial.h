@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "protocols/library.h"
+#include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/simulation/simulation_view.h"

@@ -4,6 +4,7 @@
 #include <QLabel>
 
 #include "protocols/anatomy_file.h"
+#include "protocols/load_protocol.h"
 #include "study/export.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/simulation/hip_scene.h"

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "protocols/loaded_protocol.h"
+#include "questionnaires/problem.h"
+
+namespace protocols {
+
+/// Reads a protocol and everything it refers to, and checks that it all fits together. Nothing
+/// where there are errors; warnings leave it usable.
+std::optional<LoadedProtocol> loadProtocol(
+    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
+
+/// The same from a file, or from the library by name ("punch-face-validity"). What it refers to is
+/// looked for beside the file.
+/// @throws questionnaires::Error  if the file cannot be read at all.
+std::optional<LoadedProtocol> loadProtocolFile(
+    const std::string& path, questionnaires::Problems& problems);
+
+}  // namespace protocols
