@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/answer_table.h"
+#include "analysis/data/answer_table.h"
 #include "protocols/loaded_protocol.h"
 #include "study/storage/records.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/within_analysis.h"
+#include "analysis/summary/within_analysis.h"
 #include "protocols/protocol.h"
 #include "study/words/words.h"
 

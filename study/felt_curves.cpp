@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/paired_t.h"
+#include "analysis/tests/paired_t.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/tick_sample.h"
 #include "study/storage/records.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/interval.h"
+#include "analysis/numerics/interval.h"
 #include "study/run_mode.h"
 #include "study/study.h"
 

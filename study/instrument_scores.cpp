@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/paired_t.h"
-#include "analysis/share_interval.h"
+#include "analysis/effects/share_interval.h"
+#include "analysis/tests/paired_t.h"
 #include "questionnaires/consistency.h"
 #include "questionnaires/scoring.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/interval.h"
+#include "analysis/numerics/interval.h"
 #include "protocols/loaded_protocol.h"
 #include "questionnaires/acceptability.h"
 #include "study/storage/records.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/pairwise_comparisons.h"
+#include "analysis/summary/pairwise_comparisons.h"
 #include "study/counted_sessions.h"
 #include "study/results.h"
 #include "study/run_mode.h"

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "analysis/common_unit.h"
-#include "analysis/share_interval.h"
+#include "analysis/effects/share_interval.h"
+#include "analysis/numerics/common_unit.h"
 #include "study/answer_tables.h"
 #include "study/plan_history.h"
 #include "study/pooled_answers.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/interval.h"
+#include "analysis/numerics/interval.h"
 #include "study/data_table.h"
 #include "study/felt_curves.h"
 #include "study/results.h"

@@ -1,6 +1,6 @@
 #include "study/votes_table.h"
 
-#include "analysis/share_interval.h"
+#include "analysis/effects/share_interval.h"
 #include "study/results.h"
 
 namespace study {

@@ -5,8 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/error.h"
-#include "analysis/published_table.h"
+#include "analysis/data/error.h"
+#include "analysis/published/published_table.h"
 #include "questionnaires/document.h"
 #include "study/app/commands.h"
 #include "study/app/published_report.h"

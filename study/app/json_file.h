@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/grouped_values.h"
-#include "analysis/welch.h"
+#include "analysis/data/grouped_values.h"
+#include "analysis/tests/welch.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/process_noise.h"

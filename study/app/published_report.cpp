@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/error.h"
+#include "analysis/data/error.h"
 
 namespace study::app {
 namespace {

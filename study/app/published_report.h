@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/answer_lattice.h"
-#include "analysis/fitting_sizes.h"
-#include "analysis/published_check.h"
-#include "analysis/published_table.h"
+#include "analysis/published/answer_lattice.h"
+#include "analysis/published/fitting_sizes.h"
+#include "analysis/published/published_check.h"
+#include "analysis/published/published_table.h"
 
 namespace study::app {
 

@@ -8,9 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "analysis/error.h"
-#include "analysis/grouped_values.h"
-#include "analysis/welch.h"
+#include "analysis/data/error.h"
+#include "analysis/data/grouped_values.h"
+#include "analysis/tests/welch.h"
 #include "questionnaires/document.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"

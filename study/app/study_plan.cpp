@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "analysis/power.h"
+#include "analysis/planning/power.h"
 #include "protocols/order.h"
 #include "protocols/schedule.h"
 #include "study/apa_text.h"

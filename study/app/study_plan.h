@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/attainable_p.h"
-#include "analysis/simulated_power.h"
+#include "analysis/planning/simulated_power.h"
+#include "analysis/tests/attainable_p.h"
 #include "protocols/loaded_protocol.h"
 #include "study/session_length.h"
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "analysis/power.h"
+#include "analysis/planning/power.h"
 #include "study/app/study_plan.h"
 #include "study/words/counted.h"
 

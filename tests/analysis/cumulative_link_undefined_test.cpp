@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/cumulative_link_mixed_model.h"
+#include "analysis/models/cumulative_link_mixed_model.h"
 
 namespace {
 

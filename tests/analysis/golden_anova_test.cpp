@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/decimal_number.h"
-#include "analysis/one_way_anova.h"
-#include "analysis/reliability.h"
-#include "analysis/repeated_measures_anova.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/summary/reliability.h"
+#include "analysis/tests/one_way_anova.h"
+#include "analysis/tests/repeated_measures_anova.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "analysis/csv_table.h"
-#include "analysis/grouped_values.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/data/grouped_values.h"
 
 namespace tests {
 

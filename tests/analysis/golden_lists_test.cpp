@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/adjustment.h"
-#include "analysis/decimal_number.h"
-#include "analysis/equal_shares.h"
-#include "analysis/summary.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/data/summary.h"
+#include "analysis/tests/adjustment.h"
+#include "analysis/tests/equal_shares.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

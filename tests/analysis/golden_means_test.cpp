@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/bayes_factor.h"
-#include "analysis/decimal_number.h"
-#include "analysis/effect_size.h"
-#include "analysis/equivalence.h"
-#include "analysis/paired_t.h"
-#include "analysis/student.h"
-#include "analysis/welch.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/effects/bayes_factor.h"
+#include "analysis/effects/effect_size.h"
+#include "analysis/tests/equivalence.h"
+#include "analysis/tests/paired_t.h"
+#include "analysis/tests/student.h"
+#include "analysis/tests/welch.h"
 #include "tests/analysis/golden_check.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/linear_mixed_model.h"
+#include "analysis/models/linear_mixed_model.h"
 
 namespace {
 

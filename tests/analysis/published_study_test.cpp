@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/decimal_number.h"
-#include "analysis/pairwise_comparisons.h"
-#include "analysis/vote_counts.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/data/vote_counts.h"
+#include "analysis/summary/pairwise_comparisons.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

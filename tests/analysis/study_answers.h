@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/factor.h"
+#include "analysis/data/factor.h"
 
 namespace tests {
 

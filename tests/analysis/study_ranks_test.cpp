@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/attainable_p.h"
-#include "analysis/common_unit.h"
-#include "analysis/decimal_number.h"
-#include "analysis/friedman.h"
-#include "analysis/sign_flip.h"
-#include "analysis/signed_rank.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/numerics/common_unit.h"
+#include "analysis/tests/attainable_p.h"
+#include "analysis/tests/friedman.h"
+#include "analysis/tests/sign_flip.h"
+#include "analysis/tests/signed_rank.h"
 #include "tests/analysis/digits.h"
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"

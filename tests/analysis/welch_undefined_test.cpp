@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/welch.h"
+#include "analysis/tests/welch.h"
 
 namespace {
 

@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv_table.h"
-#include "analysis/decimal_number.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/data/decimal_number.h"
 #include "study/codebook.h"
 #include "study/export.h"
 #include "study/simulated_participant.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv_table.h"
+#include "analysis/data/csv_table.h"
 #include "study/export.h"
 #include "study/public_tables.h"
 #include "study/simulated_participant.h"

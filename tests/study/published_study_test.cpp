@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv_table.h"
+#include "analysis/data/csv_table.h"
 #include "study/export.h"
 #include "study/results.h"
 #include "study/results_text.h"

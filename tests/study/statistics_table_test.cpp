@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/csv_table.h"
-#include "analysis/decimal_number.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/data/decimal_number.h"
 #include "study/simulated_participant.h"
 #include "tests/study/made_study.h"
 

@@ -1,6 +1,6 @@
 #include "tests/study/report/section.h"
 
-#include "analysis/share_interval.h"
+#include "analysis/effects/share_interval.h"
 #include "protocols/load_protocol.h"
 
 namespace tests {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/data/likert_counts.h"
+
+namespace analysis {
+
+/// One answer to one statement about one method, keyed so that more is better. The numbers are
+/// places in the names of its table.
+struct ScoredAnswer {
+  std::size_t participant = 0;
+  std::size_t method = 0;
+  std::size_t round = 0;
+  std::size_t statement = 0;
+  int position = 0;  ///< of the method among those of its round, from 1
+  int score = 0;
+};
+
+/// Who answered what, on one scale of whole numbers.
+struct AnswerTable {
+  int lowest = 1;
+  int highest = 5;
+  std::vector<std::string> participants;
+  std::vector<std::string> methods;
+  std::vector<std::string> rounds;
+  std::vector<std::string> statements;
+  std::vector<ScoredAnswer> answers;
+
+  /// All answers about a method, whoever gave them.
+  LikertCounts countsOf(std::size_t method) const;
+
+  /// Mean score by participant and method, each exactly rounded; nothing where nothing was
+  /// answered.
+  std::vector<std::vector<std::optional<double>>> participantMeans() const;
+};
+
+/// Participants who answered about all of some methods, one row each: their mean scores.
+struct CompleteMeans {
+  std::vector<std::size_t> participants;             ///< places in the table
+  std::vector<std::vector<double>> means;            ///< [row][place in the methods asked for]
+  std::vector<std::size_t> leftOut;                  ///< participants who lack one
+  std::vector<double> of(std::size_t method) const;  ///< a column
+};
+
+/// @param methods  places in the table
+CompleteMeans completeMeans(const AnswerTable& table, const std::vector<std::size_t>& methods);
+
+}  // namespace analysis

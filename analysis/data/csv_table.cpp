@@ -1,0 +1,167 @@
+#include "analysis/data/csv_table.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "analysis/data/error.h"
+#include "analysis/data/nearest_name.h"
+
+namespace analysis {
+namespace {
+
+std::string onLine(std::size_t line) {
+  return "line " + std::to_string(line) + ": ";
+}
+
+std::string counted(std::size_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t";
+  const auto first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(kBlank) - first + 1));
+}
+
+/// Reads row after row.
+class CsvScanner {
+ public:
+  CsvScanner(std::string_view text, char separator) : rest_(text), separator_(separator) {}
+
+  bool isAtEnd() const { return rest_.empty(); }
+
+  CsvRow row() {
+    CsvRow row{.line = line_, .cells = {}};
+    row.cells.push_back(cell());
+    while (takes(separator_)) row.cells.push_back(cell());
+    endLine();
+    return row;
+  }
+
+ private:
+  std::string cell() { return takes('"') ? quotedCell() : plainCell(); }
+
+  std::string plainCell() {
+    const std::string_view cell = rest_.substr(0, rest_.find_first_of(ends_));
+    rest_.remove_prefix(cell.size());
+    return trimmed(cell);
+  }
+
+  std::string quotedCell() {
+    const std::size_t opened = line_;
+    std::string cell;
+    for (;;) {
+      const auto quote = rest_.find('"');
+      if (quote == std::string_view::npos) {
+        throw Error(onLine(opened) + "a quotation mark is opened here and never closed");
+      }
+      cell += passed(quote);
+      rest_.remove_prefix(1);
+      if (!takes('"')) break;
+      cell += '"';
+    }
+    if (!rest_.empty() && ends_.find(rest_.front()) == std::string::npos) {
+      throw Error(
+          onLine(line_) +
+          "there is text after a closing quotation mark; within quotation marks, write \"\" for "
+          "\"");
+    }
+    return cell;
+  }
+
+  /// The next characters, whose line ends count.
+  std::string_view passed(std::size_t length) {
+    const std::string_view text = rest_.substr(0, length);
+    for (std::size_t i = 0; i < length; ++i) {
+      const bool isPair = text[i] == '\r' && i + 1 < length && text[i + 1] == '\n';
+      if (text[i] == '\n' || (text[i] == '\r' && !isPair)) ++line_;
+    }
+    rest_.remove_prefix(length);
+    return text;
+  }
+
+  void endLine() {
+    takes('\r');
+    takes('\n');
+    ++line_;
+  }
+
+  bool takes(char character) {
+    const bool isThere = rest_.starts_with(character);
+    if (isThere) rest_.remove_prefix(1);
+    return isThere;
+  }
+
+  std::string_view rest_;
+  char separator_;
+  std::string ends_ = std::string("\r\n") + separator_;
+  std::size_t line_ = 1;
+};
+
+bool isBlank(const CsvRow& row) {
+  return std::ranges::all_of(row.cells, [](const std::string& cell) { return cell.empty(); });
+}
+
+/// The separator that the first line with text has most of, outside quotation marks.
+char separatorOf(std::string_view text) {
+  constexpr std::string_view kSeparators = ",;\t";
+  std::array<int, kSeparators.size()> counts{};
+  bool isQuoted = false;
+  text.remove_prefix(std::min(text.find_first_not_of("\r\n"), text.size()));
+  for (const char character : text) {
+    if (character == '"') isQuoted = !isQuoted;
+    if (isQuoted) continue;
+    if (character == '\r' || character == '\n') break;
+    const auto which = kSeparators.find(character);
+    if (which != std::string_view::npos) ++counts[which];
+  }
+  return kSeparators[static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin())];
+}
+
+std::string_view withoutMark(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    throw Error("the file is in UTF-16: save it as CSV in UTF-8");
+  }
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+}  // namespace
+
+std::size_t CsvTable::columnIndex(std::string_view name) const {
+  const auto count = std::ranges::count(columns, name);
+  if (count > 1) throw Error("there are two columns '" + std::string(name) + "'");
+  if (count == 1) {
+    return static_cast<std::size_t>(std::ranges::find(columns, name) - columns.begin());
+  }
+  throw Error(
+      "there is no column '" + std::string(name) + "'; the columns are " + enumerated(columns) +
+      "; did you mean '" + nearestName(name, columns) + "'?");
+}
+
+CsvTable readCsv(std::string_view text) {
+  text = withoutMark(text);
+  CsvTable table;
+  table.separator = separatorOf(text);
+  std::vector<std::string> problems;
+  for (CsvScanner scanner(text, table.separator); !scanner.isAtEnd();) {
+    CsvRow row = scanner.row();
+    if (isBlank(row)) continue;
+    if (table.columns.empty()) {
+      table.columns = std::move(row.cells);
+    } else if (row.cells.size() == table.columns.size()) {
+      table.rows.push_back(std::move(row));
+    } else {
+      problems.push_back(
+          "line " + std::to_string(row.line) + " has " + counted(row.cells.size(), "cell") +
+          ", and the header has " + counted(table.columns.size(), "column"));
+    }
+  }
+  if (table.columns.empty()) throw Error("the file is empty");
+  if (!problems.empty()) throw Error(problems);
+  return table;
+}
+
+}  // namespace analysis

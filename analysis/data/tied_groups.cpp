@@ -1,0 +1,79 @@
+#include "analysis/data/tied_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+namespace analysis {
+namespace {
+
+std::vector<double> sorted(std::span<const double> values) {
+  std::vector<double> result(values.begin(), values.end());
+  for (const double value : result) {
+    if (!std::isfinite(value)) {
+      throw std::invalid_argument("a value is infinite or no number: it has no rank");
+    }
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+std::uint64_t countAt(const LikertCounts& counts, int point) {
+  if (point < counts.lowest() || point > counts.highest()) return 0;
+  return counts.counts()[static_cast<std::size_t>(point - counts.lowest())];
+}
+
+}  // namespace
+
+TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> group2) {
+  const auto first = sorted(group1);
+  const auto second = sorted(group2);
+  TiedGroups groups{.n1 = first.size(), .n2 = second.size(), .values = {}};
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < first.size() || j < second.size()) {
+    const bool isFirst = j == second.size() || (i < first.size() && first[i] <= second[j]);
+    const double value = isFirst ? first[i] : second[j];
+    TiedValue tied;
+    for (; i < first.size() && first[i] == value; ++i) ++tied.first;
+    for (; j < second.size() && second[j] == value; ++j) ++tied.second;
+    groups.values.push_back(tied);
+  }
+  return groups;
+}
+
+TiedGroups tiedGroupsOf(const LikertCounts& group1, const LikertCounts& group2) {
+  TiedGroups groups{.n1 = group1.total(), .n2 = group2.total(), .values = {}};
+  const int highest = std::max(group1.highest(), group2.highest());
+  for (int point = std::min(group1.lowest(), group2.lowest()); point <= highest; ++point) {
+    const TiedValue tied{.first = countAt(group1, point), .second = countAt(group2, point)};
+    if (tied.first + tied.second > 0) groups.values.push_back(tied);
+  }
+  return groups;
+}
+
+Placements placementsOf(const TiedGroups& groups) {
+  if (groups.areTooLarge()) throw std::invalid_argument("the groups are too large to rank");
+  Placements result;
+  Wide below1 = 0;
+  Wide below2 = 0;
+  for (const auto& value : groups.values) {
+    const auto first = static_cast<Wide>(value.first);
+    const auto second = static_cast<Wide>(value.second);
+    const Wide inSecond = 2 * below2 + second;
+    const Wide inFirst = 2 * below1 + first;
+    const Wide ties = first + second;
+    result.sum1 += first * inSecond;
+    result.sum2 += second * inFirst;
+    result.squares1 += first * inSecond * inSecond;
+    result.squares2 += second * inFirst * inFirst;
+    result.equalPairs += first * second;
+    result.tieSum += ties * ties * ties - ties;
+    below1 += first;
+    below2 += second;
+  }
+  return result;
+}
+
+}  // namespace analysis

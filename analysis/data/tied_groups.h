@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "analysis/data/likert_counts.h"
+#include "analysis/numerics/exact_quotient.h"
+
+namespace analysis {
+
+/// How often each group holds one value.
+struct TiedValue {
+  std::uint64_t first = 0;
+  std::uint64_t second = 0;
+};
+
+/// Two groups as a rank test sees them: which values are equal, and which is larger.
+struct TiedGroups {
+  /// So many that every sum of squared ranks is still a whole number of 128 bits.
+  static constexpr std::uint64_t kMostInAGroup = std::uint64_t{1} << 24;
+
+  std::uint64_t n1 = 0;
+  std::uint64_t n2 = 0;
+  std::vector<TiedValue>
+      values;  ///< from the smallest value to the largest; each is held by somebody
+
+  bool areTooLarge() const noexcept { return n1 > kMostInAGroup || n2 > kMostInAGroup; }
+  bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }
+};
+
+/// @throws std::invalid_argument  if a value is infinite or no number.
+TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> group2);
+
+/// Points of scales that differ are compared as the numbers that they are.
+TiedGroups tiedGroupsOf(const LikertCounts& group1, const LikertCounts& group2);
+
+/// Where the values of each group lie in the other: twice the placement of a value is twice the
+/// number of smaller values in the other group, and those equal to it once.
+struct Placements {
+  Wide sum1 = 0;      ///< of doubled placements of group 1: 2 U₁
+  Wide sum2 = 0;      ///< of group 2: 2 n₁ n₂ − 2 U₁
+  Wide squares1 = 0;  ///< of doubled placements of group 1
+  Wide squares2 = 0;
+  Wide equalPairs = 0;  ///< pairs of a value of group 1 and one of group 2 that are equal
+  Wide tieSum = 0;      ///< Σ (t³ − t) over all values of both groups together
+};
+
+/// @param groups  not too large.
+/// @throws std::invalid_argument  for others.
+Placements placementsOf(const TiedGroups& groups);
+
+}  // namespace analysis

@@ -1,0 +1,112 @@
+#include "analysis/data/two_way_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace analysis {
+namespace {
+
+/// What brings the largest value near one, or as near as a double can.
+double unitOf(std::span<const std::vector<double>> table) {
+  double largest = 0.0;
+  for (const auto& row : table) {
+    if (row.size() != table.front().size()) {
+      throw std::invalid_argument("every row of a table has as many values as the first");
+    }
+    for (const double value : row) {
+      if (!std::isfinite(value)) throw std::invalid_argument("a value is infinite or no number");
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  constexpr int kSmallest = -1000;
+  return std::ldexp(1.0, -std::max(exponent, kSmallest));
+}
+
+double number(std::size_t count) {
+  return static_cast<double>(count);
+}
+
+using Table = std::vector<std::vector<DoubleDouble>>;
+
+/// All values less the first, so that an offset costs nothing.
+Table shiftedValues(std::span<const std::vector<double>> table) {
+  const double unit = unitOf(table);
+  const double pivot = table.front().front() * unit;
+  Table shifted;
+  shifted.reserve(table.size());
+  for (const auto& row : table) {
+    auto& values = shifted.emplace_back();
+    for (const double value : row) {
+      values.push_back(DoubleDouble::difference(value * unit, pivot));
+    }
+  }
+  return shifted;
+}
+
+/// Of count · sum − total.
+DoubleDouble squaresOf(
+    const std::vector<DoubleDouble>& sums, double count, const DoubleDouble& total) {
+  DoubleDouble squares;
+  for (const auto& sum : sums) {
+    const DoubleDouble effect = sum * count - total;
+    squares = squares + effect * effect;
+  }
+  return squares;
+}
+
+}  // namespace
+
+DoubleDouble TwoWayLayout::rowMeanSquare() const {
+  return rowSquares / number(rows - 1);
+}
+
+DoubleDouble TwoWayLayout::columnMeanSquare() const {
+  return columnSquares / number(columns - 1);
+}
+
+DoubleDouble TwoWayLayout::residualMeanSquare() const {
+  return residualSquares / number((rows - 1) * (columns - 1));
+}
+
+DoubleDouble TwoWayLayout::withinMeanSquare() const {
+  return (columnSquares + residualSquares) / number(rows * (columns - 1));
+}
+
+TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table) {
+  TwoWayLayout layout;
+  layout.rows = table.size();
+  layout.columns = table.empty() ? 0 : table.front().size();
+  if (layout.rows == 0 || layout.columns == 0) return layout;
+
+  const Table shifted = shiftedValues(table);
+  const double rows = number(layout.rows);
+  const double columns = number(layout.columns);
+  std::vector<DoubleDouble> rowSums(layout.rows);
+  std::vector<DoubleDouble> columnSums(layout.columns);
+  DoubleDouble total;
+  for (std::size_t i = 0; i < layout.rows; ++i) {
+    for (std::size_t j = 0; j < layout.columns; ++j) {
+      rowSums[i] = rowSums[i] + shifted[i][j];
+      columnSums[j] = columnSums[j] + shifted[i][j];
+    }
+    total = total + rowSums[i];
+  }
+
+  layout.rowSquares = squaresOf(rowSums, rows, total) * columns;
+  layout.columnSquares = squaresOf(columnSums, columns, total) * rows;
+  layout.residuals.reserve(layout.rows * layout.columns);
+  for (std::size_t i = 0; i < layout.rows; ++i) {
+    for (std::size_t j = 0; j < layout.columns; ++j) {
+      const DoubleDouble residual =
+          shifted[i][j] * (rows * columns) - rowSums[i] * rows - columnSums[j] * columns + total;
+      layout.residuals.push_back(residual);
+      layout.residualSquares = layout.residualSquares + residual * residual;
+    }
+  }
+  return layout;
+}
+
+}  // namespace analysis

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "analysis/numerics/double_double.h"
+
+namespace analysis {
+
+/// A complete table of one value per row and column, and where its spread comes from.
+///
+///     Σ (x − x̄)² = rowSquares + columnSquares + residualSquares
+///
+/// Rows are people or blocks, columns are conditions, items or raters. All are multiplied by (rows
+/// · columns)², and nothing is divided: so that a spread of nothing is 0 exactly.
+struct TwoWayLayout {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  DoubleDouble rowSquares;
+  DoubleDouble columnSquares;
+  DoubleDouble residualSquares;
+  std::vector<DoubleDouble> residuals;  ///< row by row, times rows · columns
+
+  /// Mean squares, in the same units. They need two rows and two columns.
+  DoubleDouble rowMeanSquare() const;
+  DoubleDouble columnMeanSquare() const;
+  DoubleDouble residualMeanSquare() const;
+  /// Of columns and residuals together: what is within rows.
+  DoubleDouble withinMeanSquare() const;
+};
+
+/// The units are those of the table, times a power of two that keeps squares within a double:
+/// meaningful as ratios only.
+///
+/// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
+///     infinite or no number.
+TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table);
+
+}  // namespace analysis

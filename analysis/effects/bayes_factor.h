@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "analysis/tests/paired_t.h"
+#include "analysis/tests/student.h"
+
+namespace analysis {
+
+/// The scale of the Cauchy prior that the field calls medium: √2 / 2.
+inline constexpr double kMediumPriorScale = 0.70710678118654752440;
+
+/// How many times more probable the data are if there is a difference than if there is none.
+struct BayesFactor {
+  double priorScale = kMediumPriorScale;
+  std::optional<double> bf10;       ///< above 1 for a difference, below 1 for none
+  std::optional<double> log10Bf10;  ///< holds also where a double cannot hold bf10
+  std::string reason;               ///< why something above is missing; empty if nothing is
+};
+
+/// The JZS Bayes factor of a t test (Rouder et al. 2009), with a Cauchy prior of scale r on the
+/// effect size:
+///
+///     BF₁₀ = ∫₀^∞ (1 + N g r²)^(−1/2) (1 + t² / ((1 + N g r²) ν))^(−(ν + 1)/2)
+///                 (2π)^(−1/2) g^(−3/2) e^(−1/(2g)) dg  /  (1 + t²/ν)^(−(ν + 1)/2)
+///
+/// @param effectiveN  N: n of one sample or of pairs, n₁ n₂ / (n₁ + n₂) of two samples.
+/// @throws std::invalid_argument  for a t that is not finite; for N, ν or r that is not finite and
+///     above 0.
+BayesFactor jzsBayesFactor(
+    double t, double degreesOfFreedom, double effectiveN, double priorScale = kMediumPriorScale);
+
+/// Of two samples, by Student's test. Nothing but a reason where that is not defined.
+/// @throws std::invalid_argument  as above.
+BayesFactor jzsBayesFactor(
+    const StudentResult& test,
+    std::uint64_t n1,
+    std::uint64_t n2,
+    double priorScale = kMediumPriorScale);
+
+/// Of pairs. Nothing but a reason where the test is not defined.
+/// @throws std::invalid_argument  as above.
+BayesFactor jzsBayesFactor(const PairedTResult& test, double priorScale = kMediumPriorScale);
+
+}  // namespace analysis

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "analysis/data/likert_counts.h"
+#include "analysis/data/tied_groups.h"
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// How much more often one group is larger than the other. Whatever is not defined is not there,
+/// and the reason says why.
+struct CliffDelta {
+  std::uint64_t n1 = 0;
+  std::uint64_t n2 = 0;
+  std::optional<double> delta;                     ///< −1 … 1
+  std::optional<double> probabilityOfSuperiority;  ///< P(X > Y) + ½ P(X = Y) = (δ + 1)/2
+  std::optional<double> variance;  ///< Cliff's unbiased one, of δ; it may come out negative
+  std::optional<Interval> interval;
+  std::string reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Cliff's δ (1993): P(X > Y) − P(X < Y) for X of group 1 and Y of group 2, with Feng & Cliff's
+/// asymmetric interval (2004, J. Modern Applied Statistical Methods 3),
+///
+///     (δ − δ³ ± z s √((1 − δ²)² + z² s²)) / (1 − δ² + z² s²)
+///
+/// where s² is the unbiased variance, but not below (1 − δ²)/(n₁n₂ − 1), and z the normal quantile
+/// of the level.
+///
+/// Variance and interval need two values in each group; groups that do not overlap have no
+/// interval.
+///
+/// @throws std::invalid_argument  if a value is infinite or no number, or for a level that is not
+///     between 0 and 1.
+CliffDelta cliffDelta(
+    std::span<const double> group1, std::span<const double> group2, double level = 0.95);
+CliffDelta cliffDelta(const LikertCounts& group1, const LikertCounts& group2, double level = 0.95);
+CliffDelta cliffDelta(const TiedGroups& groups, double level = 0.95);
+
+}  // namespace analysis

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "analysis/data/likert_counts.h"
+#include "analysis/data/moments.h"
+#include "analysis/numerics/interval.h"
+#include "analysis/tests/paired_t.h"
+
+namespace analysis {
+
+/// How large a difference is, in units of a standard deviation, and where it lies.
+struct EffectSize {
+  std::optional<double> value;
+  std::optional<Interval> interval;
+};
+
+/// How far two groups are apart. Whatever is not defined is not there, and the reason says why.
+struct MeanEffects {
+  double level = 0.95;  ///< of the intervals
+
+  EffectSize cohenD;                ///< difference / pooled standard deviation
+  std::optional<double> hedgesJ;    ///< the correction for small samples, J(n₁ + n₂ − 2)
+  EffectSize hedgesG;               ///< J d
+  EffectSize cohenDAv;              ///< difference / √((s₁² + s₂²) / 2)
+  std::optional<double> hedgesJAv;  ///< J(ν), with ν Welch's degrees of freedom
+  EffectSize hedgesGAv;             ///< J(ν) d_av
+
+  std::optional<double> glassDelta1;     ///< difference / standard deviation of group 1
+  std::optional<double> glassDelta2;     ///< difference / standard deviation of group 2
+  std::optional<double> commonLanguage;  ///< P(X > Y) of two normal laws, in 0 … 1
+
+  std::string reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// How far paired answers are apart.
+struct PairedEffects {
+  double level = 0.95;
+  EffectSize cohenDz;             ///< mean difference / standard deviation of the differences
+  std::optional<double> hedgesJ;  ///< J(n − 1)
+  EffectSize hedgesGz;            ///< J d_z
+  std::string reason;             ///< why something above is missing; empty if nothing is
+};
+
+/// The factor that makes d unbiased (Hedges 1981), exactly:
+///
+///     J(ν) = Γ(ν/2) / (√(ν/2) Γ((ν − 1)/2))
+///
+/// Nothing for ν ≤ 1, where Γ has a pole.
+std::optional<double> hedgesCorrection(double degreesOfFreedom);
+
+/// Cohen's d and its kin; positive if group 1 is the larger.
+///
+/// The intervals of d and g invert the noncentral t of Student's test (Steiger & Fouladi 1997):
+/// d = δ √(1/n₁ + 1/n₂), times J for g. Those of d_av and g_av do the same with Welch's t and its
+/// degrees of freedom, d_av = δ √((s₁²/n₁ + s₂²/n₂) / ((s₁² + s₂²)/2)), which holds
+/// approximately. No interval for |t| > 1e100. The common language effect size of McGraw & Wong
+/// 1992 is Φ(difference / √(s₁² + s₂²)).
+///
+/// @throws std::invalid_argument  if a value is infinite or no number, or for a level that is not
+///     between 0 and 1.
+MeanEffects effectSizes(
+    std::span<const double> group1, std::span<const double> group2, double level = 0.95);
+MeanEffects effectSizes(
+    const LikertCounts& group1, const LikertCounts& group2, double level = 0.95);
+MeanEffects effectSizes(const Moments& group1, const Moments& group2, double level = 0.95);
+
+/// d_z = t / √n, its interval δ / √n, and both times J(n − 1).
+///
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+PairedEffects effectSizes(const PairedTResult& test, double level = 0.95);
+
+}  // namespace analysis

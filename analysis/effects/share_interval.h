@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// Where the share lies that an option would get from everybody, if @p votes of @p total are for
+/// it.
+///
+/// Wilson's interval (1927) holds what the normal test would not reject: with z the normal quantile
+/// of the level and s = votes/total,
+///
+///     (s + z²/2n ± z √(s(1 − s)/n + z²/4n²)) / (1 + z²/n)
+///
+/// Nothing for a total of zero.
+/// @throws std::invalid_argument  for more votes than the total, or a level that is not between 0
+///     and 1.
+std::optional<Interval> wilsonInterval(
+    std::uint64_t votes, std::uint64_t total, double level = 0.95);
+
+/// Clopper & Pearson's interval (1934) holds what the exact binomial test would not reject on
+/// either side; its confidence is never below the level.
+///
+///     low = B⁻¹((1 − level)/2; v, n − v + 1),   high = B⁻¹((1 + level)/2; v + 1, n − v)
+///
+/// with B⁻¹ the quantile of the beta law. Nothing for a total of zero.
+/// @throws std::invalid_argument  as above.
+std::optional<Interval> clopperPearsonInterval(
+    std::uint64_t votes, std::uint64_t total, double level = 0.95);
+
+}  // namespace analysis

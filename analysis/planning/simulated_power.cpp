@@ -1,0 +1,223 @@
+#include "analysis/planning/simulated_power.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+
+#include "analysis/numerics/student_distribution.h"
+
+namespace analysis {
+namespace {
+
+constexpr std::size_t kMostExact = 50;
+using Sums = std::vector<int>;  ///< of one participant's answers, by condition
+
+/// Twice the midranks, which are whole numbers.
+std::vector<int> doubledRanks(const std::vector<int>& values) {
+  auto sorted = values;
+  std::ranges::sort(sorted);
+  std::vector<int> ranks;
+  for (const int value : values) {
+    const auto [first, last] = std::equal_range(sorted.begin(), sorted.end(), value);
+    const auto below = first - sorted.begin();
+    ranks.push_back(static_cast<int>(2 * below + (last - first) + 1));
+  }
+  return ranks;
+}
+
+/// P(at most @p least of all doubled ranks are positive), counted over all signs.
+double lowerTail(const std::vector<int>& doubled, int least) {
+  std::vector<double> ways(static_cast<std::size_t>(least) + 1, 0.0);
+  ways[0] = 1.0;
+  for (const int rank : doubled) {
+    for (int sum = least; sum >= rank; --sum) {
+      ways[static_cast<std::size_t>(sum)] += ways[static_cast<std::size_t>(sum - rank)];
+    }
+  }
+  const double all = std::accumulate(ways.begin(), ways.end(), 0.0);
+  return std::ldexp(all, -static_cast<int>(doubled.size()));
+}
+
+double rankP(const std::vector<int>& differences) {
+  std::vector<int> sizes;
+  for (const int d : differences) {
+    if (d != 0) sizes.push_back(std::abs(d));
+  }
+  if (sizes.empty()) return 1.0;
+  const auto doubled = doubledRanks(sizes);
+  int positive = 0;
+  std::size_t next = 0;
+  for (const int d : differences) {
+    if (d == 0) continue;
+    positive += d > 0 ? doubled[next] : 0;
+    ++next;
+  }
+  const int total = std::accumulate(doubled.begin(), doubled.end(), 0);
+  const int least = std::min(positive, total - positive);
+  if (sizes.size() <= kMostExact) return std::min(1.0, 2.0 * lowerTail(doubled, least));
+
+  double variance = 0.0;  // of the doubled sum: Σ r² / 4, with ties as they are
+  for (const int rank : doubled) variance += 0.25 * rank * rank;
+  const double z = std::max(0.0, 0.5 * total - least - 1.0) / std::sqrt(variance);
+  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z));
+}
+
+/// One simulated study and the limits that its tests are held against.
+class Trial {
+ public:
+  explicit Trial(const PowerSimulation& s)
+      : conditions_(static_cast<std::size_t>(s.model.conditions)),
+        answers_(s.model.answers),
+        level_(s.alpha / static_cast<double>(s.comparisons)),
+        criticalT_(
+            StudentDistribution(static_cast<double>(s.participants - 1)).twoSidedQuantile(level_)),
+        criticalChi_(boost::math::quantile(boost::math::complement(
+            boost::math::chi_squared(static_cast<double>(conditions_ - 1)), s.alpha))) {}
+
+  void draw(LikertCohort& cohort, std::uint64_t participants) {
+    sums_.clear();
+    total_.assign(conditions_, 0.0);
+    squares_.assign(conditions_, 0.0);
+    for (std::uint64_t i = 0; i < participants; ++i) {
+      auto& sums = sums_.emplace_back();
+      const auto answers = cohort.next();
+      for (std::size_t c = 0; c < conditions_; ++c) {
+        sums.push_back(std::accumulate(answers[c].begin(), answers[c].end(), 0));
+        total_[c] += sums[c];
+        for (const int answer : answers[c]) squares_[c] += answer * answer;
+      }
+    }
+  }
+
+  bool pairedT(std::size_t a, std::size_t b) const {
+    const auto n = static_cast<double>(sums_.size());
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const int d : differences(a, b)) {
+      sum += d;
+      squares += static_cast<double>(d) * d;
+    }
+    const double spread = n * squares - sum * sum;  // whole numbers: exact
+    return spread > 0.0 && std::abs(sum) * std::sqrt(n - 1.0) > criticalT_ * std::sqrt(spread);
+  }
+
+  bool signedRank(std::size_t a, std::size_t b) const { return rankP(differences(a, b)) <= level_; }
+
+  bool pooledWelch(std::size_t a, std::size_t b) {
+    const double n = static_cast<double>(sums_.size()) * answers_;
+    const double va = (n * squares_[a] - total_[a] * total_[a]) / (n * n * (n - 1.0));
+    const double vb = (n * squares_[b] - total_[b] * total_[b]) / (n * n * (n - 1.0));
+    if (!(va + vb > 0.0)) return false;
+    const double df = (n - 1.0) * (va + vb) * (va + vb) / (va * va + vb * vb);
+    const double t = std::abs(total_[a] - total_[b]) / n / std::sqrt(va + vb);
+    // t at a level falls with the degrees of freedom: most are decided without computing p.
+    if (t < quantileAt(std::ceil(df))) return false;
+    return t > quantileAt(std::floor(df)) || StudentDistribution(df).twoSidedP(t) <= level_;
+  }
+
+  bool friedman() const {
+    std::vector<double> ranks(conditions_, 0.0);
+    const auto n = static_cast<double>(sums_.size());
+    const auto k = static_cast<double>(conditions_);
+    double ties = 0.0;
+    for (const auto& sums : sums_) {
+      const auto doubled = doubledRanks(sums);
+      for (std::size_t c = 0; c < conditions_; ++c) {
+        ranks[c] += 0.5 * doubled[c];
+        const auto same = static_cast<double>(std::ranges::count(sums, sums[c]));
+        ties += same * same - 1.0;  // t³ − t of a run of t ties, shared among its members
+      }
+    }
+    double spread = 0.0;
+    for (const double rank : ranks) spread += std::pow(rank - 0.5 * n * (k + 1.0), 2);
+    const double scale = n * k * (k + 1.0) - ties / (k - 1.0);
+    return scale > 0.0 && 12.0 * spread >= criticalChi_ * scale;
+  }
+
+  template <typename Test>
+  bool anyPair(const Test& test) const {
+    for (std::size_t a = 0; a < conditions_; ++a) {
+      for (std::size_t b = a + 1; b < conditions_; ++b) {
+        if (test(a, b)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::vector<int> differences(std::size_t a, std::size_t b) const {
+    std::vector<int> found;
+    for (const auto& sums : sums_) found.push_back(sums[a] - sums[b]);
+    return found;
+  }
+
+  double quantileAt(double df) {
+    const auto found = quantiles_.find(df);
+    if (found != quantiles_.end()) return found->second;
+    return quantiles_[df] = StudentDistribution(std::max(df, 1.0)).twoSidedQuantile(level_);
+  }
+
+  std::size_t conditions_;
+  int answers_;
+  double level_;  ///< of one comparison
+  double criticalT_;
+  double criticalChi_;
+  std::map<double, double> quantiles_;  ///< of Student's t, by degrees of freedom
+  std::vector<Sums> sums_;              ///< [participant][condition]
+  std::vector<double> total_;           ///< Σ x over all answers to a condition
+  std::vector<double> squares_;         ///< Σ x²
+};
+
+DetectionRate rateOf(std::uint64_t found, std::uint64_t studies) {
+  const double rate = static_cast<double>(found) / static_cast<double>(studies);
+  return {rate, std::sqrt(rate * (1.0 - rate) / static_cast<double>(studies))};
+}
+
+void check(const PowerSimulation& simulation) {
+  const bool isSound = simulation.participants >= 2 && simulation.studies > 0 &&
+                       simulation.comparisons > 0 && simulation.alpha > 0.0 &&
+                       simulation.alpha < 1.0;
+  if (!isSound) {
+    throw std::invalid_argument(
+        "a simulation needs two participants, a study, a comparison and an alpha between 0 and 1");
+  }
+  simulation.model.check();
+}
+
+}  // namespace
+
+SimulatedPower simulatePower(const PowerSimulation& simulation) {
+  check(simulation);
+  LikertCohort cohort(simulation.model, simulation.seed);
+  Trial trial(simulation);
+  std::array<std::uint64_t, 6> found{};
+  for (std::uint64_t i = 0; i < simulation.studies; ++i) {
+    trial.draw(cohort, simulation.participants);
+    const auto paired = [&](std::size_t a, std::size_t b) { return trial.pairedT(a, b); };
+    const auto welch = [&](std::size_t a, std::size_t b) { return trial.pooledWelch(a, b); };
+    found[0] += paired(0, 1) ? 1 : 0;
+    found[1] += trial.signedRank(0, 1) ? 1 : 0;
+    found[2] += trial.friedman() ? 1 : 0;
+    found[3] += trial.anyPair(paired) ? 1 : 0;
+    found[4] += welch(0, 1) ? 1 : 0;
+    found[5] += trial.anyPair(welch) ? 1 : 0;
+  }
+  const auto rate = [&](std::size_t which) { return rateOf(found[which], simulation.studies); };
+  return {
+      .pairedT = rate(0),
+      .signedRank = rate(1),
+      .friedman = rate(2),
+      .anyPairedT = rate(3),
+      .pooledWelch = rate(4),
+      .anyPooledWelch = rate(5)};
+}
+
+}  // namespace analysis

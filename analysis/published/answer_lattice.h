@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "analysis/published/published_convention.h"
+#include "analysis/published/published_table.h"
+
+namespace analysis {
+
+/// A scale that people answered on: lowest, lowest + 1/parts … highest. Means of two statements on
+/// 1 … 5 have parts = 2.
+struct AnswerScale {
+  int lowest = 1;
+  int highest = 5;
+  int parts = 1;
+};
+
+/// What the answers of a group may have added up to.
+struct LatticePoint {
+  std::uint64_t n = 0;
+  double mean = 0.0;
+  double variance = 0.0;  ///< with n − 1
+
+  bool operator==(const LatticePoint&) const = default;
+};
+
+/// The pairs of a sum S and a sum of squares Q that n answers on a scale can have at all.
+///
+/// Not every mean is a number of whole answers divided by n (GRIM, Brown & Heathers 2017), and not
+/// every variance belongs to such a mean (GRIMMER, Anaya 2016). Here the pairs are counted out,
+/// answer by answer, so that none is taken for possible that is not.
+class AnswerLattice {
+ public:
+  static constexpr int kMostPoints = 101;
+  /// How many pairs of n, S and Q are counted out at most: what a computer does in seconds.
+  static constexpr double kMostPairs = 1e9;
+
+  /// For groups of up to @p mostAnswers.
+  /// @throws std::invalid_argument  for a scale of fewer than two points or more than kMostPoints,
+  ///     for parts that are not positive, and beyond kMostPairs.
+  AnswerLattice(const AnswerScale& scale, std::uint64_t mostAnswers);
+
+  /// Every S and Q whose mean and variance would be printed as the group's are, in whole numbers
+  /// and without any error.
+  /// @param n  2 … mostAnswers.
+  std::vector<LatticePoint> pointsOf(
+      const PublishedGroup& group,
+      std::uint64_t n,
+      PublishedConvention::Divisor divisor,
+      Reading reading) const;
+
+ private:
+  using Bits = std::vector<std::uint64_t>;
+
+  bool isAttainable(std::uint64_t n, std::uint64_t sum, std::uint64_t squares) const;
+
+  AnswerScale scale_;
+  std::uint64_t steps_ = 0;                 ///< answers are lowest + u/parts, u = 0 … steps_
+  std::vector<std::vector<Bits>> squares_;  ///< [n][Σ u]: a bit for every Σ u² that there is
+};
+
+}  // namespace analysis

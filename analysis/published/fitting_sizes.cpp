@@ -1,0 +1,204 @@
+#include "analysis/published/fitting_sizes.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "analysis/published/t_window.h"
+
+namespace analysis {
+namespace {
+
+constexpr std::size_t kWord = 64;
+using Bits = std::vector<std::uint64_t>;
+
+Bits allOf(std::size_t count) {
+  Bits bits((count + kWord - 1) / kWord, 0);
+  for (std::size_t i = 0; i < count; ++i) bits[i / kWord] |= std::uint64_t{1} << (i % kWord);
+  return bits;
+}
+
+bool isSet(const Bits& bits, std::size_t i) {
+  return ((bits[i / kWord] >> (i % kWord)) & 1U) != 0;
+}
+
+/// What is in both; whether anything is left.
+bool keep(Bits& bits, const Bits& other) {
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i < bits.size(); ++i) any |= bits[i] &= other[i];
+  return any != 0;
+}
+
+/// Which points of two groups, each of one size, give the printed p: a row for every point.
+struct Agreement {
+  std::vector<Bits> forward;   ///< [point of the first group]: points of the second
+  std::vector<Bits> backward;  ///< the other way round
+  bool isEmpty = true;
+};
+
+class SizeSearch {
+ public:
+  SizeSearch(
+      const PublishedTable& table,
+      std::span<const std::vector<std::uint64_t>> sizes,
+      const AnswerLattice& lattice,
+      const PublishedConvention& convention)
+      : table_(table), sizes_(sizes), convention_(convention) {
+    for (std::size_t g = 0; g < sizes.size(); ++g) {
+      auto& ofGroup = points_.emplace_back();
+      for (const auto n : sizes[g]) {
+        ofGroup.push_back(
+            lattice.pointsOf(table.groups[g], n, convention.divisor, convention.reading));
+      }
+    }
+    for (const auto& comparison : table.comparisons) addAgreements(comparison);
+  }
+
+  FittingSizes found() const {
+    FittingSizes result{.convention = convention_};
+    std::vector<std::size_t> at(sizes_.size(), 0);
+    do {
+      ++result.tried;
+      if (!fits(at)) continue;
+      GroupSizes combination;
+      for (std::size_t g = 0; g < at.size(); ++g) combination.push_back(sizes_[g][at[g]]);
+      result.fitting.push_back(combination);
+    } while (isAdvanced(at));
+    addPossible(result);
+    return result;
+  }
+
+ private:
+  void addAgreements(const PublishedComparison& comparison) {
+    const TWindow window(comparison.p.bounds(convention_.reading), convention_);
+    auto& table = agreements_.emplace_back();
+    for (const auto& points1 : points_[comparison.first]) {
+      auto& row = table.emplace_back();
+      for (const auto& points2 : points_[comparison.second]) {
+        row.push_back(agreementOf(points1, points2, window));
+      }
+    }
+  }
+
+  static Agreement agreementOf(
+      const std::vector<LatticePoint>& points1,
+      const std::vector<LatticePoint>& points2,
+      const TWindow& window) {
+    Agreement agreement;
+    agreement.forward.assign(points1.size(), Bits((points2.size() + kWord - 1) / kWord, 0));
+    agreement.backward.assign(points2.size(), Bits((points1.size() + kWord - 1) / kWord, 0));
+    for (std::size_t i = 0; i < points1.size(); ++i) {
+      for (std::size_t j = 0; j < points2.size(); ++j) {
+        if (!window.holds(points1[i], points2[j])) continue;
+        agreement.forward[i][j / kWord] |= std::uint64_t{1} << (j % kWord);
+        agreement.backward[j][i / kWord] |= std::uint64_t{1} << (i % kWord);
+        agreement.isEmpty = false;
+      }
+    }
+    return agreement;
+  }
+
+  bool isAdvanced(std::vector<std::size_t>& at) const {
+    for (std::size_t g = at.size(); g-- > 0;) {
+      if (++at[g] < sizes_[g].size()) return true;
+      at[g] = 0;
+    }
+    return false;
+  }
+
+  bool fits(const std::vector<std::size_t>& at) const {
+    for (std::size_t c = 0; c < agreements_.size(); ++c) {
+      const auto& comparison = table_.comparisons[c];
+      if (agreements_[c][at[comparison.first]][at[comparison.second]].isEmpty) return false;
+    }
+    std::vector<Bits> left;
+    for (std::size_t g = 0; g < at.size(); ++g) {
+      const std::size_t count = points_[g][at[g]].size();
+      if (count == 0) return false;
+      left.push_back(allOf(count));
+    }
+    return canChoose(at, 0, left);
+  }
+
+  /// Chooses a point for one group after the other, and leaves to the later ones what agrees.
+  bool canChoose(
+      const std::vector<std::size_t>& at, std::size_t group, const std::vector<Bits>& left) const {
+    if (group == at.size()) return true;
+    for (std::size_t point = 0; point < points_[group][at[group]].size(); ++point) {
+      if (!isSet(left[group], point)) continue;
+      auto after = left;
+      if (narrows(at, group, point, after) && canChoose(at, group + 1, after)) return true;
+    }
+    return false;
+  }
+
+  bool narrows(
+      const std::vector<std::size_t>& at,
+      std::size_t group,
+      std::size_t point,
+      std::vector<Bits>& left) const {
+    for (std::size_t c = 0; c < agreements_.size(); ++c) {
+      const auto& [first, second, p] = table_.comparisons[c];
+      const auto& agreement = agreements_[c][at[first]][at[second]];
+      if (first == group && second > group) {
+        if (!keep(left[second], agreement.forward[point])) return false;
+      }
+      if (second == group && first > group) {
+        if (!keep(left[first], agreement.backward[point])) return false;
+      }
+    }
+    return true;
+  }
+
+  void addPossible(FittingSizes& result) const {
+    for (std::size_t g = 0; g < sizes_.size(); ++g) {
+      auto& possible = result.possible.emplace_back();
+      for (std::size_t i = 0; i < sizes_[g].size(); ++i) {
+        if (!points_[g][i].empty()) possible.push_back(sizes_[g][i]);
+      }
+    }
+  }
+
+  const PublishedTable& table_;
+  std::span<const std::vector<std::uint64_t>> sizes_;
+  PublishedConvention convention_;
+  std::vector<std::vector<std::vector<LatticePoint>>> points_;   ///< [group][size]
+  std::vector<std::vector<std::vector<Agreement>>> agreements_;  ///< [comparison][size][size]
+};
+
+}  // namespace
+
+std::vector<std::uint64_t> FittingSizes::equalSizes() const {
+  std::vector<std::uint64_t> equal;
+  for (const auto& sizes : fitting) {
+    const bool isEqual =
+        std::ranges::all_of(sizes, [&](std::uint64_t n) { return n == sizes.front(); });
+    if (isEqual) equal.push_back(sizes.front());
+  }
+  return equal;
+}
+
+std::optional<GroupSizes> FittingSizes::fewestMissing() const {
+  const auto total = [](const GroupSizes& sizes) {
+    return std::accumulate(sizes.begin(), sizes.end(), std::uint64_t{0});
+  };
+  const auto most = std::ranges::max_element(fitting, {}, total);
+  return most == fitting.end() ? std::nullopt : std::optional(*most);
+}
+
+FittingSizes fittingSizes(
+    const PublishedTable& table,
+    std::span<const std::vector<std::uint64_t>> sizes,
+    const AnswerLattice& lattice,
+    const PublishedConvention& convention) {
+  if (sizes.size() != table.groups.size()) throw std::invalid_argument("every group has its sizes");
+  double combinations = 1.0;
+  for (const auto& ofGroup : sizes) combinations *= static_cast<double>(ofGroup.size());
+  if (combinations < 1.0 || combinations > kMostSizeCombinations) {
+    throw std::invalid_argument("no sizes to try, or more than two million combinations of them");
+  }
+  return SizeSearch(table, sizes, lattice, convention).found();
+}
+
+}  // namespace analysis

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/published/answer_lattice.h"
+#include "analysis/published/published_convention.h"
+#include "analysis/published/published_table.h"
+
+namespace analysis {
+
+/// The sizes of all groups, in the order of the table.
+using GroupSizes = std::vector<std::uint64_t>;
+
+/// Which sizes of the groups answers on a scale can have had.
+struct FittingSizes {
+  PublishedConvention convention;
+  std::uint64_t tried = 0;          ///< combinations of sizes
+  std::vector<GroupSizes> fitting;  ///< those for which answers exist that print the whole row
+  /// For every group the sizes that its mean and variance alone allow (GRIM, GRIMMER).
+  std::vector<std::vector<std::uint64_t>> possible;
+
+  /// Those that are the same in every group.
+  std::vector<std::uint64_t> equalSizes() const;
+  /// The one with most answers in all; the first of several.
+  std::optional<GroupSizes> fewestMissing() const;
+};
+
+/// How many combinations of sizes may be tried.
+inline constexpr double kMostSizeCombinations = 2e6;
+
+/// Tries every combination of sizes: are there sums and sums of squares, one pair for each group,
+/// that print every mean, variance and p?
+///
+/// A p on a border is decided to about 1e-12.
+///
+/// @param sizes  for each group those to be tried, each within the lattice.
+/// @throws std::invalid_argument  for other than one list for every group, an empty list, and
+///     beyond kMostSizeCombinations.
+FittingSizes fittingSizes(
+    const PublishedTable& table,
+    std::span<const std::vector<std::uint64_t>> sizes,
+    const AnswerLattice& lattice,
+    const PublishedConvention& convention);
+
+}  // namespace analysis

@@ -1,0 +1,148 @@
+#include "analysis/summary/reliability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "analysis/data/moments.h"
+#include "analysis/data/two_way_layout.h"
+#include "analysis/models/one_factor_model.h"
+#include "analysis/numerics/fisher_distribution.h"
+
+namespace analysis {
+namespace {
+
+/// Items as columns of deviations from their mean, in units of the root of their sum of squares:
+/// correlations are plain products of them.
+struct StandardisedItems {
+  std::vector<std::vector<double>> columns;
+  std::vector<double> deviations;  ///< standard deviations, in units of the largest
+};
+
+bool isConstant(const std::vector<double>& column) {
+  return std::ranges::all_of(column, [&](double value) { return value == column.front(); });
+}
+
+std::vector<double> standardised(const std::vector<double>& column, const Moments& moments) {
+  const double unit = std::ldexp(1.0, -moments.exponent);
+  const auto degreesOfFreedom = static_cast<double>(moments.n - 1);
+  const DoubleDouble length = squareRoot(moments.variance * degreesOfFreedom);
+  std::vector<double> result;
+  result.reserve(column.size());
+  for (const double value : column) {
+    result.push_back(((DoubleDouble(value * unit) - moments.mean) / length).high);
+  }
+  return result;
+}
+
+StandardisedItems standardisedItems(std::span<const std::vector<double>> columns) {
+  StandardisedItems items;
+  std::vector<Moments> moments;
+  int exponent = 0;
+  for (const auto& column : columns) {
+    moments.push_back(momentsOf(column));
+    exponent =
+        moments.size() == 1 ? moments.back().exponent : std::max(exponent, moments.back().exponent);
+  }
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const DoubleDouble deviation = squareRoot(moments[i].variance);
+    items.deviations.push_back(std::ldexp(deviation.high, moments[i].exponent - exponent));
+    items.columns.push_back(standardised(columns[i], moments[i]));
+  }
+  return items;
+}
+
+std::vector<std::vector<double>> correlationsOf(const StandardisedItems& items) {
+  const std::size_t k = items.columns.size();
+  std::vector<std::vector<double>> correlations(k, std::vector<double>(k, 1.0));
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      DoubleDouble sum;
+      for (std::size_t row = 0; row < items.columns[i].size(); ++row) {
+        sum = sum + DoubleDouble::product(items.columns[i][row], items.columns[j][row]);
+      }
+      correlations[i][j] = correlations[j][i] = std::clamp(sum.high, -1.0, 1.0);
+    }
+  }
+  return correlations;
+}
+
+double omegaOf(const std::vector<double>& loadings, const std::vector<double>& deviations) {
+  double common = 0.0;
+  double own = 0.0;
+  for (std::size_t i = 0; i < loadings.size(); ++i) {
+    const double part = deviations[i] * loadings[i];
+    common += part;
+    own += deviations[i] * deviations[i] - part * part;
+  }
+  return common * common / (common * common + own);
+}
+
+std::string whyUnfit(std::span<const std::vector<double>> columns, std::size_t respondents) {
+  if (respondents < 3) return "a factor needs three respondents";
+  if (columns.size() < 3) return "one factor needs three items to be determined";
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (isConstant(columns[i])) {
+      return "everybody answers item " + std::to_string(i + 1) +
+             " alike: it has no correlation with the others";
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double level) {
+  if (!(level > 0.0 && level < 1.0)) {
+    throw std::invalid_argument("a confidence level lies between 0 and 1");
+  }
+  const TwoWayLayout layout = twoWayLayout(answers);
+  CronbachAlpha alpha;
+  alpha.respondents = layout.rows;
+  alpha.items = layout.columns;
+  alpha.level = level;
+  if (layout.rows < 2 || layout.columns < 2) {
+    alpha.reason = "alpha needs two respondents and two items";
+    return alpha;
+  }
+  if (layout.rowSquares.isZero()) {
+    alpha.reason = "all respondents have the same sum: it has no variance to share";
+    return alpha;
+  }
+
+  const DoubleDouble ratio = layout.residualMeanSquare() / layout.rowMeanSquare();
+  alpha.value = (DoubleDouble(1.0) - ratio).high;
+  const auto df1 = static_cast<double>(layout.rows - 1);
+  const FisherDistribution law(df1, df1 * static_cast<double>(layout.columns - 1));
+  const double tail = 0.5 * (1.0 - level);
+  alpha.interval = Interval{
+      .low = 1.0 - ratio.high * law.upperQuantile(tail),
+      .high = 1.0 - ratio.high * law.upperQuantile(1.0 - tail)};
+  return alpha;
+}
+
+OmegaTotal omegaTotal(std::span<const std::vector<double>> answers) {
+  const TwoWayLayout layout = twoWayLayout(answers);  // for its checks
+  OmegaTotal omega;
+  omega.respondents = layout.rows;
+  omega.items = layout.columns;
+  std::vector<std::vector<double>> columns(layout.columns);
+  for (const auto& row : answers) {
+    for (std::size_t item = 0; item < row.size(); ++item) columns[item].push_back(row[item]);
+  }
+  omega.reason = whyUnfit(columns, layout.rows);
+  if (!omega.reason.empty()) return omega;
+
+  const StandardisedItems items = standardisedItems(columns);
+  const OneFactorModel model = fitOneFactor(correlationsOf(items));
+  if (!model.hasConverged) {
+    omega.reason = "the loadings of one factor could not be found";
+    return omega;
+  }
+  omega.loadings = model.loadings;
+  omega.isImproper = model.isImproper;
+  omega.value = omegaOf(model.loadings, items.deviations);
+  return omega;
+}
+
+}  // namespace analysis

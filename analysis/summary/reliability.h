@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// Whether the items of a scale pull together: Cronbach's α, and where it lies.
+struct CronbachAlpha {
+  std::size_t respondents = 0;
+  std::size_t items = 0;
+  double level = 0.95;               ///< of the interval
+  std::optional<double> value;       ///< not more than 1; negative if items pull apart
+  std::optional<Interval> interval;  ///< after Feldt
+  std::string reason;                ///< why something above is missing; empty if nothing is
+};
+
+/// Cronbach's α (1951) of the sum of k items, with Feldt's interval (1965):
+///
+///     α = k/(k − 1) · (1 − Σ sᵢ² / s²) = 1 − MS_residual / MS_respondents
+///     1 − (1 − α) F,   F the quantiles with n − 1 and (n − 1)(k − 1) degrees of freedom
+///
+/// @param answers  one respondent a row, one item a column, reverse-keyed items already turned.
+/// @throws std::invalid_argument  if a row has fewer or more values than the first, a value is
+///     infinite or no number, or for a level that is not between 0 and 1.
+CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double level = 0.95);
+
+/// How much of the variance of a sum of items comes from what they have in common.
+struct OmegaTotal {
+  std::size_t respondents = 0;
+  std::size_t items = 0;
+  std::optional<double> value;   ///< in 0 … 1
+  std::vector<double> loadings;  ///< of the standardised items
+  bool isImproper = false;       ///< an item's error came out as 0: ω is a hint at most
+  std::string reason;            ///< why something above is missing; empty if nothing is
+};
+
+/// McDonald's ω total (1999) of the sum of the items as they are answered, if one factor is all
+/// they share:
+///
+///     ω = (Σ sᵢ λᵢ)² / ((Σ sᵢ λᵢ)² + Σ sᵢ² (1 − λᵢ²))
+///
+/// with sᵢ the standard deviation of an item and λᵢ its loading; see fitOneFactor() for the
+/// estimator. Equals α where all items load alike. Needs three items, none of them constant.
+///
+/// @param answers  as above.
+/// @throws std::invalid_argument  as above.
+OmegaTotal omegaTotal(std::span<const std::vector<double>> answers);
+
+}  // namespace analysis

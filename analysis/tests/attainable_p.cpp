@@ -1,0 +1,111 @@
+#include "analysis/tests/attainable_p.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <boost/math/special_functions/gamma.hpp>
+
+#include "analysis/tests/equal_shares.h"
+
+namespace analysis {
+namespace {
+
+constexpr int kMostOptions = 1000;
+
+void requireLevel(double alpha) {
+  if (!(alpha > 0.0 && alpha < 1.0)) throw std::invalid_argument("alpha lies between 0 and 1");
+}
+
+void requireOptions(int k) {
+  if (k < 2 || k > kMostOptions) throw std::invalid_argument("there are 2 to 1000 options");
+}
+
+AttainableP fromLog(double naturalLog) {
+  const double log10P = std::min(naturalLog / std::numbers::ln10, 0.0);
+  return {.p = std::min(std::exp(naturalLog), 1.0), .log10P = log10P};
+}
+
+/// base^(−exponent), exactly where a double holds it.
+AttainableP power(double base, double exponent) {
+  return {.p = std::pow(base, -exponent), .log10P = -exponent * std::log10(base)};
+}
+
+/// The others of n votes as equal as they can be: of all their outcomes the most probable one, and
+/// so the one with the largest p.
+std::vector<std::uint64_t> evenly(std::uint64_t votes, int options) {
+  const auto count = static_cast<std::uint64_t>(options);
+  std::vector<std::uint64_t> shares(count, votes / count);
+  for (std::uint64_t i = 0; i < votes % count; ++i) ++shares[i];
+  return shares;
+}
+
+std::optional<double> pOfWinner(std::uint64_t winner, std::uint64_t n, int k) {
+  std::vector<std::string> names;
+  for (int i = 0; i < k; ++i) names.push_back(std::to_string(i));
+  VoteCounts votes(names);
+  votes.add(names[0], winner);
+  const auto others = evenly(n - winner, k - 1);
+  for (std::size_t i = 0; i < others.size(); ++i) votes.add(names[i + 1], others[i]);
+  return equalSharesP(votes);
+}
+
+}  // namespace
+
+AttainableP smallestSignFlipP(std::uint64_t n) {
+  return n < 2 ? AttainableP{} : power(2.0, static_cast<double>(n - 1));
+}
+
+AttainableP smallestFriedmanP(std::uint64_t n, int k) {
+  requireOptions(k);
+  if (n < 2) return {};
+  const auto participants = static_cast<double>(n);
+  constexpr int kExactFactorial = 18;  // 18! < 2^53
+  if (k <= kExactFactorial) return power(std::round(std::tgamma(k + 1.0)), participants - 1.0);
+  return fromLog(-(participants - 1.0) * boost::math::lgamma(k + 1.0));
+}
+
+AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2) {
+  double p = 2.0;  // as a product: exact as long as the binomial coefficient is
+  double logP = std::numbers::ln2;
+  double ways = 1.0;
+  const auto fewer = static_cast<double>(std::min(n1, n2));
+  const auto more = static_cast<double>(std::max(n1, n2));
+  for (double i = 1.0; i <= fewer; i += 1.0) {
+    ways = ways * (more + i) / i;
+    logP -= std::log1p(more / i);
+  }
+  p /= ways;
+  return p >= 1.0 ? AttainableP{} : AttainableP{.p = p, .log10P = logP / std::numbers::ln10};
+}
+
+AttainableP smallestVoteP(std::uint64_t n, int k) {
+  requireOptions(k);
+  return n < 2 ? AttainableP{} : power(k, static_cast<double>(n - 1));
+}
+
+std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons) {
+  requireLevel(alpha);
+  if (comparisons == 0) throw std::invalid_argument("a family has at least one comparison");
+  const double level = alpha / static_cast<double>(comparisons);
+  std::uint64_t n = 2;
+  while (std::ldexp(1.0, 1 - static_cast<int>(n)) > level) ++n;
+  return n;
+}
+
+std::optional<std::uint64_t> fewestVotesToWin(std::uint64_t n, int k, double alpha) {
+  requireLevel(alpha);
+  requireOptions(k);
+  std::optional<std::uint64_t> fewest;
+  for (std::uint64_t winner = n; winner > 0; --winner) {
+    const auto p = pOfWinner(winner, n, k);
+    if (!p || *p > alpha) break;
+    fewest = winner;
+  }
+  return fewest;
+}
+
+}  // namespace analysis

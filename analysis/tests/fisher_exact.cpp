@@ -1,0 +1,173 @@
+#include "analysis/tests/fisher_exact.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+
+#include "analysis/numerics/double_double.h"
+
+namespace analysis {
+namespace {
+
+using Counts = std::vector<std::uint64_t>;
+constexpr std::uint64_t kMostCounts = 300;
+constexpr std::uint64_t kMostTables = 500'000;
+constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
+constexpr double kAlike = 1e-20;
+
+/// Pascal's triangle in doubles of 31 digits.
+class Binomials {
+ public:
+  Binomials() {
+    for (std::size_t n = 0; n <= kMostCounts; ++n) {
+      rows_.emplace_back(n + 1, 1.0);
+      for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
+    }
+  }
+  const DoubleDouble& operator()(std::uint64_t n, std::uint64_t k) const { return rows_[n][k]; }
+
+ private:
+  std::vector<std::vector<DoubleDouble>> rows_;
+};
+
+const Binomials& binomials() {
+  static const Binomials table;
+  return table;
+}
+
+/// Goes through all tables with the margins of one, column after column, row after row. Each row
+/// takes its part of what the column still lacks, w, as by drawing without replacement,
+///
+///     P(part) = C(h, part) C(o, w − part) / C(h + o, w),
+///
+/// with h what this row has left for this column and those after it, and o those below it.
+class Tables {
+ public:
+  Tables(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
+      : rows_(rows), columns_(columns), observed_(observed) {}
+
+  /// Nothing if the tables are too many.
+  std::optional<double> notMoreProbable() {
+    std::uint64_t left = 0;
+    for (const auto row : rows_) left += row;
+    fill(0, 0, columns_.front(), left, 1.0);
+    if (visited_ > kMostTables) return std::nullopt;
+    return std::min(1.0, sum_.high);
+  }
+
+ private:
+  /// Row @p i of column @p j takes its part of @p wanted, which the column still lacks; @p below is
+  /// what this row and those below it have left.
+  void fill(
+      std::size_t j, std::size_t i, std::uint64_t wanted, std::uint64_t below, DoubleDouble p) {
+    if (visited_ > kMostTables) return;
+    if (j == columns_.size()) return visit(p);
+    const std::uint64_t here = rows_[i];
+    const std::uint64_t others = below - here;
+    if (i + 1 == rows_.size()) {
+      rows_[i] -= wanted;
+      next(j, p);
+      rows_[i] = here;
+      return;
+    }
+    const std::uint64_t least = wanted > others ? wanted - others : 0;
+    for (std::uint64_t part = least; part <= std::min(here, wanted); ++part) {
+      rows_[i] = here - part;
+      fill(
+          j,
+          i + 1,
+          wanted - part,
+          others,
+          p * binomials()(here, part) * binomials()(others, wanted - part) /
+              binomials()(below, wanted));
+    }
+    rows_[i] = here;
+  }
+
+  void next(std::size_t j, const DoubleDouble& p) {
+    std::uint64_t left = 0;
+    for (const auto row : rows_) left += row;
+    fill(j + 1, 0, j + 1 < columns_.size() ? columns_[j + 1] : 0, left, p);
+  }
+
+  void visit(const DoubleDouble& p) {
+    ++visited_;
+    const bool isMore = (p - observed_).high > kAlike * observed_.high;
+    if (!isMore) sum_ = sum_ + p;
+  }
+
+  Counts rows_;
+  Counts columns_;
+  DoubleDouble observed_;
+  DoubleDouble sum_;
+  std::uint64_t visited_ = 0;
+};
+
+/// How much is in each row and column.
+struct Margins {
+  Counts rows;
+  Counts columns;
+  std::uint64_t total = 0;
+};
+
+Margins marginsOf(std::span<const Counts> table) {
+  Margins margins;
+  margins.columns.assign(table.front().size(), 0);
+  for (const auto& row : table) {
+    margins.rows.push_back(std::accumulate(row.begin(), row.end(), std::uint64_t{0}));
+    margins.total += margins.rows.back();
+    for (std::size_t j = 0; j < row.size(); ++j) margins.columns[j] += row[j];
+  }
+  return margins;
+}
+
+/// The probability of a table among those with its margins.
+DoubleDouble probabilityOf(std::span<const Counts> table, const Margins& margins) {
+  Counts left = margins.rows;
+  std::uint64_t all = margins.total;
+  DoubleDouble p = 1.0;
+  for (std::size_t j = 0; j < margins.columns.size(); ++j) {
+    p = p / binomials()(all, margins.columns[j]);
+    all -= margins.columns[j];
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      p = p * binomials()(left[i], table[i][j]);
+      left[i] -= table[i][j];
+    }
+  }
+  return p;
+}
+
+}  // namespace
+
+FisherExactResult fisherExactTest(std::span<const Counts> table) {
+  if (table.empty()) throw std::invalid_argument("a table has rows");
+  for (const auto& row : table) {
+    if (row.empty() || row.size() != table.front().size()) {
+      throw std::invalid_argument("the rows of a table have as many counts");
+    }
+    if (std::ranges::max(row) > kMostInACell) throw std::invalid_argument("a count is too large");
+  }
+  Margins margins = marginsOf(table);
+  FisherExactResult result;
+  result.total = margins.total;
+  const auto filled = [](const Counts& sums) {
+    return std::ranges::count_if(sums, [](std::uint64_t sum) { return sum > 0; });
+  };
+  if (filled(margins.rows) < 2 || filled(margins.columns) < 2) {
+    result.reason = "all counts are in one row or one column: there is nothing to compare";
+    return result;
+  }
+  if (margins.total > kMostCounts) {
+    result.reason = "there are too many counts for an exact p";
+    return result;
+  }
+  const DoubleDouble observed = probabilityOf(table, margins);
+  std::erase(margins.rows, 0U);
+  std::erase(margins.columns, 0U);
+  result.p = Tables(margins.rows, margins.columns, observed).notMoreProbable();
+  if (!result.p) result.reason = "there are too many tables for an exact p";
+  return result;
+}
+
+}  // namespace analysis

@@ -1,0 +1,102 @@
+#include "analysis/tests/one_way_anova.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "analysis/numerics/fisher_distribution.h"
+
+namespace analysis {
+namespace {
+
+/// Where the spread comes from [4^exponent].
+struct Squares {
+  int exponent = 0;
+  DoubleDouble between;
+  DoubleDouble within;
+};
+
+Squares squaresOf(std::span<const Moments> groups, double n) {
+  Squares squares{
+      .exponent = std::ranges::max(groups, {}, &Moments::exponent).exponent,
+      .between = {},
+      .within = {}};
+  const auto inCommonUnits = [&](const Moments& group) {
+    return scaled(group.mean, group.exponent - squares.exponent);
+  };
+  const DoubleDouble pivot = inCommonUnits(groups.front());
+  DoubleDouble sum;
+  for (const auto& group : groups) {
+    sum = sum + (inCommonUnits(group) - pivot) * static_cast<double>(group.n);
+  }
+  const DoubleDouble shift = sum / n;
+  for (const auto& group : groups) {
+    const DoubleDouble effect = inCommonUnits(group) - pivot - shift;
+    squares.between = squares.between + effect * effect * static_cast<double>(group.n);
+    squares.within =
+        squares.within + scaled(group.variance, 2 * (group.exponent - squares.exponent)) *
+                             static_cast<double>(group.n - 1);
+  }
+  return squares;
+}
+
+std::string whyImpossible(std::span<const Moments> groups, std::uint64_t n) {
+  if (groups.size() < 2) return "the test needs two groups";
+  if (std::ranges::any_of(groups, [](const Moments& group) { return group.n == 0; })) {
+    return "a group has no values";
+  }
+  if (n == groups.size()) return "every group has one value only: there is no spread within them";
+  return {};
+}
+
+void addTest(OneWayAnovaResult& result, const Squares& squares) {
+  const double df1 = *result.degreesOfFreedom1;
+  const double df2 = *result.degreesOfFreedom2;
+  const double f = (squares.between / df1 / (squares.within / df2)).high;
+  const FisherDistribution law(df1, df2);
+  result.f = f;
+  result.p = law.upperP(f);
+  result.log10P = law.log10UpperP(f);
+}
+
+}  // namespace
+
+OneWayAnovaResult oneWayAnova(std::span<const std::vector<double>> groups) {
+  std::vector<Moments> moments;
+  moments.reserve(groups.size());
+  for (const auto& values : groups) moments.push_back(momentsOf(values));
+  return oneWayAnova(moments);
+}
+
+OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
+  OneWayAnovaResult result;
+  result.groups = groups.size();
+  for (const auto& group : groups) result.n += group.n;
+  result.reason = whyImpossible(groups, result.n);
+  if (!result.reason.empty()) return result;
+
+  const auto n = static_cast<double>(result.n);
+  const auto k = static_cast<double>(groups.size());
+  const Squares squares = squaresOf(groups, n);
+  const DoubleDouble all = squares.between + squares.within;
+  result.squaresBetween = heldByDouble(squares.between, 2 * squares.exponent);
+  result.squaresWithin = heldByDouble(squares.within, 2 * squares.exponent);
+  result.residualDeviation = heldByDouble(squareRoot(squares.within / (n - k)), squares.exponent);
+  result.degreesOfFreedom1 = k - 1.0;
+  result.degreesOfFreedom2 = n - k;
+  if (!all.isZero()) result.rSquared = (squares.between / all).high;
+  if (!squares.within.isZero()) {
+    addTest(result, squares);
+    if (!result.squaresBetween || !result.squaresWithin) {
+      result.reason =
+          "a sum of squares is beyond what a double can hold; F and p hold all the same";
+    }
+  } else if (all.isZero()) {
+    result.reason = "all values are the same: there is no spread to test";
+  } else {
+    result.f = std::numeric_limits<double>::infinity();
+    result.reason = "all groups are constant and differ: F is infinite, and p is not defined";
+  }
+  return result;
+}
+
+}  // namespace analysis

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/data/vote_counts.h"
+
+namespace analysis {
+
+/// Whether options are preferred equally often. What is missing has its reason.
+struct EqualSharesResult {
+  std::uint64_t votes = 0;
+  std::optional<double> exactP;            ///< as equalSharesP() has it
+  std::optional<double> chiSquared;        ///< Σ (v − n/k)² / (n/k)
+  std::optional<double> degreesOfFreedom;  ///< k − 1
+  std::optional<double> p;                 ///< of χ²; for a few votes only roughly
+  std::optional<double> log10P;            ///< holds also where p is too small for a double
+  std::string reason;                      ///< why something above is missing; empty if nothing is
+};
+
+/// Had everybody voted by lot, how probable would an outcome as uneven be? The test takes votes as
+/// independent: several of one person make p too small.
+EqualSharesResult equalSharesTest(const VoteCounts& votes);
+
+/// Whether options get as many yes, if each person says yes or no to each. What is missing has its
+/// reason.
+struct CochranResult {
+  std::uint64_t persons = 0;
+  std::uint64_t undecided = 0;  ///< who said the same to all options: they do not count
+  std::optional<double> q;
+  std::optional<double> degreesOfFreedom;  ///< k − 1
+  std::optional<double> p;                 ///< of χ²
+  std::optional<double> log10P;            ///< holds also where p is too small for a double
+  std::optional<double> exactP;            ///< under all permutations within persons
+  std::string reason;                      ///< why something above is missing; empty if nothing is
+};
+
+/// Cochran's Q (1950), with Gⱼ the yes that option j got and Lᵢ those that person i gave:
+///
+///     Q = (k − 1)(k ΣGⱼ² − (ΣGⱼ)²) / (k ΣLᵢ − ΣLᵢ²)
+///
+/// It is Friedman's test of zeros and ones, and has its exact p.
+///
+/// @param answers  a row per person, an answer per option.
+/// @throws std::invalid_argument  for rows of unlike length or fewer than two answers.
+CochranResult cochranQTest(std::span<const std::vector<bool>> answers);
+
+}  // namespace analysis

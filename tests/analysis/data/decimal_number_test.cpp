@@ -1,0 +1,74 @@
+#include "analysis/data/decimal_number.h"
+
+#include <locale>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using analysis::DecimalMark;
+using analysis::decimalNumber;
+
+TEST(DecimalNumber, IsTheNearestDouble) {
+  EXPECT_EQ(decimalNumber("4"), 4.0);
+  EXPECT_EQ(decimalNumber("-0.1"), -0.1);
+  EXPECT_EQ(decimalNumber("+2.5e3"), 2500.0);
+  EXPECT_EQ(decimalNumber("0.30000000000000004"), 0.1 + 0.2);
+  EXPECT_EQ(decimalNumber("1e-200"), 1e-200);
+  EXPECT_EQ(decimalNumber("5e-324"), 5e-324);
+  // The classic that a careless reader rounds twice: just above the middle of two doubles.
+  EXPECT_EQ(decimalNumber("9007199254740993.00000000001"), 9007199254740994.0);
+}
+
+TEST(DecimalNumber, IsNotFoundInOtherText) {
+  for (const char* text :
+       {"",
+        " ",
+        "four",
+        "4 ",
+        " 4",
+        "4x",
+        "0x10",
+        "1_000",
+        "1 000",
+        "--1",
+        "+-1",
+        "+",
+        ".",
+        "1.2.3",
+        "4,5"}) {
+    EXPECT_FALSE(decimalNumber(text).has_value()) << text;
+  }
+}
+
+TEST(DecimalNumber, IsFiniteAndHeldByADouble) {
+  for (const char* text : {"inf", "-Inf", "infinity", "nan", "NaN", "1e999", "-1e999", "1e-999"}) {
+    EXPECT_FALSE(decimalNumber(text).has_value()) << text;
+  }
+}
+
+TEST(DecimalNumber, UnderstandsACommaWhereOneIsExpected) {
+  EXPECT_EQ(decimalNumber("4,5", DecimalMark::PointOrComma), 4.5);
+  EXPECT_EQ(decimalNumber("4.5", DecimalMark::PointOrComma), 4.5);
+  EXPECT_EQ(decimalNumber("-1,5e2", DecimalMark::PointOrComma), -150.0);
+  EXPECT_FALSE(decimalNumber("1.234,5", DecimalMark::PointOrComma).has_value());
+  EXPECT_FALSE(decimalNumber("1,234,5", DecimalMark::PointOrComma).has_value());
+}
+
+/// As a German desktop would have it.
+class CommaLocale : public std::numpunct<char> {
+ protected:
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(DecimalNumber, DoesNotDependOnTheLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new CommaLocale));
+  const auto number = decimalNumber("1234.5");
+  std::locale::global(before);
+
+  EXPECT_EQ(number, 1234.5);
+}
+
+}  // namespace

@@ -1,0 +1,40 @@
+#include "analysis/data/nearest_name.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using analysis::enumerated;
+using analysis::nearestName;
+using Names = std::vector<std::string>;
+
+TEST(NearestName, TakesTheFewestLettersToMend) {
+  const Names names{"participant", "cohort", "method", "score"};
+  EXPECT_EQ(nearestName("scores", names), "score");
+  EXPECT_EQ(nearestName("mehtod", names), "method");
+  EXPECT_EQ(nearestName("COHORT", names), "cohort");
+  EXPECT_EQ(nearestName("", names), "score");
+}
+
+TEST(NearestName, IsTheFirstOfSeveral) {
+  EXPECT_EQ(nearestName("c", Names{"a", "b"}), "a");
+}
+
+TEST(NearestName, MayBeEmptyItself) {
+  EXPECT_EQ(nearestName("x", Names{""}), "");
+}
+
+TEST(Enumerated, ReadsAsASentenceDoes) {
+  EXPECT_EQ(enumerated(Names{}), "");
+  EXPECT_EQ(enumerated(Names{"a"}), "'a'");
+  EXPECT_EQ(enumerated(Names{"a", "b"}), "'a' and 'b'");
+  EXPECT_EQ(enumerated(Names{"a", "b", "c"}), "'a', 'b' and 'c'");
+}
+
+TEST(Enumerated, StopsAfterEight) {
+  EXPECT_EQ(enumerated(Names(10, "n")), "'n', 'n', 'n', 'n', 'n', 'n', 'n', 'n' and 2 more");
+}
+
+}  // namespace

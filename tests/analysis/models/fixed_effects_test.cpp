@@ -1,0 +1,84 @@
+#include "analysis/models/fixed_effects.h"
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using analysis::FixedEffects;
+using Numbers = std::vector<double>;
+
+const std::vector<std::string> kMethod{"kalman", "fem", "interpolation", "fem"};
+const std::vector<std::string> kRound{"1", "1", "2", "2"};
+const std::vector<std::string> kOrder{"interpolation", "fem", "other", "kalman"};
+
+Numbers columnOf(const FixedEffects& fixed, std::size_t column) {
+  const auto values = fixed.column(column);
+  return {values.begin(), values.end()};
+}
+
+FixedEffects design() {
+  FixedEffects fixed(4);
+  fixed.add(analysis::factorOf("method", kMethod, kOrder));
+  fixed.add(analysis::factorOf("round", kRound));
+  fixed.addInteraction("method", "round");
+  fixed.addCovariate("experience", {1, 2, 3, 6});
+  return fixed;
+}
+
+TEST(Factor, KeepsTheOrderOfAppearanceOrTheOneThatIsDeclared) {
+  using Levels = std::vector<std::string>;
+  EXPECT_EQ(
+      analysis::factorOf("method", kMethod).levels, (Levels{"kalman", "fem", "interpolation"}));
+  const auto declared = analysis::factorOf("method", kMethod, kOrder);
+  EXPECT_EQ(declared.levels, (Levels{"interpolation", "fem", "kalman"}));
+  EXPECT_EQ(declared.levelOfAnswer, (std::vector<std::size_t>{2, 1, 0, 1}));
+  EXPECT_THROW(analysis::factorOf("method", kMethod, kRound), std::invalid_argument);
+}
+
+TEST(Factor, CrossesOnlyWhatOccurs) {
+  const auto cells =
+      crossing(analysis::factorOf("method", kMethod), analysis::factorOf("round", kRound));
+  EXPECT_EQ(cells.name, "method:round");
+  EXPECT_EQ(
+      cells.levels, (std::vector<std::string>{"kalman:1", "fem:1", "interpolation:2", "fem:2"}));
+  EXPECT_THROW(crossing(cells, analysis::Factor{}), std::invalid_argument);
+}
+
+TEST(FixedEffects, AreCodedByTreatment) {
+  const auto fixed = design();
+  ASSERT_EQ(fixed.columns(), 7U);
+  EXPECT_EQ(fixed.name(0), "(Intercept)");
+  EXPECT_EQ(fixed.name(1), "method fem");
+  EXPECT_EQ(fixed.name(4), "method fem:round 2");
+  EXPECT_EQ(fixed.name(6), "experience");
+  EXPECT_EQ(columnOf(fixed, 0), (Numbers{1, 1, 1, 1}));
+  EXPECT_EQ(columnOf(fixed, 1), (Numbers{0, 1, 0, 1}));
+  EXPECT_EQ(columnOf(fixed, 2), (Numbers{1, 0, 0, 0}));
+  EXPECT_EQ(columnOf(fixed, 4), (Numbers{0, 0, 0, 1}));
+}
+
+TEST(FixedEffects, WeighMarginalMeans) {
+  const auto fixed = design();
+  EXPECT_EQ(fixed.marginalMean("method", "fem"), (Numbers{1, 1, 0, 0.5, 0.5, 0, 3}));
+  EXPECT_EQ(
+      fixed.difference("method", "interpolation", "kalman"), (Numbers{0, 0, -1, 0, 0, -0.5, 0}));
+}
+
+TEST(FixedEffects, RefuseWhatDoesNotFit) {
+  auto fixed = design();
+  EXPECT_THROW(fixed.add(analysis::factorOf("round", kRound)), std::invalid_argument);
+  EXPECT_THROW(fixed.add(analysis::Factor{}), std::invalid_argument);
+  EXPECT_THROW(fixed.addInteraction("method", "cohort"), std::invalid_argument);
+  EXPECT_THROW(fixed.addCovariate("age", {1, 2}), std::invalid_argument);
+  EXPECT_THROW(
+      fixed.addCovariate("age", {1, 2, 3, std::numeric_limits<double>::quiet_NaN()}),
+      std::invalid_argument);
+  EXPECT_THROW(fixed.marginalMean("method", "other"), std::invalid_argument);
+}
+
+}  // namespace

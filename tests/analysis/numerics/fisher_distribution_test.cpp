@@ -1,0 +1,61 @@
+#include "analysis/numerics/fisher_distribution.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "analysis/numerics/student_distribution.h"
+#include "tests/analysis/digits.h"
+
+namespace {
+
+using analysis::FisherDistribution;
+using tests::correctDigits;
+
+TEST(FisherDistribution, HasTheTailsOfTheIncompleteBetaFunction) {
+  // mpmath, 40 digits: betainc(b/2, a/2, 0, b / (b + a f), regularized=True)
+  const auto digits = [](double f, double a, double b, const char* truth) {
+    return correctDigits(FisherDistribution(a, b).upperP(f), truth);
+  };
+  EXPECT_GE(digits(0.001, 3.0, 40.0, "0.99995552762057514602"), 14.0);
+  EXPECT_GE(digits(1.5, 2.5, 7.3, "0.28974650170939960597"), 14.0);
+  EXPECT_GE(digits(30.0, 4.0, 200.0, "1.490947887216987535e-19"), 13.0);
+  EXPECT_GE(digits(1e4, 2.0, 117.0, "1.6999055076248820496e-131"), 12.0);
+}
+
+TEST(FisherDistribution, HasLogarithmsBeyondADouble) {
+  const auto digits = [](double f, double a, double b, const char* truth) {
+    return correctDigits(FisherDistribution(a, b).log10UpperP(f), truth);
+  };
+  EXPECT_GE(digits(1e6, 3.0, 400.0, "-773.82007889483186383"), 12.0);
+  EXPECT_GE(digits(50.0, 8.0, 20000.0, "-79.895788972836907148"), 12.0);
+  EXPECT_GE(digits(1e200, 4.0, 10.0, "-997.23214870625616825"), 12.0);
+  EXPECT_GE(digits(1e-3, 2.0, 30.0, "-0.0004342800060638887925"), 12.0);
+  EXPECT_EQ(FisherDistribution(3.0, 400.0).upperP(1e6), 0.0);
+}
+
+TEST(FisherDistribution, IsTheSquareOfStudents) {
+  for (const double t : {0.1, 1.0, 2.3, 12.0}) {
+    const double p = analysis::StudentDistribution(9.5).twoSidedP(t);
+    EXPECT_NEAR(FisherDistribution(1.0, 9.5).upperP(t * t) / p, 1.0, 1e-13);
+  }
+}
+
+TEST(FisherDistribution, HasTheQuantilesOfItsTails) {
+  const FisherDistribution law(3.0, 17.4);
+  for (const double p : {0.975, 0.5, 0.05, 0.001}) {
+    EXPECT_NEAR(law.upperP(law.upperQuantile(p)) / p, 1.0, 1e-13);
+  }
+  EXPECT_EQ(FisherDistribution(5.0, 1e-6).upperQuantile(0.025), INFINITY);
+}
+
+TEST(FisherDistribution, RefusesWhatIsNone) {
+  EXPECT_THROW(FisherDistribution(0.0, 5.0), std::invalid_argument);
+  EXPECT_THROW(FisherDistribution(2.0, INFINITY), std::invalid_argument);
+  EXPECT_THROW(FisherDistribution(2.0, 5.0).upperP(-1.0), std::invalid_argument);
+  EXPECT_THROW(FisherDistribution(2.0, 5.0).upperP(NAN), std::invalid_argument);
+  EXPECT_THROW(FisherDistribution(2.0, 5.0).upperQuantile(0.0), std::invalid_argument);
+}
+
+}  // namespace
