@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/reaming/material.h"
-#include "haptics/reaming/material_fit.h"
+#include "haptics/reaming/material/material.h"
+#include "haptics/reaming/material/material_fit.h"
 #include "questionnaires/problem.h"
 
 namespace protocols {

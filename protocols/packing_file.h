@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "questionnaires/problem.h"
 
 namespace protocols {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "haptics/devices/iiwa_device.h"
-#include "haptics/devices/punch_device.h"
+#include "haptics/devices/iiwa/iiwa_device.h"
+#include "haptics/devices/punch/punch_device.h"
 #include "questionnaires/problem.h"
 
 namespace study {

@@ -9,8 +9,8 @@
 
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/tiled_bone.h"
-#include "haptics/reaming/density_fit.h"
-#include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/material/synthetic_series.h"
+#include "haptics/reaming/packing/density_fit.h"
 
 namespace haptics::bench {
 namespace {

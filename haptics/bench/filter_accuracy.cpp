@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/reaming/low_pass.h"
-#include "haptics/reaming/node_choice.h"
-#include "haptics/reaming/sampled_curve.h"
-#include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/material/low_pass.h"
+#include "haptics/reaming/material/node_choice.h"
+#include "haptics/reaming/material/sampled_curve.h"
+#include "haptics/reaming/material/synthetic_series.h"
 
 namespace haptics::bench {
 namespace {

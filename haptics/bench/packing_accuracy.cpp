@@ -9,11 +9,11 @@
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/peers/sphere_peers.h"
 #include "haptics/bench/tiled_bone.h"
-#include "haptics/reaming/acetabulum.h"
-#include "haptics/reaming/bone.h"
-#include "haptics/reaming/packing_builder.h"
-#include "haptics/reaming/plunge.h"
-#include "haptics/reaming/sphere_kernel.h"
+#include "haptics/reaming/bone/bone.h"
+#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/bone/sphere_kernel.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::bench {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "haptics/bench/stability.h"
 #include "haptics/bench/tiled_bone.h"
-#include "haptics/reaming/bone.h"
-#include "haptics/reaming/plunge.h"
+#include "haptics/reaming/bone/bone.h"
+#include "haptics/reaming/bone/plunge.h"
 
 namespace haptics::bench {
 namespace {

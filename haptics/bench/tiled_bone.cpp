@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/reaming/acetabulum.h"
-#include "haptics/reaming/packing_builder.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::bench {
 namespace {

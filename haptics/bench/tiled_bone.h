@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "haptics/reaming/packing.h"
+#include "haptics/reaming/bone/packing.h"
 
 namespace haptics::bench {
 

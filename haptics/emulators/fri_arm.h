@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/devices/iiwa_kinematics.h"
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/emulators/iiwa_arm.h"
 #include "haptics/emulators/surgeon_hand.h"

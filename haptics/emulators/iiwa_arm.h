@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "haptics/devices/iiwa_kinematics.h"
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
 
 namespace haptics::emulators {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "haptics/reaming/chance.h"
+#include "haptics/reaming/bone/chance.h"
 
 namespace haptics::emulators {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "haptics/devices/firmware_build.h"
+#include "haptics/devices/punch/firmware_build.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::emulators {

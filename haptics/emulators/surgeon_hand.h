@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptics/devices/hand.h"
-#include "haptics/devices/iiwa_kinematics.h"
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
 
 namespace haptics::emulators {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "haptics/engine/sample_ring.h"
-#include "haptics/reaming/packing.h"
+#include "haptics/reaming/bone/packing.h"
 
 namespace haptics::engine {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "haptics/reaming/chance.h"
-#include "haptics/reaming/material.h"
+#include "haptics/reaming/bone/chance.h"
+#include "haptics/reaming/material/material.h"
 
 namespace haptics::engine {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/reaming/monotone_slopes.h"
+#include "haptics/reaming/material/monotone_slopes.h"
 
 namespace haptics::engine {
 namespace {

@@ -6,9 +6,9 @@
 #include "haptics/engine/bone_view.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
-#include "haptics/reaming/bone.h"
-#include "haptics/reaming/packed_bone.h"
-#include "haptics/reaming/plunge.h"
+#include "haptics/reaming/bone/bone.h"
+#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/packing/packed_bone.h"
 
 namespace haptics::engine {
 

@@ -1,9 +1,9 @@
 #include "haptics/engine/parametric_bone.h"
 
 #include "haptics/engine/parametric_material.h"
-#include "haptics/reaming/acetabulum.h"
-#include "haptics/reaming/monotone_slopes.h"
-#include "haptics/reaming/packing_builder.h"
+#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::engine {
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 
 namespace haptics::engine {
 

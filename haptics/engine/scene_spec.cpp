@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "haptics/engine/material_model.h"
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 
 namespace haptics::engine {
 namespace {

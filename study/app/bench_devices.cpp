@@ -17,8 +17,8 @@
 
 #include "haptics/devices/datagram_socket.h"
 #include "haptics/devices/device_error.h"
-#include "haptics/devices/iiwa_device.h"
-#include "haptics/devices/punch_device.h"
+#include "haptics/devices/iiwa/iiwa_device.h"
+#include "haptics/devices/punch/punch_device.h"
 #include "haptics/emulators/fri_arm.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/triangle_mesh.h"
+#include "haptics/reaming/packing/triangle_mesh.h"
 
 namespace study::app {
 

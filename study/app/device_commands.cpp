@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/devices/firmware_build.h"
+#include "haptics/devices/punch/firmware_build.h"
 #include "haptics/devices/serial_port.h"
 #include "protocols/load_protocol.h"
 #include "study/app/commands.h"

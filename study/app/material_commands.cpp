@@ -9,8 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/series_text.h"
-#include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/material_file.h"
 #include "questionnaires/document.h"
 #include "study/app/bench_report.h"

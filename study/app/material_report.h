@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "haptics/reaming/material_fit.h"
+#include "haptics/reaming/material/material_fit.h"
 #include "study/report/document.h"
 
 namespace study::app {

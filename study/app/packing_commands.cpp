@@ -8,10 +8,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/acetabulum.h"
-#include "haptics/reaming/mesh_solid.h"
-#include "haptics/reaming/packing_builder.h"
-#include "haptics/reaming/virtual_experiment.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/mesh_solid.h"
+#include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/virtual_experiment.h"
 #include "protocols/packing_file.h"
 #include "questionnaires/document.h"
 #include "study/app/bench_report.h"

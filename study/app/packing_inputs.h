@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "protocols/packing_file.h"
 
 namespace CLI {

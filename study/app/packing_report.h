@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "study/report/document.h"
 
 namespace study::app {

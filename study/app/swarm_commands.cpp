@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/density_fit.h"
-#include "haptics/reaming/plunge.h"
+#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/packing/density_fit.h"
 #include "protocols/packing_file.h"
 #include "questionnaires/document.h"
 #include "study/app/commands.h"

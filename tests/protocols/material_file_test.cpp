@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/material/synthetic_series.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/sphere_field.h"
+#include "haptics/reaming/bone/sphere_field.h"
 
 namespace haptics::bench::peers {
 

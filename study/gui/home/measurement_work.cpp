@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "haptics/reaming/acetabulum.h"
-#include "haptics/reaming/material_fit.h"
-#include "haptics/reaming/packed_bone.h"
-#include "haptics/reaming/packing_builder.h"
-#include "haptics/reaming/series_text.h"
+#include "haptics/reaming/material/material_fit.h"
+#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packed_bone.h"
+#include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/recordings/recording_file.h"
 #include "protocols/material_file.h"
 #include "protocols/packing_file.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/reaming/sphere_field.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/simulation/sphere_cloud.h"
 
 namespace study::gui::simulation {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptics/reaming/plunge.h"
+#include "haptics/reaming/bone/plunge.h"
 #include "study/gui/simulation/reamer_shape.h"
 #include "study/gui/simulation/solids.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "haptics/reaming/packed_bone.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "study/gui/simulation/simulated_scene.h"
 
 namespace study::gui::simulation {

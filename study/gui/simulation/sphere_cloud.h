@@ -9,7 +9,7 @@
 #include <QVector3D>
 
 #include "haptics/engine/bone_view.h"
-#include "haptics/reaming/sphere_field.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/simulation/mesh.h"
 
 namespace study::gui::simulation {

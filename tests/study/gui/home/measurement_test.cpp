@@ -6,8 +6,8 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "haptics/reaming/series_text.h"
-#include "haptics/reaming/synthetic_series.h"
+#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/cut_file.h"
 #include "protocols/packing_file.h"
 #include "study/gui/home/measurement_dialogs.h"

@@ -1,0 +1,243 @@
+// Whether an arm is fit for use.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/devices/iiwa/iiwa_device.h"
+#include "haptics/timing/monotonic_clock.h"
+
+namespace haptics::devices {
+namespace {
+
+using namespace haptics::wire::fri;
+
+constexpr std::array kStates{
+    "IDLE", "MONITORING_WAIT", "MONITORING_READY", "COMMANDING_WAIT", "COMMANDING_ACTIVE"};
+constexpr std::int64_t kLastingSilence = timing::kSecond;
+constexpr std::array kQualities{"POOR", "FAIR", "GOOD", "EXCELLENT"};
+
+std::string numbers(const char* format, double a, double b = 0.0, double c = 0.0) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), format, a, b, c);
+  return text.data();
+}
+
+CheckResult sessionFound(const MonitoringMessage& heard) {
+  const auto connection = heard.connection.value_or(ConnectionInfo{});
+  const auto state = static_cast<std::size_t>(connection.state);
+  const auto quality = static_cast<std::size_t>(connection.quality);
+  const bool isGood = connection.quality >= ConnectionQuality::Good;
+  const bool isReady = connection.state >= SessionState::MonitoringReady;
+  return {
+      !isGood   ? Finding::Fail
+      : isReady ? Finding::Pass
+                : Finding::Warn,
+      "session",
+      std::string(kStates.at(state)) + ", connection " + kQualities.at(quality),
+      isGood && isReady ? ""
+      : isGood
+          ? "Start the robot's application."
+          : "Connect the controller directly to this computer, and give this program real-time "
+            "priority (docs/devices.md)."};
+}
+
+const char* wordFor(ClientCommandMode mode) noexcept {
+  constexpr std::array kWords{"no command", "joint position", "wrench", "torque", "Cartesian pose"};
+  return kWords.at(static_cast<std::size_t>(mode));
+}
+
+/// A robot that names another command mode than the device file's never takes a force.
+CheckResult otherModeFound(ClientCommandMode mode, ClientCommandMode wanted) {
+  const std::string theirs = wordFor(mode);
+  const std::string ours = wordFor(wanted);
+  const bool canBeOurs = mode == ClientCommandMode::Wrench || mode == ClientCommandMode::Torque;
+  const std::string choose = "hoose " + ours + " in the robot's application.";
+  return {
+      Finding::Fail,
+      "force overlay",
+      "the robot takes: " + theirs + "; the device file's overlay is " + ours,
+      canBeOurs ? "Write \"overlay\": \"" + theirs + "\" in the device file, or c" + choose
+                : "C" + choose};
+}
+
+CheckResult commandingFound(
+    const MonitoringMessage& heard,
+    IiwaOverlay overlay,
+    std::optional<ClientCommandMode> mode,
+    bool hasWaited) {
+  const auto wanted =
+      overlay == IiwaOverlay::JointTorque ? ClientCommandMode::Torque : ClientCommandMode::Wrench;
+  if (mode && *mode != wanted) return otherModeFound(*mode, wanted);
+  const bool isActive =
+      heard.connection && heard.connection->state == SessionState::CommandingActive;
+  if (isActive && mode) return {Finding::Pass, "force overlay", "active", ""};
+  if (isActive) {
+    return {
+        Finding::Fail,
+        "force overlay",
+        "active, in a mode that the robot does not name",
+        std::string("Choose ") + wordFor(wanted) + " in the robot's application."};
+  }
+  return {
+      Finding::Warn,
+      "force overlay",
+      hasWaited ? "waits in COMMANDING_WAIT" : "not commanding yet",
+      std::string("Let the robot's application start its motion with the FRI overlay.") +
+          (hasWaited ? " If it has: the device file's \"overlay\" (wrench or torque) may be "
+                       "another than the robot's."
+                     : "")};
+}
+
+/// A trial ends where nothing comes for @p limit; a busy computer may look like that for a moment.
+CheckResult silenceFound(std::int64_t longest, bool isLasting, std::int64_t limit) {
+  constexpr std::int64_t kBroken = timing::kSecond / 2;
+  const double seconds = 1e-9 * static_cast<double>(longest);
+  const std::string measured =
+      longest <= limit ? numbers("%.0f ms", 1e3 * seconds)
+                       : numbers(
+                             isLasting ? "nothing has come from the arm for %.1f s (a trial ends "
+                                         "at %.0f ms)"
+                                       : "%.3f s (a trial ends at %.0f ms)",
+                             seconds,
+                             1e-6 * static_cast<double>(limit));
+  return {
+      longest <= limit                 ? Finding::Pass
+      : isLasting || longest > kBroken ? Finding::Fail
+                                       : Finding::Warn,
+      "longest silence",
+      measured,
+      longest <= limit ? ""
+      : isLasting      ? "Is the application still running? Look at the SmartPad, and at the cable."
+                       : "End other programs on this computer, and use a direct cable; look at the "
+                         "SmartPad for what stopped it."};
+}
+
+CheckResult safetyFound(const MonitoringMessage& heard) {
+  const auto info = heard.robotInfo.value_or(RobotInfo{});
+  const bool isNormal =
+      info.safetyState.value_or(SafetyState::NormalOperation) == SafetyState::NormalOperation;
+  return {
+      isNormal ? Finding::Pass : Finding::Fail,
+      "safety state",
+      isNormal ? "normal operation" : "safety stop",
+      isNormal ? "" : "Resolve the stop at the robot, then check again."};
+}
+
+CheckResult cyclesFound(const LinkReport& link, double seconds, double rate) {
+  const double seen = static_cast<double>(link.received) / seconds;
+  const bool isNear = std::abs(seen / rate - 1.0) < 0.05;
+  return {
+      isNear ? Finding::Pass : Finding::Warn,
+      "cycle",
+      numbers("%.0f messages/s of %.0f", seen, rate),
+      isNear ? ""
+             : "End other programs on this computer; choose a longer send period on the robot."};
+}
+
+CheckResult anomaliesFound(const LinkReport& link) {
+  const auto bad = link.lost + link.doubled + link.late + link.damaged + link.foreign;
+  return {
+      bad == 0 ? Finding::Pass : Finding::Warn,
+      "messages lost, doubled, late, damaged, foreign",
+      std::to_string(link.lost) + ", " + std::to_string(link.doubled) + ", " +
+          std::to_string(link.late) + ", " + std::to_string(link.damaged) + ", " +
+          std::to_string(link.foreign),
+      bad == 0 ? "" : "Use a direct cable; nobody else on this network may send to this port."};
+}
+
+}  // namespace
+
+IiwaDevice::Listening IiwaDevice::listen(double seconds) {
+  report_ = {.isThere = true};
+  sequence_ = {};
+  drift_ = {};
+  Listening listening;
+  const std::int64_t begin = timing::now();
+  const std::int64_t until =
+      begin + static_cast<std::int64_t>(seconds * static_cast<double>(timing::kSecond));
+  // A session takes its time to become good; listening is extended for one that is not there yet,
+  // and for a silence until it has ended, or lasts.
+  constexpr std::int64_t kLonger = 6 * timing::kSecond;
+  const auto goesOn = [&](std::int64_t now) {
+    const bool isSilent = now - hostTime_ > silence();
+    const bool isComing = state() != SessionState::CommandingActive && report_.received > 0;
+    return now < until || isSilent || (isComing && now < until + kLonger);
+  };
+  std::int64_t last = hostTime_ = begin;
+  while (goesOn(timing::now())) {
+    if (pump(timing::now() + 100 * timing::kMillisecond)) {
+      listening.longestGap = std::max(listening.longestGap, hostTime_ - last);
+      last = hostTime_;
+      if (heard_.ipoData && heard_.ipoData->commandMode) {
+        listening.mode = heard_.ipoData->commandMode;
+      }
+      listening.hasWaited = listening.hasWaited || state() == SessionState::CommandingWait;
+      isNew_ = false;
+      answer(0.0);
+    } else if (timing::now() - last >= kLastingSilence) {
+      listening.longestGap = timing::now() - last;
+      break;
+    }
+  }
+  listening.seconds = 1e-9 * static_cast<double>(timing::now() - begin);
+  return listening;
+}
+
+std::vector<CheckResult> IiwaDevice::check(double seconds) {
+  std::vector<CheckResult> found;
+  try {
+    if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) open();
+  } catch (const DeviceError& error) {
+    found.push_back({Finding::Fail, "connection", "none", error.what()});
+    return found;
+  }
+  found.push_back(
+      {Finding::Pass, "connection", "FRI " + std::string(nameOf(settings_.version)), ""});
+  stopKeeper();
+  const Listening listened = listen(seconds);
+  const bool isSilent = timing::now() - hostTime_ >= kLastingSilence;
+  const LinkReport report = link();
+  found.push_back(sessionFound(heard_));
+  found.push_back(commandingFound(heard_, settings_.overlay, listened.mode, listened.hasWaited));
+  found.push_back(safetyFound(heard_));
+  found.push_back(silenceFound(listened.longestGap, isSilent, silence()));
+  found.push_back(cyclesFound(report, listened.seconds, 1e9 / static_cast<double>(period_)));
+  found.push_back(anomaliesFound(report));
+  found.push_back(
+      {Finding::Pass,
+       "answer seen by the robot after",
+       numbers(
+           "median %.0f µs, p99 %.0f µs",
+           report.roundTrip.quantile(0.5),
+           report.roundTrip.quantile(0.99)),
+       ""});
+  const char* wrong = guard_.whatIsWrong(joints_, jointVelocity_, JointVector::Zero());
+  found.push_back(
+      {wrong == nullptr ? Finding::Pass : Finding::Fail,
+       "joints",
+       wrong == nullptr ? "within their margins" : wrong,
+       wrong == nullptr ? "" : "Move the arm to its starting pose."});
+  found.push_back(
+      {Finding::Pass,
+       "tool",
+       numbers("at %.4f, %.4f, %.4f m", tool_.position.x(), tool_.position.y(), tool_.position.z()),
+       ""});
+  if (report.drift) {
+    found.push_back(
+        {std::abs(*report.drift) < 500.0 ? Finding::Pass : Finding::Warn,
+         "clock against ours",
+         numbers("%+.1f ppm", *report.drift),
+         ""});
+  }
+  found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
+  const bool isFit = std::none_of(
+      found.begin(), found.end(), [](const auto& f) { return f.finding == Finding::Fail; });
+  auto open = Lifecycle::Open;
+  if (isFit) lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
+  startKeeper();  // from here on what was heard is the keeper's
+  return found;
+}
+
+}  // namespace haptics::devices

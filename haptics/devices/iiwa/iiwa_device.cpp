@@ -1,0 +1,466 @@
+#include "haptics/devices/iiwa/iiwa_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+
+namespace haptics::devices {
+namespace {
+
+using namespace haptics::wire::fri;
+using timing::kMillisecond;
+
+constexpr std::int64_t kMostSilence = 50 * kMillisecond;
+constexpr std::int64_t kMissedCycles = 20;
+constexpr std::int64_t kFirstMessage = 2000 * kMillisecond;
+constexpr std::uint32_t kSlowest = 20;  // between answers [ms]
+constexpr std::int64_t kCommanding =
+    10'000 * kMillisecond;  // as long as robot programs wait for us
+
+JointVector asVector(const Joints& joints) {
+  return Eigen::Map<const JointVector>(joints.data());
+}
+
+Joints asJoints(const JointVector& vector) {
+  Joints joints{};
+  std::copy_n(vector.data(), joints.size(), joints.begin());
+  return joints;
+}
+
+Capabilities capabilitiesOf(const IiwaSettings& settings) {
+  return {
+      .kind = DeviceKind::Reamer,
+      .name = "iiwa at " + settings.robot,
+      .travelUnit = "m",
+      .leastTravel = 0.0,
+      .mostTravel = settings.mostTravel,
+      .maxForce = settings.maxForce,
+      .damping = settings.damping,
+      .rate = 200.0,
+      .isSimulated = false};
+}
+
+Endpoint robotOf(const IiwaSettings& settings) {
+  const auto robot = endpointFrom(settings.robot);
+  if (!robot || !(settings.axis.norm() > 0.0) || !settings.axis.allFinite()) {
+    throw DeviceError(
+        "The arm at '" + settings.robot +
+        "' needs a numeric address such as 172.31.1.147, and an axis of reaming that is not 0, in "
+        "the device file.");
+  }
+  return *robot;
+}
+
+}  // namespace
+
+IiwaDevice::IiwaDevice(IiwaSettings settings)
+    : settings_(std::move(settings)),
+      capabilities_(capabilitiesOf(settings_)),
+      kinematics_(settings_.model, settings_.tool),
+      guard_(settings_.model, settings_.margins),
+      robot_(robotOf(settings_)) {
+  settings_.axis.normalize();
+}
+
+IiwaDevice::~IiwaDevice() {
+  close();
+}
+
+SessionState IiwaDevice::state() const noexcept {
+  return heard_.connection ? heard_.connection->state : SessionState::Idle;
+}
+
+void IiwaDevice::open() {
+  close();
+  try {
+    // All of loopback is ours; on a robot's network, the address that leads to it is the system's.
+    socket_.emplace(
+        Endpoint{.address = robot_.isLoopback() ? 0x7F000001U : 0U, .port = settings_.port});
+  } catch (const NetworkError& error) {
+    throw DeviceError(
+        name() + ": UDP port " + std::to_string(settings_.port) + " cannot be had (" +
+        error.what() +
+        "). End the other program that uses it, or choose another port here and on the robot.");
+  }
+  heard_ = {};
+  sequence_ = {};
+  report_ = {.isThere = true};
+  start_.reset();
+  robot_.port = 0;
+  ours_ = 0;
+  isNew_ = isUnanswered_ = false;
+  sinceAnswer_ = 0;
+  deviceTime_ = 0;
+  jointVelocity_.setZero();
+  try {
+    awaitMessages();
+  } catch (...) {
+    socket_.reset();
+    throw;
+  }
+  why_.store("");
+  lifecycle_.store(Lifecycle::Open);
+  startKeeper();
+}
+
+void IiwaDevice::awaitMessages() {
+  const std::int64_t until = timing::now() + kFirstMessage;
+  while (timing::now() < until) {
+    if (!pump(std::min(until, timing::now() + 100 * kMillisecond))) continue;
+    isNew_ = false;
+    answer(0.0);
+    const auto period = heard_.connection ? heard_.connection->sendPeriod.value_or(5) : 5;
+    const auto multiplier =
+        heard_.connection ? heard_.connection->receiveMultiplier.value_or(1) : 1;
+    if (period * multiplier > kSlowest) {
+      throw DeviceError(
+          name() + " wants an answer every " + std::to_string(period * multiplier) +
+          " ms only: too slow to feel. Set the send period of its application to 1 to 5 ms.");
+    }
+    period_ = std::clamp<std::int64_t>(period, 1, 100) * kMillisecond;
+    capabilities_.rate = 1e9 / static_cast<double>(period_ * std::max<std::int64_t>(multiplier, 1));
+    return;
+  }
+  throw DeviceError(name() + whyNothingIsHeard());
+}
+
+std::string IiwaDevice::whyNothingIsHeard() const {
+  if (report_.damaged > 0) {
+    return " sends what cannot be read as FRI " + std::string(nameOf(settings_.version)) +
+           ". Correct fri_version in the device file.";
+  }
+  const std::string nothing = " sends nothing to UDP port " + std::to_string(settings_.port);
+  if (report_.foreign > 0) {
+    std::string other = foreigner_.text();
+    other.erase(other.find(':'));
+    return nothing + ", but " + other + " does (" + std::to_string(report_.foreign) +
+           " datagrams): is that the robot? Then write \"robot_address\": \"" + other +
+           "\" in the device file.";
+  }
+  return nothing +
+         ". Start the application with FRI on its SmartPad, with this computer's address as its "
+         "client.";
+}
+
+void IiwaDevice::close() noexcept {
+  stopKeeper();
+  socket_.reset();
+  lifecycle_.store(Lifecycle::Closed);
+}
+
+std::int64_t IiwaDevice::silence() const noexcept {
+  return std::min(kMissedCycles * period_, kMostSilence);
+}
+
+void IiwaDevice::startKeeper() {
+  hostTime_ = timing::now();
+  keeper_ = std::jthread([this](const std::stop_token& stop) {
+    timing::makeUrgent(timing::kLoopUrgency);
+    while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
+      if (pump(timing::now() + 10 * kMillisecond)) {
+        isNew_ = false;
+        answer(0.0);
+      }
+      // A robot's program that is started anew is silent for a while; nobody feels it.
+      if (timing::now() - hostTime_ > kFirstMessage) fail("it has fallen silent");
+    }
+  });
+}
+
+void IiwaDevice::stopKeeper() noexcept {
+  if (!keeper_.joinable()) return;
+  keeper_.request_stop();
+  keeper_.join();
+}
+
+void IiwaDevice::resumeKeeper() noexcept {
+  try {
+    startKeeper();
+  } catch (...) {
+    fail("no thread could be started to look after it");
+  }
+}
+
+void IiwaDevice::arm() {
+  stopKeeper();  // and what it finds until then counts
+  if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
+    const std::string why = fault();
+    throw DeviceError(
+        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
+        ". Mend that, and try again: it will be connected anew.");
+  }
+  try {
+    awaitCommanding();
+  } catch (...) {
+    startKeeper();
+    throw;
+  }
+  if (settings_.zero) start_ = kinematics_.tool(asVector(*settings_.zero));
+  if (!settings_.zero) start_ = tool_;
+  report_ = {.isThere = true};
+  sequence_ = {};
+  drift_ = {};
+  goodAt_ = timing::now();
+  lifecycle_.store(Lifecycle::Armed);
+  startKeeper();  // until the first tick
+}
+
+void IiwaDevice::awaitCommanding() {
+  const std::int64_t until = timing::now() + kCommanding;
+  while (timing::now() < until) {
+    if (!pump(timing::now() + 100 * kMillisecond)) continue;
+    isNew_ = false;
+    answer(0.0);
+    if (state() == SessionState::CommandingActive) return;
+  }
+  throw DeviceError(
+      name() +
+      " takes no forces: its session is not in COMMANDING_ACTIVE. Let the robot's application "
+      "start "
+      "its motion with the FRI overlay, and look there for what it waits for.");
+}
+
+void IiwaDevice::disarm() noexcept {
+  const auto was = lifecycle();
+  if (was != Lifecycle::Armed && was != Lifecycle::Running) return;
+  stopKeeper();
+  if (lifecycle() == Lifecycle::Faulted) return;
+  lifecycle_.store(Lifecycle::Open);
+  resumeKeeper();
+}
+
+void IiwaDevice::fail(const char* why) noexcept {
+  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
+  socket_.reset();  // a robot that is not answered lets go by itself
+  lifecycle_.store(Lifecycle::Faulted);
+}
+
+std::string IiwaDevice::fault() const {
+  const std::string why = why_.load();
+  return why.empty() ? why : name() + ": " + why;
+}
+
+bool IiwaDevice::wait(std::int64_t deadline) noexcept {
+  if (!socket_) {
+    timing::sleepUntil(deadline);
+    return false;
+  }
+  stopKeeper();  // from the first tick on the wire is the loop's
+  return pump(deadline);
+}
+
+/// Until there is a message to act upon, or none before the deadline. Of several the newest.
+bool IiwaDevice::pump(std::int64_t deadline) noexcept {
+  while (socket_) {
+    const std::int64_t left = deadline - timing::now();
+    auto received = socket_->receive(room_, std::max<std::int64_t>(left, 0));
+    constexpr int kBacklog = 256;  // datagrams: whoever floods us does not keep us for ever
+    for (int i = 0; received; ++i) {
+      const bool hadNew = isNew_;
+      if (take(*received, timing::now()) && hadNew) ++report_.skipped;
+      if (i == kBacklog) break;
+      received = socket_->receive(room_, 0);
+    }
+    if (isNew_) return true;
+    if (timing::now() >= deadline) return false;
+  }
+  return false;
+}
+
+bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at) noexcept {
+  const bool isRobot = received.from.address == robot_.address &&
+                       (robot_.port == 0 || received.from.port == robot_.port);
+  if (!isRobot) {
+    ++report_.foreign;
+    foreigner_ = received.from;
+    return false;
+  }
+  MonitoringMessage message;
+  if (decode({room_.data(), received.size}, settings_.version, message) != Refusal::None) {
+    ++report_.damaged;
+    return false;
+  }
+  using Verdict = wire::SequenceCheck<std::uint32_t>::Verdict;
+  const auto verdict = sequence_.take(message.header.sequence);
+  report_.lost = sequence_.lost();
+  report_.doubled = sequence_.doubledOnes();
+  report_.late = sequence_.late();
+  report_.restarts = sequence_.restarts();
+  if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;
+  robot_.port = received.from.port;  // whoever speaks first from the robot's address is the robot
+  heard_ = message;
+  follow(at);
+  return true;
+}
+
+/// Where the arm is, and how it moves, by the message that has just come.
+void IiwaDevice::follow(std::int64_t at) noexcept {
+  const std::int64_t before = deviceTime_;
+  hostTime_ = at;
+  isNew_ = true;
+  ++report_.received;
+  const auto& data = heard_.monitorData;
+  if (data && data->timestamp) {
+    deviceTime_ = data->timestamp->seconds * timing::kSecond + data->timestamp->nanoseconds;
+    drift_.add(deviceTime_, at);
+  } else {
+    deviceTime_ += period_;
+  }
+  if (heard_.header.reflected != lastReflected_) {
+    lastReflected_ = heard_.header.reflected;
+    const std::int64_t sent = sentAt_[lastReflected_ % sentAt_.size()];
+    if (sent != 0) report_.roundTrip.add(1e-3 * static_cast<double>(at - sent));
+  }
+  const auto multiplier = heard_.connection ? heard_.connection->receiveMultiplier.value_or(1) : 1;
+  if (++sinceAnswer_ >= std::max<std::uint32_t>(multiplier, 1)) {
+    sinceAnswer_ = 0;
+    isUnanswered_ = true;
+  }
+  if (!data || !data->measuredPosition) return;
+  const JointVector joints = asVector(*data->measuredPosition);
+  // No two messages are closer than a period: a stamp that says so was made in a hurry.
+  const std::int64_t apart = deviceTime_ - before;
+  const double dt = apart > 0 ? 1e-9 * static_cast<double>(std::max(apart, period_)) : 0.0;
+  constexpr double kShare = 0.3;  // of the newest in the velocity: a low-pass of some messages
+  if (before != 0 && dt > 0.0)
+    jointVelocity_ += kShare * ((joints - joints_) / dt - jointVelocity_);
+  joints_ = joints;
+  const auto place = kinematics_.at(joints);
+  tool_ = place.tool;
+  jacobian_ = place.jacobian;
+  velocity_ = settings_.axis.dot((jacobian_ * jointVelocity_).head<3>());
+  if (start_) travel_ = displacementAlong(settings_.axis, *start_, tool_);
+}
+
+/// What ends a trial, in words; nullptr for nothing.
+const char* IiwaDevice::whatIsWrong() const noexcept {
+  if (sequence_.restarts() > 0) return "its controller has begun a new session";
+  if (state() != SessionState::CommandingActive) {
+    return "its controller has stopped commanding; its SmartPad says why";
+  }
+  if (heard_.robotInfo) {
+    const auto& info = *heard_.robotInfo;
+    if (info.safetyState.value_or(SafetyState::NormalOperation) != SafetyState::NormalOperation) {
+      return "a safety stop of the robot is active";
+    }
+    for (const auto drive : info.driveStates) {
+      if (drive != DriveState::Active) return "its drives are not active";
+    }
+  }
+  if (!heard_.monitorData || !heard_.monitorData->measuredPosition) {
+    return "it does not say where its joints are";
+  }
+  return nullptr;
+}
+
+DeviceSample IiwaDevice::read(double) noexcept {
+  stopKeeper();
+  if (lifecycle() == Lifecycle::Faulted || !socket_) return {.status = DeviceStatus::Gone};
+  DeviceSample sample{
+      .status = DeviceStatus::Stale,
+      .travel = travel_,
+      .velocity = velocity_,
+      .deviceTime = deviceTime_,
+      .hostTime = hostTime_};
+  if (!isNew_) {
+    ++report_.stale;
+    if (timing::now() - hostTime_ <= silence()) return sample;
+    fail("it has missed 20 cycles, or been silent for 50 ms");
+    return {.status = DeviceStatus::Gone};
+  }
+  isNew_ = false;
+  const char* wrong = whatIsWrong();
+  if (wrong == nullptr) {
+    const auto& torque = heard_.monitorData->measuredTorque;
+    wrong = guard_.whatIsWrong(
+        joints_, jointVelocity_, torque ? asVector(*torque) : JointVector(JointVector::Zero()));
+  }
+  const bool isGood = heard_.connection && heard_.connection->quality >= ConnectionQuality::Good;
+  if (isGood) goodAt_ = hostTime_;
+  if (wrong == nullptr && hostTime_ - goodAt_ > kMostSilence) {
+    wrong = "its connection has become worse than GOOD";
+  }
+  if (wrong != nullptr) {
+    fail(wrong);
+    return {.status = DeviceStatus::Faulted};
+  }
+  if (isGood) {
+    sample.status = DeviceStatus::Ok;
+  } else {
+    ++report_.poor;
+  }
+  return sample;
+}
+
+void IiwaDevice::command(double force) noexcept {
+  if (keeper_.joinable() || !socket_) return;
+  answer(force);
+  if (lifecycle() == Lifecycle::Armed) lifecycle_.store(Lifecycle::Running);
+}
+
+/// The one answer to the message that came last, if it wants one.
+void IiwaDevice::answer(double force) noexcept {
+  if (!isUnanswered_ || !socket_) return;
+  isUnanswered_ = false;
+  const SessionState session = state();
+  if (session == SessionState::Idle) return;
+  CommandMessage message;
+  message.header = {.identifier = kCommand, .sequence = ours_, .reflected = heard_.header.sequence};
+  const bool isCommanding =
+      session == SessionState::CommandingWait || session == SessionState::CommandingActive;
+  const bool isFirstSeries = settings_.version < Version::V2_5;
+  if (isCommanding) {
+    message.data.emplace();
+    message.data->jointPosition = heard_.ipoData->jointPosition;  // decode() saw to it
+    const bool isActive = session == SessionState::CommandingActive &&
+                          lifecycle() != Lifecycle::Open &&
+                          heard_.connection->quality >= ConnectionQuality::Good;
+    overlayInto(*message.data, isActive ? force : 0.0);
+  } else if (isFirstSeries && heard_.monitorData) {
+    const auto& data = *heard_.monitorData;
+    message.data.emplace();
+    message.data->jointPosition =
+        data.commandedPosition ? data.commandedPosition : data.measuredPosition;
+  }
+  std::array<std::uint8_t, kLargestDatagram> bytes;
+  const std::size_t count = encode(message, settings_.version, bytes);
+  sentAt_[ours_ % sentAt_.size()] = timing::now();
+  ++ours_;
+  if (count == 0 || !socket_->send({bytes.data(), count}, robot_)) ++report_.unsent;
+}
+
+/// The force against advancing, as the robot wants it.
+void IiwaDevice::overlayInto(CommandData& data, double force) noexcept {
+  const double most = capabilities_.maxForce;
+  double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
+  Wrench wrench = Wrench::Zero();
+  wrench.head<3>() = -bounded * settings_.axis;
+  const JointVector torque = jacobian_.transpose() * wrench;
+  const double share = guard_.allowedShare(torque);
+  if (share < 1.0 || bounded != force) ++report_.clipped;
+  if (settings_.overlay == IiwaOverlay::JointTorque) {
+    data.jointTorque = asJoints(share * torque);
+  } else {
+    Eigen::Vector3d asked = share * wrench.head<3>();
+    if (settings_.wrenchFrame == WrenchFrame::Tool) asked = tool_.rotation.transpose() * asked;
+    Vector6 sent{};
+    std::copy_n(asked.data(), 3, sent.begin());
+    data.wrench = sent;
+  }
+}
+
+LinkReport IiwaDevice::link() {
+  const bool isKept = keeper_.joinable();  // before the first tick: it counts too
+  stopKeeper();
+  LinkReport report = report_;
+  report.drift = drift_.partsPerMillion();
+  report.clockOffset = drift_.offset();
+  if (isKept) resumeKeeper();
+  return report;
+}
+
+}  // namespace haptics::devices

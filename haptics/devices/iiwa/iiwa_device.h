@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "haptics/devices/datagram_socket.h"
+#include "haptics/devices/device.h"
+#include "haptics/devices/iiwa/iiwa_guard.h"
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
+#include "haptics/timing/clock_drift.h"
+#include "haptics/wire/fri_codec.h"
+#include "haptics/wire/sequence_check.h"
+
+namespace haptics::devices {
+
+/// What a force is sent as.
+enum class IiwaOverlay : std::uint8_t {
+  CartesianWrench,  ///< at the tool, under Cartesian impedance control
+  JointTorque,      ///< in the joints, under joint impedance control
+};
+
+/// In whose axes the robot takes a wrench: of its motion centre, as its program has set that.
+enum class WrenchFrame : std::uint8_t { Tool, Base };
+
+/// How an arm is connected, and what it carries.
+struct IiwaSettings {
+  std::string robot =
+      "127.0.0.1";             ///< the controller's address; datagrams from others are not taken
+  std::uint16_t port = 30200;  ///< ours; 30200 to 30209 on a robot
+  wire::fri::Version version = wire::fri::Version::V1_15;
+  IiwaModel model = IiwaModel::Iiwa14;
+  IiwaOverlay overlay = IiwaOverlay::CartesianWrench;
+  WrenchFrame wrenchFrame = WrenchFrame::Tool;
+  Pose tool;                              ///< of the reamer, as seen from the flange
+  Eigen::Vector3d axis{0.0, 0.0, -1.0};   ///< of reaming, in the base; positive advances
+  std::optional<wire::fri::Joints> zero;  ///< joints [rad] at which travel is 0; nothing:
+                                          ///< where it is armed
+  double mostTravel = 0.02;               ///< [m]
+  double maxForce = 140.0;                ///< [N]
+  double damping = 60.0;                  ///< of the arm along the axis [N·s/m]
+  IiwaGuard::Margins margins;
+};
+
+/// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends, we answer, at
+/// every message and whatever it asks for. Travel is the tool's way along the axis of reaming.
+///
+/// Nothing is sent to anybody but the robot's address, and nothing that comes from elsewhere, is
+/// damaged, doubled, overtaken or not finite is acted upon. Force is given in COMMANDING_ACTIVE
+/// alone and while the connection is GOOD or better. A robot that is not
+/// answered lets go by itself: nothing is ever sent unasked. After 20 missed cycles, or 50 ms if
+/// that is less, it is over until open().
+class IiwaDevice final : public Device, private Beat {
+ public:
+  /// @throws DeviceError  if the settings make no sense.
+  explicit IiwaDevice(IiwaSettings settings);
+  ~IiwaDevice() override;
+
+  const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  Beat* beat() noexcept override { return this; }
+
+  void open() override;
+  void close() noexcept override;
+  std::vector<CheckResult> check(double seconds) override;
+  void arm() override;
+  void disarm() noexcept override;
+  Lifecycle lifecycle() const noexcept override {
+    return lifecycle_.load(std::memory_order_acquire);
+  }
+  std::string fault() const override;
+  LinkReport link() override;
+
+  DeviceSample read(double dt) noexcept override;
+  void command(double force) noexcept override;
+
+  /// What the robot said last: for whoever ticks.
+  const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
+  const Pose& toolPose() const noexcept { return tool_; }
+
+ private:
+  using SessionState = wire::fri::SessionState;
+
+  bool wait(std::int64_t deadline) noexcept override;
+  bool pump(std::int64_t deadline) noexcept;
+  bool take(const DatagramSocket::Received& received, std::int64_t at) noexcept;
+  void follow(std::int64_t at) noexcept;
+  void answer(double force) noexcept;
+  void overlayInto(wire::fri::CommandData& data, double force) noexcept;
+  void fail(const char* why) noexcept;
+  const char* whatIsWrong() const noexcept;
+  /// What a check has seen besides what the report counts.
+  struct Listening {
+    double seconds = 0.0;                              ///< how long
+    std::int64_t longestGap = 0;                       ///< between messages [ns]
+    bool hasWaited = false;                            ///< the session was in COMMANDING_WAIT
+    std::optional<wire::fri::ClientCommandMode> mode;  ///< that the robot has named
+  };
+  Listening listen(double seconds);
+  std::string whyNothingIsHeard() const;
+  void awaitMessages();
+  void awaitCommanding();
+  void startKeeper();
+  void resumeKeeper() noexcept;
+  void stopKeeper() noexcept;
+  std::int64_t silence() const noexcept;
+  std::string name() const { return "The arm at " + settings_.robot; }
+  SessionState state() const noexcept;
+
+  IiwaSettings settings_;
+  Capabilities capabilities_;
+  IiwaKinematics kinematics_;
+  IiwaGuard guard_;
+  Endpoint robot_;
+  std::optional<DatagramSocket> socket_;
+  std::array<std::uint8_t, wire::fri::kLargestDatagram + 1> room_{};
+
+  std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
+  std::atomic<const char*> why_{""};
+
+  wire::fri::MonitoringMessage heard_;
+  wire::SequenceCheck<std::uint32_t> sequence_;
+  std::uint32_t ours_ = 0;
+  bool isNew_ = false;
+  bool isUnanswered_ = false;
+  std::uint32_t sinceAnswer_ = 0;
+  std::int64_t period_ = 5'000'000;  // between messages [ns]
+  std::int64_t hostTime_ = 0;        // [ns]
+  Endpoint foreigner_;               // who sent last, and is not the robot
+  std::int64_t goodAt_ = 0;          // when the connection was last good enough [ns]
+  std::int64_t deviceTime_ = 0;      // [ns]
+
+  JointVector joints_ = JointVector::Zero();         // [rad]
+  JointVector jointVelocity_ = JointVector::Zero();  // [rad/s]
+  Pose tool_;
+  IiwaJacobian jacobian_ = IiwaJacobian::Zero();
+  std::optional<Pose> start_;
+  double travel_ = 0.0;
+  double velocity_ = 0.0;
+
+  std::array<std::int64_t, 64> sentAt_{};  // [ns], by our sequence
+  std::uint32_t lastReflected_ = 0;
+  LinkReport report_;
+  timing::ClockDrift drift_;
+  std::jthread keeper_;
+};
+
+}  // namespace haptics::devices

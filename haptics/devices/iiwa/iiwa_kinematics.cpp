@@ -1,0 +1,96 @@
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <Eigen/Geometry>
+
+namespace haptics::devices {
+namespace {
+
+/// sin α of each link; where it is 0, cos α is 1.
+constexpr std::array<double, 7> kSinAlpha{0.0, -1.0, 1.0, 1.0, -1.0, -1.0, 1.0};
+
+Pose link(std::size_t index, double angle, double length) noexcept {
+  const double sa = kSinAlpha[index];
+  const double ca = sa == 0.0 ? 1.0 : 0.0;
+  const double s = std::sin(angle);
+  const double c = std::cos(angle);
+  Pose pose;
+  pose.position << 0.0, -length * sa, length * ca;
+  pose.rotation << c, -s, 0.0,  //
+      s * ca, c * ca, -sa,      //
+      s * sa, c * sa, ca;
+  return pose;
+}
+
+bool isRotation(const Eigen::Matrix3d& matrix) {
+  return matrix.allFinite() && (matrix * matrix.transpose()).isIdentity(1e-6) &&
+         matrix.determinant() > 0.0;
+}
+
+}  // namespace
+
+Pose operator*(const Pose& a, const Pose& b) noexcept {
+  return {.position = a.position + a.rotation * b.position, .rotation = a.rotation * b.rotation};
+}
+
+Eigen::Vector3d turnBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) noexcept {
+  const Eigen::Matrix3d between = to * from.transpose();
+  Eigen::Quaterniond turn(between);
+  if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+  const double sine = turn.vec().norm();  // of half the angle
+  const double scale = sine < 1e-9 ? 2.0 : 2.0 * std::atan2(sine, turn.w()) / sine;
+  return scale * turn.vec();
+}
+
+double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const Pose& now) noexcept {
+  return axis.dot(now.position - start.position);
+}
+
+IiwaKinematics::IiwaKinematics(IiwaModel model, const Pose& tool) : model_(model), tool_(tool) {
+  if (!tool.position.allFinite() || !isRotation(tool.rotation)) {
+    throw std::invalid_argument("the tool of an arm needs a finite place and a rotation");
+  }
+  tool_.rotation = Eigen::Quaterniond(tool.rotation).normalized().toRotationMatrix();
+  const IiwaProperties& arm = properties();
+  lengths_ = {
+      arm.baseToShoulder, 0.0, arm.shoulderToElbow, 0.0, arm.elbowToWrist, 0.0, arm.wristToFlange};
+}
+
+Pose IiwaKinematics::flange(const JointVector& q) const noexcept {
+  Pose pose;
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    pose = pose * link(i, q[static_cast<Eigen::Index>(i)], lengths_[i]);
+  }
+  return pose;
+}
+
+IiwaKinematics::State IiwaKinematics::at(const JointVector& q) const noexcept {
+  State state;
+  Eigen::Matrix<double, 3, 7> origins;
+  Pose pose;
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    pose = pose * link(index, q[i], lengths_[index]);
+    origins.col(i) = pose.position;
+    state.jacobian.col(i).tail<3>() = pose.rotation.col(2);
+  }
+  state.tool = pose * tool_;
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const Eigen::Vector3d axis = state.jacobian.col(i).tail<3>();
+    const Eigen::Vector3d arm = state.tool.position - origins.col(i);
+    state.jacobian.col(i).head<3>() = axis.cross(arm);
+  }
+  return state;
+}
+
+Twist IiwaKinematics::twist(const JointVector& q, const JointVector& velocity) const noexcept {
+  return at(q).jacobian * velocity;
+}
+
+JointVector IiwaKinematics::torque(const JointVector& q, const Wrench& wrench) const noexcept {
+  return at(q).jacobian.transpose() * wrench;
+}
+
+}  // namespace haptics::devices

@@ -1,0 +1,368 @@
+#include "haptics/devices/punch/punch_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+
+namespace haptics::devices {
+namespace {
+
+using namespace haptics::wire::punch;
+using timing::kMicrosecond;
+using timing::kMillisecond;
+
+constexpr std::int64_t kSilence = 50 * kMillisecond;
+constexpr std::int64_t kHelloTime = 3000 * kMillisecond;  // QEMU looks for us once a second
+constexpr std::int64_t kHelloAgain = 200 * kMillisecond;
+
+std::string inHex(std::uint64_t number) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(number >> shift) & 15U];
+  return text;
+}
+
+Capabilities capabilitiesOf(const PunchSettings& settings) {
+  return {
+      .kind = DeviceKind::Punch,
+      .name = "punch on " + settings.port,
+      .travelUnit = "travel_unit",
+      .leastTravel = 0.0,
+      .mostTravel = 11.0,
+      .maxForce = settings.newtonsPerVolt * settings.maxVoltage,
+      .damping = settings.damping,
+      .rate = 1000.0,
+      .isSimulated = false};
+}
+
+}  // namespace
+
+PunchDevice::PunchDevice(PunchSettings settings)
+    : settings_(std::move(settings)), capabilities_(capabilitiesOf(settings_)) {}
+
+PunchDevice::~PunchDevice() {
+  close();
+}
+
+void PunchDevice::open() {
+  close();
+  port_.open(settings_.port, settings_.baud);
+  decoder_ = {};
+  isGreeted_ = false;
+  try {
+    greet();
+    refuseStranger();
+  } catch (...) {
+    port_.close();
+    throw;
+  }
+  capabilities_.rate = hello_.rate;
+  const double volts = std::min(settings_.maxVoltage, 1e-3 * hello_.largestVoltage);
+  capabilities_.maxForce = settings_.newtonsPerVolt * volts;
+  why_.store("");
+  report_ = {.isThere = true};
+  sequence_ = {};
+  damagedBefore_ = decoder_.damaged();
+  hostTime_ = timing::now();
+  lifecycle_.store(Lifecycle::Open);
+  startKeeper();
+}
+
+void PunchDevice::greet() {
+  const std::int64_t until = timing::now() + kHelloTime;
+  int asked = 0;
+  greetings_ = 0;
+  while (!isGreeted_ && port_.isOpen() && timing::now() < until) {
+    say(Hello{});
+    ++asked;
+    const std::int64_t again = std::min(until, timing::now() + kHelloAgain);
+    while (!isGreeted_ && port_.isOpen() && timing::now() < again) {
+      port_.waitReadable(again);
+      drain();
+    }
+  }
+  // Every Hello disarms: those that are still on their way are waited for.
+  const std::int64_t patience = timing::now() + 300 * kMillisecond;
+  while (isGreeted_ && greetings_ < asked && port_.isOpen() && timing::now() < patience) {
+    isNew_ = false;
+    port_.waitReadable(patience);
+    drain();
+  }
+  if (isGreeted_) return;
+  throw DeviceError(
+      name() +
+      " does not answer. Is it the right port, is the motor's supply on, and does the "
+      "board run palpate's firmware (docs/devices.md)?");
+}
+
+void PunchDevice::refuseStranger() const {
+  if (hello_.protocolVersion != kProtocolVersion) {
+    throw DeviceError(
+        name() + " speaks version " + std::to_string(hello_.protocolVersion) +
+        " of the protocol, and this program version " + std::to_string(kProtocolVersion) +
+        ". Put the firmware of this palpate on the board (docs/devices.md).");
+  }
+  const std::uint64_t build = settings_.build.value_or(kFirmwareBuild);
+  if (hello_.build != build) {
+    throw DeviceError(
+        name() + " runs firmware " + inHex(hello_.build) + ", and not " + inHex(build) +
+        ". Put that one on the board, or write \"firmware\": \"" + inHex(hello_.build) +
+        "\" into the device file if it is meant.");
+  }
+  if (settings_.serial && hello_.serial != *settings_.serial) {
+    throw DeviceError(
+        name() + " is board " + std::to_string(hello_.serial) + ", and board " +
+        std::to_string(*settings_.serial) +
+        " is meant. Its calibration does not hold for another: connect the right one.");
+  }
+  if (hello_.rate < 100 || hello_.rate > 10'000 || hello_.largestVoltage <= 0) {
+    throw DeviceError(
+        name() + " says of itself what cannot be (" + std::to_string(hello_.rate) + " Hz, " +
+        std::to_string(hello_.largestVoltage) + " mV). Put the firmware on the board again.");
+  }
+}
+
+void PunchDevice::close() noexcept {
+  stopKeeper();
+  if (port_.isOpen()) say(Stop{StopReason::Asked});
+  port_.close();
+  lifecycle_.store(Lifecycle::Closed);
+}
+
+void PunchDevice::startKeeper() {
+  keeper_ = std::jthread([this](const std::stop_token& stop) {
+    timing::makeUrgent(timing::kLoopUrgency);
+    while (!stop.stop_requested() && port_.isOpen()) {
+      constexpr std::int64_t kPatience = 20 * kMillisecond;
+      if (pump(timing::now() + kPatience)) {
+        isNew_ = false;
+        // Armed, and nobody ticks yet: the board lets go for good where it is left alone.
+        const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
+        if (lifecycle() == Lifecycle::Armed) say(SetForce{.voltage = 0, .expiry = expiry});
+      }
+      if (timing::now() - hostTime_ > kSilence && hostTime_ > 0) fail("it has fallen silent");
+    }
+    if (!port_.isOpen()) fail("it has been unplugged, or its port has failed");
+  });
+}
+
+void PunchDevice::stopKeeper() noexcept {
+  if (!keeper_.joinable()) return;
+  keeper_.request_stop();
+  keeper_.join();
+}
+
+void PunchDevice::resumeKeeper() noexcept {
+  try {
+    startKeeper();
+  } catch (...) {
+    fail("no thread could be started to look after it");
+  }
+}
+
+void PunchDevice::arm() {
+  stopKeeper();  // and what it finds until then counts
+  if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
+    const std::string why = fault();
+    throw DeviceError(
+        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
+        ". Mend that, and try again: it will be connected anew.");
+  }
+  drain();
+  report_ = {.isThere = true};
+  drift_ = {};
+  sequence_ = {};
+  damagedBefore_ = decoder_.damaged();
+  isNew_ = false;
+  armedAt_ = hostTime_ = timing::now();
+  say(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
+  lifecycle_.store(Lifecycle::Armed);
+  startKeeper();  // until the first tick
+}
+
+void PunchDevice::disarm() noexcept {
+  const auto was = lifecycle();
+  if (was == Lifecycle::Open || was == Lifecycle::Checked) return;
+  stopKeeper();
+  if (port_.isOpen()) {
+    say(SetForce{.voltage = 0, .expiry = 1});
+    say(Arm{.isArmed = false, .expiry = 1});
+  }
+  if (lifecycle() != Lifecycle::Faulted && lifecycle() != Lifecycle::Closed) {
+    lifecycle_.store(Lifecycle::Open);
+    hostTime_ = timing::now();
+    resumeKeeper();
+  }
+}
+
+void PunchDevice::fail(const char* why) noexcept {
+  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
+  if (port_.isOpen()) say(Stop{StopReason::HostFault});
+  port_.close();
+  lifecycle_.store(Lifecycle::Faulted);
+}
+
+std::string PunchDevice::fault() const {
+  const std::string why = why_.load();
+  return why.empty() ? why : name() + ": " + why;
+}
+
+bool PunchDevice::wait(std::int64_t deadline) noexcept {
+  if (!port_.isOpen()) {
+    timing::sleepUntil(deadline);
+    return false;
+  }
+  stopKeeper();  // from the first tick on the line is the loop's
+  return pump(deadline);
+}
+
+/// Until there is a new state, or nothing before the deadline.
+bool PunchDevice::pump(std::int64_t deadline) noexcept {
+  while (port_.isOpen()) {
+    if (drain()) return true;
+    if (timing::now() >= deadline) return false;
+    port_.waitReadable(deadline);
+  }
+  return false;
+}
+
+/// Everything that has come. True where there is a state that nobody has read yet.
+bool PunchDevice::drain() noexcept {
+  std::array<std::uint8_t, 512> bytes;
+  for (;;) {
+    const std::size_t count = port_.read(bytes);
+    if (count == 0) break;
+    const std::int64_t at = timing::now();
+    Frame frame;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (decoder_.take(bytes[i], frame)) take(frame, at);
+    }
+    if (count < bytes.size()) break;
+  }
+  report_.damaged = decoder_.damaged() - damagedBefore_;
+  return isNew_;
+}
+
+void PunchDevice::take(const Frame& frame, std::int64_t at) noexcept {
+  if (frame.type == Type::Hello) {
+    if (wire::punch::read(frame, hello_)) {
+      isGreeted_ = true;
+      ++greetings_;
+    }
+    sequence_.take(frame.sequence);
+    return;
+  }
+  const auto verdict = sequence_.take(frame.sequence);
+  report_.lost = sequence_.lost();
+  report_.doubled = sequence_.doubledOnes();
+  report_.late = sequence_.late();
+  report_.restarts = sequence_.restarts();
+  using Verdict = wire::SequenceCheck<std::uint16_t>::Verdict;
+  if (verdict == Verdict::Doubled || verdict == Verdict::Late) return;
+  if (frame.type == Type::State) {
+    takeState(frame, at);
+  } else if (frame.type == Type::ModelTaken) {
+    ModelTaken answer;
+    if (wire::punch::read(frame, answer)) taken_ = answer;
+  }
+}
+
+void PunchDevice::takeState(const Frame& frame, std::int64_t at) noexcept {
+  State state;
+  if (!wire::punch::read(frame, state)) return;
+  if (isNew_) ++report_.skipped;
+  if (((state.faults & ~state_.faults) & kExpired) != 0) ++report_.expired;
+  const auto since = frame.time - static_cast<std::uint32_t>(deviceTime_);
+  deviceTime_ += since;  // unwrapped
+  drift_.add(1000 * deviceTime_, at);
+  if (state.echo != lastEcho_) {
+    lastEcho_ = state.echo;
+    const std::int64_t sent = sentAt_[state.echo % sentAt_.size()];
+    report_.roundTrip.add(1e-3 * static_cast<double>(at - sent));
+  }
+  state_ = state;
+  hostTime_ = at;
+  isNew_ = true;
+  ++report_.received;
+}
+
+/// A fault bit that a fresh Arm has not cleared yet is an old one.
+std::uint8_t PunchDevice::faultsThatCount() const noexcept {
+  const bool isSettled = hostTime_ - armedAt_ > kSilence;
+  return static_cast<std::uint8_t>(state_.faults & (isSettled ? (kLatched | kNotArmed) : 0));
+}
+
+DeviceSample PunchDevice::read(double) noexcept {
+  stopKeeper();
+  if (lifecycle() == Lifecycle::Faulted) return {.status = DeviceStatus::Gone};
+  if (!port_.isOpen()) {
+    fail("it has been unplugged, or its port has failed");
+    return {.status = DeviceStatus::Gone};
+  }
+  drain();
+  const DeviceSample sample{
+      .status = isNew_ ? DeviceStatus::Ok : DeviceStatus::Stale,
+      .travel = settings_.travelAtZero + settings_.travelPerCount * state_.counts,
+      .velocity = settings_.travelPerCount * state_.velocity,
+      .deviceTime = 1000 * deviceTime_,
+      .hostTime = hostTime_};
+  if (!isNew_) {
+    ++report_.stale;
+    if (timing::now() - hostTime_ <= kSilence) return sample;
+    fail("it has sent nothing for 50 ms");
+    return {.status = DeviceStatus::Gone};
+  }
+  isNew_ = false;
+  isUnanswered_ = true;
+  const std::uint8_t faults = faultsThatCount();
+  if (faults == 0) return sample;
+  fail(
+      (faults & kDriverFault) != 0    ? "the motor's driver reports a fault"
+      : (faults & kEncoderFault) != 0 ? "its encoder jumps"
+      : (faults & kTooFast) != 0      ? "it moves faster than any hand"
+                                 : "it has let go by itself: it was restarted, or we were silent");
+  return {.status = DeviceStatus::Faulted};
+}
+
+void PunchDevice::command(double force) noexcept {
+  if (!port_.isOpen() || keeper_.joinable()) return;
+  // One force for each sample: a board that is not heard any more is left to let go by itself.
+  const bool isAnswer = std::exchange(isUnanswered_, false);
+  if (!isAnswer && force != 0.0) return;
+  const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
+  if (lifecycle() == Lifecycle::Armed) lifecycle_.store(Lifecycle::Running);
+  const double most = capabilities_.maxForce;
+  if (std::abs(force) > most) ++report_.clipped;
+  const double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
+  const double millivolts = 1000.0 * bounded / settings_.newtonsPerVolt;
+  if (sceneHash_) {
+    // What the engine lets through is the ceiling of what the board renders, with some room for
+    // what moves in between: no force is no force, whoever renders.
+    constexpr double kRoom = 1.25;
+    constexpr double kMore = 0.3;  // [N]
+    const double ceiling =
+        bounded == 0.0 ? 0.0
+                       : kRoom * std::abs(millivolts) + 1000.0 * kMore / settings_.newtonsPerVolt;
+    const auto volts = static_cast<std::int16_t>(std::min(ceiling, 32767.0));
+    say(Render{.hash = *sceneHash_, .expiry = expiry, .most = volts});
+    return;
+  }
+  say(SetForce{.voltage = static_cast<std::int16_t>(std::lround(millivolts)), .expiry = expiry});
+}
+
+LinkReport PunchDevice::link() {
+  const bool isKept = keeper_.joinable();  // before the first tick: it counts too
+  stopKeeper();
+  LinkReport report = report_;
+  report.drift = drift_.partsPerMillion();
+  report.clockOffset = drift_.offset();
+  if (isKept) resumeKeeper();
+  return report;
+}
+
+}  // namespace haptics::devices

@@ -1,0 +1,176 @@
+// A scene for the punch to render by itself.
+#include <cmath>
+#include <vector>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/devices/punch/punch_device.h"
+#include "haptics/timing/monotonic_clock.h"
+
+namespace haptics::devices {
+namespace {
+
+using namespace haptics::wire::punch;
+
+float f32(double value) {
+  return static_cast<float>(value);
+}
+
+/// What does not fit onto the chip, in words; nullptr where it does.
+const char* whyNot(const engine::InterpolationSpec& spec) {
+  if (spec.branches != engine::Branches::ClosingOnly) return "an opening branch";
+  if (spec.curve.size() > kLargestTable) return "a curve of more than 128 points";
+  return nullptr;
+}
+
+const char* whyNot(const engine::FiniteElementsSpec& spec) {
+  if (!spec.elementStiffnesses.empty()) return "elements of different stiffness";
+  return spec.parameters.elements > 255 ? "more than 255 elements" : nullptr;
+}
+
+void put(Model& model, const engine::FiniteElementsSpec& spec) {
+  const auto& p = spec.parameters;
+  model.elements = static_cast<std::uint8_t>(p.elements);
+  model.readings = static_cast<std::uint8_t>(
+      static_cast<unsigned>(p.boundary) | static_cast<unsigned>(p.weights) << 1U |
+      static_cast<unsigned>(p.yielding) << 3U);
+  model.start = f32(p.start);
+  model.end = f32(p.end);
+  model.elementStiffness = f32(p.elementStiffness);
+  model.toolPosition = f32(p.toolPosition);
+  model.contact = f32(p.contact);
+  model.yieldForce = f32(p.yieldForce);
+}
+
+void put(Model& model, const engine::InterpolationSpec& spec) {
+  model.tableSize = static_cast<std::uint8_t>(spec.curve.size());
+  model.beyond = static_cast<std::uint8_t>(spec.options.beyond);
+  model.rampLength = f32(spec.options.rampLength);
+}
+
+void put(Model& model, const engine::KalmanSpec& spec) {
+  put(model, spec.interpolation);
+  put(model, spec.finiteElements);
+  model.scheme = static_cast<std::uint8_t>(spec.scheme);
+  const auto& n = spec.noise;
+  const double noise[] = {
+      n.processForce,
+      n.processCovariance,
+      n.processStiffness,
+      n.finiteElements,
+      n.interpolation,
+      n.wandering};
+  for (int i = 0; i < 6; ++i) model.noise[i] = f32(noise[i]);
+}
+
+/// The scene as messages: the model, and the points of its curve.
+struct ChipMessages {
+  Model model;
+  std::vector<ModelTable> tables;
+  const char* obstacle = nullptr;
+
+  void operator()(const engine::InterpolationSpec& spec) {
+    obstacle = whyNot(spec);
+    if (obstacle != nullptr) return;
+    model.kind = ModelKind::Interpolation;
+    put(model, spec);
+    addTables(spec);
+  }
+  void operator()(const engine::FiniteElementsSpec& spec) {
+    obstacle = whyNot(spec);
+    model.kind = ModelKind::FiniteElements;
+    put(model, spec);
+  }
+  void operator()(const engine::KalmanSpec& spec) {
+    obstacle = whyNot(spec.interpolation);
+    if (obstacle == nullptr) obstacle = whyNot(spec.finiteElements);
+    if (spec.isProcessAsPrinted) obstacle = "Q as it is printed";
+    if (spec.smoothing != models::Smoothing::None) obstacle = "smoothing";
+    if (obstacle != nullptr) return;
+    model.kind = ModelKind::Kalman;
+    put(model, spec);
+    addTables(spec.interpolation);
+  }
+  template <typename Bone>
+  void operator()(const Bone&) {
+    obstacle = "bone";
+  }
+
+  void addTables(const engine::InterpolationSpec& spec) {
+    for (std::size_t first = 0; first < spec.curve.size(); first += kTableChunk) {
+      ModelTable table{.first = static_cast<std::uint8_t>(first)};
+      for (std::size_t i = first; i < spec.curve.size() && table.count < kTableChunk; ++i) {
+        table.travel[table.count] = f32(spec.curve[i].travel);
+        table.force[table.count] = f32(spec.curve[i].force);
+        ++table.count;
+      }
+      tables.push_back(table);
+    }
+  }
+};
+
+template <typename Message>
+std::uint32_t hashOf(const Message& message, std::uint32_t before) {
+  std::uint8_t payload[kLargestPayload];
+  Writer writer(payload);
+  write(writer, message);
+  return wire::crc32(payload, writer.size(), before);
+}
+
+}  // namespace
+
+ModelTaken PunchDevice::answerTo(std::int64_t deadline) {
+  while (!taken_ && port_.isOpen() && timing::now() < deadline) {
+    isNew_ = false;
+    pump(deadline);
+  }
+  if (!taken_) throw DeviceError(name() + " does not answer to the scene it was sent. Try again.");
+  return *taken_;
+}
+
+void PunchDevice::renderOnDevice(const engine::SceneSpec& scene, double largestForce) {
+  ChipMessages messages;
+  std::visit(messages, scene.model);
+  if (messages.obstacle != nullptr) {
+    throw DeviceError(
+        name() + " cannot render this scene by itself: it has " + messages.obstacle +
+        ". Let the host render it (\"renders\": \"host\" in the device file).");
+  }
+  auto& model = messages.model;
+  model.travelPerCount = f32(settings_.travelPerCount);
+  model.travelAtZero = f32(settings_.travelAtZero);
+  model.millivoltsPerNewton = f32(1000.0 / settings_.newtonsPerVolt);
+  model.largestForce = f32(largestForce);
+
+  if (lifecycle() != Lifecycle::Open && lifecycle() != Lifecycle::Checked) {
+    throw DeviceError(name() + " is not ready to be sent a scene. Connect it, and try again.");
+  }
+  stopKeeper();
+  sceneHash_.reset();
+  const auto ask = [&](const auto& message) {
+    taken_.reset();
+    say(message);
+    return answerTo(timing::now() + 500 * timing::kMillisecond);
+  };
+  std::uint32_t hash = hashOf(model, 0);
+  ModelTaken answer;
+  try {
+    answer = ask(model);
+    for (const auto& table : messages.tables) {
+      hash = hashOf(table, hash);
+      answer = ask(table);
+    }
+  } catch (...) {
+    startKeeper();
+    throw;
+  }
+  startKeeper();
+  if (answer.verdict != ModelVerdict::Taken || answer.hash != hash) {
+    throw DeviceError(
+        name() + " did not take the scene as it was sent (" +
+        (answer.verdict == ModelVerdict::Unsound ? "it finds it unsound" : "its hash differs") +
+        "). Try again, or let the host render it.");
+  }
+  sceneHash_ = hash;
+}
+
+}  // namespace haptics::devices

@@ -1,0 +1,315 @@
+#include "haptics/reaming/bone/bone.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace haptics::reaming {
+namespace {
+
+constexpr std::size_t kMostChanges = 4096;     // told in a step
+constexpr std::size_t kRestoredAtOnce = 2048;  // groups in a step
+constexpr std::size_t kTidiedAtOnce = 64;      // slots in a step
+constexpr std::size_t kParts = 8;              // of the surface, one cut in a step
+constexpr double kLeftShare = 0.1;  // of a radius: so far back the tool has left a sphere
+
+double ballOf(double radius) noexcept {
+  return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+}
+
+/// What a ball R takes of a ball r when it reaches @p depth into it [m³].
+double lensOf(double r, double depth, double R) noexcept {
+  if (depth <= 0.0) return 0.0;
+  if (depth >= 2.0 * std::min(r, R)) return ballOf(std::min(r, R));
+  const double d = R + r - depth;
+  return std::numbers::pi * depth * depth * (d * d + 2.0 * d * (r + R) - 3.0 * (r - R) * (r - R)) /
+         (12.0 * d);
+}
+
+Vec3 unitOr(Vec3 v, Vec3 otherwise) noexcept {
+  const double size = length(v);
+  return size > 0.0 ? (1.0 / size) * v : otherwise;
+}
+
+Vec3 atMost(Vec3 v, double size) noexcept {
+  const double now = length(v);
+  return now > size ? (size / now) * v : v;
+}
+
+const BoneOptions& checked(const BoneOptions& o) {
+  const bool isSound = o.coverage > 0.0 && o.coverage <= 1.0 && o.coupling > 0.0 &&
+                       std::isfinite(o.coupling) && o.cuttingDamping >= 0.0 &&
+                       std::isfinite(o.cuttingDamping) && o.friction >= 0.0 &&
+                       std::isfinite(o.friction) && o.mostAdvance > 0.0 && o.mostAdvance <= 0.01;
+  if (!isSound)
+    throw std::invalid_argument("the bone's coverage, coupling or damping make no sense");
+  return o;
+}
+
+}  // namespace
+
+Bone::Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options)
+    : options_(checked(options)), field_(packing, densities), whole_(field_) {
+  const std::size_t slots = field_.slotCount();
+  cutFrom_.resize(slots);
+  isPartial_.resize(slots);
+  partial_.reserve(slots);
+  deeper_.resize(slots + kLanes);
+  changed_.reserve(kMostChanges);
+  restored_ = field_.groups().size();
+  double sum = 0.0;
+  for (const auto& sphere : packing.spheres) sum += sphere.radius;
+  smallest_ = 0.1 * sum / static_cast<double>(packing.spheres.size());
+}
+
+void Bone::reset() noexcept {
+  isOutside_ = false;
+  cleared_ = 0;
+  if (isTouched_) restored_ = 0;
+}
+
+/// Copies a part of the whole bone back; true where nothing is left to do.
+bool Bone::isWholeAgain() noexcept {
+  const std::size_t groups = field_.groups().size();
+  if (restored_ == groups) return true;
+  const std::size_t end = std::min(groups, restored_ + kRestoredAtOnce);
+  for (std::size_t i = restored_; i < end; ++i) {
+    field_.group(kLanes * i) = whole_.group(kLanes * i);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) isPartial_[kLanes * i + lane] = 0;
+  }
+  restored_ = end;
+  if (restored_ < groups) return false;
+  field_.forgetMoves();
+  partial_.clear();
+  next_ = 0;
+  pending_ = 0;
+  part_ = 0;
+  removed_ = 0.0;
+  ++restorations_;
+  isTouched_ = false;
+  return true;
+}
+
+Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
+  Felt felt;
+  changed_.clear();
+  const bool isPlace = std::isfinite(device.centre.x + device.centre.y + device.centre.z) &&
+                       std::isfinite(device.axis.x + device.axis.y + device.axis.z);
+  if (!isPlace) return felt;
+  felt.isDefined = true;
+  if (!isWholeAgain()) return felt;
+  tool_.radius = device.radius;
+  tool_.axis = device.axis;
+  if (!isOutside_) {
+    tool_.centre = device.centre;
+    felt.isDefined = isClear();  // nobody can say how it got in: it has to come out first
+    return felt;
+  }
+  felt.contact = field_.touch(tool_, true);
+  const Vec3 out = outOf(felt.contact);
+  follow(device, felt.contact, out, dt);
+  cut();
+  tidy();
+  if (felt.contact.area <= 0.0) return felt;
+  // Bone pushes, and never pulls a hand that is faster than the tool.
+  const Vec3 held = tool_.centre - device.centre;
+  felt.force = options_.coupling * (held - std::min(dot(held, out), 0.0) * out);
+  // Teeth rub against the spin: a torque around the axis.
+  const double spin = options_.isSpinning ? options_.friction * felt.contact.lever : 0.0;
+  felt.torque = (-spin / options_.coverage) * device.axis;
+  return felt;
+}
+
+/// Whether no group yet holds the tool; all are looked at, some in every step.
+bool Bone::isClear() noexcept {
+  const std::size_t groups = field_.groups().size();
+  const std::size_t end = std::min(groups, cleared_ + kRestoredAtOnce);
+  const bool isIn = field_.holds(tool_, cleared_, end) || field_.touch(tool_, true).touched > 0;
+  cleared_ = isIn ? 0 : end;
+  isOutside_ = cleared_ == groups;
+  return !isIn;
+}
+
+/// The direction in which the bone pushes.
+Vec3 Bone::outOf(const ReamerContact& contact) const noexcept {
+  const Vec3 back = -1.0 * tool_.axis;
+  return options_.isGuided ? back : unitOr(contact.force, unitOr(contact.normal, back));
+}
+
+/// Lets the tool go where the device pulls it and the bone lets it.
+void Bone::follow(
+    const Reamer& device, const ReamerContact& contact, Vec3 out, double dt) noexcept {
+  const Vec3 axis = tool_.axis;
+  Vec3 gap = device.centre - tool_.centre;
+  if (options_.isGuided) gap = dot(gap, axis) * axis;
+  if (contact.area <= 0.0) {
+    // Through air: no faster than the teeth can be stopped at the bone.
+    tool_.centre = tool_.centre + atMost(gap, 4.0 * options_.mostAdvance);
+    return;
+  }
+  const double resistance = dot(contact.force, out) / options_.coverage;
+  const double push = -options_.coupling * dot(gap, out);
+  if (push > resistance && options_.isSpinning) {
+    // On towards the device, until the push has come down to what the bone gives way at.
+    const double share = (push - resistance) / push;
+    const double brake = 1.0 + options_.cuttingDamping / (options_.coupling * dt);
+    tool_.centre = tool_.centre + atMost((share / brake) * gap, options_.mostAdvance);
+    pending_ = kParts;
+  } else {
+    tool_.centre = tool_.centre + atMost(slideOf(gap, out, push), options_.mostAdvance);
+  }
+}
+
+/// Out of the bone, or along its surface, against friction; nothing is cut.
+Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
+  const Vec3 normal = dot(gap, out) * out;
+  const Vec3 across = gap - normal;
+  const Vec3 back = push <= 0.0 ? normal : Vec3{};
+  const double held = options_.friction * std::max(push, 0.0) / options_.coupling;
+  const double slip = length(across) - held;
+  return slip > 0.0 ? back + atMost(across, slip) : back;
+}
+
+/// Takes away what lies behind the surface, a part of it in each step: a sphere's turn comes about
+/// every kParts steps, also after the tool has stopped or turned.
+void Bone::cut() noexcept {
+  if (pending_ == 0) return;
+  --pending_;
+  const std::size_t count = field_.findDeeper(tool_, part_, kParts, deeper_);
+  part_ = (part_ + 1) % kParts;
+  for (std::size_t i = 0; i < count; ++i) cutSlot(deeper_[i]);
+}
+
+void Bone::cutSlot(std::uint32_t slot) noexcept {
+  auto& group = field_.group(slot);
+  const std::size_t lane = slot % kLanes;
+  const double r = group.radius[lane];
+  const double before = lensOf(r, group.depth[lane], tool_.radius);
+  const double reached = tool_.radius + r - length(field_.centre(slot) - tool_.centre);
+  const auto depth = static_cast<float>(std::min(reached, 2.0 * r));
+  if (!(depth > group.depth[lane])) return;
+  isTouched_ = true;
+  group.depth[lane] = depth;
+  removed_ += group.density[lane] * (lensOf(r, depth, tool_.radius) - before);
+  cutFrom_[slot] = tool_.centre;
+  if (depth >= 2.0F * group.radius[lane]) {
+    empty(slot);
+  } else if (isPartial_[slot] == 0) {
+    isPartial_[slot] = 1;
+    partial_.push_back(slot);
+  }
+}
+
+void Bone::empty(std::uint32_t slot) noexcept {
+  auto& group = field_.group(slot);
+  group.radius[slot % kLanes] = 0.0F;
+  group.depth[slot % kLanes] = 0.0F;
+  tell(slot);
+}
+
+void Bone::tell(std::uint32_t slot) noexcept {
+  if (changed_.size() < kMostChanges) {
+    changed_.push_back(slot);
+  } else {
+    ++untold_;
+  }
+}
+
+/// Looks after a few of the spheres that are partly cut.
+void Bone::tidy() noexcept {
+  for (std::size_t looked = 0; looked < kTidiedAtOnce && !partial_.empty(); ++looked) {
+    if (next_ >= partial_.size()) next_ = 0;
+    const std::uint32_t slot = partial_[next_];
+    const bool isGone = field_.group(slot).radius[slot % kLanes] == 0.0F;
+    if (!isGone && !isLeft(slot)) {
+      ++next_;
+      continue;
+    }
+    partial_[next_] = partial_.back();
+    partial_.pop_back();
+    isPartial_[slot] = 0;
+    if (!isGone) leaveRemainder(slot);
+  }
+}
+
+/// Whether the tool has gone back from what it cut into a sphere.
+bool Bone::isLeft(std::uint32_t slot) const noexcept {
+  const auto& group = field_.group(slot);
+  const std::size_t lane = slot % kLanes;
+  const double r = group.radius[lane];
+  const Vec3 away = field_.centre(slot) - tool_.centre;
+  const double reached = tool_.radius + r - length(away);
+  return reached < group.depth[lane] - kLeftShare * r || dot(away, tool_.axis) < -r;
+}
+
+double Bone::massOf(std::uint32_t slot) const noexcept {
+  const auto& group = field_.group(slot);
+  const std::size_t lane = slot % kLanes;
+  const double r = group.radius[lane];
+  return group.density[lane] * (ballOf(r) - lensOf(r, group.depth[lane], tool_.radius));
+}
+
+/// Spheres within what is left of a sphere: the largest that fits, and three beside it where they
+/// are worth it. They carry its mass.
+void Bone::leaveRemainder(std::uint32_t slot) noexcept {
+  auto& group = field_.group(slot);
+  const std::size_t lane = slot % kLanes;
+  const double mass = massOf(slot);
+  const double r = group.radius[lane];
+  const double main = r - 0.5 * group.depth[lane];
+  const Vec3 centre = field_.centre(slot);
+  const Vec3 outward = unitOr(centre - cutFrom_[slot], tool_.axis);
+  if (main < smallest_) {
+    removed_ += mass;
+    empty(slot);
+    return;
+  }
+  // The reamer's surface is as good as flat here: h is its distance from the centre, towards the
+  // tool where it is above 0.
+  const Vec3 middle = centre + (r - main) * outward;
+  group.depth[lane] = 0.0F;
+  group.radius[lane] = std::nextafter(static_cast<float>(main), 0.0F);
+  field_.move(slot, middle);
+  tell(slot);
+  std::array<std::uint32_t, 4> spheres{slot};
+  std::size_t count = 1;
+  const double beside = main * (r - main) / r;
+  if (beside >= smallest_) {
+    const Vec3 helper = std::abs(outward.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};
+    const Vec3 u = unitOr(cross(outward, helper), {1.0, 0.0, 0.0});
+    const Vec3 v = cross(outward, u);
+    const double ring = 2.0 * std::sqrt(beside * main);
+    const Vec3 foot = middle + (beside - main) * outward;
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 3.0;
+      const Vec3 place = foot + (ring * std::cos(angle)) * u + (ring * std::sin(angle)) * v;
+      const std::size_t free = field_.freeSlot(place);
+      if (free == field_.slotCount()) continue;
+      auto& other = field_.group(free);
+      other.radius[free % kLanes] = std::nextafter(static_cast<float>(beside), 0.0F);
+      other.depth[free % kLanes] = 0.0F;
+      field_.move(free, place);
+      spheres[count++] = static_cast<std::uint32_t>(free);
+      tell(static_cast<std::uint32_t>(free));
+    }
+  }
+  double volume = 0.0;
+  const auto radiusOf = [&](std::uint32_t i) { return double{field_.group(i).radius[i % kLanes]}; };
+  for (std::size_t i = 0; i < count; ++i) volume += ballOf(radiusOf(spheres[i]));
+  const auto density = static_cast<float>(mass / volume);
+  for (std::size_t i = 0; i < count; ++i) {
+    field_.group(spheres[i]).density[spheres[i] % kLanes] = density;
+  }
+  removed_ += mass - density * volume;  // what single precision cannot hold
+}
+
+double Bone::remainingMass() const noexcept {
+  double sum = 0.0;
+  for (std::uint32_t slot = 0; slot < field_.slotCount(); ++slot) {
+    if (field_.group(slot).radius[slot % kLanes] > 0.0F) sum += massOf(slot);
+  }
+  return sum;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,192 @@
+#include "haptics/reaming/bone/sphere_field.h"
+
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+namespace haptics::reaming {
+namespace {
+
+void check(const Packing& packing, std::span<const double> densities) {
+  if (packing.spheres.empty()) throw std::invalid_argument("the packing has no spheres");
+  if (densities.size() != packing.spheres.size()) {
+    throw std::invalid_argument("every sphere needs a density");
+  }
+  for (const double density : densities) {
+    if (!(std::isfinite(density) && density >= 0.0)) {
+      throw std::invalid_argument("a density is no number, or below 0");
+    }
+  }
+  for (const auto& s : packing.spheres) {
+    if (!(s.radius > 0.0F) || !std::isfinite(s.x + s.y + s.z + s.radius)) {
+      throw std::invalid_argument("a sphere is nowhere, or has no radius");
+    }
+  }
+}
+
+}  // namespace
+
+SphereField::SphereField(const Packing& packing, std::span<const double> densities) {
+  check(packing, densities);
+  Vec3 high = packing.spheres.front().centre();
+  low_ = high;
+  double sum = 0.0;
+  for (const auto& s : packing.spheres) {
+    const Vec3 c = s.centre();
+    low_ = {std::min(low_.x, c.x), std::min(low_.y, c.y), std::min(low_.z, c.z)};
+    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+    largest_ = std::max(largest_, double{s.radius});
+    sum += s.radius;
+  }
+  // Four mean diameters are best, and flat around it; never so fine that cells outnumber spheres.
+  const auto count = static_cast<double>(packing.spheres.size());
+  const Vec3 size = high - low_;
+  const double coarse = std::cbrt(size.x * size.y * size.z / count);
+  cell_ = std::max({4.0 * 2.0 * sum / count, coarse, 1e-3 * length(size), 1e-9});
+  nx_ = static_cast<int>(size.x / cell_) + 1;
+  ny_ = static_cast<int>(size.y / cell_) + 1;
+  nz_ = static_cast<int>(size.z / cell_) + 1;
+  const auto cells =
+      static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * static_cast<std::size_t>(nz_);
+  layOut(packing, cells);
+  std::vector<std::size_t> next(cells);
+  for (std::size_t i = 0; i < cells; ++i) next[i] = kLanes * start_[i];
+  for (std::size_t i = 0; i < packing.spheres.size(); ++i) {
+    const auto& s = packing.spheres[i];
+    const std::size_t slot = next[cellOf(s.centre())]++;
+    auto& group = groups_[slot / kLanes];
+    const std::size_t lane = slot % kLanes;
+    group.x[lane] = s.x;
+    group.y[lane] = s.y;
+    group.z[lane] = s.z;
+    group.radius[lane] = s.radius;
+    group.density[lane] = static_cast<float>(densities[i]);
+  }
+}
+
+/// Room for every sphere, and a little more, in whole groups.
+void SphereField::layOut(const Packing& packing, std::size_t cells) {
+  constexpr std::uint32_t kSpare = 2;  // slots for what is split off
+  std::vector<std::uint32_t> held(cells, 0);
+  for (const auto& s : packing.spheres) ++held[cellOf(s.centre())];
+  start_.assign(cells + 1, 0);
+  for (std::size_t i = 0; i < cells; ++i) {
+    const std::uint32_t wanted = held[i] > 0 ? held[i] + kSpare : 0;
+    start_[i + 1] = start_[i] + static_cast<std::uint32_t>((wanted + kLanes - 1) / kLanes);
+  }
+  groups_.resize(start_.back());
+}
+
+std::size_t SphereField::cellOf(Vec3 place) const noexcept {
+  const Vec3 from = place - low_;
+  const auto i = static_cast<std::size_t>(along(from.x, nx_));
+  const auto j = static_cast<std::size_t>(along(from.y, ny_));
+  const auto k = static_cast<std::size_t>(along(from.z, nz_));
+  return (k * static_cast<std::size_t>(ny_) + j) * static_cast<std::size_t>(nx_) + i;
+}
+
+std::size_t SphereField::freeSlot(Vec3 place) const noexcept {
+  const std::size_t cell = cellOf(place);
+  for (std::size_t slot = kLanes * start_[cell + 1]; slot > kLanes * start_[cell]; --slot) {
+    if (group(slot - 1).radius[(slot - 1) % kLanes] == 0.0F) return slot - 1;
+  }
+  return slotCount();
+}
+
+void SphereField::move(std::size_t slot, Vec3 place) noexcept {
+  auto& g = group(slot);
+  const std::size_t lane = slot % kLanes;
+  const auto owner = std::upper_bound(start_.begin(), start_.end(), slot / kLanes) - 1;
+  const auto cell = static_cast<std::size_t>(owner - start_.begin());
+  const auto width = static_cast<std::size_t>(nx_);
+  const auto height = static_cast<std::size_t>(ny_);
+  const std::size_t at[] = {cell % width, cell / width % height, cell / (width * height)};
+  const Vec3 from = place - low_;
+  const double off[] = {from.x, from.y, from.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = cell_ * static_cast<double>(at[axis]);
+    drift_ = std::max({drift_, low - off[axis], off[axis] - (low + cell_)});
+  }
+  g.x[lane] = static_cast<float>(place.x);
+  g.y[lane] = static_cast<float>(place.y);
+  g.z[lane] = static_cast<float>(place.z);
+}
+
+namespace {
+
+KernelReamer inSinglePrecision(const Reamer& reamer) noexcept {
+  return {
+      static_cast<float>(reamer.centre.x),
+      static_cast<float>(reamer.centre.y),
+      static_cast<float>(reamer.centre.z),
+      static_cast<float>(reamer.axis.x),
+      static_cast<float>(reamer.axis.y),
+      static_cast<float>(reamer.axis.z),
+      static_cast<float>(reamer.radius)};
+}
+
+}  // namespace
+
+/// Hands over stretches many at a time.
+template <typename Work>
+void SphereField::together(const Reamer& reamer, Work work) const {
+  constexpr std::size_t kTogether = 512;
+  std::array<Stretch, kTogether> stretches;
+  std::size_t count = 0;
+  eachStretch(reamer, [&](std::uint32_t begin, std::uint32_t end) {
+    stretches[count++] = {begin, end};
+    if (count < kTogether) return;
+    work(std::span<const Stretch>(stretches).first(count));
+    count = 0;
+  });
+  work(std::span<const Stretch>(stretches).first(count));
+}
+
+ReamerContact SphereField::touch(const Reamer& reamer, bool isCut) const noexcept {
+  const auto tool = inSinglePrecision(reamer);
+  KernelSums sums;
+  together(reamer, [&](std::span<const Stretch> stretches) {
+    addSpheres(groups_.data(), stretches, tool, isCut, sums);
+  });
+  using Sums = KernelSums;
+  const auto& total = sums.of;
+  const double factor = std::numbers::pi * reamer.radius;
+  ReamerContact contact;
+  contact.area = factor * total[Sums::Area];
+  contact.pressing = factor * total[Sums::Pressing];
+  contact.normal = factor * Vec3{total[Sums::NormalX], total[Sums::NormalY], total[Sums::NormalZ]};
+  contact.force = factor * Vec3{total[Sums::ForceX], total[Sums::ForceY], total[Sums::ForceZ]};
+  contact.lever = factor * total[Sums::Lever];
+  contact.touched = static_cast<int>(total[Sums::Touched]);
+  return contact;
+}
+
+bool SphereField::holds(const Reamer& reamer, std::size_t from, std::size_t end) const noexcept {
+  for (std::size_t slot = kLanes * from; slot < kLanes * end; ++slot) {
+    if (group(slot).radius[slot % kLanes] == 0.0F) continue;
+    const Vec3 away = centre(slot) - reamer.centre;
+    const bool isBeforeTeeth = dot(away, reamer.axis) >= 0.0;
+    if (isBeforeTeeth && dot(away, away) < reamer.radius * reamer.radius) return true;
+  }
+  return false;
+}
+
+std::size_t SphereField::findDeeper(
+    const Reamer& reamer,
+    std::size_t part,
+    std::size_t parts,
+    std::span<std::uint32_t> found) const noexcept {
+  const auto tool = inSinglePrecision(reamer);
+  std::size_t count = 0;
+  std::size_t seen = 0;
+  together(reamer, [&](std::span<const Stretch> stretches) {
+    for (const auto& stretch : stretches) {
+      if (seen++ % parts != part) continue;
+      count +=
+          reaming::findDeeper(groups_.data(), std::span(&stretch, 1), tool, found.subspan(count));
+    }
+  });
+  return count;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,171 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "haptics/reaming/bone/packing.h"
+#include "haptics/reaming/bone/sphere_kernel.h"
+
+namespace haptics::reaming {
+
+/// Half a sphere with teeth: where it is and where it points.
+struct Reamer {
+  double radius = 0.026;        ///< [m], > 0
+  Vec3 centre;                  ///< of its sphere [m]
+  Vec3 axis = {0.0, 0.0, 1.0};  ///< unit vector, into the bone; the teeth are on that side
+};
+
+/// What a reamer touches, as sums over the spheres that its surface cuts. Every sphere counts with
+/// the part a of the reamer's surface that lies in it: a = πR (r² − (d − R)²)/d.
+struct ReamerContact {
+  double area = 0.0;      ///< Σ a [m²]
+  double pressing = 0.0;  ///< Σ a ρ [N]
+  Vec3 normal;            ///< Σ a n, out of the bone [m²]
+  Vec3 force;             ///< Σ a ρ n [N]
+  double lever = 0.0;     ///< Σ a ρ times the distance from the reamer's axis [N·m]
+  int touched = 0;        ///< spheres
+
+  /// Contact density Σ a ρ / Σ a of the reaming paper; 0 where nothing is touched [N/m²].
+  double density() const noexcept { return area > 0.0 ? pressing / area : 0.0; }
+};
+
+/// The spheres of a packing as they are felt and cut: cell after cell along the axes, in groups, so
+/// that a row of cells is one stretch of memory. Every cell has a few empty slots at its end.
+class SphereField {
+ public:
+  /// @param densities  of each sphere: the pressure at which it gives way [N/m²], finite, >= 0.
+  /// @throws std::invalid_argument  if the densities are not as many as the spheres, or no such
+  /// numbers, or there are no spheres.
+  SphereField(const Packing& packing, std::span<const double> densities);
+
+  /// The sums over all spheres that the surface cuts: of every sphere as it was, or, with
+  /// @p isCut, where the surface goes on into it. Never allocates. Nothing for a reamer that is
+  /// nowhere (NaN).
+  ReamerContact touch(const Reamer& reamer, bool isCut) const noexcept;
+
+  /// Spheres into which the surface has gone deeper than they have been cut, of every
+  /// @p parts-th stretch from @p part on.
+  /// @param found  takes their slots. @return how many.
+  std::size_t findDeeper(
+      const Reamer& reamer,
+      std::size_t part,
+      std::size_t parts,
+      std::span<std::uint32_t> found) const noexcept;
+
+  /// Calls @p see with every stretch of groups, from and to, that together hold all spheres that
+  /// the surface of @p reamer may cut.
+  template <typename See>
+  void eachStretch(const Reamer& reamer, See see) const;
+
+  /// A slot is a lane of a group: slot / kLanes, slot % kLanes.
+  std::size_t slotCount() const noexcept { return kLanes * groups_.size(); }
+  SphereGroup& group(std::size_t slot) noexcept { return groups_[slot / kLanes]; }
+  const SphereGroup& group(std::size_t slot) const noexcept { return groups_[slot / kLanes]; }
+  const std::vector<SphereGroup>& groups() const noexcept { return groups_; }
+
+  Vec3 centre(std::size_t slot) const noexcept {
+    const auto& g = group(slot);
+    const std::size_t lane = slot % kLanes;
+    return {g.x[lane], g.y[lane], g.z[lane]};
+  }
+
+  /// An empty slot in the cell of @p place; slotCount() where there is none.
+  std::size_t freeSlot(Vec3 place) const noexcept;
+
+  /// Lets the sphere of @p slot lie at @p place. The farther from its cell, the more is looked at.
+  void move(std::size_t slot, Vec3 place) noexcept;
+
+  /// All spheres lie in their cells again.
+  void forgetMoves() noexcept { drift_ = 0.0; }
+
+  /// Whether @p reamer's teeth are past the centre of a sphere of groups @p from to @p end: then it
+  /// is inside of the bone.
+  bool holds(const Reamer& reamer, std::size_t from, std::size_t end) const noexcept;
+
+  std::size_t bytes() const noexcept { return sizeof(SphereGroup) * groups_.size(); }
+  double largestRadius() const noexcept { return largest_; }  ///< at the beginning [m]
+
+ private:
+  int along(double from, int count) const noexcept {
+    return static_cast<int>(std::clamp(std::floor(from / cell_), 0.0, count - 1.0));
+  }
+  std::size_t cellOf(Vec3 place) const noexcept;
+  template <typename Work>
+  void together(const Reamer& reamer, Work work) const;
+  void layOut(const Packing& packing, std::size_t cells);
+
+  Vec3 low_;
+  double cell_ = 1.0;  ///< [m]
+  int nx_ = 1, ny_ = 1, nz_ = 1;
+  std::vector<std::uint32_t> start_;  ///< of each cell's groups, and the end of the last
+  std::vector<SphereGroup> groups_;
+  double largest_ = 0.0;  ///< radius [m]
+  double drift_ = 0.0;    ///< the farthest that a sphere lies out of its cell [m]
+};
+
+template <typename See>
+void SphereField::eachStretch(const Reamer& reamer, See see) const {
+  // The surface is a shell: outer and inner reach of spheres that it may cut.
+  const double pad = largest_ + drift_;
+  const double outer = reamer.radius + pad;
+  const double inner = std::max(0.0, reamer.radius - pad);
+  const Vec3 from = reamer.centre - low_;
+  if (!std::isfinite(from.x + from.y + from.z)) return;
+  const auto nearest = [](double low, double high) {
+    return low > 0.0 ? low : high < 0.0 ? -high : 0.0;
+  };
+  const auto farthest = [](double low, double high) { return std::max(std::abs(low), high); };
+  const int firstK = along(from.z - outer, nz_);
+  const int lastK = along(from.z + outer, nz_);
+  for (int k = firstK; k <= lastK; ++k) {
+    const double z0 = k * cell_ - from.z;
+    const double z1 = z0 + cell_;
+    const double nearZ = nearest(z0, z1);
+    const double farZ = farthest(z0, z1);
+    const double acrossY = outer * outer - nearZ * nearZ;
+    if (acrossY < 0.0) continue;
+    const double reachY = std::sqrt(acrossY);
+    const int firstJ = along(from.y - reachY, ny_);
+    const int lastJ = along(from.y + reachY, ny_);
+    for (int j = firstJ; j <= lastJ; ++j) {
+      const double y0 = j * cell_ - from.y;
+      const double y1 = y0 + cell_;
+      const double nearY = nearest(y0, y1);
+      const double acrossX = acrossY - nearY * nearY;
+      if (acrossX < 0.0) continue;
+      const double reachX = std::sqrt(acrossX);
+      // The teeth are on one side only.
+      const double most = std::max(reamer.axis.x * reachX, -reamer.axis.x * reachX) +
+                          std::max(reamer.axis.y * y0, reamer.axis.y * y1) +
+                          std::max(reamer.axis.z * z0, reamer.axis.z * z1);
+      if (most < -2.0 * drift_) continue;
+      const double farY = farthest(y0, y1);
+      const double hollow = inner * inner - farY * farY - farZ * farZ;
+      const std::size_t row = (static_cast<std::size_t>(k) * static_cast<std::size_t>(ny_) +
+                               static_cast<std::size_t>(j)) *
+                              static_cast<std::size_t>(nx_);
+      const int first = along(from.x - reachX, nx_);
+      const int last = along(from.x + reachX, nx_);
+      const auto stretch = [&](int a, int b) {
+        const auto begin = start_[row + static_cast<std::size_t>(a)];
+        const auto end = start_[row + static_cast<std::size_t>(b) + 1];
+        if (begin < end) see(begin, end);
+      };
+      // Cells that lie wholly in the hollow of the shell are left out.
+      const double gap = hollow > 0.0 ? std::sqrt(hollow) : 0.0;
+      const int leftEnd = static_cast<int>(std::floor((from.x - gap) / cell_));
+      const int rightBegin = static_cast<int>(std::floor((from.x + gap) / cell_));
+      if (gap > cell_ && rightBegin > leftEnd + 1) {
+        if (leftEnd >= first) stretch(first, std::min(leftEnd, last));
+        if (rightBegin <= last) stretch(std::max(rightBegin, first), last);
+      } else {
+        stretch(first, last);
+      }
+    }
+  }
+}
+
+}  // namespace haptics::reaming

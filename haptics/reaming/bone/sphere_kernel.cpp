@@ -1,0 +1,176 @@
+#include "haptics/reaming/bone/sphere_kernel.h"
+
+#include <cmath>
+#include <cstdint>
+
+// Compiled for what the processor at hand can do, chosen once when the program starts. Sanitizers
+// need the ordinary way.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define PALPATE_FOR_THIS_PROCESSOR __attribute__((target_clones("arch=x86-64-v3", "default")))
+#else
+#define PALPATE_FOR_THIS_PROCESSOR
+#endif
+
+namespace haptics::reaming {
+namespace {
+
+constexpr float kTiny = 1e-20F;  // keeps what is nowhere from being divided by
+
+/// One number for each lane; GCC makes one register of it.
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using Masks = std::int32_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
+
+#define PALPATE_INLINE [[gnu::always_inline]] inline
+
+PALPATE_INLINE void load(const float* from, Lanes& to) {
+  to = *reinterpret_cast<const Lanes*>(from);
+}
+PALPATE_INLINE bool isAny(const Masks& mask) {
+  using Words = std::int64_t __attribute__((vector_size(kLanes * sizeof(std::int32_t))));
+  const auto words = reinterpret_cast<const Words&>(mask);
+  return (words[0] | words[1] | words[2] | words[3]) != 0;
+}
+PALPATE_INLINE void root(const Lanes& of, Lanes& to) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) to[lane] = std::sqrt(of[lane]);
+}
+
+/// Sums in single precision, lane by lane; short enough to lose nothing that is felt.
+struct Partial {
+  Lanes of[KernelSums::Quantities] = {};
+};
+
+template <bool kIsCut>
+PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reamer, Partial& sums) {
+  const Lanes none = {};
+  Lanes dx, dy, dz, r;
+  load(group.x, dx);
+  load(group.y, dy);
+  load(group.z, dz);
+  load(group.radius, r);
+  dx -= reamer.x;
+  dy -= reamer.y;
+  dz -= reamer.z;
+  // Most spheres that are looked at are not touched: known by squares, before any root.
+  const Lanes square = dx * dx + dy * dy + dz * dz;
+  const Lanes along = dx * reamer.ax + dy * reamer.ay + dz * reamer.az;
+  const Lanes outer = reamer.radius + r;
+  const Lanes inner = reamer.radius - r;
+  const Masks isTouched =
+      (square < outer * outer) & (square > inner * inner) & (along >= 0.0F) & (r > 0.0F);
+  if (!isAny(isTouched)) return;
+  Lanes d;
+  root(square + kTiny, d);
+  const Lanes over = d - reamer.radius;
+  Lanes lens = r * r - over * over;
+  lens = (isTouched & (lens > 0.0F)) ? lens : none;
+  if constexpr (kIsCut) {
+    Lanes depth;
+    load(group.depth, depth);
+    Lanes share = (r - over - depth) / (kReleaseShare * r + kTiny) + 1.0F;
+    share = share > 0.0F ? share : none;
+    share = share < 1.0F ? share : none + 1.0F;
+    lens *= share;
+  }
+  Lanes density;
+  load(group.density, density);
+  const Lanes inverse = 1.0F / d;
+  const Lanes a = lens * inverse;
+  const Lanes p = a * density;
+  const Lanes inward = -a * inverse;
+  const Lanes push = inward * density;
+  Lanes across = square - along * along;
+  across = across > 0.0F ? across : none;
+  Lanes perpendicular;
+  root(across, perpendicular);
+  sums.of[KernelSums::Area] += a;
+  sums.of[KernelSums::Pressing] += p;
+  sums.of[KernelSums::NormalX] += inward * dx;
+  sums.of[KernelSums::NormalY] += inward * dy;
+  sums.of[KernelSums::NormalZ] += inward * dz;
+  sums.of[KernelSums::ForceX] += push * dx;
+  sums.of[KernelSums::ForceY] += push * dy;
+  sums.of[KernelSums::ForceZ] += push * dz;
+  sums.of[KernelSums::Lever] += p * perpendicular;
+  sums.of[KernelSums::Touched] += a > 0.0F ? none + 1.0F : none;
+}
+
+PALPATE_INLINE void flush(Partial& partial, KernelSums& sums) {
+  for (std::size_t q = 0; q < KernelSums::Quantities; ++q) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) sums.of[q] += double{partial.of[q][lane]};
+    partial.of[q] = Lanes{};
+  }
+}
+
+template <bool kIsCut>
+PALPATE_INLINE void add(
+    const SphereGroup* groups,
+    std::span<const Stretch> stretches,
+    const KernelReamer& reamer,
+    KernelSums& sums) {
+  constexpr std::size_t kAtMost = 1024;  // groups in single precision
+  Partial partial;
+  std::size_t looked = 0;
+  for (const auto& stretch : stretches) {
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i) {
+      addGroup<kIsCut>(groups[i], reamer, partial);
+    }
+    looked += stretch.end - stretch.begin;
+    if (looked < kAtMost) continue;
+    flush(partial, sums);
+    looked = 0;
+  }
+  flush(partial, sums);
+}
+
+}  // namespace
+
+PALPATE_FOR_THIS_PROCESSOR
+void addSpheres(
+    const SphereGroup* groups,
+    std::span<const Stretch> stretches,
+    const KernelReamer& reamer,
+    bool isCut,
+    KernelSums& sums) noexcept {
+  if (isCut) {
+    add<true>(groups, stretches, reamer, sums);
+  } else {
+    add<false>(groups, stretches, reamer, sums);
+  }
+}
+
+PALPATE_FOR_THIS_PROCESSOR
+std::size_t findDeeper(
+    const SphereGroup* groups,
+    std::span<const Stretch> stretches,
+    const KernelReamer& reamer,
+    std::span<std::uint32_t> found) noexcept {
+  std::size_t count = 0;
+  for (const auto& stretch : stretches) {
+    for (std::uint32_t i = stretch.begin; i < stretch.end; ++i) {
+      const auto& group = groups[i];
+      Lanes dx, dy, dz, r, depth;
+      load(group.x, dx);
+      load(group.y, dy);
+      load(group.z, dz);
+      load(group.radius, r);
+      load(group.depth, depth);
+      dx -= reamer.x;
+      dy -= reamer.y;
+      dz -= reamer.z;
+      // r − (d − R) > depth, by squares.
+      const Lanes reach = reamer.radius + r - depth;
+      const Masks isDeeper = (dx * dx + dy * dy + dz * dz < reach * reach) & (reach > 0.0F) &
+                             (dx * reamer.ax + dy * reamer.ay + dz * reamer.az >= 0.0F) &
+                             (r > 0.0F);
+      if (!isAny(isDeeper)) continue;
+      if (count + kLanes > found.size()) return count;
+      for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        if (isDeeper[lane] != 0) found[count++] = static_cast<std::uint32_t>(kLanes) * i + lane;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,312 @@
+#include "haptics/reaming/material/series_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "haptics/recordings/decimal.h"
+#include "haptics/recordings/error.h"
+
+namespace haptics::reaming {
+namespace {
+
+using recordings::Error;
+
+struct Unit {
+  const char* name;
+  double factor;  ///< to SI
+};
+
+/// A quantity, what it is called, and its units; the first one is SI.
+struct Quantity {
+  const char* name;
+  std::vector<const char*> heads;  ///< in small letters
+  std::vector<Unit> units;
+  bool isNeeded = true;
+};
+
+const std::array<Quantity, 4>& quantities() {
+  static const std::array<Quantity, 4> kAll{
+      {{"time", {"time", "t", "zeit"}, {{"s", 1.0}, {"ms", 1e-3}}},
+       {"displacement",
+        {"displacement", "depth", "travel", "weg", "s", "position"},
+        {{"m", 1.0}, {"mm", 1e-3}, {"um", 1e-6}, {"µm", 1e-6}}},
+       {"force", {"force", "f", "kraft"}, {{"n", 1.0}, {"kn", 1e3}}},
+       {"torque",
+        {"torque", "moment", "m", "drehmoment"},
+        {{"nm", 1.0}, {"n·m", 1.0}, {"nmm", 1e-3}},
+        false}}};
+  return kAll;
+}
+
+std::string small(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return result;
+}
+
+std::string trimmed(std::string_view text) {
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  return std::string(text);
+}
+
+constexpr std::string_view kSyntheticMark = "# SYNTHETIC";
+
+struct Line {
+  std::string_view text;
+  std::size_t number = 0;  ///< in the file, from 1
+};
+
+/// The lines that say something, without remarks (#) above the head.
+struct Lines {
+  std::vector<Line> all;
+  bool isSynthetic = false;  ///< a remark says so
+};
+
+Lines linesOf(std::string_view text) {
+  Lines lines;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const auto end = text.find('\n');
+    const auto line = text.substr(0, end);
+    const bool isRemark = lines.all.empty() && line.starts_with('#');
+    lines.isSynthetic |= isRemark && line.starts_with(kSyntheticMark);
+    if (!isRemark && !trimmed(line).empty()) lines.all.push_back({line, number});
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+std::vector<std::string> cellsOf(std::string_view line, char separator) {
+  std::vector<std::string> cells;
+  while (true) {
+    const auto end = line.find(separator);
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return cells;
+    line.remove_prefix(end + 1);
+  }
+}
+
+char separatorOf(std::string_view head) {
+  for (const char separator : {'\t', ';', ','}) {
+    if (head.find(separator) != std::string_view::npos) return separator;
+  }
+  return ',';
+}
+
+std::optional<double> number(std::string cell, char separator) {
+  if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
+  double value = 0.0;
+  const char* const end = cell.data() + cell.size();
+  const auto read = std::from_chars(cell.data(), end, value);
+  const bool isNumber = read.ec == std::errc() && read.ptr == end && std::isfinite(value);
+  return isNumber ? std::optional(value) : std::nullopt;
+}
+
+/// "Weg [mm]" is a name and a unit; so are "force_n" and "Kraft (kN)".
+struct Head {
+  std::string name;
+  std::string unit;
+};
+
+Head headOf(const std::string& cell) {
+  const std::string text = small(cell);
+  const auto open = text.find_first_of("[(");
+  if (open != std::string::npos) {
+    const auto close = text.find_first_of("])", open);
+    return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, close - open - 1))};
+  }
+  const auto underscore = text.rfind('_');
+  if (underscore == std::string::npos) return {text, ""};
+  return {text.substr(0, underscore), text.substr(underscore + 1)};
+}
+
+/// Where a quantity stands in the table, and what makes SI of it.
+struct Column {
+  std::size_t place = 0;
+  double factor = 1.0;
+};
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + ("'" + word + "'");
+  return text;
+}
+
+double factorOf(const Quantity& quantity, const std::string& unit, const std::string& name) {
+  std::string known;
+  for (const auto& candidate : quantity.units) {
+    if (small(unit) == candidate.name) return candidate.factor;
+    known += (known.empty() ? "" : ", ") + std::string(candidate.name);
+  }
+  throw Error(
+      unit.empty() ? name + ": the " + quantity.name +
+                         " has no unit. Write one into its head, as "
+                         "in '" +
+                         quantity.name + " [" + quantity.units.back().name +
+                         "]', or say it with --unit. There are: " + known + "."
+                   : name + ": '" + unit + "' is no unit of " + quantity.name +
+                         " that this program knows. There are: " + known + ".");
+}
+
+std::optional<Column> columnOf(
+    const Quantity& quantity,
+    const std::vector<std::string>& heads,
+    const SeriesMapping& mapping,
+    const std::string& name) {
+  const auto given = mapping.heads.find(quantity.name);
+  for (std::size_t place = 0; place < heads.size(); ++place) {
+    const Head head = headOf(heads[place]);
+    const bool isUsual =
+        std::any_of(quantity.heads.begin(), quantity.heads.end(), [&](const char* usual) {
+          return head.name == usual;
+        });
+    const bool isIt = given != mapping.heads.end() ? heads[place] == given->second : isUsual;
+    if (!isIt) continue;
+    const auto unit = mapping.units.find(quantity.name);
+    return Column{
+        place, factorOf(quantity, unit != mapping.units.end() ? unit->second : head.unit, name)};
+  }
+  if (!quantity.isNeeded && given == mapping.heads.end()) return std::nullopt;
+  throw Error(
+      name + " has no column for the " + quantity.name + ". Its columns are " + listed(heads) +
+      "; say which one it is with --column " + quantity.name + "=HEAD.");
+}
+
+/// The rate of evenly taken samples. @throws Error  where there is a gap.
+double rateOf(
+    const std::vector<double>& time, const std::vector<Line>& lines, const std::string& name) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double usual = *middle;
+  if (!(usual > 0.0)) throw Error(name + ": the time does not go on.");
+  for (std::size_t i = 1; i < time.size(); ++i) {
+    const double step = time[i] - time[i - 1];
+    if (step > 0.5 * usual && step < 1.5 * usual) continue;
+    throw Error(
+        name + ": between lines " + std::to_string(lines[i].number) + " and " +
+        std::to_string(lines[i + 1].number) + " the time goes on by " + std::to_string(step) +
+        " s, usually by " + std::to_string(usual) +
+        " s. Cut the file there, or take the series anew.");
+  }
+  return static_cast<double>(time.size() - 1) / (time.back() - time.front());
+}
+
+/// Refuses what no machine measures on an acetabulum: the unit is another one.
+void checkUnits(const Series& series) {
+  constexpr double kFarthest = 0.2;    // [m]
+  constexpr double kStrongest = 20e3;  // [N]
+  const auto refuse = [&](const std::string& what, const char* quantity, const char* units) {
+    throw Error(
+        series.name + ": " + what + ". Its unit must be another one (" + units +
+        "?): correct the head, or say it with --unit " + quantity + "=UNIT.");
+  };
+  const auto [least, most] =
+      std::minmax_element(series.displacement.begin(), series.displacement.end());
+  if (*most - *least > kFarthest) {
+    refuse(
+        "the displacement goes over " + recordings::decimal(*most - *least, 3) +
+            " m, and no reamer goes farther than " + recordings::decimal(kFarthest, 1) + " m",
+        "displacement",
+        "mm, um");
+  }
+  double strongest = 0.0;
+  for (const double force : series.force) strongest = std::max(strongest, std::abs(force));
+  if (strongest > kStrongest) {
+    refuse(
+        "the force goes to " + recordings::decimal(strongest / 1000.0, 1) +
+            " kN, and no bone holds more than " + recordings::decimal(kStrongest / 1000.0, 0) +
+            " kN",
+        "force",
+        "N");
+  }
+}
+
+}  // namespace
+
+Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping) {
+  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+  const auto found = linesOf(text);
+  const auto& lines = found.all;
+  constexpr std::size_t kFewestRows = 3;
+  if (lines.size() < kFewestRows + 1) {
+    throw Error(
+        name + " has " + std::to_string(lines.empty() ? 0 : lines.size() - 1) +
+        " rows below its head; that is no measurement.");
+  }
+  const char separator = separatorOf(lines.front().text);
+  const auto heads = cellsOf(lines.front().text, separator);
+  std::array<std::optional<Column>, 4> columns;
+  std::array<std::vector<double>, 4> values;
+  for (std::size_t q = 0; q < columns.size(); ++q) {
+    columns[q] = columnOf(quantities()[q], heads, mapping, name);
+  }
+  for (std::size_t row = 1; row < lines.size(); ++row) {
+    const auto cells = cellsOf(lines[row].text, separator);
+    for (std::size_t q = 0; q < columns.size(); ++q) {
+      if (!columns[q]) continue;
+      const auto place = columns[q]->place;
+      const auto value = place < cells.size() ? number(cells[place], separator) : std::nullopt;
+      if (!value) {
+        throw Error(
+            name + ", line " + std::to_string(lines[row].number) + ": the " + quantities()[q].name +
+            " is '" + (place < cells.size() ? cells[place] : "") + "', which is no number.");
+      }
+      values[q].push_back(*value * columns[q]->factor);
+    }
+  }
+  Series series{
+      .name = name,
+      .rate = rateOf(values[0], lines, name),
+      .displacement = std::move(values[1]),
+      .force = std::move(values[2]),
+      .torque = std::move(values[3]),
+      .isSynthetic = found.isSynthetic};
+  checkUnits(series);
+  return series;
+}
+
+std::string contentOfSeriesFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw Error("There is no series '" + path + "': check the name and the folder.");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+Series readSeriesFile(const std::string& path, TestSet set, const SeriesMapping& mapping) {
+  const std::string text = contentOfSeriesFile(path);
+  auto series = readSeries(text, std::filesystem::path(path).filename().string(), mapping);
+  series.set = set;
+  return series;
+}
+
+std::string asText(const Series& series) {
+  const auto exact = [](double value) {
+    char digits[32];
+    return std::string(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+  };
+  const bool hasTorque = !series.torque.empty();
+  std::string text;
+  if (series.isSynthetic) text += std::string(kSyntheticMark) + ": nobody measured this\n";
+  text +=
+      hasTorque ? "time_s,displacement_mm,force_n,torque_nm\n" : "time_s,displacement_mm,force_n\n";
+  for (std::size_t i = 0; i < series.force.size(); ++i) {
+    text += exact(static_cast<double>(i) / series.rate) + "," +
+            exact(1000.0 * series.displacement[i]) + "," + exact(series.force[i]);
+    if (hasTorque) text += "," + exact(series.torque[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,219 @@
+#include "haptics/reaming/packing/density_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+namespace haptics::reaming {
+namespace {
+
+using Vector = Eigen::VectorXd;
+
+Eigen::Map<const Vector> asVector(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// The dual of the bounded problem at some y: all that a step needs.
+struct Dual {
+  const ContactMatrix& matrix;
+  std::span<const double> forces;
+  std::span<const double> prior;
+  double lambda;
+
+  struct Point {
+    Vector y;
+    std::vector<double> densities;
+    Vector rest;  ///< F − y − A ρ(y): the slope
+    double value = 0.0;
+    double primal = 0.0;
+  };
+
+  Point at(Vector y) const {
+    Point point{.y = std::move(y), .densities = {}, .rest = {}};
+    point.densities = matrix.transposedTimes({point.y.data(), matrix.rows});
+    double away = 0.0;
+    for (std::size_t i = 0; i < point.densities.size(); ++i) {
+      point.densities[i] = std::max(0.0, prior[i] + point.densities[i] / lambda);
+      away += (point.densities[i] - prior[i]) * (point.densities[i] - prior[i]);
+    }
+    const auto felt = matrix.times(point.densities);
+    const auto missing = (asVector(forces) - asVector(felt)).eval();
+    point.rest = missing - point.y;
+    point.value = asVector(forces).dot(point.y) - 0.5 * point.y.squaredNorm() +
+                  0.5 * lambda * away - point.y.dot(asVector(felt));
+    point.primal = 0.5 * missing.squaredNorm() + 0.5 * lambda * away;
+    return point;
+  }
+
+  /// I + A_S A_Sᵀ / λ over the spheres that are not at their bound.
+  Eigen::MatrixXd curvature(const std::vector<double>& densities) const {
+    const auto n = static_cast<Eigen::Index>(matrix.rows);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t column = 0; column < matrix.columns(); ++column) {
+      if (!(densities[column] > 0.0)) continue;
+      for (std::size_t i = matrix.start[column]; i < matrix.start[column + 1]; ++i) {
+        const double share = matrix.value[i] / lambda;
+        double* below = sum.col(matrix.row[i]).data();
+        for (std::size_t j = i; j < matrix.start[column + 1]; ++j) {
+          below[matrix.row[j]] += share * matrix.value[j];
+        }
+      }
+    }
+    sum.diagonal().array() += 1.0;
+    return sum;
+  }
+
+  /// From @p from along @p step as far as the value rises enough; nothing where it does not. Leaves
+  /// in @p end where the whole step leads.
+  std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
+    constexpr double kLeastShare = 1e-5;
+    const double slope = from.rest.dot(step);
+    const auto rises = [&](const Point& point, double share) {
+      return point.value > from.value && point.value >= from.value + 1e-4 * share * slope;
+    };
+    end = at(from.y + step);
+    if (rises(end, 1.0)) return end;
+    for (double share = 0.5; share > kLeastShare; share *= 0.5) {
+      auto point = at(from.y + share * step);
+      if (rises(point, share)) return point;
+    }
+    return std::nullopt;
+  }
+
+  /// Newton's step up; nothing where rounding is all that is left.
+  ///
+  /// Newton's curvature knows only the spheres above their bound. Where many leave theirs on the
+  /// way it is far too small, and the step may rise nowhere: then those count as well, until none
+  /// is missing. A step that knows every sphere on its way rises.
+  std::optional<Point> next(const Point& from) const {
+    auto counts = from.densities;
+    Point end;
+    for (bool isMissing = true; isMissing;) {
+      const Vector step =
+          Eigen::LLT<Eigen::MatrixXd, Eigen::Lower>(curvature(counts)).solve(from.rest);
+      if (auto point = along(from, step, end)) return point;
+      isMissing = false;
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0.0 || !(end.densities[i] > 0.0)) continue;
+        counts[i] = end.densities[i];
+        isMissing = true;
+      }
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+double errorOf(
+    const ContactMatrix& matrix,
+    std::span<const double> densities,
+    std::span<const double> forces) {
+  const auto felt = matrix.times(densities);
+  const double wanted = asVector(forces).norm();
+  const double off = (asVector(felt) - asVector(forces)).norm();
+  return wanted > 0.0 ? off / wanted : (off > 0.0 ? 1.0 : 0.0);
+}
+
+double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces) {
+  const std::vector<double> ones(matrix.columns(), 1.0);
+  const auto felt = matrix.times(ones);
+  const double square = asVector(felt).squaredNorm();
+  return square > 0.0 ? std::max(0.0, asVector(felt).dot(asVector(forces)) / square) : 0.0;
+}
+
+DensityFit fitNonNegative(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::span<const double> prior,
+    double weight) {
+  constexpr int kMostSteps = 60;  // at each weight
+  constexpr double kGap = 1e-9;
+  constexpr double kGapOnTheWay = 1e-2;
+  constexpr double kEase = 0.3;
+  double squares = 0.0;
+  for (const double v : matrix.value) squares += v * v;
+  const double row = squares / static_cast<double>(matrix.rows);  // mean squared
+  const auto gapOf = [](const Dual::Point& p) {
+    return p.primal > 0.0 ? (p.primal - p.value) / p.primal : 0.0;
+  };
+  DensityFit fit;
+  Dual::Point point;
+  Vector y = Vector::Zero(static_cast<Eigen::Index>(matrix.rows));
+  // The smaller the weight, the farther Newton's method goes astray from where it begins: from a
+  // weight at which it cannot, down to the one that is wanted. Densities stay as they are if y
+  // shrinks with the weight.
+  double eased = std::max(weight, 1.0);
+  while (true) {
+    const Dual dual{matrix, forces, prior, std::max(eased * row, 1e-300)};
+    const double goal = eased > weight ? kGapOnTheWay : kGap;
+    point = dual.at(std::move(y));
+    for (int step = 0; step < kMostSteps && gapOf(point) > goal; ++step) {
+      auto next = dual.next(point);
+      if (!next) break;
+      point = std::move(*next);
+      ++fit.iterations;
+    }
+    if (!(eased > weight)) break;
+    const double easier = std::max(weight, kEase * eased);
+    y = easier / eased * point.y;
+    eased = easier;
+  }
+  fit.gap = gapOf(point);
+  fit.densities = std::move(point.densities);
+  fit.error = errorOf(matrix, fit.densities, forces);
+  return fit;
+}
+
+DensityFit fitMultiplicative(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::span<const double> prior,
+    int iterations) {
+  DensityFit fit{.densities = {prior.begin(), prior.end()}, .iterations = iterations};
+  const std::vector<double> ones(matrix.rows, 1.0);
+  const auto whole = matrix.transposedTimes(ones);
+  std::vector<double> ratio(matrix.rows);
+  for (int i = 0; i < iterations; ++i) {
+    const auto felt = matrix.times(fit.densities);
+    for (std::size_t row = 0; row < matrix.rows; ++row) {
+      ratio[row] = felt[row] > 0.0 ? std::max(forces[row], 0.0) / felt[row] : 1.0;
+    }
+    const auto factor = matrix.transposedTimes(ratio);
+    for (std::size_t column = 0; column < matrix.columns(); ++column) {
+      if (whole[column] > 0.0) fit.densities[column] *= factor[column] / whole[column];
+    }
+  }
+  fit.gap = std::numeric_limits<double>::quiet_NaN();
+  fit.error = errorOf(matrix, fit.densities, forces);
+  return fit;
+}
+
+BoneFit fitBone(const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers) {
+  BoneFit fit;
+  const auto layerOf = layersOf(matrix, layers);
+  const auto few = layered(matrix, layerOf, layers);
+  const std::vector<double> uniform(layers, uniformDensity(matrix, forces));
+  fit.layers = fitNonNegative(few, forces, uniform, 1e-9);
+  // Below the last layer it goes on as it was there, where that layer is one at all.
+  double below = 0.0;
+  for (std::size_t layer = 0; layer < layers; ++layer) {
+    if (few.isTouched(layer)) below = fit.layers.densities[layer];
+  }
+  std::vector<double> prior(matrix.columns());
+  std::size_t touched = 0;
+  for (std::size_t i = 0; i < prior.size(); ++i) {
+    prior[i] = layerOf[i] < layers ? fit.layers.densities[layerOf[i]] : below;
+    if (layerOf[i] < layers) ++touched;
+  }
+  fit.spheres = fitNonNegative(matrix, forces, prior);
+  fit.densities = fit.spheres.densities;
+  fit.touchedShare = static_cast<double>(touched) / static_cast<double>(prior.size());
+  return fit;
+}
+
+}  // namespace haptics::reaming

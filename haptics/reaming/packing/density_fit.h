@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/reaming/packing/contact_matrix.h"
+
+namespace haptics::reaming {
+
+/// Densities that make a bone feel like a curve, and how well they do.
+struct DensityFit {
+  std::vector<double> densities;  ///< of each column [N/m²], >= 0
+  double error = 0.0;             ///< |A ρ − F| / |F|
+  /// (P − D) / P of the problem that was solved: how far above the optimum it can be at most. NaN
+  /// where the method knows no bound.
+  double gap = 0.0;
+  int iterations = 0;
+};
+
+/// min ½|A ρ − F|² + ½ λ |ρ − ρ₀|², ρ ≥ 0, by Newton's method on its dual, which has as many
+/// unknowns as there are depths: F·y − ½|y|² + ½ λ|ρ(y) − ρ₀|² − y·A ρ(y), ρ(y) = max(0, ρ₀ +
+/// Aᵀy/λ). From a large λ down to the wanted one, each time from where the last has led: from
+/// nothing the method would go astray wherever many densities leave 0 at once.
+///
+/// @param prior   ρ₀: what spheres are that the experiment does not tell apart.
+/// @param weight  λ as a share of the mean squared row of A, > 0.
+DensityFit fitNonNegative(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::span<const double> prior,
+    double weight = 1e-6);
+
+/// Multiplicative: ρ ← ρ · Aᵀ(F / A ρ) / Aᵀ1 (MLEM, Shepp & Vardi 1982). Forces below 0 count as 0.
+DensityFit fitMultiplicative(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::span<const double> prior,
+    int iterations);
+
+/// The reaming paper's way: a particle swarm (Kennedy & Eberhart 1995, with the constriction of
+/// Clerc & Kennedy 2002). The paper says nothing of its size or settings.
+struct SwarmOptions {
+  int particles = 40;
+  int iterations = 500;
+  double most = 0.0;  ///< density [N/m²]; 0: five times the uniform density that fits best
+  std::uint64_t seed = 1;
+  int threads = 2;       ///< any number; the result is the same
+  double seconds = 0.0;  ///< stops after so long; 0: never
+};
+DensityFit fitSwarm(
+    const ContactMatrix& matrix, std::span<const double> forces, const SwarmOptions& options);
+
+/// The one density that fits best.
+double uniformDensity(const ContactMatrix& matrix, std::span<const double> forces);
+
+/// |A ρ − F| / |F|; where no force is wanted, 0 or 1.
+double errorOf(
+    const ContactMatrix& matrix, std::span<const double> densities, std::span<const double> forces);
+
+/// How every sphere of a bone gets its density: a few layers first, which tell what the spheres
+/// that the experiment never touches are like (as the deepest layer), then every sphere.
+struct BoneFit {
+  std::vector<double> densities;
+  DensityFit layers;
+  DensityFit spheres;
+  double touchedShare = 0.0;  ///< of all spheres; the others have the prior only
+};
+BoneFit fitBone(
+    const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers = 12);
+
+}  // namespace haptics::reaming

@@ -1,0 +1,120 @@
+#include "haptics/reaming/packing/mesh_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace haptics::reaming {
+namespace {
+
+/// Which part of a triangle is nearest: its face, an edge, or a corner.
+struct Nearest {
+  Vec3 place;
+  enum class Part { Face, Edge, Corner } part = Part::Face;
+  std::size_t which = 0;  ///< of the three
+};
+
+/// By the regions of Voronoi (Ericson 2004, 5.1.5).
+Nearest nearestOn(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
+  using Part = Nearest::Part;
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ap = p - a;
+  const double d1 = dot(ab, ap);
+  const double d2 = dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return {a, Part::Corner, 0};
+  const Vec3 bp = p - b;
+  const double d3 = dot(ab, bp);
+  const double d4 = dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return {b, Part::Corner, 1};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {a + (d1 / (d1 - d3)) * ab, Part::Edge, 0};
+  const Vec3 cp = p - c;
+  const double d5 = dot(ab, cp);
+  const double d6 = dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return {c, Part::Corner, 2};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {a + (d2 / (d2 - d6)) * ac, Part::Edge, 2};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+    return {b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b), Part::Edge, 1};
+  }
+  const double sum = va + vb + vc;
+  return {a + (vb / sum) * ab + (vc / sum) * ac, Part::Face, 0};
+}
+
+Vec3 unit(Vec3 v) noexcept {
+  const double size = length(v);
+  return size > 0.0 ? (1.0 / size) * v : v;
+}
+
+double angleAt(Vec3 corner, Vec3 one, Vec3 other) noexcept {
+  const Vec3 a = one - corner;
+  const Vec3 b = other - corner;
+  return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+}  // namespace
+
+MeshSolid::MeshSolid(TriangleMesh mesh)
+    : mesh_(std::move(mesh)), tree_(boxesOf(mesh_)), volume_(mesh_.volume()) {
+  std::vector<Vec3> atCorner(mesh_.vertices.size());
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> atEdge;
+  const auto& v = mesh_.vertices;
+  low_ = high_ = v.front();
+  for (const auto& t : mesh_.triangles) {
+    const Vec3 face = unit(cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]));
+    normals_.push_back({.face = face, .edge = {}, .corner = {}});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto here = t[i];
+      const auto next = t[(i + 1) % 3];
+      const auto last = t[(i + 2) % 3];
+      atCorner[here] = atCorner[here] + angleAt(v[here], v[next], v[last]) * face;
+      auto& edge = atEdge[{std::min(here, next), std::max(here, next)}];
+      edge = edge + face;
+      low_ = {
+          std::min(low_.x, v[here].x), std::min(low_.y, v[here].y), std::min(low_.z, v[here].z)};
+      high_ = {
+          std::max(high_.x, v[here].x), std::max(high_.y, v[here].y), std::max(high_.z, v[here].z)};
+    }
+  }
+  for (std::size_t k = 0; k < normals_.size(); ++k) {
+    const auto& t = mesh_.triangles[k];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto next = t[(i + 1) % 3];
+      normals_[k].corner[i] = unit(atCorner[t[i]]);
+      normals_[k].edge[i] = unit(atEdge[{std::min(t[i], next), std::max(t[i], next)}]);
+    }
+  }
+}
+
+Boundary MeshSolid::nearest(Vec3 place) const noexcept {
+  double square = std::numeric_limits<double>::infinity();
+  Nearest best;
+  std::uint32_t triangle = 0;
+  tree_.eachNearer(place, square, [&](std::uint32_t i) {
+    const auto& t = mesh_.triangles[i];
+    const auto found =
+        nearestOn(place, mesh_.vertices[t[0]], mesh_.vertices[t[1]], mesh_.vertices[t[2]]);
+    const Vec3 off = place - found.place;
+    if (dot(off, off) < square) {
+      square = dot(off, off);
+      best = found;
+      triangle = i;
+    }
+    return square;
+  });
+  const auto& normals = normals_[triangle];
+  const Vec3 outward = best.part == Nearest::Part::Face   ? normals.face
+                       : best.part == Nearest::Part::Edge ? normals.edge[best.which]
+                                                          : normals.corner[best.which];
+  const Vec3 off = place - best.place;
+  const double gap = std::sqrt(square);
+  const double sign = dot(off, outward) > 0.0 ? -1.0 : 1.0;
+  const Vec3 inward = gap > 0.0 ? (sign / gap) * off : -1.0 * outward;
+  return {sign * gap, inward};
+}
+
+}  // namespace haptics::reaming

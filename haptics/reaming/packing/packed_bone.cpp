@@ -1,0 +1,80 @@
+#include "haptics/reaming/packing/packed_bone.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "haptics/reaming/bone/plunge.h"
+
+namespace haptics::reaming {
+
+std::vector<double> PackedBone::densities(double h, double scale) const {
+  const auto& softer = h <= 0.5 ? minimum : average;
+  const auto& harder = h <= 0.5 ? average : maximum;
+  const double share = h <= 0.5 ? 2.0 * h : 2.0 * h - 1.0;
+  std::vector<double> all;
+  all.reserve(softer.size());
+  for (std::size_t i = 0; i < softer.size(); ++i) {
+    all.push_back(scale * ((1.0 - share) * softer[i] + share * harder[i]));
+  }
+  return all;
+}
+
+std::string problemOf(const PackedBone& bone) {
+  const double coverage = bone.packing.coverage();
+  if (!(coverage > 0.0 && coverage <= 1.0)) {
+    return "the spheres hold more than the whole body, or nothing: the packing is damaged";
+  }
+  bool isInTheWay = false;
+  for (const auto& s : bone.packing.spheres) {
+    if (!std::isfinite(s.x + s.y + s.z + s.radius)) return "a sphere is nowhere";
+    if (s.radius >= bone.reamerRadius) {
+      return "a sphere is as large as the reamer: build it with more and smaller ones";
+    }
+    isInTheWay |= std::hypot(double{s.x}, double{s.y}) < bone.reamerRadius;
+  }
+  if (isInTheWay) return {};
+  return "the reamer passes beside the bone: turn and move the mesh so that +z through its origin "
+         "goes into the cup";
+}
+
+BoneFitReport fitTo(
+    PackedBone& bone,
+    const HardnessCurves& curves,
+    std::size_t depths,
+    const std::function<void(const std::string&)>& goesOn) {
+  const auto begin = std::chrono::steady_clock::now();
+  if (const auto problem = problemOf(bone); !problem.empty()) throw std::invalid_argument(problem);
+  const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
+  const Plunge plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius);
+  const double deepest = std::max(
+      {curves.minimum.back().position,
+       curves.average.back().position,
+       curves.maximum.back().position});
+  std::vector<double> places;
+  for (std::size_t i = 0; i < depths; ++i) {
+    places.push_back(deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths));
+  }
+  const auto matrix = contactMatrix(bone.packing, bone.packing.coverage(), plunge, places);
+  const std::pair<const char*, const CurveNodes*> all[]{
+      {"minimum", &curves.minimum}, {"average", &curves.average}, {"maximum", &curves.maximum}};
+  std::vector<float>* densities[]{&bone.minimum, &bone.average, &bone.maximum};
+  BoneFitReport report;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (goesOn) goesOn(all[k].first);
+    CurveFit curve{.curve = all[k].first, .depths = places, .wanted = {}, .felt = {}, .fit = {}};
+    for (const double depth : places) {
+      curve.wanted.push_back(std::max(0.0, forceOf(*all[k].second, depth)));
+    }
+    curve.fit = fitBone(matrix, curve.wanted);
+    curve.felt = matrix.times(curve.fit.densities);
+    densities[k]->assign(curve.fit.densities.begin(), curve.fit.densities.end());
+    report.curves.push_back(std::move(curve));
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  report.seconds = passed.count();
+  return report;
+}
+
+}  // namespace haptics::reaming

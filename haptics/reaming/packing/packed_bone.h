@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/reaming/bone/packing.h"
+#include "haptics/reaming/material/material.h"
+#include "haptics/reaming/packing/density_fit.h"
+
+namespace haptics::reaming {
+
+/// A bone ready to be felt and cut: a packing, and what its spheres give way at for the softest,
+/// the middle and the hardest curve of a material.
+struct PackedBone {
+  std::string name;   ///< for files
+  std::string title;  ///< for people
+  bool isSynthetic = false;
+  double reamerRadius = 0.026;  ///< that it was fitted with [m]
+  Packing packing;
+  std::vector<float> minimum;  ///< of each sphere [N/m²]
+  std::vector<float> average;
+  std::vector<float> maximum;
+
+  /// Densities of a hardness, blended as the curves are: forces are linear in densities.
+  /// @param h  in [0, 1]. @param scale  of all of them.
+  std::vector<double> densities(double h, double scale) const;
+};
+
+/// What keeps a bone from being felt with its reamer, in words: more in its spheres than its body
+/// holds, spheres larger than the reamer, none in its way. Empty where nothing does.
+std::string problemOf(const PackedBone& bone);
+
+/// How well a bone was fitted to a curve.
+struct CurveFit {
+  std::string curve;           ///< "minimum", "average", "maximum"
+  std::vector<double> depths;  ///< [m]
+  std::vector<double> wanted;  ///< by the curve [N]; what lies below 0 counts as 0
+  std::vector<double> felt;    ///< by the spheres [N]
+  BoneFit fit;
+};
+
+struct BoneFitReport {
+  std::vector<CurveFit> curves;
+  double seconds = 0.0;
+};
+
+/// Gives the spheres of @p bone densities that follow the curves of a material, at @p depths evenly
+/// over the longest of them (the others stay level beyond their ends). The virtual experiment of
+/// the reaming paper.
+///
+/// @param goesOn  is told the curve under way; may be empty.
+/// @throws std::invalid_argument  with problemOf(bone).
+BoneFitReport fitTo(
+    PackedBone& bone,
+    const HardnessCurves& curves,
+    std::size_t depths = 400,
+    const std::function<void(const std::string&)>& goesOn = {});
+
+}  // namespace haptics::reaming

@@ -1,0 +1,357 @@
+#include "haptics/reaming/packing/packing_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+
+#include "haptics/reaming/bone/chance.h"
+#include "haptics/reaming/packing/tangent_sphere.h"
+
+namespace haptics::reaming {
+namespace {
+
+constexpr int kBlock = 3;            // cells along a block's side
+constexpr double kSpacing = 1.6;     // of the places that are looked at, in wanted radii
+constexpr double kNextRadius = 0.7;  // of one pass by that of the pass before
+constexpr double kFinest = 0.05;     // of the largest radius: no pass goes below it
+
+std::string problemOf(const PackingOptions& options) {
+  const int wants = static_cast<int>(options.count.has_value()) +
+                    static_cast<int>(options.coverage.has_value()) +
+                    static_cast<int>(options.smallestRadius.has_value());
+  if (wants != 1) return "say one of: a count, a coverage, a smallest radius";
+  if (options.count && (*options.count < 1 || *options.count > 8'000'000)) {
+    return "the count must lie between 1 and 8,000,000";
+  }
+  if (options.coverage && !(*options.coverage > 0.0 && *options.coverage <= 0.8)) {
+    return "the coverage must lie above 0 and not above 0.8";
+  }
+  if (options.smallestRadius && !(*options.smallestRadius > 0.0)) {
+    return "the smallest radius must lie above 0";
+  }
+  if (options.largestRadius && !(*options.largestRadius > 0.0)) {
+    return "the largest radius must lie above 0";
+  }
+  if (options.smallestRadius && options.largestRadius &&
+      *options.largestRadius < *options.smallestRadius) {
+    return "the largest radius lies below the smallest";
+  }
+  return options.threads < 1 ? "at least one thread is needed" : "";
+}
+
+double largestRadiusOf(const PackingOptions& options, double volume) {
+  if (options.largestRadius) return *options.largestRadius;
+  if (options.smallestRadius) return 4.0 * *options.smallestRadius;
+  if (options.count) return 0.95 * std::cbrt(volume / static_cast<double>(*options.count));
+  return std::cbrt(volume) / 50.0;
+}
+
+/// The four obstacles whose surfaces are nearest to a place, the nearest first.
+class Nearest {
+ public:
+  void add(const Obstacle& obstacle) noexcept {
+    if (count_ == 4 && obstacle.distance >= all_[3].distance) return;
+    std::size_t at = count_ < 4 ? count_++ : 3;
+    for (; at > 0 && all_[at - 1].distance > obstacle.distance; --at) all_[at] = all_[at - 1];
+    all_[at] = obstacle;
+  }
+  double room() const noexcept { return count_ > 0 ? all_[0].distance : kFar; }
+  double farthest() const noexcept { return count_ == 4 ? all_[3].distance : kFar; }
+  bool hasFour() const noexcept { return count_ == 4; }
+  const std::array<Obstacle, 4>& all() const noexcept { return all_; }
+
+ private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<Obstacle, 4> all_;
+  std::size_t count_ = 0;
+};
+
+class Builder {
+ public:
+  Builder(const Solid& body, double largest, const PackingOptions& options)
+      : body_(body), largest_(largest), cell_(2.0 * largest * (1.0 + 1e-6)), options_(options) {
+    const Vec3 size = body.highest() - body.lowest();
+    const auto blocksAlong = [&](double extent) {
+      return std::floor(extent / (cell_ * kBlock)) + 1.0;
+    };
+    const double along[]{blocksAlong(size.x), blocksAlong(size.y), blocksAlong(size.z)};
+    const double cells = std::pow(kBlock, 3.0) * along[0] * along[1] * along[2];
+    if (!(cells <= 2e8)) {
+      throw std::invalid_argument(
+          "the spheres are so small beside the body that there is no memory for it: ask for fewer, "
+          "or larger ones");
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) blocks_[axis] = static_cast<int>(along[axis]);
+    cells_.resize(static_cast<std::size_t>(cells));
+    const Vec3 low = body.lowest();
+    const Vec3 high = body.highest();
+    const double farthest = std::max(
+        {std::abs(low.x),
+         std::abs(low.y),
+         std::abs(low.z),
+         std::abs(high.x),
+         std::abs(high.y),
+         std::abs(high.z)});
+    quantum_ = std::ldexp(1.0, std::ilogb(farthest) + 1 - std::numeric_limits<float>::digits);
+    classify();
+  }
+
+  /// Every place where a sphere of @p radius or more finds room gets one.
+  /// @return false where it was cancelled.
+  template <typename GoesOn>
+  bool pass(double radius, GoesOn goesOn) {
+    ++passes_;
+    for (int colour = 0; colour < 8; ++colour) {
+      std::vector<std::array<int, 3>> blocks;
+      for (int k = colour >> 2; k < blocks_[2]; k += 2) {
+        for (int j = (colour >> 1) & 1; j < blocks_[1]; j += 2) {
+          for (int i = colour & 1; i < blocks_[0]; i += 2) {
+            if (kindOf(i, j, k) != Kind::Outside) blocks.push_back({i, j, k});
+          }
+        }
+      }
+      std::atomic<std::size_t> next{0};
+      const auto work = [&] {
+        for (std::size_t at = next++; at < blocks.size(); at = next++) fill(blocks[at], radius);
+      };
+      std::vector<std::thread> helpers;
+      for (int i = 1; i < options_.threads; ++i) helpers.emplace_back(work);
+      work();
+      for (auto& helper : helpers) helper.join();
+      if (!goesOn()) return false;
+    }
+    return true;
+  }
+
+  std::vector<Sphere> spheres() const {
+    std::vector<Sphere> all;
+    for (const auto& cell : cells_) all.insert(all.end(), cell.begin(), cell.end());
+    std::sort(all.begin(), all.end(), [](const Sphere& a, const Sphere& b) {
+      return std::tie(b.radius, a.x, a.y, a.z) < std::tie(a.radius, b.x, b.y, b.z);
+    });
+    return all;
+  }
+
+ private:
+  enum class Kind : char { Outside, Inside, Mixed };
+
+  Vec3 cornerOf(const std::array<int, 3>& block) const {
+    const double side = cell_ * kBlock;
+    return body_.lowest() + side * Vec3{
+                                       static_cast<double>(block[0]),
+                                       static_cast<double>(block[1]),
+                                       static_cast<double>(block[2])};
+  }
+
+  void classify() {
+    const double half = 0.5 * cell_ * kBlock;
+    const double reach = std::sqrt(3.0) * half;
+    for (int k = 0; k < blocks_[2]; ++k) {
+      for (int j = 0; j < blocks_[1]; ++j) {
+        for (int i = 0; i < blocks_[0]; ++i) {
+          const Vec3 centre = cornerOf({i, j, k}) + Vec3{half, half, half};
+          const double inside = body_.nearest(centre).distance;
+          kinds_.push_back(
+              inside < -reach                   ? Kind::Outside
+              : inside > reach + 3.0 * largest_ ? Kind::Inside
+                                                : Kind::Mixed);
+        }
+      }
+    }
+  }
+
+  Kind kindOf(int i, int j, int k) const {
+    return kinds_
+        [(static_cast<std::size_t>(k) * static_cast<std::size_t>(blocks_[1]) +
+          static_cast<std::size_t>(j)) *
+             static_cast<std::size_t>(blocks_[0]) +
+         static_cast<std::size_t>(i)];
+  }
+
+  std::array<int, 3> cellOf(Vec3 place) const noexcept {
+    const Vec3 from = (1.0 / cell_) * (place - body_.lowest());
+    return {
+        static_cast<int>(std::floor(from.x)),
+        static_cast<int>(std::floor(from.y)),
+        static_cast<int>(std::floor(from.z))};
+  }
+  std::size_t indexOf(int i, int j, int k) const noexcept {
+    const auto x = static_cast<std::size_t>(blocks_[0]) * kBlock;
+    const auto y = static_cast<std::size_t>(blocks_[1]) * kBlock;
+    return (static_cast<std::size_t>(k) * y + static_cast<std::size_t>(j)) * x +
+           static_cast<std::size_t>(i);
+  }
+
+  /// What is around @p place within a cell: beyond the largest radius nothing is told apart.
+  Nearest around(Vec3 place, bool isMixed) const noexcept {
+    Nearest nearest;
+    if (isMixed) {
+      const auto boundary = body_.nearest(place);
+      nearest.add(
+          {boundary.distance,
+           boundary.inward,
+           dot(boundary.inward, place) - boundary.distance,
+           true});
+    }
+    const auto cell = cellOf(place);
+    std::array<int, 3> from;
+    std::array<int, 3> to;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      from[axis] = std::max(0, cell[axis] - 1);
+      to[axis] = std::min(blocks_[axis] * kBlock - 1, cell[axis] + 1);
+    }
+    for (int k = from[2]; k <= to[2]; ++k) {
+      for (int j = from[1]; j <= to[1]; ++j) {
+        for (int i = from[0]; i <= to[0]; ++i) look(cells_[indexOf(i, j, k)], place, nearest);
+      }
+    }
+    return nearest;
+  }
+
+  static void look(const std::vector<Sphere>& cell, Vec3 place, Nearest& nearest) noexcept {
+    for (const auto& sphere : cell) {
+      const Vec3 away = sphere.centre() - place;
+      const double square = dot(away, away);
+      const double limit = nearest.farthest() + sphere.radius;
+      if (limit <= 0.0 || square >= limit * limit) continue;
+      nearest.add({std::sqrt(square) - sphere.radius, sphere.centre(), sphere.radius, false});
+    }
+  }
+
+  void fill(const std::array<int, 3>& block, double radius) {
+    const double side = cell_ * kBlock;
+    const int along = std::max(1, static_cast<int>(std::ceil(side / (kSpacing * radius))));
+    const double step = side / along;
+    const bool isMixed = kindOf(block[0], block[1], block[2]) == Kind::Mixed;
+    std::uint64_t salt = options_.seed;
+    for (const int part : {passes_, block[0], block[1], block[2]}) {
+      salt = Chance(salt ^ static_cast<std::uint64_t>(part)).bits();
+    }
+    Chance chance(salt);
+    const Vec3 corner = cornerOf(block);
+    for (int k = 0; k < along; ++k) {
+      for (int j = 0; j < along; ++j) {
+        for (int i = 0; i < along; ++i) {
+          const Vec3 place =
+              corner +
+              step * Vec3{i + chance.uniform(), j + chance.uniform(), k + chance.uniform()};
+          fillAt(place, block, isMixed, radius);
+        }
+      }
+    }
+  }
+
+  /// Goes from @p place to where the room is largest, and fills it.
+  void fillAt(Vec3 place, const std::array<int, 3>& block, bool isMixed, double radius) {
+    auto nearest = around(place, isMixed);
+    double room = nearest.room();
+    if (room < -0.2 * radius) return;  // deep in something
+    constexpr int kMostMoves = 5;
+    Vec3 best = place;
+    Vec3 from = place;
+    for (int move = 0; move < kMostMoves && nearest.hasFour() && room < largest_; ++move) {
+      const auto tangent = tangentTo(nearest.all(), from, 2.0 * largest_);
+      if (!tangent || !isIn(tangent->centre, block)) break;
+      from = tangent->centre;
+      nearest = around(from, isMixed);
+      if (nearest.room() > room) {
+        room = nearest.room();
+        best = from;
+      }
+      if (std::abs(nearest.room() - tangent->radius) < 1e-6 * largest_) break;
+    }
+    if (room < radius || !isIn(best, block)) return;
+    put(best, block, isMixed);
+  }
+
+  bool isIn(Vec3 place, const std::array<int, 3>& block) const noexcept {
+    const auto cell = cellOf(place);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell[axis] < kBlock * block[axis] || cell[axis] >= kBlock * (block[axis] + 1)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Rounds the place to what single precision holds exactly, and only then takes the radius.
+  void put(Vec3 place, const std::array<int, 3>& block, bool isMixed) {
+    const auto rounded = [&](double x) { return quantum_ * std::round(x / quantum_); };
+    const Vec3 centre{rounded(place.x), rounded(place.y), rounded(place.z)};
+    const double room = std::min(around(centre, isMixed).room(), largest_);
+    if (!(room > 0.0) || !isIn(centre, block)) return;
+    const auto cell = cellOf(centre);
+    cells_[indexOf(cell[0], cell[1], cell[2])].push_back(
+        {static_cast<float>(centre.x),
+         static_cast<float>(centre.y),
+         static_cast<float>(centre.z),
+         std::nextafter(static_cast<float>(room), 0.0F)});
+  }
+
+  const Solid& body_;
+  double largest_;
+  double cell_;
+  const PackingOptions& options_;
+  std::array<int, 3> blocks_{};
+  std::vector<Kind> kinds_;
+  std::vector<std::vector<Sphere>> cells_;
+  double quantum_ = 0.0;  ///< of places [m]
+  int passes_ = 0;
+};
+
+/// Cuts @p packing, from the largest down, to what was asked for.
+bool isFull(Packing& packing, const PackingOptions& options) {
+  auto& spheres = packing.spheres;
+  if (options.count) {
+    if (spheres.size() < *options.count) return false;
+    spheres.resize(*options.count);
+    return true;
+  }
+  if (!options.coverage) return false;
+  const double wanted = *options.coverage * packing.volume;
+  double filled = 0.0;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    filled += 4.0 / 3.0 * std::numbers::pi * std::pow(double{spheres[i].radius}, 3.0);
+    if (filled < wanted) continue;
+    spheres.resize(i + 1);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Packing> pack(
+    const Solid& body,
+    const PackingOptions& options,
+    const std::function<bool(const PackingProgress&)>& goesOn) {
+  if (const auto problem = problemOf(options); !problem.empty()) {
+    throw std::invalid_argument(problem);
+  }
+  Packing packing{.volume = body.volume()};
+  const double largest = largestRadiusOf(options, packing.volume);
+  Builder builder(body, largest, options);
+  const double least = options.smallestRadius.value_or(kFinest * largest);
+  for (double radius = largest; radius > 0.0;) {
+    const PackingProgress progress{packing.spheres.size(), packing.coverage(), radius};
+    if (!builder.pass(radius, [&] { return !goesOn || goesOn(progress); })) return std::nullopt;
+    packing.spheres = builder.spheres();
+    if (isFull(packing, options)) return packing;
+    if (radius <= least) break;
+    radius = std::max(kNextRadius * radius, least);
+  }
+  if (options.smallestRadius && !packing.spheres.empty()) return packing;
+  throw std::invalid_argument(
+      "the body has no room for it: with spheres down to " + std::to_string(1e3 * least) +
+      " mm there are " + std::to_string(packing.spheres.size()) + ", and " +
+      std::to_string(100.0 * packing.coverage()) +
+      " % is covered. Ask for less, or choose another largest radius");
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <tuple>
+
+#include "haptics/reaming/bone/chance.h"
+#include "haptics/reaming/packing/density_fit.h"
+
+namespace haptics::reaming {
+namespace {
+
+struct Particle {
+  std::vector<double> place;
+  std::vector<double> velocity;
+  std::vector<double> best;
+  double error = std::numeric_limits<double>::infinity();  ///< at its best
+  Chance chance{0};
+};
+
+/// One particle's move, by its own chance alone: threads change nothing.
+void move(Particle& particle, const std::vector<double>& best, double most) {
+  constexpr double kInertia = 0.7298;
+  constexpr double kPull = 1.49618;  // to its own best, and to the best of all
+  for (std::size_t i = 0; i < particle.place.size(); ++i) {
+    double& x = particle.place[i];
+    double& v = particle.velocity[i];
+    v = kInertia * v + kPull * particle.chance.uniform() * (particle.best[i] - x) +
+        kPull * particle.chance.uniform() * (best[i] - x);
+    x += v;
+    if (x < 0.0 || x > most) {
+      x = x < 0.0 ? 0.0 : most;
+      v = 0.0;
+    }
+  }
+}
+
+template <typename Work>
+void forEach(std::vector<Particle>& particles, int threads, Work work) {
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i = next++; i < particles.size(); i = next++) work(particles[i]);
+  };
+  std::vector<std::thread> helpers;
+  for (int i = 1; i < threads; ++i) helpers.emplace_back(run);
+  run();
+  for (auto& helper : helpers) helper.join();
+}
+
+}  // namespace
+
+DensityFit fitSwarm(
+    const ContactMatrix& matrix, std::span<const double> forces, const SwarmOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double most = options.most > 0.0 ? options.most : 5.0 * uniformDensity(matrix, forces);
+  std::vector<Particle> particles(static_cast<std::size_t>(options.particles));
+  Chance seeds(options.seed);
+  for (auto& particle : particles) {
+    particle.chance = Chance(seeds.bits());
+    particle.place.resize(matrix.columns());
+    for (double& x : particle.place) x = most * particle.chance.uniform();
+    particle.velocity.assign(matrix.columns(), 0.0);
+    particle.best = particle.place;
+  }
+  const auto judge = [&](Particle& particle) {
+    const double error = errorOf(matrix, particle.place, forces);
+    if (error < particle.error) {
+      particle.error = error;
+      particle.best = particle.place;
+    }
+  };
+  const auto leader = [&] {
+    const auto best = std::min_element(
+        particles.begin(), particles.end(), [](const Particle& a, const Particle& b) {
+          return a.error < b.error;
+        });
+    return std::pair(best->best, best->error);
+  };
+  forEach(particles, options.threads, judge);
+  auto lead = leader();
+  DensityFit fit{.densities = {}, .gap = std::numeric_limits<double>::quiet_NaN()};
+  for (; fit.iterations < options.iterations; ++fit.iterations) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
+    forEach(particles, options.threads, [&](Particle& particle) {
+      move(particle, lead.first, most);
+      judge(particle);
+    });
+    lead = leader();
+  }
+  fit.densities = std::move(lead.first);
+  fit.error = lead.second;
+  return fit;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,74 @@
+#include "haptics/reaming/packing/tangent_sphere.h"
+
+#include <cmath>
+#include <utility>
+
+namespace haptics::reaming {
+namespace {
+
+/// Four equations in four unknowns, with their right side.
+using System = std::array<std::array<double, 5>, 4>;
+
+/// By Gauss and Jordan with pivots; false where a pivot is none. The right side becomes the
+/// solution.
+bool solve(System& a) noexcept {
+  constexpr double kLeastPivot = 1e-6;  // of equations whose normals are unit vectors
+  for (std::size_t column = 0; column < 4; ++column) {
+    std::size_t best = column;
+    for (std::size_t row = column + 1; row < 4; ++row) {
+      if (std::abs(a[row][column]) > std::abs(a[best][column])) best = row;
+    }
+    if (!(std::abs(a[best][column]) > kLeastPivot)) return false;
+    std::swap(a[column], a[best]);
+    for (std::size_t row = 0; row < 4; ++row) {
+      if (row == column) continue;
+      const double factor = a[row][column] / a[column][column];
+      for (std::size_t k = column; k < 5; ++k) a[row][k] -= factor * a[column][k];
+    }
+  }
+  for (std::size_t row = 0; row < 4; ++row) a[row][4] /= a[row][row];
+  return true;
+}
+
+/// How far @p from is from an obstacle's surface, and in which direction that grows.
+bool look(const Obstacle& obstacle, Vec3 from, double& distance, Vec3& normal) noexcept {
+  if (obstacle.isPlane) {
+    normal = obstacle.place;
+    distance = dot(normal, from) - obstacle.size;
+    return true;
+  }
+  const Vec3 away = from - obstacle.place;
+  const double gap = length(away);
+  if (!(gap > 0.0)) return false;
+  normal = (1.0 / gap) * away;
+  distance = gap - obstacle.size;
+  return true;
+}
+
+}  // namespace
+
+std::optional<TangentSphere> tangentTo(
+    const std::array<Obstacle, 4>& obstacles, Vec3 start, double reach) noexcept {
+  constexpr int kMostSteps = 8;
+  constexpr double kExact = 1e-7;  // of the reach
+  TangentSphere sphere{start, obstacles[0].distance};
+  for (int step = 0; step < kMostSteps; ++step) {
+    System system;
+    for (std::size_t i = 0; i < 4; ++i) {
+      Vec3 normal;
+      double distance = 0.0;
+      if (!look(obstacles[i], sphere.centre, distance, normal)) return std::nullopt;
+      system[i] = {normal.x, normal.y, normal.z, -1.0, sphere.radius - distance};
+    }
+    if (!solve(system)) return std::nullopt;
+    const Vec3 move{system[0][4], system[1][4], system[2][4]};
+    sphere.centre = sphere.centre + move;
+    sphere.radius += system[3][4];
+    const double moved = length(move);
+    if (!(moved < reach) || !(length(sphere.centre - start) < 2.0 * reach)) return std::nullopt;
+    if (moved < kExact * reach) return sphere;
+  }
+  return std::nullopt;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "haptics/reaming/bone/vec3.h"
+
+namespace haptics::reaming {
+
+/// A surface of triangles, seen from outside counter-clockwise.
+struct TriangleMesh {
+  using Triangle = std::array<std::uint32_t, 3>;
+  std::vector<Vec3> vertices;  ///< [m]
+  std::vector<Triangle> triangles;
+
+  double volume() const noexcept;  ///< that it encloses [m³]; below 0 where it is inside out
+};
+
+/// What was mended, in words.
+using Repairs = std::vector<std::string>;
+
+/// Makes one vertex of those that coincide, drops triangles without area and duplicates of others,
+/// and turns a mesh right side out; says what it did.
+Repairs repair(TriangleMesh& mesh);
+
+/// Everything that keeps a mesh from having an inside: holes, edges of more than two triangles,
+/// triangles that turn against their neighbours, triangles that cut each other. Empty where it has
+/// one.
+std::vector<std::string> problemsOf(const TriangleMesh& mesh);
+
+/// How large a mesh is if its numbers are millimetres or metres: a bone is between 1 cm and 1 m.
+/// @return 1 (metres), 0.001 (millimetres), or 0 where neither makes a bone.
+double likelyUnit(const TriangleMesh& mesh) noexcept;
+
+}  // namespace haptics::reaming
