@@ -8,8 +8,8 @@
 #include "protocols/block_advice.h"
 #include "protocols/instrument_use.h"
 #include "protocols/scene_advice.h"
-#include "questionnaires/library.h"
-#include "questionnaires/text_problems.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/text_problems.h"
 
 namespace protocols {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "protocols/protocol.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

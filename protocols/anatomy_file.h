@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "protocols/mesh_file.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "protocols/instrument_use.h"
-#include "questionnaires/text_problems.h"
+#include "questionnaires/reading/text_problems.h"
 
 namespace protocols {
 namespace {

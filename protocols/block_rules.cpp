@@ -5,7 +5,7 @@
 #include <string>
 
 #include "protocols/order.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

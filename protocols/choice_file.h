@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 

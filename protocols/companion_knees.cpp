@@ -1,6 +1,6 @@
 #include "protocols/anatomy_file.h"
 #include "protocols/companions.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

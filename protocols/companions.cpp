@@ -11,10 +11,10 @@
 #include "protocols/instrument_use.h"
 #include "protocols/material_file.h"
 #include "protocols/packing_file.h"
-#include "questionnaires/document.h"
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/library.h"
-#include "questionnaires/wording.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "questionnaires/reading/wording.h"
 
 namespace protocols {
 namespace {

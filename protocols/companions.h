@@ -7,7 +7,7 @@
 
 #include "haptics/recordings/cut.h"
 #include "protocols/draft.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "protocols/provenance_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "haptics/models/interpolation.h"
 #include "haptics/recordings/cut.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

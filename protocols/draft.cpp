@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

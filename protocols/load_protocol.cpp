@@ -11,7 +11,7 @@
 #include "protocols/packing_file.h"
 #include "protocols/protocol_file.h"
 #include "protocols/rules.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "protocols/loaded_protocol.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -8,7 +8,7 @@
 
 #include "protocols/felt_source.h"
 #include "protocols/protocol.h"
-#include "questionnaires/instrument.h"
+#include "questionnaires/model/instrument.h"
 
 namespace protocols {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "questionnaires/text_reader.h"
+#include "questionnaires/reading/text_reader.h"
 
 namespace protocols {
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "questionnaires/document.h"
-#include "questionnaires/localized_text.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/localized_text.h"
 
 namespace protocols {
 

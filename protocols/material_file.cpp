@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "haptics/recordings/decimal.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/material/material_fit.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -9,7 +9,7 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 namespace {

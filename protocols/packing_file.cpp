@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "haptics/reaming/packing/packed_bone.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -10,7 +10,7 @@
 
 #include "haptics/devices/device.h"
 #include "haptics/engine/scene_spec.h"
-#include "questionnaires/localized_text.h"
+#include "questionnaires/model/localized_text.h"
 
 namespace protocols {
 

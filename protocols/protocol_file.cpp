@@ -10,8 +10,8 @@
 #include "protocols/localized_file.h"
 #include "protocols/phase_file.h"
 #include "protocols/scene_file.h"
-#include "questionnaires/document.h"
-#include "questionnaires/text_reader.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/text_reader.h"
 
 namespace protocols {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "protocols/protocol.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

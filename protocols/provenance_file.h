@@ -1,7 +1,7 @@
 #pragma once
 
 #include "haptics/recordings/provenance.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 

@@ -7,8 +7,8 @@
 #include "protocols/analysis_rules.h"
 #include "protocols/block_rules.h"
 #include "protocols/instrument_use.h"
-#include "questionnaires/document.h"
-#include "questionnaires/library.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
 
 namespace protocols {
 namespace {

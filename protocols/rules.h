@@ -1,7 +1,7 @@
 #pragma once
 
 #include "protocols/draft.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace protocols {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "protocols/protocol.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace protocols {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <variant>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace study {
 namespace {

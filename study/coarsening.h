@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 #include "study/data_table.h"
 
 namespace study {

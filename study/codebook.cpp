@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "questionnaires/answer.h"
-#include "questionnaires/item_types.h"
+#include "questionnaires/model/answer.h"
+#include "questionnaires/model/item_types.h"
 
 namespace study {
 namespace {

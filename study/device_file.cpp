@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "haptics/devices/serial_port.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/user_error.h"
 
 namespace study {

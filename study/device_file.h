@@ -8,7 +8,7 @@
 
 #include "haptics/devices/iiwa/iiwa_device.h"
 #include "haptics/devices/punch/punch_device.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace study {
 

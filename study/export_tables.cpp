@@ -2,8 +2,8 @@
 #include <map>
 
 #include "protocols/random_stream.h"
-#include "questionnaires/answer.h"
-#include "questionnaires/item_types.h"
+#include "questionnaires/model/answer.h"
+#include "questionnaires/model/item_types.h"
 #include "study/codebook.h"
 #include "study/export.h"
 #include "study/storage/answer_repository.h"

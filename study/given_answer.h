@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace study {
 

@@ -5,8 +5,8 @@
 
 #include "analysis/effects/share_interval.h"
 #include "analysis/tests/paired_t.h"
-#include "questionnaires/consistency.h"
-#include "questionnaires/scoring.h"
+#include "questionnaires/scoring/consistency.h"
+#include "questionnaires/scoring/scoring.h"
 
 namespace study {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "analysis/numerics/interval.h"
 #include "protocols/loaded_protocol.h"
-#include "questionnaires/acceptability.h"
+#include "questionnaires/scoring/acceptability.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -43,8 +43,8 @@ struct InstrumentSummary {
   std::size_t contradictory = 0;  ///< of these, whose answers contradict each other
 };
 
-/// Scores every form as its instrument says (questionnaires/scoring.h). A form is what one visit
-/// answered.
+/// Scores every form as its instrument says (questionnaires/scoring/scoring.h). A form is what one
+/// visit answered.
 /// @param sessions  whose answers count
 /// @param answers  of those sessions
 std::vector<InstrumentSummary> summariseInstruments(

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <future>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 #include "study/answer_tables.h"
 #include "study/storage/completed_sessions.h"
 

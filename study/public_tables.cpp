@@ -7,7 +7,7 @@
 
 #include <sodium.h>
 
-#include "questionnaires/item_types.h"
+#include "questionnaires/model/item_types.h"
 #include "study/codebook.h"
 #include "study/public_people.h"
 #include "study/storage/answer_repository.h"

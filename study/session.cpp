@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "protocols/schedule.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/storage/transaction.h"
 
 namespace study {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "questionnaires/instrument.h"
+#include "questionnaires/model/instrument.h"
 #include "study/given_answer.h"
 #include "study/session_plan.h"
 #include "study/session_state.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocols/random_stream.h"
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 #include "study/clock.h"
 #include "study/session.h"
 

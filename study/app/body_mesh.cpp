@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "protocols/mesh_file.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 #include "study/user_error.h"
 
 namespace study::app {

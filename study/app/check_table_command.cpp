@@ -7,7 +7,7 @@
 
 #include "analysis/data/error.h"
 #include "analysis/published/published_table.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/app/commands.h"
 #include "study/app/published_report.h"
 

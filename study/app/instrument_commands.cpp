@@ -6,11 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "questionnaires/document.h"
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/library.h"
-#include "questionnaires/text_reader.h"
-#include "questionnaires/wording.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/wording.h"
 #include "study/app/commands.h"
 #include "study/app/instrument_keys.h"
 #include "study/new_file.h"

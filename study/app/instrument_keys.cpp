@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "questionnaires/document.h"
-#include "questionnaires/range.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/range.h"
 
 namespace study::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "questionnaires/instrument.h"
+#include "questionnaires/model/instrument.h"
 
 namespace study::app {
 

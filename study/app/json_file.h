@@ -8,7 +8,7 @@
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/process_noise.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"
 #include "study/results.h"
 #include "study/verification.h"

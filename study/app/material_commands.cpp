@@ -12,7 +12,7 @@
 #include "haptics/reaming/material/series_text.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/material_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/app/bench_report.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"

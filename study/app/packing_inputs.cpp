@@ -4,7 +4,7 @@
 
 #include "haptics/engine/parametric_bone.h"
 #include "protocols/material_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/user_error.h"
 
 namespace study::app {

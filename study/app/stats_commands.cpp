@@ -11,7 +11,7 @@
 #include "analysis/data/error.h"
 #include "analysis/data/grouped_values.h"
 #include "analysis/tests/welch.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"

@@ -16,7 +16,7 @@
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "protocols/anatomy_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/app/desk_bench.h"
 #include "study/gui/simulation/hip_scene.h"
 #include "study/gui/simulation/knee_scene.h"

@@ -11,7 +11,7 @@
 #include "haptics/reaming/bone/plunge.h"
 #include "haptics/reaming/packing/density_fit.h"
 #include "protocols/packing_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/packing_inputs.h"

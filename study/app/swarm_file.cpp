@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace study::app {
 namespace {

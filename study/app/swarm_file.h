@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace study::app {
 

@@ -8,7 +8,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace study::gui {
 

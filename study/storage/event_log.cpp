@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "questionnaires/characters.h"
+#include "questionnaires/json/characters.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/statement.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
 

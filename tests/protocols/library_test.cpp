@@ -12,8 +12,8 @@
 #include "protocols/load_protocol.h"
 #include "protocols/loaded_protocol.h"
 #include "protocols/schedule.h"
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/library.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {
 namespace {

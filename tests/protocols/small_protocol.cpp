@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "tests/support/test_data.h"
 
 namespace tests {

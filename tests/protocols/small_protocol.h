@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocols/loaded_protocol.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace tests {
 

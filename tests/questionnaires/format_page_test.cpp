@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/document.h"
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/wording.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "questionnaires/reading/wording.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 

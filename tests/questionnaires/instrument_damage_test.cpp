@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/document.h"
-#include "questionnaires/instrument_file.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "tests/support/test_data.h"
 
 namespace questionnaires {

@@ -1,7 +1,7 @@
 // Reads instruments and says about each whether it is accepted and what was found: for
 // tests/support/schema_verdicts.mjs.
-#include "questionnaires/document.h"
-#include "questionnaires/instrument_file.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "tests/support/verdicts.h"
 
 int main(int argc, char** argv) {

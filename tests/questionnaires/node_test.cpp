@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace questionnaires {
 namespace {

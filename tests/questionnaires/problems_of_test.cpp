@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/instrument.h"
+#include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
 namespace {

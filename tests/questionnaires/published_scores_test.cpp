@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/consistency.h"
-#include "questionnaires/scoring.h"
+#include "questionnaires/scoring/consistency.h"
+#include "questionnaires/scoring/scoring.h"
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {

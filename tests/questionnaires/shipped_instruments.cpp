@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/library.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
 
 namespace tests {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "questionnaires/instrument.h"
+#include "questionnaires/model/instrument.h"
 
 namespace tests {
 

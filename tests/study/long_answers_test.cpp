@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/characters.h"
+#include "questionnaires/json/characters.h"
 #include "study/storage/records.h"
 #include "study/verification.h"
 #include "tests/study/everything_instrument.h"

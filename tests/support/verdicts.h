@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace tests {
 

@@ -4,7 +4,7 @@
 
 #include "protocols/library.h"
 #include "protocols/load_protocol.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 
 namespace study::gui::home {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 
 namespace study::gui::home {
 

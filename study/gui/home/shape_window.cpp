@@ -9,7 +9,7 @@
 
 #include "protocols/anatomy_file.h"
 #include "protocols/packing_file.h"
-#include "questionnaires/document.h"
+#include "questionnaires/json/document.h"
 #include "study/gui/attempt.h"
 #include "study/gui/simulation/cup_window.h"
 #include "study/gui/simulation/knee_scene.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "questionnaires/answer.h"
+#include "questionnaires/model/answer.h"
 #include "study/study.h"
 
 namespace tests {

@@ -8,8 +8,8 @@
 #include <QPlainTextEdit>
 #include <QTest>
 
-#include "questionnaires/instrument_file.h"
-#include "questionnaires/library.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "study/gui/answer_slider.h"
 #include "study/gui/option_buttons.h"
 

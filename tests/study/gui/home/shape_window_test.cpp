@@ -9,7 +9,7 @@
 
 #include "haptics/engine/parametric_bone.h"
 #include "protocols/packing_file.h"
-#include "questionnaires/problem.h"
+#include "questionnaires/json/problem.h"
 #include "study/gui/simulation/colour_legend.h"
 #include "study/gui/simulation/cup_painter.h"
 #include "study/gui/simulation/knee_anatomy.h"

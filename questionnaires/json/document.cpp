@@ -1,0 +1,190 @@
+#include "questionnaires/json/document.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace questionnaires {
+namespace {
+
+std::string listed(std::span<const std::string_view> names) {
+  std::string result;
+  for (const auto name : names) result += (result.empty() ? "" : ", ") + std::string(name);
+  return result;
+}
+
+}  // namespace
+
+std::string Node::pathOf(std::string_view key) const {
+  return key.empty() ? path_ : path_ + "." + shown(key);
+}
+
+void Node::problem(std::string_view key, std::string what, std::string fix) const {
+  problems_->add(pathOf(key), std::move(what), std::move(fix));
+}
+
+void Node::warning(std::string_view key, std::string what, std::string fix) const {
+  problems_->warn(pathOf(key), std::move(what), std::move(fix));
+}
+
+bool Node::isObjectWith(std::initializer_list<std::string_view> known) const {
+  const auto* object = std::get_if<Value::Object>(&value_->data);
+  if (object == nullptr) {
+    problem("", "an object is expected here, not " + kindOf(*value_), "write { … }");
+    return false;
+  }
+  const std::span<const std::string_view> names(known.begin(), known.size());
+  for (const auto& member : *object) {
+    if (std::find(names.begin(), names.end(), member.key) != names.end()) continue;
+    const auto meant = nearest(member.key, names);
+    problem(
+        member.key,
+        "unknown key '" + shown(member.key) + "'",
+        meant ? "did you mean '" + std::string(*meant) + "'?" : "known here: " + listed(names));
+  }
+  return true;
+}
+
+const Value* Node::find(std::string_view key) const noexcept {
+  const auto* object = std::get_if<Value::Object>(&value_->data);
+  if (object == nullptr) return nullptr;
+  const auto member =
+      std::find_if(object->begin(), object->end(), [&](const auto& m) { return m.key == key; });
+  return member == object->end() ? nullptr : &member->value;
+}
+
+const Value* Node::required(std::string_view key) const {
+  const Value* value = find(key);
+  if (value == nullptr) {
+    problem("", "'" + std::string(key) + "' is missing", "add it");
+  }
+  return value;
+}
+
+Node Node::at(std::string_view key, const Value& value) const {
+  return {value, pathOf(key), *problems_};
+}
+
+std::string Node::asText() const {
+  if (const auto* text = std::get_if<std::string>(&value_->data)) return *text;
+  problem("", "a text is expected here, not " + kindOf(*value_), "write \"…\"");
+  return {};
+}
+
+std::string Node::text(std::string_view key) const {
+  const Value* value = required(key);
+  if (value == nullptr) return {};
+  std::string result = at(key, *value).asText();
+  if (result.empty() && std::holds_alternative<std::string>(value->data)) {
+    problem(key, "this text is empty", "write something");
+  }
+  return result;
+}
+
+std::string Node::text(std::string_view key, std::string fallback) const {
+  return has(key) ? at(key, *find(key)).asText() : std::move(fallback);
+}
+
+std::string Node::id(std::string_view key) const {
+  const Value* value = required(key);
+  if (value == nullptr) return {};
+  std::string result = at(key, *value).asText();
+  if (std::holds_alternative<std::string>(value->data) && !isSoundId(result)) {
+    problem(key, "'" + shown(result) + "' cannot be an id", std::string(kIdRule));
+  }
+  return result;
+}
+
+std::optional<double> Node::numberIn(
+    std::string_view key, const Value& value, double least, double most) const {
+  double number = 0.0;
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
+    number = static_cast<double>(*whole);
+  } else if (const auto* real = std::get_if<double>(&value.data)) {
+    number = *real;
+  } else {
+    problem(key, "a number is expected here, not " + kindOf(value));
+    return std::nullopt;
+  }
+  if (!(number >= least && number <= most)) {
+    problem(
+        key,
+        "this number is out of range",
+        "write a number from " + inWords(least) + " to " + inWords(most));
+    return std::nullopt;
+  }
+  return number;
+}
+
+double Node::number(std::string_view key, double least, double most) const {
+  const Value* value = required(key);
+  return value == nullptr ? least : numberIn(key, *value, least, most).value_or(least);
+}
+
+double Node::number(std::string_view key, double least, double most, double fallback) const {
+  const Value* value = find(key);
+  return value == nullptr ? fallback : numberIn(key, *value, least, most).value_or(fallback);
+}
+
+std::optional<std::int64_t> Node::wholeNumberIn(
+    std::string_view key, const Value& value, std::int64_t least, std::int64_t most) const {
+  const auto* whole = std::get_if<std::int64_t>(&value.data);
+  if (whole == nullptr) {
+    const bool isFraction = std::holds_alternative<double>(value.data);
+    problem(
+        key,
+        std::string("a whole number is expected here, not ") +
+            (isFraction ? "one with a decimal point" : kindOf(value)),
+        "write it with digits only, without a decimal point");
+    return std::nullopt;
+  }
+  if (*whole < least || *whole > most) {
+    problem(
+        key,
+        "this number is out of range",
+        "write a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return std::nullopt;
+  }
+  return *whole;
+}
+
+std::int64_t Node::wholeNumber(std::string_view key, std::int64_t least, std::int64_t most) const {
+  const Value* value = required(key);
+  return value == nullptr ? least : wholeNumberIn(key, *value, least, most).value_or(least);
+}
+
+std::int64_t Node::wholeNumber(
+    std::string_view key, std::int64_t least, std::int64_t most, std::int64_t fallback) const {
+  const Value* value = find(key);
+  return value == nullptr ? fallback : wholeNumberIn(key, *value, least, most).value_or(fallback);
+}
+
+bool Node::flag(std::string_view key, bool fallback) const {
+  const Value* value = find(key);
+  if (value == nullptr) return fallback;
+  if (const auto* flag = std::get_if<bool>(&value->data)) return *flag;
+  problem(key, "true or false is expected here, not " + kindOf(*value));
+  return fallback;
+}
+
+std::size_t Node::chosenAt(std::string_view key, const std::vector<std::string_view>& names) const {
+  const Value* value = required(key);
+  return value == nullptr ? 0 : at(key, *value).indexIn(names).value_or(0);
+}
+
+std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& names) const {
+  const auto* text = std::get_if<std::string>(&value_->data);
+  if (text == nullptr) {
+    problem("", "a text is expected here, not " + kindOf(*value_), "one of: " + listed(names));
+    return std::nullopt;
+  }
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const auto meant = nearest(*text, names);
+  problem(
+      "",
+      "unknown word '" + shown(*text) + "'",
+      (meant ? "did you mean '" + std::string(*meant) + "'? " : "") + "one of: " + listed(names));
+  return std::nullopt;
+}
+
+}  // namespace questionnaires

@@ -1,0 +1,28 @@
+#include "questionnaires/json/problem.h"
+
+namespace questionnaires {
+
+void Problems::put(Problem problem) {
+  const bool isError = problem.severity == Severity::Error;
+  hasErrors_ = hasErrors_ || isError;
+  if (list_.size() < kMostProblems) {
+    list_.push_back(std::move(problem));
+  } else if (list_.size() == kMostProblems) {
+    list_.push_back({problem.severity, "$", "there are more problems", "mend these first"});
+  } else if (isError) {
+    list_.back().severity = Severity::Error;
+  }
+}
+
+std::string inWords(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const auto& problem : problems) {
+    text += problem.severity == Severity::Error ? "error   " : "warning ";
+    text += problem.path + ": " + problem.what;
+    if (!problem.fix.empty()) text += "; " + problem.fix;
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace questionnaires

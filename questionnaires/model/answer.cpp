@@ -1,0 +1,98 @@
+#include "questionnaires/model/answer.h"
+
+#include <algorithm>
+
+namespace questionnaires {
+namespace {
+
+/// The word at an end of what is answered, where @p value lies at that end.
+std::string endLabel(
+    double value,
+    double low,
+    double high,
+    const LocalizedText& lowText,
+    const LocalizedText& highText,
+    std::string_view language) {
+  if (value == low) return lowText.in(language);
+  return value == high ? highText.in(language) : std::string();
+}
+
+std::string pointLabel(const Item& item, std::int64_t point, std::string_view language) {
+  const Scale& scale = item.scale;
+  const std::int64_t index = point - scale.lowest;
+  const bool hasLabel = index >= 0 && static_cast<std::size_t>(index) < scale.pointLabels.size();
+  if (hasLabel) return scale.pointLabels[static_cast<std::size_t>(index)].in(language);
+  const bool isPair = item.type == ItemType::SemanticDifferential;
+  return endLabel(
+      static_cast<double>(point),
+      scale.lowest,
+      scale.highest(),
+      isPair ? item.leftText : scale.lowLabel,
+      isPair ? item.rightText : scale.highLabel,
+      language);
+}
+
+std::string optionLabel(const Item& item, const std::string& id, std::string_view language) {
+  const auto option = std::find_if(
+      item.options.begin(), item.options.end(), [&](const auto& o) { return o.id == id; });
+  return option == item.options.end() ? std::string() : option->text.in(language);
+}
+
+bool isEmpty(const Response& response) {
+  if (const auto* text = std::get_if<std::string>(&response)) {
+    return text->find_first_not_of(" \t\r\n") == std::string::npos;
+  }
+  const auto* chosen = std::get_if<std::vector<std::string>>(&response);
+  return chosen != nullptr && chosen->empty();
+}
+
+std::string numberLabel(const Item& item, double number, std::string_view language) {
+  if (item.type != ItemType::Slider) return {};
+  return endLabel(number, item.least, item.most, item.leftText, item.rightText, language);
+}
+
+std::string optionLabels(
+    const Item& item, const std::vector<std::string>& ids, std::string_view language) {
+  std::string result;
+  for (const auto& id : ids) {
+    result += (result.empty() ? "" : "; ") + optionLabel(item, id, language);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string labelOf(const Item& item, const Response& response, std::string_view language) {
+  const bool isPoint = item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential;
+  if (const auto* whole = std::get_if<std::int64_t>(&response)) {
+    return isPoint ? pointLabel(item, *whole, language)
+                   : numberLabel(item, static_cast<double>(*whole), language);
+  }
+  if (const auto* number = std::get_if<double>(&response)) {
+    return numberLabel(item, *number, language);
+  }
+  if (const auto* chosen = std::get_if<std::string>(&response)) {
+    return optionLabel(item, *chosen, language);
+  }
+  return optionLabels(item, std::get<std::vector<std::string>>(response), language);
+}
+
+std::int64_t keyed(const Item& item, std::int64_t point) noexcept {
+  return item.key == -1 ? std::int64_t{item.scale.lowest} + item.scale.highest() - point : point;
+}
+
+std::vector<std::string> unanswered(
+    const std::vector<Item>& items, const std::vector<Answer>& answers) {
+  const auto isAnswered = [&](const Item& item) {
+    return std::any_of(answers.begin(), answers.end(), [&](const Answer& answer) {
+      return answer.itemId == item.id && answer.response && !isEmpty(*answer.response);
+    });
+  };
+  std::vector<std::string> ids;
+  for (const auto& item : items) {
+    if (item.isRequired && !isAnswered(item)) ids.push_back(item.id);
+  }
+  return ids;
+}
+
+}  // namespace questionnaires

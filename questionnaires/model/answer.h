@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "questionnaires/model/instrument.h"
+
+namespace questionnaires {
+
+/// What was answered: a point of a scale; a number; an option's id or a text; several options' ids.
+using Response = std::variant<std::int64_t, double, std::string, std::vector<std::string>>;
+
+/// An item and what was answered to it. Nothing, where it was not.
+struct Answer {
+  std::string itemId;
+  std::optional<Response> response;
+};
+
+/// Why @p response cannot be an answer to @p item, in words; nothing where it can.
+///
+/// Alternatives are whatever @p alternatives lists, where the item takes its options from there.
+/// Texts may hold any Unicode but the character NUL; a short one has one line.
+std::optional<std::string> objection(
+    const Item& item, const Response& response, const std::vector<std::string>& alternatives = {});
+
+/// What @p response is called in @p language: the label of a point or an option, the word at the
+/// end of a slider, the labels of several options with "; " between them; empty where it has none.
+std::string labelOf(const Item& item, const Response& response, std::string_view language);
+
+/// The answer as it counts: reversed where the key is -1, low + high - x.
+std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
+
+/// The required items among @p items that have no answer in @p answers, or an empty one: a blank
+/// text, no option of several. Who may choose none of them is offered that as an option.
+std::vector<std::string> unanswered(
+    const std::vector<Item>& items, const std::vector<Answer>& answers);
+
+}  // namespace questionnaires

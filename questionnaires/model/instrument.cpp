@@ -1,0 +1,38 @@
+#include "questionnaires/model/instrument.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace questionnaires {
+
+bool Item::withholds(WordingField field) const noexcept {
+  return std::find(withheld.begin(), withheld.end(), field) != withheld.end();
+}
+
+const Item* Instrument::item(std::string_view itemId) const noexcept {
+  const auto found = std::find_if(
+      items.begin(), items.end(), [&](const Item& candidate) { return candidate.id == itemId; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+const Score* Instrument::score(std::string_view scoreId) const noexcept {
+  const auto found = std::find_if(scores.begin(), scores.end(), [&](const Score& candidate) {
+    return candidate.id == scoreId;
+  });
+  return found == scores.end() ? nullptr : &*found;
+}
+
+bool Instrument::isWithheld() const noexcept {
+  return std::any_of(
+      items.begin(), items.end(), [](const Item& item) { return !item.withheld.empty(); });
+}
+
+std::vector<Item> Instrument::itemsOf(std::string_view set) const {
+  std::vector<Item> result;
+  std::copy_if(items.begin(), items.end(), std::back_inserter(result), [&](const Item& candidate) {
+    return set.empty() || candidate.set == set;
+  });
+  return result;
+}
+
+}  // namespace questionnaires

@@ -1,0 +1,171 @@
+#include "questionnaires/reading/instrument_file.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/item_reader.h"
+#include "questionnaires/reading/scale_reader.h"
+#include "questionnaires/reading/score_reader.h"
+#include "questionnaires/reading/text_reader.h"
+
+namespace questionnaires {
+namespace {
+
+constexpr std::string_view kSchema = "instrument-1.schema.json";
+constexpr std::array kOccasions{
+    Choice<Occasions>{"once", Occasions::Once},
+    Choice<Occasions>{"before_and_after", Occasions::BeforeAndAfter},
+};
+
+void readSchema(const Node& root) {
+  const std::string schema = root.text("$schema");
+  if (schema.empty() || schema == kSchema) return;
+  root.problem(
+      "$schema",
+      "this is written for '" + shown(schema) + "'",
+      "this program reads " + std::string(kSchema));
+}
+
+std::vector<std::string> readLanguages(const Node& root) {
+  std::vector<std::string> languages;
+  for (const auto& node : root.requiredList("languages")) {
+    const std::string language = node.asText();
+    if (!node.isText()) continue;
+    if (!isLanguageTag(language)) {
+      node.problem(
+          "",
+          "'" + shown(language) + "' is no language tag",
+          "write one such as en, de, nb, de-CH");
+    } else if (std::find(languages.begin(), languages.end(), language) != languages.end()) {
+      node.problem("", "'" + shown(language) + "' stands in this list twice", "keep one");
+    } else {
+      languages.push_back(language);
+    }
+  }
+  return root.has("languages") ? languages : std::vector<std::string>{"en"};
+}
+
+bool isDoi(std::string_view doi) {
+  constexpr std::size_t kLongest = 200;
+  const auto isPlain = [](char c) { return c > ' ' && c <= '~'; };
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  if (doi.size() > kLongest || doi.substr(0, 3) != "10.") return false;
+  doi.remove_prefix(3);
+  const std::size_t slash = std::min(doi.find('/'), doi.size());
+  const std::string_view registrant = doi.substr(0, slash);
+  return registrant.size() >= 4 && registrant.size() <= 9 && slash + 1 < doi.size() &&
+         std::all_of(registrant.begin(), registrant.end(), isDigit) &&
+         std::all_of(doi.begin(), doi.end(), isPlain);
+}
+
+Source readSource(const Node& root) {
+  Source source;
+  const auto node = root.requiredObject("source");
+  if (!node || !node->isObjectWith({"citation", "doi", "licence", "note", "wording_from"})) {
+    return source;
+  }
+  source.citation = node->text("citation");
+  source.licence = node->text("licence");
+  if (node->has("note")) source.note = node->text("note");
+  if (node->has("wording_from")) source.wordingFrom = node->text("wording_from");
+  source.doi = node->text("doi", "");
+  if (node->has("doi") && node->member("doi")->isText() && !isDoi(source.doi)) {
+    node->problem(
+        "doi",
+        "'" + shown(source.doi) + "' is no DOI",
+        "write it as 10.9781/ijimai.2017.09.001, without https://doi.org/");
+  }
+  return source;
+}
+
+void readLists(const Node& root, const TextReader& texts, Instrument& instrument) {
+  if (const auto scale = root.member("scale")) instrument.scale = readScale(*scale, texts);
+  if (!root.has("items")) {
+    root.problem("items", "'items' is missing", "add it; write [] where nothing is asked");
+  }
+  const ItemReader reader(texts, instrument.scale);
+  for (const auto& node : root.list("items", kMostItems)) {
+    instrument.items.push_back(reader.read(node, instrument.items.size()));
+  }
+  for (const auto& node : root.list("scores", kMostScores)) {
+    instrument.scores.push_back(readScore(node, texts, instrument.scores.size()));
+  }
+  if (const auto rule = root.object("consistency")) {
+    instrument.consistency = readConsistencyRule(*rule);
+  }
+}
+
+Instrument readRoot(const Node& root) {
+  Instrument instrument;
+  readSchema(root);
+  instrument.id = idOrStandIn(root, "id", 0);
+  instrument.version = root.id("version");
+  instrument.languages = readLanguages(root);
+  const TextReader texts(instrument.languages);
+  instrument.title = texts.required(root, "title");
+  instrument.introduction = texts.optional(root, "introduction");
+  instrument.source = readSource(root);
+  instrument.occasions = root.choice<Occasions>("occasions", kOccasions, Occasions::Once);
+  readLists(root, texts, instrument);
+  return instrument;
+}
+
+/// Adds what problemsOf() found, where the reading has not complained about the same place; and
+/// warnings once there is nothing worse.
+void addWhatIsNew(const Problems& more, Problems& problems) {
+  std::set<std::string> places;
+  for (const auto& problem : problems.all()) places.insert(problem.path);
+  const bool wasSound = !problems.hasErrors();
+  for (const auto& problem : more.all()) {
+    const bool isError = problem.severity == Severity::Error;
+    if (isError && places.count(problem.path) == 0) {
+      problems.add(problem.path, problem.what, problem.fix);
+    } else if (!isError && wasSound) {
+      problems.warn(problem.path, problem.what, problem.fix);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Instrument> readInstrument(std::string_view json, Problems& problems) {
+  Problems found;
+  std::optional<Instrument> instrument;
+  const auto value = parseJson(json, found);
+  if (value) {
+    const Node root(*value, "$", found);
+    if (root.isObjectWith(
+            {"$schema",
+             "id",
+             "version",
+             "title",
+             "introduction",
+             "source",
+             "languages",
+             "scale",
+             "items",
+             "scores",
+             "occasions",
+             "consistency"})) {
+      instrument = readRoot(root);
+      addWhatIsNew(problemsOf(*instrument), found);
+    }
+  }
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : instrument;
+}
+
+Instrument readSoundInstrument(std::string_view json, const std::string& name) {
+  Problems problems;
+  auto instrument = readInstrument(json, problems);
+  if (!instrument) {
+    throw Error("The questionnaire " + name + " cannot be used:\n" + inWords(problems.all()));
+  }
+  return *std::move(instrument);
+}
+
+}  // namespace questionnaires

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <set>
+
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/instrument.h"
+#include "questionnaires/reading/item_problems.h"
+#include "questionnaires/reading/score_problems.h"
+#include "questionnaires/reading/text_problems.h"
+
+namespace questionnaires {
+namespace {
+
+void inspectHead(const Instrument& instrument, const TextProblems& texts, Problems& problems) {
+  if (!isSoundId(instrument.id)) {
+    problems.add("$.id", "'" + shown(instrument.id) + "' cannot be an id", "give it a name");
+  }
+  const auto& languages = instrument.languages;
+  if (std::find(languages.begin(), languages.end(), "en") == languages.end()) {
+    problems.add(
+        "$.languages",
+        "'en' is not among the languages",
+        "add it: English is what is shown where another language has no text");
+  }
+  texts.inspect("$.title", instrument.title);
+  const bool hasIntroduction = !instrument.introduction.isEmpty();
+  if (hasIntroduction) texts.inspect("$.introduction", instrument.introduction);
+  if (instrument.items.empty() && !hasIntroduction) {
+    problems.add(
+        "$.items", "nothing is asked and nothing is said", "add items, or an introduction");
+  }
+  if (instrument.isWithheld() && instrument.source.wordingFrom.empty()) {
+    problems.add(
+        "$.source.wording_from",
+        "nobody learns where the words are that do not ship",
+        "write where they are to be had: citation, DOI, address");
+  }
+  if (instrument.scale) inspectScale(*instrument.scale, "$.scale", texts, problems);
+}
+
+void inspectItems(const Instrument& instrument, Problems& problems) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < instrument.items.size(); ++i) {
+    const Item& item = instrument.items[i];
+    const std::string path = "$.items[" + std::to_string(i) + "]";
+    if (!ids.insert(item.id).second) {
+      problems.add(
+          path + ".id", "two items share the id '" + shown(item.id) + "'", "give each its own");
+    }
+    inspectItem(instrument, item, path, problems);
+  }
+}
+
+void inspectScores(const Instrument& instrument, Problems& problems) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < instrument.scores.size(); ++i) {
+    const Score& score = instrument.scores[i];
+    const std::string path = "$.scores[" + std::to_string(i) + "]";
+    if (!ids.insert(score.id).second) {
+      problems.add(
+          path + ".id", "two scores share the id '" + shown(score.id) + "'", "give each its own");
+    }
+    inspectScore(instrument, score, path, problems);
+  }
+}
+
+}  // namespace
+
+Problems problemsOf(const Instrument& instrument) {
+  Problems problems;
+  const TextProblems texts(instrument.languages, problems);
+  inspectHead(instrument, texts, problems);
+  inspectItems(instrument, problems);
+  inspectScores(instrument, problems);
+  inspectConsistency(instrument, problems);
+  return problems;
+}
+
+}  // namespace questionnaires

@@ -1,0 +1,280 @@
+#include "questionnaires/reading/item_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "questionnaires/model/item_types.h"
+#include "questionnaires/reading/scale_reader.h"
+
+namespace questionnaires {
+namespace {
+
+constexpr std::array kReferences{Choice<Reference>{"previous", Reference::Previous}};
+constexpr std::array kSources{Choice<OptionSource>{"alternatives", OptionSource::Alternatives}};
+constexpr std::array kPointWords{
+    Choice<WordingField>{"text", WordingField::Text},
+    Choice<WordingField>{"low_label", WordingField::LowLabel},
+    Choice<WordingField>{"high_label", WordingField::HighLabel},
+};
+constexpr std::array kEndWords{
+    Choice<WordingField>{"text", WordingField::Text},
+    Choice<WordingField>{"left_label", WordingField::LeftLabel},
+    Choice<WordingField>{"right_label", WordingField::RightLabel},
+};
+
+/// The keys that items of a type have beside those of every item.
+std::vector<std::string_view> keysOf(ItemType type) {
+  switch (type) {
+    case ItemType::Likert:
+      return {"key", "relative_to", "scale", "acceptable_from", "wording"};
+    case ItemType::SemanticDifferential:
+      return {
+          "key", "relative_to", "scale", "left_label", "right_label", "acceptable_from", "wording"};
+    case ItemType::Slider:
+      return {
+          "key",
+          "relative_to",
+          "left_label",
+          "right_label",
+          "least",
+          "most",
+          "step",
+          "acceptable_from",
+          "wording"};
+    case ItemType::SingleChoice:
+      return {"relative_to", "options", "options_from", "consent_option"};
+    case ItemType::MultipleChoice:
+      return {"options", "options_from"};
+    case ItemType::Number:
+      return {"least", "most", "step", "unit", "acceptable_from"};
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return {"longest_answer"};
+    case ItemType::PairwiseChoice:
+      return {"relative_to", "options", "options_from"};
+  }
+  return {};
+}
+
+bool has(const std::vector<std::string_view>& keys, std::string_view key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
+  const auto own = keysOf(type.value);
+  for (const auto& member : node.members()) {
+    const std::string& key = member.first;
+    const bool isOfAType = std::any_of(kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) {
+      return has(keysOf(t.value), key);
+    });
+    if (!isOfAType || has(own, key)) continue;
+    node.problem(
+        key,
+        "'" + key + "' means nothing to an item of type '" + std::string(type.name) + "'",
+        "remove it, or choose another type");
+  }
+}
+
+/// The type that @p node names; where it names none, that is a problem.
+std::optional<Choice<ItemType>> typeOf(const Node& node) {
+  const auto name = node.member("type");
+  if (name && name->isText()) {
+    const std::string word = name->asText();
+    const auto type = std::find_if(
+        kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) { return t.name == word; });
+    if (type != kItemTypes.end()) return *type;
+  }
+  node.choice<ItemType>("type", kItemTypes);
+  return std::nullopt;
+}
+
+bool knowsItsKeys(const Node& node) {
+  return node.isObjectWith(
+      {"id",
+       "type",
+       "text",
+       "set",
+       "required",
+       "identifying",
+       "key",
+       "relative_to",
+       "scale",
+       "left_label",
+       "right_label",
+       "least",
+       "most",
+       "step",
+       "unit",
+       "options",
+       "options_from",
+       "consent_option",
+       "longest_answer",
+       "acceptable_from",
+       "wording"});
+}
+
+constexpr double kLargestBound = 1e9;
+
+double bound(const Node& node, std::string_view key, std::optional<double> usual) {
+  if (node.has(key)) return node.number(key, -kLargestBound, kLargestBound, kUnread);
+  if (!usual) node.problem("", "'" + std::string(key) + "' is missing", "add it");
+  return usual.value_or(kUnread);
+}
+
+void readRange(const Node& node, Item& item) {
+  const bool isSlider = item.type == ItemType::Slider;
+  item.least = bound(node, "least", isSlider ? std::optional(0.0) : std::nullopt);
+  item.most = bound(node, "most", isSlider ? std::optional(100.0) : std::nullopt);
+  item.step = node.has("step") ? node.number("step", 0.0, kLargestBound, kUnread) : 1.0;
+  if (std::isnan(item.least + item.most + item.step)) {
+    item.least = 0.0;
+    item.most = 1.0;
+    item.step = 0.0;
+  }
+  if (node.has("unit")) item.unit = node.text("unit");
+}
+
+/// The texts that a wording file brings, by the names that items of this type have for them.
+void readWithheld(const Node& node, Item& item) {
+  const bool isLikert = item.type == ItemType::Likert;
+  for (const auto& name : node.requiredList("wording")) {
+    const auto field = isLikert ? name.chosen(kPointWords) : name.chosen(kEndWords);
+    if (!field) continue;
+    if (item.withholds(*field)) name.problem("", "this text stands here twice", "keep one");
+    item.withheld.push_back(*field);
+  }
+}
+
+void readLength(const Node& node, Item& item) {
+  const auto usual = item.type == ItemType::ShortText ? kLongestShortText : kLongestLongText;
+  item.longestAnswer = node.wholeNumber("longest_answer", 1, kLongestLongText, usual);
+}
+
+}  // namespace
+
+Item ItemReader::read(const Node& node, std::size_t index) const {
+  Item item;
+  item.id = "unread." + std::to_string(index);
+  item.text = texts_.standIn();
+  item.scale = standInScale(texts_);
+  if (!knowsItsKeys(node)) return item;
+
+  item.id = idOrStandIn(node, "id", index);
+  const auto type = typeOf(node);
+  if (type) {
+    item.type = type->value;
+    refuseKeysOfOtherTypes(node, *type);
+    if (node.has("wording") && has(keysOf(item.type), "wording")) readWithheld(node, item);
+  }
+  readHead(node, item);
+  if (type) readKind(node, item);
+  return item;
+}
+
+void ItemReader::readHead(const Node& node, Item& item) const {
+  const bool mayBeWordless = item.type == ItemType::SemanticDifferential;
+  item.text = mayBeWordless && !item.withholds(WordingField::Text)
+                  ? texts_.optional(node, "text")
+                  : readText(node, "text", item.withholds(WordingField::Text));
+  if (node.has("set")) item.set = node.id("set");
+  item.key = static_cast<int>(node.wholeNumber("key", -1, 1, 1));
+  item.isRequired = node.flag("required", true);
+  item.isIdentifying = node.flag("identifying", false);
+  item.reference = node.choice<Reference>("relative_to", kReferences, Reference::None);
+  if (node.has("acceptable_from")) {
+    const double from = node.number("acceptable_from", -kLargestBound, kLargestBound, kUnread);
+    if (!std::isnan(from)) item.acceptableFrom = from;
+  }
+}
+
+LocalizedText ItemReader::readText(const Node& node, std::string_view key, bool isWithheld) const {
+  if (!isWithheld) return texts_.required(node, key);
+  if (node.has(key)) {
+    node.problem(
+        key,
+        "'" + std::string(key) + "' stands here, and 'wording' says that it is in a wording file",
+        "keep one of the two");
+  }
+  return {};
+}
+
+void ItemReader::readKind(const Node& node, Item& item) const {
+  switch (item.type) {
+    case ItemType::Likert:
+      return readScaleOf(node, item);
+    case ItemType::SemanticDifferential:
+      readScaleOf(node, item);
+      return readEnds(node, item);
+    case ItemType::Slider:
+      readEnds(node, item);
+      return readRange(node, item);
+    case ItemType::Number:
+      return readRange(node, item);
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return readLength(node, item);
+    case ItemType::SingleChoice:
+    case ItemType::MultipleChoice:
+    case ItemType::PairwiseChoice:
+      return readOptions(node, item);
+  }
+}
+
+void ItemReader::readScaleOf(const Node& node, Item& item) const {
+  if (const auto own = node.member("scale")) {
+    item.scale = readScale(*own, texts_);
+  } else if (scale_) {
+    item.scale = *scale_;
+  } else {
+    node.problem(
+        "", "'scale' is missing, here and at the top of the file", "add it at one of the two");
+  }
+  const bool hasBoth = (item.withholds(WordingField::LowLabel) && !item.scale.lowLabel.isEmpty()) ||
+                       (item.withholds(WordingField::HighLabel) && !item.scale.highLabel.isEmpty());
+  const bool isRead = node.has("scale") || scale_;
+  if (hasBoth && isRead) {
+    node.problem(
+        "wording",
+        "the scale has a word for this end, and 'wording' says that it is in a wording file",
+        "keep one of the two");
+  }
+}
+
+void ItemReader::readEnds(const Node& node, Item& item) const {
+  item.leftText = readText(node, "left_label", item.withholds(WordingField::LeftLabel));
+  item.rightText = readText(node, "right_label", item.withholds(WordingField::RightLabel));
+}
+
+void ItemReader::readOptions(const Node& node, Item& item) const {
+  if (!node.has("options") && !node.has("options_from")) {
+    node.problem(
+        "options",
+        "there is nothing to choose from",
+        "list options, or write \"options_from\": \"alternatives\"");
+  }
+  if (node.has("options") && node.has("options_from")) {
+    node.problem("options", "options beside options_from", "keep one of the two");
+  }
+  item.optionSource = node.choice<OptionSource>("options_from", kSources, OptionSource::Listed);
+  for (const auto& option : node.list("options", kMostOptions)) {
+    item.options.push_back(readOption(option, item.options.size()));
+  }
+  if (node.has("consent_option")) item.consentOption = node.id("consent_option");
+}
+
+Option ItemReader::readOption(const Node& node, std::size_t index) const {
+  if (!node.isObjectWith({"id", "text"})) {
+    return {.id = "unread." + std::to_string(index), .text = texts_.standIn()};
+  }
+  return {.id = idOrStandIn(node, "id", index), .text = texts_.required(node, "text")};
+}
+
+std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index) {
+  std::string id = node.id(key);
+  return id.empty() ? "unread." + std::to_string(index) : id;
+}
+
+}  // namespace questionnaires

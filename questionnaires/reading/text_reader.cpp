@@ -1,0 +1,82 @@
+#include "questionnaires/reading/text_reader.h"
+
+#include <algorithm>
+#include <map>
+
+namespace questionnaires {
+namespace {
+
+constexpr std::string_view kStandIn = "-";
+
+bool isSmall(char c) noexcept {
+  return c >= 'a' && c <= 'z';
+}
+
+bool isLetterOrDigit(char c) noexcept {
+  return isSmall(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::string textOf(const Node& node) {
+  const std::string text = node.asText();
+  if (node.isText() && text.empty()) node.problem("", "this text is empty", "write something");
+  return text.empty() ? std::string(kStandIn) : text;
+}
+
+LocalizedText textsByLanguage(const Node& node) {
+  std::map<std::string, std::string> byLanguage;
+  for (const auto& [language, text] : node.members()) {
+    if (!isLanguageTag(language)) {
+      text.problem(
+          "",
+          "'" + shown(language) + "' is no language tag",
+          "write one such as en, de, nb, de-CH");
+    }
+    byLanguage[language] = textOf(text);
+  }
+  return LocalizedText(std::move(byLanguage));
+}
+
+}  // namespace
+
+LocalizedText TextReader::required(const Node& node, std::string_view key) const {
+  if (node.has(key)) return optional(node, key);
+  node.problem("", "'" + std::string(key) + "' is missing", "add it");
+  return standIn();
+}
+
+LocalizedText TextReader::optional(const Node& node, std::string_view key) const {
+  const auto value = node.member(key);
+  return value ? read(*value) : LocalizedText();
+}
+
+LocalizedText TextReader::read(const Node& node) const {
+  if (!node.isObject()) {
+    const bool isText = node.isText();
+    const std::string text = textOf(node);
+    return isText ? LocalizedText({{"en", text}}) : standIn();
+  }
+  if (node.members().empty()) {
+    node.problem("", "this text is in no language", "write {\"en\": \"…\"}");
+    return standIn();
+  }
+  return textsByLanguage(node);
+}
+
+LocalizedText TextReader::standIn() const {
+  std::map<std::string, std::string> byLanguage{{"en", std::string(kStandIn)}};
+  for (const auto& language : languages_) byLanguage[language] = kStandIn;
+  return LocalizedText(std::move(byLanguage));
+}
+
+bool isLanguageTag(std::string_view tag) noexcept {
+  const std::string_view language = tag.substr(0, tag.find('-'));
+  const bool isLanguage = language.size() >= 2 && language.size() <= 3 &&
+                          std::all_of(language.begin(), language.end(), isSmall);
+  if (!isLanguage) return false;
+  tag.remove_prefix(language.size());
+  if (tag.empty()) return true;
+  tag.remove_prefix(1);
+  return tag.size() >= 2 && tag.size() <= 8 && std::all_of(tag.begin(), tag.end(), isLetterOrDigit);
+}
+
+}  // namespace questionnaires

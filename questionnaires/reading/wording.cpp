@@ -1,0 +1,172 @@
+#include "questionnaires/reading/wording.h"
+
+#include <algorithm>
+#include <set>
+
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/text_places.h"
+#include "questionnaires/reading/text_problems.h"
+
+namespace questionnaires {
+namespace {
+
+bool isAmong(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// Whether @p wording was written for @p instrument as it is.
+void inspectHead(const Wording& wording, const Instrument& instrument, Problems& problems) {
+  if (wording.instrument != instrument.id) {
+    problems.add(
+        "$.instrument",
+        "these are the words of '" + shown(wording.instrument) + "', not of '" + instrument.id +
+            "'",
+        "put the file into the folder of its instrument");
+  }
+  if (wording.version != instrument.version) {
+    problems.add(
+        "$.version",
+        "these words were written for version " + shown(wording.version) +
+            ", and this is version " + instrument.version,
+        "compare the items, then correct the version");
+  }
+  for (const auto& [id, key] : wording.keys) {
+    const Item* item = instrument.item(id);
+    if (item != nullptr && item->key == key) continue;
+    problems.add(
+        "$.keys." + shown(id),
+        item == nullptr ? "there is no such item" : "the instrument has the other key",
+        "write the template again: are these the same items in the same order?");
+  }
+}
+
+void inspectTexts(const Wording& wording, const Instrument& instrument, Problems& problems) {
+  const auto missing = missingTexts(instrument, wording.language);
+  for (const auto& place : missing) {
+    const auto text = wording.texts.find(place);
+    const bool isThere = text != wording.texts.end() && !isBlank(text->second);
+    if (isThere && text->second.find("[[") == std::string::npos) continue;
+    problems.add(
+        "$.texts." + place,
+        isThere ? "a placeholder is left" : "this text is still empty",
+        "write the published words");
+  }
+  const std::set<std::string> known(missing.begin(), missing.end());
+  for (const auto& [place, text] : wording.texts) {
+    if (known.count(place) > 0) continue;
+    problems.add(
+        "$.texts." + shown(place),
+        "the instrument asks for no such text in '" + wording.language + "'",
+        "remove it; a text that ships is changed in a copy of the instrument");
+  }
+}
+
+/// Takes @p language out of @p instrument, with all its texts.
+void forget(const std::string& language, Instrument& instrument) {
+  for (const auto& place : textPlacesOf(instrument)) {
+    for (auto* text : place.texts) {
+      auto texts = text->all();
+      texts.erase(language);
+      *text = LocalizedText(std::move(texts));
+    }
+  }
+  auto& languages = instrument.languages;
+  languages.erase(std::remove(languages.begin(), languages.end(), language), languages.end());
+}
+
+void tellThatItIsMissing(
+    const Instrument& instrument,
+    const std::string& language,
+    const std::string& path,
+    Problems& problems) {
+  const std::string file = wordingFileName(instrument.id, language);
+  problems.add(
+      path,
+      "the words of '" + instrument.id + "' do not come with Palpate, and there is no file '" +
+          file + "' with them",
+      "write it with 'palpate instrument wording " + instrument.id + " --language " + language +
+          " --out " + file + "', in the folder of the protocol, and fill in the words; they are " +
+          "to be had here: " + instrument.source.wordingFrom);
+}
+
+/// Reads the file of one language and puts it in; false where there is none.
+bool addWording(
+    Instrument& instrument,
+    const std::string& language,
+    const WordingFinder& find,
+    Problems& problems) {
+  const std::string file = wordingFileName(instrument.id, language);
+  const auto json = find(file);
+  if (!json) return false;
+  Problems inFile;
+  const auto wording = readWording(*json, inFile);
+  if (wording && wording->language != language) {
+    inFile.add(
+        "$.language",
+        "these words are in '" + shown(wording->language) + "'",
+        "name the file after its language");
+  } else if (wording) {
+    apply(*wording, instrument, inFile);
+  }
+  for (const auto& problem : inFile.all()) {
+    problems.add(file + " " + problem.path, problem.what, problem.fix);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string wordingFileName(const std::string& id, const std::string& language) {
+  return "wording/" + id + "/" + language + ".json";
+}
+
+std::vector<std::string> missingTexts(const Instrument& instrument, const std::string& language) {
+  Instrument copy = instrument;
+  std::vector<std::string> missing;
+  for (const auto& place : textPlacesOf(copy)) {
+    if (!place.texts.front()->has(language)) missing.push_back(place.name);
+  }
+  return missing;
+}
+
+void apply(const Wording& wording, Instrument& instrument, Problems& problems) {
+  Problems found;
+  inspectHead(wording, instrument, found);
+  inspectTexts(wording, instrument, found);
+  problems.append(found);
+  if (found.hasErrors()) return;
+  for (const auto& place : textPlacesOf(instrument)) {
+    const auto words = wording.texts.find(place.name);
+    if (words == wording.texts.end()) continue;
+    for (auto* text : place.texts) {
+      auto texts = text->all();
+      texts[wording.language] = words->second;
+      *text = LocalizedText(std::move(texts));
+    }
+  }
+  auto& languages = instrument.languages;
+  if (!isAmong(languages, wording.language)) languages.push_back(wording.language);
+}
+
+void completeWording(
+    Instrument& instrument,
+    const std::vector<std::string>& alsoIn,
+    const WordingFinder& find,
+    const std::string& path,
+    Problems& problems) {
+  std::vector<std::string> languages = instrument.languages;
+  for (const auto& language : alsoIn) {
+    if (!isAmong(languages, language)) languages.push_back(language);
+  }
+  for (const auto& language : languages) {
+    if (missingTexts(instrument, language).empty()) continue;
+    if (addWording(instrument, language, find, problems)) continue;
+    if (language == "en") {
+      tellThatItIsMissing(instrument, language, path, problems);
+    } else if (isAmong(instrument.languages, language)) {
+      forget(language, instrument);
+    }
+  }
+}
+
+}  // namespace questionnaires

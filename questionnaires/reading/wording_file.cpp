@@ -1,0 +1,91 @@
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/wording.h"
+
+namespace questionnaires {
+namespace {
+
+constexpr std::string_view kFormat = "wording-1";
+
+void readHead(const Node& root, Wording& wording) {
+  const std::string format = root.text("format");
+  if (!format.empty() && format != kFormat) {
+    root.problem(
+        "format",
+        "this is written for '" + shown(format) + "'",
+        "this program reads " + std::string(kFormat));
+  }
+  wording.instrument = root.id("instrument");
+  wording.version = root.id("version");
+  wording.language = root.text("language");
+  if (!wording.language.empty() && !isLanguageTag(wording.language)) {
+    root.problem(
+        "language",
+        "'" + shown(wording.language) + "' is no language tag",
+        "write one such as en, de, nb, de-CH");
+  }
+  wording.source = root.text("source");
+}
+
+/// Where the words are to be had, as far as the instrument says it.
+std::string whereFrom(const Source& source) {
+  std::string words = source.citation;
+  if (!source.doi.empty()) words += " https://doi.org/" + source.doi;
+  return source.wordingFrom.empty() ? words : words + " | " + source.wordingFrom;
+}
+
+}  // namespace
+
+std::optional<Wording> readWording(std::string_view json, Problems& problems) {
+  Problems found;
+  Wording wording;
+  const auto value = parseJson(json, found);
+  if (value) {
+    const Node root(*value, "$", found);
+    if (root.isObjectWith(
+            {"format",
+             "instrument",
+             "version",
+             "language",
+             "words_from",
+             "source",
+             "keys",
+             "texts"})) {
+      readHead(root, wording);
+      root.text("words_from", "");
+      if (const auto keys = root.object("keys")) {
+        for (const auto& key : keys->members()) {
+          wording.keys[key.first] = static_cast<int>(keys->wholeNumber(key.first, -1, 1));
+        }
+      }
+      if (const auto texts = root.requiredObject("texts")) {
+        for (const auto& [place, text] : texts->members()) wording.texts[place] = text.asText();
+      }
+    }
+  }
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::optional(std::move(wording));
+}
+
+std::string wordingTemplate(const Instrument& instrument, const std::string& language) {
+  nlohmann::ordered_json file;
+  file["format"] = kFormat;
+  file["instrument"] = instrument.id;
+  file["version"] = instrument.version;
+  file["language"] = language;
+  file["words_from"] = whereFrom(instrument.source);
+  file["source"] = "";
+  file["keys"] = nlohmann::ordered_json::object();
+  for (const auto& item : instrument.items) {
+    if (!item.withheld.empty()) file["keys"][item.id] = item.key;
+  }
+  file["texts"] = nlohmann::ordered_json::object();
+  for (const auto& place : missingTexts(instrument, language)) file["texts"][place] = "";
+  return file.dump(2) + "\n";
+}
+
+}  // namespace questionnaires

@@ -1,0 +1,149 @@
+#include "questionnaires/scoring/scoring.h"
+
+#include <algorithm>
+
+#include "questionnaires/model/keyed_answer.h"
+
+namespace questionnaires {
+namespace {
+
+/// An item that counts: its keyed answer and its weight.
+struct Counted {
+  double x = 0.0;
+  double weight = 1.0;
+};
+
+/// What was chosen in the pair @p id; nothing where nothing was.
+std::optional<std::string> chosenIn(
+    const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
+  const Item* pair = instrument.item(id);
+  if (pair == nullptr || pair->type != ItemType::PairwiseChoice) return std::nullopt;
+  const auto last = std::find_if(
+      answers.rbegin(), answers.rend(), [&](const Answer& answer) { return answer.itemId == id; });
+  if (last == answers.rend() || !last->response || objection(*pair, *last->response)) {
+    return std::nullopt;
+  }
+  return std::get<std::string>(*last->response);
+}
+
+/// How many items have to be answered.
+std::size_t needed(const Score& score) {
+  const bool mayMiss = score.aggregate == Score::Aggregate::Mean || score.missingAs.has_value();
+  const bool isTold = score.leastAnswered > 0 && score.weightsFrom.empty();
+  return mayMiss && isTold ? score.leastAnswered : score.items.size();
+}
+
+/// The items that count, with their weights; @p weights is empty where every item weighs one.
+std::vector<Counted> countedItems(
+    const Instrument& instrument,
+    const Score& score,
+    const std::vector<double>& weights,
+    const std::vector<Answer>& answers,
+    ScoreResult& result) {
+  std::vector<Counted> counted;
+  for (std::size_t i = 0; i < score.items.size(); ++i) {
+    const Item* item = instrument.item(score.items[i]);
+    if (item == nullptr) continue;
+    auto number = answerAsNumber(*item, answers);
+    if (number) {
+      ++result.answered;
+    } else if (score.missingAs) {
+      number = score.missingAs;
+      ++result.replaced;
+    }
+    if (!number) continue;
+    const double x = score.reverseByKey ? keyedNumber(*item, *number) : *number;
+    counted.push_back({x, i < weights.size() ? weights[i] : 1.0});
+  }
+  return counted;
+}
+
+std::optional<double> aggregateOf(const Score& score, const std::vector<Counted>& counted) {
+  double sum = 0.0;
+  double weights = 0.0;
+  double count = 0.0;
+  for (const auto& [x, weight] : counted) {
+    sum += weight * x;
+    weights += weight;
+    if (x >= score.countFrom) count += 1.0;
+  }
+  switch (score.aggregate) {
+    case Score::Aggregate::Sum:
+      return sum;
+    case Score::Aggregate::Count:
+      return count;
+    case Score::Aggregate::Mean:
+      break;
+  }
+  return weights > 0.0 ? std::optional(sum / weights) : std::nullopt;
+}
+
+std::string reasonFor(const ScoreResult& result, const Score& score) {
+  return std::to_string(result.answered) + " of " + std::to_string(score.items.size()) +
+         " items were answered; this score needs " + std::to_string(needed(score));
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> pairWeights(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
+  if (score.weightsFrom.empty()) return std::nullopt;
+  std::vector<double> weights(score.items.size(), 0.0);
+  for (const auto& id : score.weightsFrom) {
+    const auto chosen = chosenIn(instrument, id, answers);
+    if (!chosen) return std::nullopt;
+    const auto item = std::find(score.items.begin(), score.items.end(), *chosen);
+    if (item == score.items.end()) return std::nullopt;
+    weights[static_cast<std::size_t>(item - score.items.begin())] += 1.0;
+  }
+  return weights;
+}
+
+ScoreResult computeScore(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
+  ScoreResult result;
+  std::vector<double> weights = score.weights;
+  if (!score.weightsFrom.empty()) {
+    const auto chosen = pairWeights(instrument, score, answers);
+    if (!chosen) {
+      result.reason = "a pair was left open, and the weights come from all of them";
+      return result;
+    }
+    weights = *chosen;
+  }
+  const auto counted = countedItems(instrument, score, weights, answers, result);
+  if (counted.empty() || result.answered < needed(score)) {
+    result.reason = reasonFor(result, score);
+    return result;
+  }
+  const auto aggregate = aggregateOf(score, counted);
+  if (!aggregate) {
+    result.reason = "every item that was answered has the weight 0";
+    return result;
+  }
+  result.value = (*aggregate + score.offset) * score.factor;
+  return result;
+}
+
+std::optional<double> scored(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
+  return computeScore(instrument, score, answers).value;
+}
+
+ScoreChange scoreChange(
+    const Instrument& instrument,
+    const Score& score,
+    const std::vector<Answer>& before,
+    const std::vector<Answer>& after) {
+  const auto first = computeScore(instrument, score, before);
+  const auto last = computeScore(instrument, score, after);
+  ScoreChange result{.before = first.value, .after = last.value, .change = {}, .reason = {}};
+  if (first.value && last.value) {
+    result.change = *last.value - *first.value;
+  } else {
+    result.reason = !first.value ? "before: " + first.reason : "after: " + last.reason;
+  }
+  return result;
+}
+
+}  // namespace questionnaires

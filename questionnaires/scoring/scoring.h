@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "questionnaires/model/answer.h"
+
+namespace questionnaires {
+
+/// What a score comes to with one person's answers.
+struct ScoreResult {
+  std::optional<double> value;
+  std::string reason;        ///< why there is no value, in words; empty where there is one
+  std::size_t answered = 0;  ///< items of the score that were answered
+  std::size_t replaced = 0;  ///< items that were not, and counted as Score::missingAs
+};
+
+/// What @p score comes to with @p answers: (aggregate of the keyed answers + offset) · factor.
+///
+///     mean   Σ w x / Σ w      over the items that were answered
+///     sum    Σ w x            over all items
+///     count  how many x are at least Score::countFrom, over all items
+///
+/// x is the answer, low + high - x where the key is -1; w is 1, or the item's weight, or how often
+/// it was chosen in the pairs that the score takes its weights from. An unanswered item is missing,
+/// unless the score says what it counts as. Nothing where too few items were answered: a mean, and
+/// whatever replaces missing answers, needs as many as the score says; everything else needs all,
+/// and weights from pairs need every pair. Points, sliders and numbers count; other kinds of items
+/// do not, and neither does an answer that objection() refuses. Where an item was answered more
+/// than once, the last answer counts.
+ScoreResult computeScore(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
+
+/// The value alone.
+std::optional<double> scored(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
+
+/// How often each item of @p score was chosen in the pairs of Score::weightsFrom, in the order of
+/// Score::items: for n items whole numbers from 0 to n - 1 that sum to n (n - 1) / 2, fifteen for
+/// the six of the NASA-TLX. Nothing where a pair has no answer, or there are no pairs.
+std::optional<std::vector<double>> pairWeights(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
+
+/// A score before and after, and after - before.
+struct ScoreChange {
+  std::optional<double> before;
+  std::optional<double> after;
+  std::optional<double> change;
+  std::string reason;  ///< why there is no change, in words; empty where there is one
+};
+
+/// How @p score changed from the answers @p before to the answers @p after.
+ScoreChange scoreChange(
+    const Instrument& instrument,
+    const Score& score,
+    const std::vector<Answer>& before,
+    const std::vector<Answer>& after);
+
+}  // namespace questionnaires

@@ -1,0 +1,52 @@
+#include "questionnaires/json/problem.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace questionnaires {
+namespace {
+
+TEST(Problems, AreToldOnePerLine) {
+  Problems problems;
+  problems.add("$.id", "this is odd", "mend it");
+  problems.warn("$", "this is unusual");
+  EXPECT_EQ(
+      inWords(problems.all()), "error   $.id: this is odd; mend it\nwarning $: this is unusual\n");
+}
+
+TEST(Problems, KnowErrorsFromWarnings) {
+  Problems problems;
+  problems.warn("$", "this is unusual");
+  EXPECT_FALSE(problems.hasErrors());
+  problems.add("$", "this is odd");
+  EXPECT_TRUE(problems.hasErrors());
+}
+
+TEST(Problems, AreNotToldWithoutEnd) {
+  Problems problems;
+  for (std::size_t i = 0; i < 2 * kMostProblems; ++i) problems.add("$", std::to_string(i));
+  ASSERT_EQ(problems.all().size(), kMostProblems + 1);
+  EXPECT_EQ(problems.all().back().what, "there are more problems");
+}
+
+TEST(Problems, ForgetNoErrorAmongManyWarnings) {
+  Problems problems;
+  for (std::size_t i = 0; i < 2 * kMostProblems; ++i) problems.warn("$", std::to_string(i));
+  EXPECT_FALSE(problems.hasErrors());
+  problems.add("$", "this is odd");
+  EXPECT_TRUE(problems.hasErrors());
+  EXPECT_EQ(problems.all().back().severity, Severity::Error);
+}
+
+TEST(Problems, CanBeWalkedThroughAtOnce) {
+  const auto found = [] {
+    Problems problems;
+    problems.add("$", "this is odd");
+    return problems;
+  };
+  for (const auto& problem : found().all()) EXPECT_EQ(problem.what, "this is odd");
+}
+
+}  // namespace
+}  // namespace questionnaires

@@ -1,0 +1,28 @@
+#include "questionnaires/model/localized_text.h"
+
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace questionnaires {
+namespace {
+
+const LocalizedText kThanks({{"en", "Thank you"}, {"de", "Danke"}});
+
+TEST(LocalizedText, SpeaksTheLanguageItIsAskedIn) {
+  EXPECT_EQ(kThanks.in("de"), "Danke");
+}
+
+TEST(LocalizedText, SpeaksEnglishWhereItMust) {
+  EXPECT_EQ(kThanks.in("nb"), "Thank you");
+}
+
+TEST(LocalizedText, IsSilentWhereItHasNeither) {
+  EXPECT_EQ(LocalizedText().in("de"), "");
+  const std::map<std::string, std::string> german{{"de", "Danke"}};
+  EXPECT_EQ(LocalizedText(german).in("nb"), "");
+}
+
+}  // namespace
+}  // namespace questionnaires
