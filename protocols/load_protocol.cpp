@@ -3,14 +3,14 @@
 #include <filesystem>
 #include <utility>
 
-#include "protocols/advice.h"
-#include "protocols/anatomy_file.h"
-#include "protocols/companions.h"
-#include "protocols/draft.h"
-#include "protocols/library.h"
-#include "protocols/packing_file.h"
-#include "protocols/protocol_file.h"
-#include "protocols/rules.h"
+#include "protocols/model/library.h"
+#include "protocols/reading/anatomy_file.h"
+#include "protocols/reading/companions.h"
+#include "protocols/reading/draft.h"
+#include "protocols/reading/packing_file.h"
+#include "protocols/reading/protocol_file.h"
+#include "protocols/validation/advice.h"
+#include "protocols/validation/rules.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

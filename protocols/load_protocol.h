@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 
 namespace protocols {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/data/answer_table.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/storage/records.h"
 
 namespace study {

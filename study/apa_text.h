@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/summary/within_analysis.h"
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 #include "study/words/words.h"
 
 namespace study {

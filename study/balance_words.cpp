@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "study/words/counted.h"
 
 namespace study {

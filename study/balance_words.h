@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 
 namespace study {
 

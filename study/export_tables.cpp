@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/item_types.h"
 #include "study/codebook.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "protocols/cut_file.h"
+#include "protocols/reading/cut_file.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/numerics/interval.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "questionnaires/scoring/acceptability.h"
 #include "study/storage/records.h"
 

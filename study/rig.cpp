@@ -1,6 +1,6 @@
 #include "study/rig.h"
 
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 
 namespace study {
 namespace {

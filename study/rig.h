@@ -10,7 +10,7 @@
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/scene_spec.h"
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 
 namespace study {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "questionnaires/json/document.h"
 #include "study/storage/transaction.h"
 

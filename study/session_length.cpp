@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 
 namespace study {
 namespace {

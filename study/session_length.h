@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/session_plan.h"
 
 namespace study {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
-#include "protocols/schedule.h"
+#include "protocols/model/loaded_protocol.h"
+#include "protocols/orders/schedule.h"
 
 namespace study {
 

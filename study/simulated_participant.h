@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 #include "questionnaires/model/answer.h"
 #include "study/clock.h"
 #include "study/session.h"

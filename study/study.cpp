@@ -7,7 +7,7 @@
 #include <sodium.h>
 
 #include "protocols/load_protocol.h"
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 #include "study/storage/ballast.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/clock.h"
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"

@@ -4,7 +4,7 @@
 
 #include <sodium.h>
 
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "study/audit_words.h"
 #include "study/session_plan.h"
 #include "study/storage/coded_answers.h"

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "protocols/load_protocol.h"
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "study/session.h"
 #include "study/session_plan.h"
 #include "study/storage/statement.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "protocols/mesh_file.h"
+#include "protocols/reading/mesh_file.h"
 #include "questionnaires/json/problem.h"
 #include "study/user_error.h"
 

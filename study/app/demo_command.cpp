@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "haptics/recordings/recording_file.h"
-#include "protocols/library.h"
 #include "protocols/load_protocol.h"
+#include "protocols/model/library.h"
 #include "study/app/commands.h"
 #include "study/app/write_report.h"
 #include "study/export.h"

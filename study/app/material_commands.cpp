@@ -11,7 +11,7 @@
 
 #include "haptics/reaming/material/series_text.h"
 #include "haptics/reaming/material/synthetic_series.h"
-#include "protocols/material_file.h"
+#include "protocols/reading/material_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/bench_report.h"
 #include "study/app/commands.h"

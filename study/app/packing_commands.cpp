@@ -12,7 +12,7 @@
 #include "haptics/reaming/packing/mesh_solid.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "haptics/reaming/packing/virtual_experiment.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/bench_report.h"
 #include "study/app/body_mesh.h"

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "haptics/engine/parametric_bone.h"
-#include "protocols/material_file.h"
+#include "protocols/reading/material_file.h"
 #include "questionnaires/json/document.h"
 #include "study/user_error.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "haptics/reaming/packing/packed_bone.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/packing_file.h"
 
 namespace CLI {
 class App;

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "protocols/load_protocol.h"
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
 #include "study/balance_words.h"

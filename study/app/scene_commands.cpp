@@ -13,7 +13,7 @@
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/passivity.h"
 #include "protocols/load_protocol.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"

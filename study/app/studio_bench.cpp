@@ -15,7 +15,7 @@
 #include "haptics/engine/parametric_bone.h"
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
-#include "protocols/anatomy_file.h"
+#include "protocols/reading/anatomy_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/desk_bench.h"
 #include "study/gui/simulation/hip_scene.h"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "analysis/planning/power.h"
-#include "protocols/order.h"
-#include "protocols/schedule.h"
+#include "protocols/orders/order.h"
+#include "protocols/orders/schedule.h"
 #include "study/apa_text.h"
 
 namespace study::app {

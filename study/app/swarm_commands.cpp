@@ -10,7 +10,7 @@
 
 #include "haptics/reaming/bone/plunge.h"
 #include "haptics/reaming/packing/density_fit.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"

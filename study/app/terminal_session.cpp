@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "haptics/devices/device_error.h"
-#include "protocols/blanks.h"
+#include "protocols/model/blanks.h"
 #include "study/hardware_rig.h"
 #include "study/live_trial.h"
 #include "study/trial_setup.h"

@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 #include "study/gui/findings_dialog.h"
 
 namespace study {

@@ -1,6 +1,6 @@
 #include "study/gui/enrolment_check.h"
 
-#include "protocols/blanks.h"
+#include "protocols/model/blanks.h"
 
 namespace study::gui {
 

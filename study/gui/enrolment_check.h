@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/findings_dialog.h"
 #include "study/session.h"
 

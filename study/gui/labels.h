@@ -7,7 +7,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 
 namespace study::gui {
 

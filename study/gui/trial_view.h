@@ -2,7 +2,7 @@
 
 #include <QLabel>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 #include "study/gui/session_controller.h"
 #include "study/gui/simulation/simulation_view.h"
 

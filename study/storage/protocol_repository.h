@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/ids.h"
 #include "study/storage/database.h"
 

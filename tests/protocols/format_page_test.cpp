@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "protocols/cut_file.h"
+#include "protocols/reading/cut_file.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/engine/parametric_material.h"
-#include "protocols/protocol_file.h"
+#include "protocols/reading/protocol_file.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

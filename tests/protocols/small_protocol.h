@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 
 namespace tests {

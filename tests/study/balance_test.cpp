@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocols/random_stream.h"
+#include "protocols/orders/random_stream.h"
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"

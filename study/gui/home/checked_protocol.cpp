@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "protocols/library.h"
 #include "protocols/load_protocol.h"
+#include "protocols/model/library.h"
 #include "questionnaires/json/document.h"
 
 namespace study::gui::home {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 
 namespace study::gui::home {
 

@@ -7,7 +7,7 @@
 #include <QRegularExpressionValidator>
 #include <QVBoxLayout>
 
-#include "protocols/schedule.h"
+#include "protocols/orders/schedule.h"
 #include "study/balance_words.h"
 #include "study/gui/labels.h"
 

@@ -10,7 +10,7 @@
 #include <QTextBrowser>
 #include <QWidget>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 
 namespace study::gui::home {
 

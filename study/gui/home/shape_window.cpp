@@ -7,8 +7,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "protocols/anatomy_file.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/anatomy_file.h"
+#include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/attempt.h"
 #include "study/gui/simulation/cup_window.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "protocols/protocol.h"
+#include "protocols/model/protocol.h"
 #include "study/live_trial.h"
 #include "study/rig.h"
 #include "study/trial.h"

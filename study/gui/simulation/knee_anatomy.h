@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "protocols/anatomy_file.h"
+#include "protocols/reading/anatomy_file.h"
 #include "study/gui/simulation/knee_layout.h"
 #include "study/gui/simulation/mesh.h"
 

@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "protocols/load_protocol.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/cut_table.h"
 #include "study/gui/findings_dialog.h"

@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "protocols/load_protocol.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/consent_copy_dialog.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/option_buttons.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "protocols/load_protocol.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/control_panel.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/operator_window.h"

@@ -7,8 +7,8 @@
 #include <QTest>
 #include <QTextBrowser>
 
-#include "protocols/library.h"
 #include "protocols/load_protocol.h"
+#include "protocols/model/library.h"
 #include "study/gui/home/home_window.h"
 #include "study/gui/home/new_study_dialog.h"
 #include "study/gui/home/recent_studies.h"

@@ -8,8 +8,8 @@
 
 #include "haptics/reaming/material/series_text.h"
 #include "haptics/reaming/material/synthetic_series.h"
-#include "protocols/cut_file.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/cut_file.h"
+#include "protocols/reading/packing_file.h"
 #include "study/gui/home/measurement_dialogs.h"
 #include "study/gui/home/measurement_work.h"
 #include "study/user_error.h"

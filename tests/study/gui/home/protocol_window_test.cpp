@@ -10,7 +10,7 @@
 #include <QTextBlock>
 #include <QTreeWidget>
 
-#include "protocols/library.h"
+#include "protocols/model/library.h"
 #include "study/session_length.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"

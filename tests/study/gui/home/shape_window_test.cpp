@@ -8,7 +8,7 @@
 #include <QTest>
 
 #include "haptics/engine/parametric_bone.h"
-#include "protocols/packing_file.h"
+#include "protocols/reading/packing_file.h"
 #include "questionnaires/json/problem.h"
 #include "study/gui/simulation/colour_legend.h"
 #include "study/gui/simulation/cup_painter.h"

@@ -8,9 +8,9 @@
 
 #include <QTest>
 
-#include "protocols/library.h"
 #include "protocols/load_protocol.h"
-#include "protocols/loaded_protocol.h"
+#include "protocols/model/library.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator_window.h"
 #include "study/gui/simulation/simulation_view.h"
 #include "tests/study/gui/participant.h"

@@ -3,8 +3,8 @@
 
 #include <QLabel>
 
-#include "protocols/anatomy_file.h"
 #include "protocols/load_protocol.h"
+#include "protocols/reading/anatomy_file.h"
 #include "study/export.h"
 #include "study/gui/feel_page.h"
 #include "study/gui/simulation/hip_scene.h"

@@ -1,0 +1,68 @@
+#include "protocols/orders/random_stream.h"
+
+#include <bit>
+#include <cmath>
+
+namespace protocols {
+namespace {
+
+std::uint64_t splitMix(std::uint64_t& state) noexcept {
+  state += 0x9e3779b97f4a7c15U;
+  std::uint64_t z = state;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31);
+}
+
+std::uint64_t fnv1a(std::string_view text) noexcept {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+}  // namespace
+
+RandomStream::RandomStream(
+    std::uint64_t seed, std::uint64_t index, std::string_view purpose) noexcept {
+  std::uint64_t mixed = seed;
+  mixed = splitMix(mixed) ^ index;
+  mixed = splitMix(mixed) ^ fnv1a(purpose);
+  for (auto& word : state_) word = splitMix(mixed);
+}
+
+std::uint64_t RandomStream::bits() noexcept {
+  const std::uint64_t result = std::rotl(state_[1] * 5, 7) * 9;
+  const std::uint64_t t = state_[1] << 17;
+  state_[2] ^= state_[0];
+  state_[3] ^= state_[1];
+  state_[1] ^= state_[2];
+  state_[0] ^= state_[3];
+  state_[2] ^= t;
+  state_[3] = std::rotl(state_[3], 45);
+  return result;
+}
+
+std::uint64_t RandomStream::below(std::uint64_t bound) noexcept {
+  const std::uint64_t unfair =
+      -bound % bound;  // 2⁶⁴ mod bound: so many draws would favour the small
+  std::uint64_t draw = bits();
+  while (draw < unfair) draw = bits();
+  return draw % bound;
+}
+
+double RandomStream::uniform() noexcept {
+  return static_cast<double>(bits() >> 11) * 0x1.0p-53;
+}
+
+double RandomStream::normal() noexcept {
+  double u = 0.0;
+  double square = 0.0;
+  do {
+    u = uniform(-1.0, 1.0);
+    const double v = uniform(-1.0, 1.0);
+    square = u * u + v * v;
+  } while (square >= 1.0 || square == 0.0);
+  return u * std::sqrt(-2.0 * std::log(square) / square);
+}
+
+}  // namespace protocols

@@ -1,0 +1,131 @@
+#include "protocols/orders/schedule.h"
+
+#include <algorithm>
+
+#include "protocols/orders/order.h"
+#include "protocols/orders/random_stream.h"
+
+namespace protocols {
+namespace {
+
+/// The block's conditions in the protocol's order: labels and rows count in it.
+std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
+  std::vector<std::string> sorted;
+  for (const auto& condition : protocol.conditions) {
+    const auto& wanted = block.conditions;
+    if (std::find(wanted.begin(), wanted.end(), condition.id) != wanted.end()) {
+      sorted.push_back(condition.id);
+    }
+  }
+  return sorted;
+}
+
+int indexOf(const std::vector<std::string>& all, const std::string& one) {
+  return static_cast<int>(std::find(all.begin(), all.end(), one) - all.begin());
+}
+
+std::vector<std::string> realisedOrder(
+    const Schedule& before,
+    const Phase& phase,
+    std::uint64_t seed,
+    const std::string& cohort,
+    std::uint64_t slot) {
+  const auto& block = phase.trials;
+  std::vector<std::string> order;
+  if (block.order.type == OrderType::Reversed) {
+    const auto* other = before.block(block.order.of);
+    for (const auto& trial : other->trials) order.push_back(trial.condition);
+    std::reverse(order.begin(), order.end());
+    return order;
+  }
+  const auto row = orderFor(
+      block.order.type,
+      static_cast<int>(block.conditions.size()),
+      seed,
+      slot,
+      phase.id + "/" + cohort);
+  for (const int index : row) order.push_back(block.conditions[static_cast<std::size_t>(index)]);
+  return order;
+}
+
+/// Which label each of the sorted conditions bears, counted from 1.
+std::vector<int> drawnLabels(
+    const std::vector<std::string>& sorted,
+    std::uint64_t seed,
+    const std::string& cohort,
+    std::uint64_t slot) {
+  std::string purpose = "labels/" + cohort;
+  std::vector<int> labels;
+  for (const auto& condition : sorted) {
+    purpose += "/" + condition;
+    labels.push_back(static_cast<int>(labels.size()) + 1);
+  }
+  RandomStream(seed, slot, purpose).shuffle(labels);
+  return labels;
+}
+
+}  // namespace
+
+const PlannedBlock* Schedule::block(std::string_view phase) const noexcept {
+  const auto found =
+      std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return b.phase == phase; });
+  return found == blocks.end() ? nullptr : &*found;
+}
+
+Schedule scheduleFor(
+    const Protocol& protocol, std::uint64_t seed, std::string_view cohort, std::uint64_t slot) {
+  const std::string group(cohort);
+  Schedule schedule;
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != PhaseType::Block) continue;
+    const auto sorted = inProtocolOrder(protocol, phase.trials);
+    const auto drawn = drawnLabels(sorted, seed, group, slot);
+    PlannedBlock block{.phase = phase.id, .trials = {}};
+    for (const auto& condition : realisedOrder(schedule, phase, seed, group, slot)) {
+      const int position = static_cast<int>(block.trials.size()) + 1;
+      const int index = indexOf(sorted, condition);
+      const int label = protocol.labels.policy == LabelPolicy::Condition ? index + 1
+                        : protocol.labels.policy == LabelPolicy::Position
+                            ? position
+                            : drawn[static_cast<std::size_t>(index)];
+      block.trials.push_back({condition, position, label});
+    }
+    schedule.blocks.push_back(std::move(block));
+  }
+  return schedule;
+}
+
+Balance balanceOf(
+    const Protocol& protocol,
+    const Phase& block,
+    std::uint64_t seed,
+    std::string_view cohort,
+    std::size_t participants) {
+  const Phase* source = &block;
+  while (source->trials.order.type == OrderType::Reversed) {
+    source = protocol.phase(source->trials.order.of);
+  }
+  const auto k = block.trials.conditions.size();
+  const auto type = source->trials.order.type;
+  Balance balance;
+  balance.conditions = block.trials.conditions;
+  balance.multipleOf = rowsOf(type, static_cast<int>(k)).size();
+  balance.isBalanced =
+      type != OrderType::Fixed && balance.multipleOf > 0 && participants % balance.multipleOf == 0;
+  balance.atPosition.assign(k, std::vector<int>(k, 0));
+  balance.after.assign(k, std::vector<int>(k, 0));
+  for (std::size_t slot = 0; slot < participants; ++slot) {
+    const auto schedule = scheduleFor(protocol, seed, cohort, slot);
+    int previous = -1;
+    for (const auto& trial : schedule.block(block.id)->trials) {
+      const int index = indexOf(balance.conditions, trial.condition);
+      const auto at = static_cast<std::size_t>(index);
+      ++balance.atPosition[at][static_cast<std::size_t>(trial.position - 1)];
+      if (previous >= 0) ++balance.after[at][static_cast<std::size_t>(previous)];
+      previous = index;
+    }
+  }
+  return balance;
+}
+
+}  // namespace protocols

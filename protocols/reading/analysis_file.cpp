@@ -1,0 +1,116 @@
+#include "protocols/reading/analysis_file.h"
+
+#include <array>
+
+namespace protocols {
+namespace {
+
+using questionnaires::Choice;
+using questionnaires::Node;
+
+constexpr std::array kTests{
+    Choice<TestType>{"welch", TestType::Welch},
+    Choice<TestType>{"paired_t", TestType::PairedT},
+    Choice<TestType>{"sign_flip", TestType::SignFlip},
+    Choice<TestType>{"signed_rank", TestType::SignedRank},
+};
+constexpr std::array kCorrections{
+    Choice<CorrectionType>{"bonferroni", CorrectionType::Bonferroni},
+    Choice<CorrectionType>{"holm", CorrectionType::Holm},
+    Choice<CorrectionType>{"hochberg", CorrectionType::Hochberg},
+    Choice<CorrectionType>{"hommel", CorrectionType::Hommel},
+    Choice<CorrectionType>{"bh", CorrectionType::BenjaminiHochberg},
+    Choice<CorrectionType>{"by", CorrectionType::BenjaminiYekutieli},
+    Choice<CorrectionType>{"holm_sidak", CorrectionType::HolmSidak},
+    Choice<CorrectionType>{"none", CorrectionType::None},
+};
+constexpr double kWidestScale = 1000.0;  // [points]
+constexpr double kMostRealism = 10.0;
+constexpr double kMostDeviation = 10.0;
+
+Comparison readComparison(const Node& node) {
+  if (!node.isObjectWith({"first", "second"})) return {};
+  return {node.id("first"), node.id("second")};
+}
+
+double readAlpha(const Node& family) {
+  constexpr double kUsual = 0.05;
+  if (!family.has("alpha")) {
+    family.problem("", "'alpha' is missing", "add it; 0.05 is usual");
+    return kUsual;
+  }
+  const double alpha = family.number("alpha", 0.0, 1.0, kUsual);
+  if (alpha == 0.0 || alpha == 1.0) {
+    family.problem("alpha", "alpha must lie between 0 and 1, both excluded", "0.05 is usual");
+  }
+  return alpha;
+}
+
+Family readFamily(const Node& node) {
+  Family family;
+  if (!node.isObjectWith(
+          {"id",
+           "title",
+           "instrument",
+           "blocks",
+           "comparisons",
+           "test",
+           "correction",
+           "alpha",
+           "equivalence_bound"})) {
+    return family;
+  }
+  family.id = node.id("id");
+  family.title = node.text("title");
+  family.instrument = node.id("instrument");
+  family.blocks = node.ids("blocks");
+  for (const auto& pair : node.requiredList("comparisons")) {
+    family.comparisons.push_back(readComparison(pair));
+  }
+  family.test = node.choice("test", kTests);
+  family.correction = node.choice("correction", kCorrections);
+  family.alpha = readAlpha(node);
+  if (node.has("equivalence_bound")) {
+    family.equivalenceBound = node.number("equivalence_bound", 0.0, kWidestScale, 0.5);
+    if (family.equivalenceBound == 0.0) {
+      node.problem("equivalence_bound", "no difference is smaller than 0", "0.5 is usual");
+    }
+  }
+  return family;
+}
+
+double deviation(const Node& node, std::string_view key, double usual) {
+  return node.number(key, 0.0, kMostDeviation, usual);
+}
+
+}  // namespace
+
+AnalysisPlan readAnalysis(const Node& node) {
+  AnalysisPlan plan;
+  if (!node.isObjectWith({"families"})) return plan;
+  for (const auto& family : node.requiredList("families")) {
+    plan.families.push_back(readFamily(family));
+  }
+  return plan;
+}
+
+SimulationTruth readSimulation(const Node& node) {
+  SimulationTruth truth;
+  if (!node.isObjectWith(
+          {"realism", "person_deviation", "person_by_condition_deviation", "answer_deviation"})) {
+    return truth;
+  }
+  if (const auto realism = node.object("realism")) {
+    for (const auto& member : realism->members()) {
+      truth.realismByCondition.emplace_back(
+          member.first, realism->number(member.first, -kMostRealism, kMostRealism, 0.0));
+    }
+  }
+  truth.personDeviation = deviation(node, "person_deviation", truth.personDeviation);
+  truth.personByConditionDeviation =
+      deviation(node, "person_by_condition_deviation", truth.personByConditionDeviation);
+  truth.answerDeviation = deviation(node, "answer_deviation", truth.answerDeviation);
+  return truth;
+}
+
+}  // namespace protocols

@@ -1,0 +1,250 @@
+#include "protocols/reading/anatomy_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "questionnaires/json/document.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Problems;
+using questionnaires::shown;
+
+constexpr std::array kReplaceable{kTibia, kFemur, kCapsule};
+constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
+constexpr float kSmallestKnee = 20.0F;  // of a knee, along its longest axis [mm]
+constexpr float kLargestKnee = 400.0F;  // [mm]
+constexpr float kFarthestAway = 60.0F;  // of any surface from the punch's mouth [mm]
+constexpr float kMetres = 1.0F;         // a knee whose numbers are below is in metres
+constexpr float kShortest = 0.5F;       // of a normal
+
+template <std::size_t N>
+bool isOneOf(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isFinite(const NamedSurface::Triple& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+float lengthOf(const NamedSurface::Triple& v) {
+  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+std::string rounded(float value) {
+  return std::to_string(std::lround(value));
+}
+
+/// At each corner that of the triangles that share it, upwards where they have none.
+std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface) {
+  std::vector<NamedSurface::Triple> normals(surface.places.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto& p = surface.places[a];
+    const auto& q = surface.places[b];
+    const auto& r = surface.places[c];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const float across = (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j]);
+      for (const auto corner : {a, b, c}) normals[corner][i] += across;
+    }
+  }
+  for (auto& normal : normals) {
+    const float length = lengthOf(normal);
+    if (length <= 0.0F) normal = {0.0F, 1.0F, 0.0F};
+    for (auto& part : normal) part /= length > 0.0F ? length : 1.0F;
+  }
+  return normals;
+}
+
+/// An object of several materials comes in as many parts: makes one of them. Where one part has no
+/// colours, none has.
+void append(NamedSurface& surface, const NamedSurface& more) {
+  const auto first = static_cast<std::uint32_t>(surface.places.size());
+  const auto add = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  const bool areBothColoured = !surface.colours.empty() && !more.colours.empty();
+  add(surface.places, more.places);
+  add(surface.normals, more.normals);
+  if (areBothColoured) add(surface.colours, more.colours);
+  if (!areBothColoured) surface.colours.clear();
+  for (const auto& [a, b, c] : more.triangles) {
+    surface.triangles.push_back({first + a, first + b, first + c});
+  }
+}
+
+/// Reads what lies in a file called by its objects; complains at their names.
+class AnatomyReader {
+ public:
+  explicit AnatomyReader(Problems& problems) : problems_(problems) {}
+
+  void take(NamedSurface surface) {
+    if (isOneOf(kForOrientation, surface.name)) return;
+    const std::string place = placeOf(surface.name);
+    if (!isOneOf(kReplaceable, surface.name)) return refuseName(surface.name, place);
+    if (!isSound(surface, place)) return;
+    const auto same =
+        std::find_if(anatomy_.surfaces.begin(), anatomy_.surfaces.end(), [&](const auto& other) {
+          return other.name == surface.name;
+        });
+    if (same == anatomy_.surfaces.end()) {
+      anatomy_.surfaces.push_back(std::move(surface));
+    } else {
+      append(*same, surface);
+    }
+  }
+
+  std::optional<Anatomy> finish() {
+    if (problems_.hasErrors()) return std::nullopt;
+    if (anatomy_.surfaces.empty()) {
+      problems_.add(
+          "", "no object in it replaces anything", "name the objects tibia, femur or capsule");
+      return std::nullopt;
+    }
+    checkCount();
+    checkSize();
+    for (const auto& surface : anatomy_.surfaces) checkPlace(surface);
+    if (problems_.hasErrors()) return std::nullopt;
+    return std::move(anatomy_);
+  }
+
+ private:
+  static std::string placeOf(const std::string& name) {
+    return name.empty() ? "object without a name" : "object '" + shown(name) + "'";
+  }
+
+  void refuseName(const std::string& name, const std::string& place) {
+    const bool isOurs = name.empty() || name == "defaultobject";  // as the reader calls it
+    problems_.add(
+        isOurs ? "object without a name" : place,
+        "nothing of the knee has this name",
+        "name the objects tibia, femur or capsule (meniscus and punch are left out)");
+  }
+
+  bool isSound(NamedSurface& surface, const std::string& place) {
+    if (!std::all_of(surface.places.begin(), surface.places.end(), isFinite)) {
+      problems_.add(
+          place, "a corner of it lies at no number (nan or inf)", "mend the mesh and save it anew");
+      return false;
+    }
+    if (surface.triangles.empty()) {
+      problems_.add(place, "there is no triangle in it", "save it with its faces");
+      return false;
+    }
+    mendNormals(surface, place);
+    if (!surface.hasNormals) {
+      problems_.warn(
+          place,
+          "it has no normals; they are taken from its triangles, and edges of more than 40° stay "
+          "edges",
+          "save it with normals where it should look otherwise");
+    }
+    return true;
+  }
+
+  /// Normals without a direction are those of the triangles around.
+  void mendNormals(NamedSurface& surface, const std::string& place) {
+    const auto hasDirection = [](const auto& n) { return isFinite(n) && lengthOf(n) > kShortest; };
+    const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
+    const auto lost = static_cast<std::ptrdiff_t>(surface.normals.size()) - whole;
+    if (lost == 0) return;
+    const auto around = normalsOfTriangles(surface);
+    for (std::size_t i = 0; i < surface.normals.size(); ++i) {
+      if (!hasDirection(surface.normals[i])) surface.normals[i] = around[i];
+    }
+    if (!surface.hasNormals) return;  // told below
+    problems_.warn(
+        place,
+        std::to_string(lost) +
+            " of its normals have no direction; they are taken from its "
+            "triangles",
+        "save it with normals of length 1, or without any");
+  }
+
+  void checkCount() {
+    std::size_t count = 0;
+    for (const auto& surface : anatomy_.surfaces) count += surface.triangles.size();
+    if (count <= kMostTriangles) return;
+    problems_.add(
+        "",
+        "its " + std::to_string(count) +
+            " triangles are more than can be drawn in time without a "
+            "graphics card",
+        "simplify it to " + std::to_string(kMostTriangles) + " or fewer");
+  }
+
+  void checkSize() {
+    const float longest = longestAxis();
+    if (longest >= kSmallestKnee && longest <= kLargestKnee) return;
+    const std::string size = "it is " + rounded(longest) + " mm long, which is no knee's size";
+    const std::string wanted = " (a knee has 20 to 400 mm)";
+    if (longest < kMetres) {
+      problems_.add(
+          "",
+          "it is less than 1 mm long" + wanted,
+          "its numbers are likely metres: save it in millimetres, 1000 times as large");
+    } else if (longest < kSmallestKnee) {
+      problems_.add(
+          "",
+          size + wanted,
+          "its numbers are likely centimetres: save it in millimetres, 10 times as large");
+    } else {
+      problems_.add("", size + wanted, "save it in millimetres, and only what is near the punch");
+    }
+  }
+
+  float longestAxis() const {
+    constexpr float kFar = std::numeric_limits<float>::max();
+    NamedSurface::Triple low{kFar, kFar, kFar};
+    NamedSurface::Triple high{-kFar, -kFar, -kFar};
+    for (const auto& surface : anatomy_.surfaces) {
+      for (const auto& place : surface.places) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], place[axis]);
+          high[axis] = std::max(high[axis], place[axis]);
+        }
+      }
+    }
+    return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  }
+
+  void checkPlace(const NamedSurface& surface) {
+    float nearest = std::numeric_limits<float>::max();
+    for (const auto& place : surface.places) nearest = std::min(nearest, lengthOf(place));
+    if (nearest <= kFarthestAway) return;
+    problems_.add(
+        placeOf(surface.name),
+        "it comes no nearer than " + rounded(nearest) + " mm to the punch, and would not be seen",
+        "put the origin where the punch bites; see \"Your own anatomy\" in docs/simulation.md");
+  }
+
+  Problems& problems_;
+  Anatomy anatomy_;
+};
+
+}  // namespace
+
+const NamedSurface* Anatomy::find(std::string_view name) const noexcept {
+  const auto found = std::find_if(
+      surfaces.begin(), surfaces.end(), [&](const auto& surface) { return surface.name == name; });
+  return found == surfaces.end() ? nullptr : &*found;
+}
+
+std::optional<Anatomy> readAnatomy(std::string_view text, Problems& problems) {
+  Problems found;
+  AnatomyReader reader(found);
+  try {
+    for (auto& surface : readObj(text)) reader.take(std::move(surface));
+  } catch (const questionnaires::Error& error) {
+    found.add("", error.what(), "save it as OBJ, with its faces");
+  }
+  auto anatomy = reader.finish();
+  problems.append(found);
+  return anatomy;
+}
+
+}  // namespace protocols

@@ -1,0 +1,240 @@
+#include "protocols/reading/material_file.h"
+
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "haptics/recordings/decimal.h"
+#include "questionnaires/json/document.h"
+
+namespace protocols {
+namespace {
+
+namespace reaming = haptics::reaming;
+using Json = nlohmann::ordered_json;
+using questionnaires::Node;
+using questionnaires::Problems;
+
+constexpr std::string_view kMaterialFormat = "palpate-material-1";
+
+/// What a node of a curve is called, by what the curve holds.
+struct Keys {
+  const char* value;
+  const char* slope;
+};
+constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
+constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
+
+constexpr double kDeepest = 1.0;   // [m]
+constexpr double kFarthest = 1e9;  // that is told as a wrong unit, once for a file [m]
+
+reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
+  constexpr double kLargest = 1e6;    // [N, N·m]
+  constexpr double kSteepest = 1e12;  // [N/m, N·m/m]
+  reaming::CurveNodes nodes;
+  for (const auto& node : curves.requiredList(which)) {
+    if (!node.isObjectWith({"depth_m", keys.value, keys.slope})) continue;
+    const double depth = node.number("depth_m", 0.0, kFarthest);
+    if (!nodes.empty() && !(depth > nodes.back().position)) {
+      node.problem(
+          "depth_m",
+          "the node does not lie deeper than the one before it",
+          "list the nodes in the order of their depth, each depth once");
+    }
+    nodes.push_back(
+        {depth,
+         node.number(keys.value, -kLargest, kLargest),
+         node.number(keys.slope, -kSteepest, kSteepest)});
+  }
+  if (nodes.size() == 1) curves.problem(which, "one node is no curve", "list two or more");
+  return nodes;
+}
+
+reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
+  if (!node.isObjectWith({"minimum", "average", "maximum"})) return {};
+  return {
+      readNodes(node, "minimum", keys),
+      readNodes(node, "average", keys),
+      readNodes(node, "maximum", keys)};
+}
+
+reaming::Jitter readJitter(const Node& node) {
+  if (!node.isObjectWith({"rms_n", "rate_hz"})) return {};
+  return {node.number("rms_n", 0.0, 1e4), node.number("rate_hz", 0.1, 1e5)};
+}
+
+constexpr std::array kSets{
+    questionnaires::Choice<reaming::TestSet>{"static", reaming::TestSet::Static},
+    questionnaires::Choice<reaming::TestSet>{"dynamic-1", reaming::TestSet::Dynamic1},
+    questionnaires::Choice<reaming::TestSet>{"dynamic-2", reaming::TestSet::Dynamic2},
+};
+
+/// The deepest node of all curves [m].
+double deepestOf(const reaming::Material& material) {
+  double deepest = 0.0;
+  for (const auto& set : material.sets) {
+    for (const auto* curves : {&set.force, &set.torque}) {
+      for (const auto* nodes : {&curves->minimum, &curves->average, &curves->maximum}) {
+        for (const auto& node : *nodes) deepest = std::max(deepest, node.position);
+      }
+    }
+  }
+  return deepest;
+}
+
+std::optional<reaming::Material> readMaterialRoot(
+    const questionnaires::Value& value, Problems& problems) {
+  const Node root(value, "$", problems);
+  if (!root.isObjectWith({"format", "name", "title", "synthetic", "sets", "provenance"})) {
+    return std::nullopt;
+  }
+  const std::string format = root.text("format");
+  if (!format.empty() && format != kMaterialFormat) {
+    root.problem(
+        "format",
+        "this is no material file of the kind that this program reads",
+        "write one with 'palpate material fit'");
+  }
+  reaming::Material material{
+      .name = root.id("name"),
+      .title = root.text("title"),
+      .isSynthetic = root.flag("synthetic", false)};
+  for (const auto& node : root.requiredList("sets")) {
+    if (!node.isObjectWith({"test_set", "force", "torque", "jitter"})) continue;
+    reaming::MaterialSet set{.set = node.choice("test_set", kSets)};
+    if (const auto force = node.requiredObject("force")) set.force = readCurves(*force, kForceKeys);
+    if (const auto torque = node.object("torque")) set.torque = readCurves(*torque, kTorqueKeys);
+    if (const auto jitter = node.object("jitter")) set.jitter = readJitter(*jitter);
+    if (material.find(set.set) != nullptr) {
+      node.problem("test_set", "this test set is there already", "keep one of the two");
+    }
+    material.sets.push_back(std::move(set));
+  }
+  if (const double deepest = deepestOf(material); deepest > kDeepest) {
+    root.problem(
+        "sets",
+        "the curves go " + haptics::recordings::decimal(deepest, 1) +
+            " m deep; depths are in metres and at most 1",
+        "if these are millimetres, fit the material again and say so: --unit displacement=mm");
+  }
+  return material;
+}
+
+Json asJson(const reaming::FittedCurve& curve, const Keys& keys) {
+  Json nodes = Json::array();
+  for (const auto& node : curve.spline.nodes) {
+    nodes.push_back(
+        {{"depth_m", node.position}, {keys.value, node.force}, {keys.slope, node.slope}});
+  }
+  return nodes;
+}
+
+Json asJson(const reaming::FittedEnvelope& envelope, const Keys& keys) {
+  return {
+      {"minimum", asJson(envelope.minimum, keys)},
+      {"average", asJson(envelope.average, keys)},
+      {"maximum", asJson(envelope.maximum, keys)}};
+}
+
+Json errorsOf(const reaming::FittedEnvelope& envelope) {
+  Json json;
+  const std::pair<const char*, const reaming::FittedCurve*> curves[]{
+      {"minimum", &envelope.minimum},
+      {"average", &envelope.average},
+      {"maximum", &envelope.maximum}};
+  for (const auto& [name, curve] : curves) {
+    const auto& e = curve->error;
+    json[name] = {
+        {"nodes", curve->spline.nodes.size()},
+        {"e_a_published", e.published},
+        {"e_a_at_m", e.publishedAt},
+        {"floored", e.floored},
+        {"floored_at_m", e.flooredAt},
+        {"largest", e.largest},
+        {"rms", e.rms},
+        {"r_squared", e.rSquared}};
+  }
+  return json;
+}
+
+Json seriesAsJson(const reaming::PreparedSeries& series, const MaterialSource& source) {
+  Json json{{"name", series.name}, {"test_set", nameOf(series.set)}};
+  if (!source.file.empty()) json["file"] = source.file;
+  if (!source.sha256.empty()) json["sha256"] = source.sha256;
+  json["used"] = !series.exclusion.isExcluded();
+  if (series.exclusion.isExcluded()) json["excluded_because"] = series.exclusion.words;
+  if (series.cutoff > 0.0) json["cutoff_hz"] = series.cutoff;
+  if (series.largestDisplacement > 0.0) json["largest_depth_m"] = series.largestDisplacement;
+  return json;
+}
+
+}  // namespace
+
+std::string_view nameOf(reaming::NodeRule rule) noexcept {
+  constexpr std::array<std::string_view, 4> kNames{"greedy", "paper-literal", "thinned", "optimal"};
+  return kNames[static_cast<std::size_t>(rule)];
+}
+std::string_view nameOf(reaming::SplineKind kind) noexcept {
+  constexpr std::array<std::string_view, 5> kNames{
+      "hermite-data-slope", "pchip", "makima", "cubic-natural", "linear"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+std::string_view nameOf(reaming::EnvelopeRule rule) noexcept {
+  return rule == reaming::EnvelopeRule::Pointwise ? "pointwise" : "single-sample";
+}
+std::string_view nameOf(reaming::CutoffRule rule) noexcept {
+  return rule == reaming::CutoffRule::Floor ? "detrended-hann" : "plain";
+}
+
+std::optional<reaming::Material> readMaterial(std::string_view json, Problems& problems) {
+  Problems found;
+  std::optional<reaming::Material> material;
+  if (const auto value = questionnaires::parseJson(json, found)) {
+    material = readMaterialRoot(*value, found);
+  }
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::move(material);
+}
+
+std::string materialAsJson(
+    const std::string& name,
+    const std::string& title,
+    bool isSynthetic,
+    const reaming::MaterialFit& fit,
+    const reaming::FitOptions& options,
+    const std::vector<MaterialSource>& sources) {
+  Json json{
+      {"format", kMaterialFormat}, {"name", name}, {"title", title}, {"synthetic", isSynthetic}};
+  json["sets"] = Json::array();
+  Json errors = Json::object();
+  for (const auto& set : fit.sets) {
+    Json entry{{"test_set", nameOf(set.set)}, {"force", asJson(set.force, kForceKeys)}};
+    if (set.torque) entry["torque"] = asJson(*set.torque, kTorqueKeys);
+    if (set.jitter.rms > 0.0) {
+      entry["jitter"] = {{"rms_n", set.jitter.rms}, {"rate_hz", set.jitter.rate}};
+    }
+    json["sets"].push_back(std::move(entry));
+    errors[std::string(nameOf(set.set))] = {
+        {"series", set.used}, {"scale_m", set.scale}, {"force", errorsOf(set.force)}};
+  }
+  Json provenance{
+      {"settings",
+       {{"cutoff_rule", nameOf(options.cutoffRule)},
+        {"envelope", nameOf(options.envelope)},
+        {"nodes", nameOf(options.nodes)},
+        {"spline", nameOf(options.spline)},
+        {"wanted_error", options.wantedError},
+        {"force_floor_n", options.forceFloor},
+        {"torque_floor_nm", options.torqueFloor}}},
+      {"errors", std::move(errors)},
+      {"series", Json::array()}};
+  if (options.cutoff) provenance["settings"]["cutoff_hz"] = *options.cutoff;
+  for (std::size_t i = 0; i < fit.series.size(); ++i) {
+    provenance["series"].push_back(seriesAsJson(fit.series[i], sources[i]));
+  }
+  json["provenance"] = std::move(provenance);
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace protocols

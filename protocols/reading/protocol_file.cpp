@@ -1,0 +1,227 @@
+#include "protocols/reading/protocol_file.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "protocols/reading/analysis_file.h"
+#include "protocols/reading/choice_file.h"
+#include "protocols/reading/localized_file.h"
+#include "protocols/reading/phase_file.h"
+#include "protocols/reading/scene_file.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/reading/text_reader.h"
+
+namespace protocols {
+namespace {
+
+using haptics::devices::DeviceKind;
+using questionnaires::Choice;
+using questionnaires::Node;
+
+constexpr std::string_view kSchema = "protocol-1.schema.json";
+constexpr std::int64_t kMostExactWhole = std::int64_t{1} << 53;
+
+constexpr std::array kDeviceKinds{
+    Choice<DeviceKind>{"punch", DeviceKind::Punch},
+    Choice<DeviceKind>{"reamer", DeviceKind::Reamer},
+};
+constexpr std::array kPolicies{
+    Choice<LabelPolicy>{"condition", LabelPolicy::Condition},
+    Choice<LabelPolicy>{"position", LabelPolicy::Position},
+    Choice<LabelPolicy>{"random", LabelPolicy::Random},
+};
+
+void requireSchema(const Node& root) {
+  const std::string schema = root.text("$schema");
+  const bool isOurs = schema == kSchema || schema.ends_with("/" + std::string(kSchema));
+  if (!schema.empty() && !isOurs) {
+    root.problem(
+        "$schema",
+        "this is written for '" + questionnaires::shown(schema) + "'",
+        "this program reads " + std::string(kSchema));
+  }
+}
+
+/// Texts in a list, none of them empty.
+std::vector<std::string> readTexts(const Node& node, std::string_view key) {
+  std::vector<std::string> texts;
+  for (const auto& entry : node.list(key)) {
+    texts.push_back(entry.asText());
+    if (entry.isText() && texts.back().empty()) {
+      entry.problem("", "this text is empty", "write something");
+    }
+  }
+  return texts;
+}
+
+/// Texts in a list, each once.
+std::vector<std::string> readFileNames(const Node& root) {
+  auto names = readTexts(root, "instrument_files");
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty() || seen.insert(names[i]).second) continue;
+    root.problem(
+        "instrument_files[" + std::to_string(i) + "]",
+        "'" + questionnaires::shown(names[i]) + "' stands in this list twice",
+        "keep one");
+  }
+  return names;
+}
+
+std::vector<std::string> readLanguages(const Node& root) {
+  std::vector<std::string> languages;
+  for (const auto& node : root.requiredList("languages")) {
+    const std::string language = node.asText();
+    if (!node.isText()) continue;
+    if (!questionnaires::isLanguageTag(language)) {
+      node.problem(
+          "",
+          "'" + questionnaires::shown(language) + "' is no language tag",
+          "write one such as en, de, nb, de-CH");
+    } else if (std::find(languages.begin(), languages.end(), language) != languages.end()) {
+      node.problem("", "'" + language + "' stands in this list twice", "keep one");
+    }
+    languages.push_back(language);
+  }
+  if (!languages.empty() &&
+      std::find(languages.begin(), languages.end(), "en") == languages.end()) {
+    root.problem(
+        "languages",
+        "'en' is not among the languages",
+        "add it: English is what is shown where another language has no text");
+  }
+  return languages;
+}
+
+StudyMetadata readMetadata(const Node& node) {
+  StudyMetadata study;
+  if (!node.isObjectWith(
+          {"id", "title", "version", "authors", "organizations", "date", "description"})) {
+    return study;
+  }
+  study.id = node.id("id");
+  study.title = node.text("title");
+  study.version = node.text("version");
+  study.authors = readTexts(node, "authors");
+  study.organizations = readTexts(node, "organizations");
+  study.date = node.text("date", "");
+  study.description = node.text("description", "");
+  return study;
+}
+
+Cohort readCohort(const Node& node) {
+  constexpr int kMostPlanned = 10'000;
+  Cohort cohort;
+  if (!node.isObjectWith({"id", "title", "planned"})) return cohort;
+  cohort.id = node.id("id");
+  cohort.title = readLocalized(node, "title");
+  cohort.planned = static_cast<int>(node.wholeNumber("planned", 0, kMostPlanned, 0));
+  return cohort;
+}
+
+// A hand closes a punch at 60 travel units a second when it hurries, and reams slower than 0.1 m/s.
+constexpr double kFastestPunch = 300.0;  // [travel units/s]
+constexpr double kFastestReamer = 1.0;   // [m/s]
+
+DeviceNeed readDevice(const Node& node) {
+  DeviceNeed device;
+  if (!node.isObjectWith(
+          {"id",
+           "kind",
+           "max_force_n",
+           "max_force_rate_n_per_s",
+           "max_velocity",
+           "passivity_control"})) {
+    return device;
+  }
+  const std::string id = node.id("id");
+  const auto kind = readChoice(node, "kind", kDeviceKinds);
+  if (kind) device.id = id;  // without a kind it is as good as unread
+  device.kind = kind.value_or(device.kind);
+  device.maxForce = node.number("max_force_n", 0.01, 1000.0);
+  device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
+  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
+  device.maxVelocity =
+      node.number("max_velocity", 1e-3, 1e6, isPunch ? kFastestPunch : kFastestReamer);
+  device.isPassivityControlled = node.flag("passivity_control", false);
+  return device;
+}
+
+Condition readCondition(const Node& node) {
+  Condition condition;
+  if (!node.isObjectWith({"id", "title", "scene"})) return condition;
+  condition.id = node.id("id");
+  condition.title = node.text("title");
+  if (const auto scene = node.requiredObject("scene")) readScene(*scene, condition);
+  return condition;
+}
+
+Labels readLabels(const Node& root) {
+  Labels labels{.prefix = LocalizedText(std::map<std::string, std::string>{{"en", "Alternative"}})};
+  const auto node = root.requiredObject("labels");
+  if (!node || !node->isObjectWith({"policy", "prefix"})) return labels;
+  labels.policy = node->choice("policy", kPolicies);
+  if (node->has("prefix")) labels.prefix = readLocalized(*node, "prefix");
+  return labels;
+}
+
+template <typename T, typename Read>
+std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
+  std::vector<T> all;
+  for (const auto& node : nodes) all.push_back(read(node));
+  return all;
+}
+
+Protocol readRoot(const Node& root) {
+  Protocol protocol;
+  requireSchema(root);
+  if (const auto study = root.requiredObject("study")) protocol.study = readMetadata(*study);
+  protocol.languages = readLanguages(root);
+  if (root.has("seed")) {
+    protocol.seed = static_cast<std::uint64_t>(root.wholeNumber("seed", 0, kMostExactWhole));
+  }
+  protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
+  protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
+  protocol.instrumentFiles = readFileNames(root);
+  protocol.conditions = readAll<Condition>(root.requiredList("conditions"), readCondition);
+  protocol.labels = readLabels(root);
+  protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
+  if (const auto analysis = root.object("analysis")) protocol.analysis = readAnalysis(*analysis);
+  if (const auto truth = root.object("simulation")) protocol.simulation = readSimulation(*truth);
+  return protocol;
+}
+
+}  // namespace
+
+std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problems& problems) {
+  const auto value = questionnaires::parseJson(json, problems);
+  if (!value) return std::nullopt;
+  const Node root(*value, "$", problems);
+  if (!root.isObjectWith(
+          {"$schema",
+           "study",
+           "languages",
+           "seed",
+           "cohorts",
+           "devices",
+           "instrument_files",
+           "conditions",
+           "labels",
+           "phases",
+           "analysis",
+           "simulation"})) {
+    return std::nullopt;
+  }
+  return readRoot(root);
+}
+
+std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems) {
+  questionnaires::Problems found;
+  auto protocol = readDraft(json, found);
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::move(protocol);
+}
+
+}  // namespace protocols

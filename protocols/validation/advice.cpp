@@ -1,0 +1,186 @@
+#include "protocols/validation/advice.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "protocols/model/instrument_use.h"
+#include "protocols/validation/block_advice.h"
+#include "protocols/validation/scene_advice.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/text_problems.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Instrument;
+using questionnaires::Problems;
+
+std::string at(const char* list, std::size_t index) {
+  return "$." + std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+bool isAmong(const std::vector<std::string>& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+bool isInLibrary(const std::string& instrument) {
+  const auto files = questionnaires::libraryFiles();
+  return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+    return file.name == instrument + ".json";
+  });
+}
+
+/// Gives advice about everything but blocks.
+class Advice {
+ public:
+  Advice(const LoadedProtocol& loaded, Problems& problems)
+      : loaded_(loaded), protocol_(loaded.protocol), problems_(problems) {}
+
+  void onTexts() {
+    text("$.labels.prefix", protocol_.labels.prefix);
+    for (std::size_t i = 0; i < protocol_.phases.size(); ++i) {
+      const auto& words = protocol_.phases[i].text;
+      if (!words.isEmpty()) text(at("phases", i) + ".text", words);
+    }
+  }
+
+  void onInstruments() {
+    std::set<std::string> told;
+    for (const auto& use : instrumentUses(protocol_)) {
+      if (!told.insert(use.instrument).second) continue;
+      const auto* instrument = loaded_.instrument(use.instrument);
+      languagesOf(*instrument, use.path);
+      occasionsOf(*instrument, use.path);
+      if (!isFromFile(*instrument)) fromLibrary(*instrument);
+    }
+    for (std::size_t i = 0; i < protocol_.instrumentFiles.size(); ++i) {
+      file(loaded_.instruments[i].id, at("instrument_files", i), told);
+    }
+  }
+
+  void onWhatNobodyUses() {
+    std::set<std::string> devices;
+    for (const auto& condition : protocol_.conditions) devices.insert(condition.device);
+    std::set<std::string> felt;
+    for (const auto& phase : protocol_.phases) {
+      felt.insert(phase.trials.conditions.begin(), phase.trials.conditions.end());
+    }
+    for (std::size_t i = 0; i < protocol_.devices.size(); ++i) {
+      const auto& id = protocol_.devices[i].id;
+      if (devices.count(id) > 0) continue;
+      problems_.warn(
+          at("devices", i), "no condition uses '" + id + "'", "it will not be opened; remove it");
+    }
+    for (std::size_t i = 0; i < protocol_.conditions.size(); ++i) {
+      const auto& id = protocol_.conditions[i].id;
+      if (felt.count(id) > 0) continue;
+      problems_.warn(
+          at("conditions", i), "no block uses '" + id + "'", "nobody will feel it; remove it");
+    }
+  }
+
+ private:
+  void text(const std::string& path, const LocalizedText& words) {
+    for (const auto& language : protocol_.languages) {
+      if (!words.has(language)) {
+        problems_.warn(
+            path,
+            "there is no text in '" + language + "'",
+            "English will be shown instead; add \"" + language + "\": \"…\"");
+        continue;
+      }
+      const std::string placeholders = questionnaires::placeholdersOf(words.in(language));
+      if (placeholders.empty()) continue;
+      problems_.warn(
+          path,
+          "still to be filled in ('" + language + "'): " + placeholders,
+          "write what holds there");
+    }
+  }
+
+  void languagesOf(const Instrument& instrument, const std::string& path) {
+    for (const auto& language : protocol_.languages) {
+      if (isAmong(instrument.languages, language)) continue;
+      problems_.warn(
+          path,
+          "'" + instrument.id + "' has no texts in '" + language + "'",
+          "English will be shown instead; 'palpate instrument wording " + instrument.id +
+              " --language " + language + "' writes a file for them");
+    }
+  }
+
+  /// What is scored as a change has to be asked twice.
+  void occasionsOf(const Instrument& instrument, const std::string& path) {
+    if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
+    const auto uses = instrumentUses(protocol_);
+    const auto times = std::count_if(uses.begin(), uses.end(), [&](const InstrumentUse& use) {
+      return use.instrument == instrument.id;
+    });
+    if (times > 1) return;
+    problems_.warn(
+        path,
+        "'" + instrument.id + "' is asked once, and its result is the change from before to after",
+        "ask it in a phase before and in a phase after what is felt");
+  }
+
+  /// What lies in a file has its own warnings.
+  bool isFromFile(const Instrument& instrument) const {
+    const auto files = static_cast<std::ptrdiff_t>(protocol_.instrumentFiles.size());
+    return &instrument - loaded_.instruments.data() < files;
+  }
+
+  /// What its own file would have been told, but for the statements that compare with the previous:
+  /// adviseOnBlocks() knows which of them may have none.
+  void fromLibrary(const Instrument& instrument) {
+    const auto found = questionnaires::problemsOf(instrument);
+    for (const auto& problem : found.all()) {
+      if (problem.path.ends_with(".relative_to") || isOfATranslation(problem, instrument)) continue;
+      problems_.warn(
+          instrument.id + " " + problem.path,
+          problem.what,
+          "copy it beside the protocol, give it an id of its own, write what holds there in every "
+          "language, and list it in 'instrument_files'");
+    }
+  }
+
+  /// A blank of the library is one in all languages; it is told once.
+  static bool isOfATranslation(
+      const questionnaires::Problem& problem, const Instrument& instrument) {
+    return std::any_of(
+        instrument.languages.begin(), instrument.languages.end(), [&](const auto& language) {
+          return language != "en" && problem.path.ends_with("." + language);
+        });
+  }
+
+  void file(const std::string& id, const std::string& path, const std::set<std::string>& used) {
+    if (used.count(id) == 0) {
+      problems_.warn(path, "nothing asks '" + id + "'", "name it in a phase, or remove the file");
+    }
+    if (isInLibrary(id)) {
+      problems_.warn(
+          path,
+          "'" + id + "' takes the place of the instrument of this name in the library",
+          "give it an id of its own, so that nobody takes one for the other");
+    }
+  }
+
+  const LoadedProtocol& loaded_;
+  const Protocol& protocol_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void advise(const LoadedProtocol& loaded, Problems& problems) {
+  Advice advice(loaded, problems);
+  advice.onTexts();
+  advice.onInstruments();
+  adviseOnScenes(loaded.protocol, problems);
+  adviseOnBlocks(loaded, problems);
+  adviseOnAnalysis(loaded.protocol, problems);
+  advice.onWhatNobodyUses();
+}
+
+}  // namespace protocols

@@ -1,0 +1,168 @@
+#include "protocols/validation/analysis_rules.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "questionnaires/json/document.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::isSoundId;
+using questionnaires::ItemType;
+using questionnaires::Problems;
+using questionnaires::shown;
+
+/// Looks at one family of comparisons.
+class FamilyCheck {
+ public:
+  FamilyCheck(const Draft& draft, std::size_t index, Problems& problems)
+      : draft_(draft),
+        protocol_(draft.loaded.protocol),
+        family_(protocol_.analysis.families[index]),
+        path_("$.analysis.families[" + std::to_string(index) + "]"),
+        problems_(problems) {}
+
+  void all() {
+    if (isSoundId(family_.instrument)) instrument();
+    for (std::size_t i = 0; i < family_.blocks.size(); ++i) block(i);
+    for (std::size_t i = 0; i < family_.comparisons.size(); ++i) comparison(i);
+  }
+
+ private:
+  void instrument() {
+    const bool isAsked =
+        std::any_of(protocol_.phases.begin(), protocol_.phases.end(), [&](const auto& phase) {
+          return mayAsk(phase);
+        });
+    if (!isAsked && draft_.hasAllPhases()) {
+      problems_.add(
+          path_ + ".instrument",
+          "no block asks '" + shown(family_.instrument) + "' after its conditions",
+          "name an instrument that one asks");
+      return;
+    }
+    const auto* asked = draft_.loaded.instrument(family_.instrument);
+    if (asked != nullptr) statements(*asked);
+  }
+
+  /// Whether @p phase asks about its conditions what this family compares, or is unread.
+  bool mayAsk(const Phase& phase) const {
+    const auto& asked = phase.trials.questionnaires;
+    return phase.id.empty() || !isSoundId(family_.instrument) ||
+           std::any_of(asked.begin(), asked.end(), [&](const auto& questionnaire) {
+             return questionnaire.instrument == family_.instrument ||
+                    !isSoundId(questionnaire.instrument);
+           });
+  }
+
+  void statements(const questionnaires::Instrument& asked) {
+    const questionnaires::Item* first = nullptr;
+    for (const auto& item : asked.items) {
+      if (item.type != ItemType::Likert) continue;
+      if (first == nullptr) first = &item;
+      if (item.scale.lowest == first->scale.lowest && item.scale.points == first->scale.points) {
+        continue;
+      }
+      problems_.add(
+          path_ + ".instrument",
+          "the Likert items of '" + asked.id + "' have different scales",
+          "answers on different scales cannot be pooled; make an instrument of each scale");
+      return;
+    }
+    if (first == nullptr) {
+      problems_.add(
+          path_ + ".instrument",
+          "'" + asked.id + "' has no Likert items to compare",
+          "name one that has");
+    }
+  }
+
+  void block(std::size_t index) {
+    const auto& id = family_.blocks[index];
+    const auto* phase = protocol_.phase(id);
+    if (!isSoundId(id) || (phase == nullptr && !draft_.hasAllPhases())) return;
+    if (phase != nullptr && phase->type == PhaseType::Block && mayAsk(*phase)) return;
+    problems_.add(
+        path_ + ".blocks[" + std::to_string(index) + "]",
+        "'" + shown(id) + "' is no block that asks '" + shown(family_.instrument) + "'",
+        "correct the name");
+  }
+
+  void comparison(std::size_t index) {
+    const auto& pair = family_.comparisons[index];
+    const std::string path = path_ + ".comparisons[" + std::to_string(index) + "]";
+    side(pair.first, path + ".first");
+    side(pair.second, path + ".second");
+    if (pair.first.empty() || pair.second.empty()) return;
+    if (pair.first == pair.second) {
+      problems_.add(path, "a condition is compared with itself", "name two");
+      return;
+    }
+    const auto end = family_.comparisons.begin() + static_cast<std::ptrdiff_t>(index);
+    const bool isThere = std::any_of(family_.comparisons.begin(), end, [&](const auto& other) {
+      return (other.first == pair.first && other.second == pair.second) ||
+             (other.first == pair.second && other.second == pair.first);
+    });
+    if (isThere) problems_.add(path, "this pair is compared already", "keep one of the two");
+  }
+
+  void side(const std::string& condition, const std::string& path) {
+    if (draft_.lacksCondition(condition)) {
+      problems_.add(path, "there is no condition '" + shown(condition) + "'", "correct the name");
+    } else if (isSoundId(condition) && !isAskedAbout(condition)) {
+      problems_.add(
+          path,
+          "no block of this family asks '" + shown(family_.instrument) + "' about '" +
+              shown(condition) + "'",
+          "compare conditions that are asked about");
+    }
+  }
+
+  bool isAskedAbout(const std::string& condition) const {
+    bool isAskedAtAll = false;
+    for (const auto& phase : protocol_.phases) {
+      if (phase.type != PhaseType::Block || !isCounted(phase) || !mayAsk(phase)) continue;
+      if (mayHold(phase.trials, condition)) return true;
+      isAskedAtAll = true;
+    }
+    return !isAskedAtAll || !draft_.hasAllPhases();  // what is missing then has been said
+  }
+
+  bool isCounted(const Phase& phase) const {
+    const auto& only = family_.blocks;
+    return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
+  }
+
+  static bool mayHold(const Block& block, const std::string& condition) {
+    const auto& felt = block.conditions;
+    return felt.empty() || !std::all_of(felt.begin(), felt.end(), isSoundId) ||
+           std::find(felt.begin(), felt.end(), condition) != felt.end();
+  }
+
+  const Draft& draft_;
+  const Protocol& protocol_;
+  const Family& family_;
+  std::string path_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void checkAnalysis(const Draft& draft, Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
+  for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
+    FamilyCheck(draft, i, problems).all();
+  }
+  for (const auto& member : protocol.simulation.realismByCondition) {
+    const std::string& condition = member.first;
+    if (isSoundId(condition) && !draft.lacksCondition(condition)) continue;
+    problems.add(
+        "$.simulation.realism." + shown(condition),
+        "there is no condition '" + shown(condition) + "'",
+        "correct the name");
+  }
+}
+
+}  // namespace protocols

@@ -1,0 +1,138 @@
+#include "protocols/validation/block_advice.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "protocols/orders/order.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Problems;
+
+/// Gives advice about one block.
+class BlockAdvice {
+ public:
+  BlockAdvice(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
+      : loaded_(loaded),
+        protocol_(loaded.protocol),
+        phase_(protocol_.phases[index]),
+        path_("$.phases[" + std::to_string(index) + "]"),
+        problems_(problems) {}
+
+  void all() {
+    for (std::size_t i = 0; i < phase_.trials.questionnaires.size(); ++i) relativeItems(i);
+    if (phase_.trials.order.type == OrderType::Fixed) {
+      sameForEverybody();
+    } else {
+      balance();
+    }
+  }
+
+ private:
+  /// A statement like "than the previous cut" needs a previous cut.
+  void relativeItems(std::size_t index) {
+    const auto& asked = phase_.trials.questionnaires[index];
+    for (const auto& condition : phase_.trials.conditions) {
+      if (!canComeFirst(condition)) continue;
+      const auto items = loaded_.instrument(asked.instrument)->itemsOf(asked.setFor(condition));
+      for (const auto& item : items) {
+        if (item.reference != questionnaires::Reference::Previous) continue;
+        problems_.warn(
+            path_ + ".questionnaires[" + std::to_string(index) + "]",
+            "item '" + item.id + "' compares with the previous, and '" + condition +
+                "' can come first in this block, where there is none",
+            "use an order in which it cannot, or a statement that compares with nothing");
+      }
+    }
+  }
+
+  bool canComeFirst(const std::string& condition) const {
+    bool isBackwards = false;
+    const Phase* source = &phase_;
+    while (source->trials.order.type == OrderType::Reversed) {
+      source = protocol_.phase(source->trials.order.of);
+      isBackwards = !isBackwards;
+    }
+    if (source->trials.order.type != OrderType::Fixed) return true;
+    const auto& order = source->trials.conditions;
+    return condition == (isBackwards ? order.back() : order.front());
+  }
+
+  void sameForEverybody() {
+    if (phase_.trials.conditions.size() < 2) return;
+    problems_.warn(
+        path_ + ".order",
+        "everybody feels this block in the same order",
+        "what comes first or last may be preferred for that alone; 'balancedLatinSquare' avoids "
+        "it");
+  }
+
+  void balance() {
+    const auto k = static_cast<int>(phase_.trials.conditions.size());
+    const auto rows = rowsOf(phase_.trials.order.type, k).size();
+    if (rows == 0) return;  // drawn, or another block's
+    for (const auto& cohort : protocol_.cohorts) {
+      if (static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
+      problems_.warn(
+          path_ + ".order",
+          std::to_string(cohort.planned) + " participants of '" + cohort.id +
+              "' do not balance this design",
+          "plan a multiple of " + std::to_string(rows));
+    }
+  }
+
+  const LoadedProtocol& loaded_;
+  const Protocol& protocol_;
+  const Phase& phase_;
+  std::string path_;
+  Problems& problems_;
+};
+
+bool isOf(const Family& family, const Phase& phase) {
+  const auto& only = family.blocks;
+  return only.empty() || std::find(only.begin(), only.end(), phase.id) != only.end();
+}
+
+/// Whether the conditions of @p phase are asked different statements of the family's instrument.
+bool hasUnlikeStatements(const Family& family, const Phase& phase) {
+  std::set<std::string> sets;
+  for (const auto& asked : phase.trials.questionnaires) {
+    if (asked.instrument != family.instrument) continue;
+    for (const auto& condition : phase.trials.conditions) sets.insert(asked.setFor(condition));
+  }
+  return sets.size() > 1;
+}
+
+}  // namespace
+
+void adviseOnBlocks(const LoadedProtocol& loaded, Problems& problems) {
+  const auto& phases = loaded.protocol.phases;
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    if (phases[i].type == PhaseType::Block) BlockAdvice(loaded, i, problems).all();
+  }
+}
+
+void adviseOnAnalysis(const Protocol& protocol, Problems& problems) {
+  const auto& families = protocol.analysis.families;
+  if (families.empty()) {
+    problems.warn(
+        "$.analysis",
+        "no family of comparisons is declared",
+        "what is compared only after a look at the data is exploratory");
+  }
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const auto unlike =
+        std::find_if(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
+          return isOf(families[i], phase) && hasUnlikeStatements(families[i], phase);
+        });
+    if (unlike == protocol.phases.end()) continue;
+    problems.warn(
+        "$.analysis.families[" + std::to_string(i) + "]",
+        "conditions answer different statements in '" + unlike->id + "'",
+        "a difference may be one of wording; the item ids also tell an analyst which is which");
+  }
+}
+
+}  // namespace protocols

@@ -1,0 +1,195 @@
+#include "protocols/validation/rules.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "protocols/model/instrument_use.h"
+#include "protocols/validation/analysis_rules.h"
+#include "protocols/validation/block_rules.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
+
+namespace protocols {
+namespace {
+
+using haptics::devices::DeviceKind;
+using questionnaires::Instrument;
+using questionnaires::ItemType;
+using questionnaires::OptionSource;
+using questionnaires::Problems;
+using questionnaires::shown;
+
+std::string at(const char* list, std::size_t index) {
+  return "$." + std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+template <typename T>
+void checkUnique(
+    const std::vector<T>& things, const char* list, const char* what, Problems& problems) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (!things[i].id.empty() && !seen.insert(things[i].id).second) {
+      problems.add(
+          at(list, i) + ".id",
+          std::string("two ") + what + " share the id '" + shown(things[i].id) + "'",
+          "give each its own");
+    }
+  }
+}
+
+bool isToldAbout(const std::string& place, const Problems& problems) {
+  const auto& all = problems.all();
+  return std::any_of(
+      all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(place); });
+}
+
+/// A curve or a bone that could not be read has no points, and no spheres.
+bool isCurveThere(const haptics::engine::SceneSpec& scene) {
+  if (const auto* spec = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
+    return spec->bone != nullptr;
+  }
+  if (const auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&scene.model)) {
+    return !spec->curve.empty();
+  }
+  const auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&scene.model);
+  return kalman == nullptr || !kalman->interpolation.curve.empty();
+}
+
+void checkParameters(
+    haptics::engine::SceneSpec scene,
+    DeviceKind device,
+    const std::string& path,
+    Problems& problems) {
+  const bool isMaterial = haptics::engine::isBone(scene);
+  scene.device = isMaterial ? DeviceKind::Reamer : DeviceKind::Punch;
+  if (scene.device != device) {
+    problems.add(
+        path + ".model",
+        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
+                   : "this model is felt on a punch, not on a reamer",
+        "choose another model, or another device");
+  }
+  for (const auto& wrong : haptics::engine::problemsOf(scene)) {
+    problems.add(path + ".parameters", wrong, "see \"Scenes\" in docs/protocol-format.md");
+  }
+}
+
+void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
+  const auto& condition = draft.loaded.protocol.conditions[index];
+  const std::string path = at("conditions", index) + ".scene";
+  const bool isRead =
+      !isToldAbout(path + ".model", problems) && !isToldAbout(path + ".parameters", problems);
+  if (draft.lacksDevice(condition.device)) {
+    problems.add(
+        path + ".device",
+        "there is no device '" + shown(condition.device) + "' in this protocol",
+        "add it to 'devices', or correct the name");
+  }
+  const auto* device = draft.loaded.protocol.device(condition.device);
+  if (condition.anatomy && device != nullptr && device->kind != DeviceKind::Punch) {
+    problems.add(
+        path + ".anatomy",
+        "a knee is seen with a punch, not with a reamer",
+        "remove it; the bone that a reamer shows is its packing");
+  }
+  if (isRead && device != nullptr && isCurveThere(condition.scene)) {
+    checkParameters(condition.scene, device->kind, path, problems);
+  }
+}
+
+bool hasConsentItem(const Instrument& instrument) {
+  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+    return !item.consentOption.empty();
+  });
+}
+
+bool asksForAlternatives(const Instrument& instrument) {
+  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+    return item.optionSource == OptionSource::Alternatives;
+  });
+}
+
+bool asksForOneAlternative(const Instrument& instrument) {
+  return std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+    return item.type == ItemType::SingleChoice && item.optionSource == OptionSource::Alternatives;
+  });
+}
+
+void checkSuits(
+    const Instrument& instrument, PhaseType phase, const std::string& path, Problems& problems) {
+  if (phase == PhaseType::Consent && !hasConsentItem(instrument)) {
+    problems.add(
+        path,
+        "'" + instrument.id + "' asks for no consent",
+        "it needs an item with 'consent_option'");
+  }
+  if (phase == PhaseType::Preference && !asksForOneAlternative(instrument)) {
+    problems.add(
+        path,
+        "'" + instrument.id + "' does not ask for an alternative",
+        "it needs a single_choice item with \"options_from\": \"alternatives\"");
+  }
+  if (phase != PhaseType::Preference && asksForAlternatives(instrument)) {
+    problems.add(
+        path,
+        "'" + instrument.id + "' asks for an alternative, and there are none to choose from here",
+        "ask it in a phase of type 'preference'");
+  }
+}
+
+/// "background, consent-punch, …"
+std::string namesOfTheLibrary() {
+  constexpr std::string_view kEnding = ".json";
+  std::string names;
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name.ends_with(".schema.json")) continue;
+    names += names.empty() ? "" : ", ";
+    names += file.name.substr(0, file.name.size() - kEnding.size());
+  }
+  return names;
+}
+
+void checkInstrument(const Draft& draft, const InstrumentUse& use, Problems& problems) {
+  if (draft.lacksInstrument(use.instrument)) {
+    problems.add(
+        use.path,
+        "there is no instrument '" + shown(use.instrument) + "'",
+        "name one of the library (" + namesOfTheLibrary() +
+            "), or list its file in 'instrument_files'");
+  }
+  const auto* instrument = draft.loaded.instrument(use.instrument);
+  if (instrument != nullptr) checkSuits(*instrument, use.phase, use.path, problems);
+}
+
+void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
+  for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
+    const auto& phase = protocol.phases[i];
+    if (phase.type == PhaseType::Consent || phase.id.empty()) return;
+    if (phase.type == PhaseType::Block || phase.type == PhaseType::Benchmark) {
+      problems.add(
+          at("phases", i),
+          "something is felt here before anybody has agreed to take part",
+          "put a phase of type 'consent' before it");
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void checkRules(const Draft& draft, Problems& problems) {
+  const auto& protocol = draft.loaded.protocol;
+  checkUnique(protocol.cohorts, "cohorts", "cohorts", problems);
+  checkUnique(protocol.devices, "devices", "devices", problems);
+  checkUnique(protocol.conditions, "conditions", "conditions", problems);
+  checkUnique(protocol.phases, "phases", "phases", problems);
+  checkUnique(protocol.analysis.families, "analysis.families", "families", problems);
+  for (std::size_t i = 0; i < protocol.conditions.size(); ++i) checkCondition(draft, i, problems);
+  checkConsentComesFirst(protocol, problems);
+  for (const auto& use : instrumentUses(protocol)) checkInstrument(draft, use, problems);
+  checkBlocks(draft, problems);
+  checkAnalysis(draft, problems);
+}
+
+}  // namespace protocols

@@ -1,0 +1,395 @@
+// A protocol and the files that it names: found, read once, kept as they were.
+#include "protocols/model/loaded_protocol.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "haptics/recordings/parametric_cut.h"
+#include "protocols/load_protocol.h"
+#include "protocols/model/library.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "questionnaires/reading/wording.h"
+#include "tests/protocols/small_protocol.h"
+#include "tests/support/scratch_folder.h"
+
+namespace protocols {
+namespace {
+
+namespace fs = std::filesystem;
+namespace engine = haptics::engine;
+using questionnaires::Problems;
+using Words = std::vector<std::string>;
+
+/// usualProtocol() that names these files as a JSON list.
+std::string naming(const std::string& files) {
+  return tests::with(
+      tests::usualProtocol(),
+      "\"conditions\": [\n",
+      "\"instrument_files\": " + files + ",\n  \"conditions\": [\n");
+}
+
+/// usualProtocol() whose second condition is the cut in a file.
+std::string feeling(const std::string& cut) {
+  return tests::with(
+      tests::usualProtocol(),
+      R"("model": "finite-elements",
+        "parameters": { "yield_force_n": 6 })",
+      R"("model": "interpolation", "parameters": {"cut": ")" + cut + R"("})");
+}
+
+std::string instrumentFile(const std::string& id) {
+  return tests::with(
+      tests::corpusText("good", "instruments/comfort"), "\"comfort\"", "\"" + id + "\"");
+}
+
+std::string cutFile() {
+  return tests::corpusText("good", "cuts/two-points");
+}
+
+/// Finds files among some, and counts how often each is asked for.
+struct Shelf {
+  std::map<std::string, std::string> files;
+  std::map<std::string, int> asked{};
+
+  FileFinder finder() {
+    return [this](const std::string& name) -> std::optional<std::string> {
+      ++asked[name];
+      const auto file = files.find(name);
+      return file == files.end() ? std::nullopt : std::optional(file->second);
+    };
+  }
+};
+
+/// The errors of a refused protocol.
+Words errorsIn(const std::string& json, const FileFinder& find = {}) {
+  const auto loading = tests::load(json, find);
+  EXPECT_FALSE(loading.loaded.has_value());
+  Words said;
+  for (const auto& problem : loading.problems) {
+    EXPECT_EQ(problem.severity, questionnaires::Severity::Error);
+    said.push_back(problem.path + ": " + problem.what);
+  }
+  return said;
+}
+
+TEST(LoadedProtocol, HoldsTheInstrumentsThatItUsesAndNoOthers) {
+  const auto loading = tests::load(tests::usualProtocol());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  Words ids;
+  for (const auto& instrument : loading.loaded->instruments) ids.push_back(instrument.id);
+  EXPECT_EQ(ids, (Words{"consent-punch", "realism-common"}));
+  EXPECT_EQ(loading.loaded->instrument("realism-common")->items.size(), 6U);
+  EXPECT_EQ(loading.loaded->instrument("debrief"), nullptr);
+}
+
+TEST(LoadedProtocol, KeepsItsOwnTextAndThatOfItsFilesByteByByte) {
+  const auto protocol = tests::with(
+      feeling("cuts/mine.json"),
+      "\"conditions\": [\n",
+      "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
+  Shelf shelf{.files = {{"mine.json", instrumentFile("mine")}, {"cuts/mine.json", cutFile()}}};
+  const auto loading = tests::load(protocol, shelf.finder());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_EQ(loading.loaded->text, protocol);
+  ASSERT_EQ(loading.loaded->files.size(), 2U);
+  EXPECT_EQ(loading.loaded->files[0].name, "mine.json");
+  EXPECT_EQ(loading.loaded->files[0].text, shelf.files.at("mine.json"));
+  EXPECT_EQ(loading.loaded->files[1].name, "cuts/mine.json");
+  EXPECT_EQ(loading.loaded->files[1].text, shelf.files.at("cuts/mine.json"));
+}
+
+TEST(LoadedProtocol, KeepsNothingOfWhatIsBuiltIn) {
+  const auto loading = tests::load(feeling("parametric"));
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_TRUE(loading.loaded->files.empty());
+}
+
+TEST(LoadedProtocol, CanBeLoadedAgainFromWhatItKeeps) {
+  Shelf shelf{.files = {{"mine.json", cutFile()}}};
+  const auto first = tests::load(feeling("mine.json"), shelf.finder());
+  ASSERT_TRUE(first.loaded.has_value()) << first.inWords();
+  Shelf kept;
+  for (const auto& file : first.loaded->files) kept.files[file.name] = file.text;
+  const auto second = tests::load(first.loaded->text, kept.finder());
+  ASSERT_TRUE(second.loaded.has_value()) << second.inWords();
+  EXPECT_EQ(second.inWords(), first.inWords());
+}
+
+TEST(LoadedProtocol, PutsTheCurveOfACutIntoItsScene) {
+  Shelf shelf{.files = {{"mine.json", cutFile()}}};
+  const auto loading = tests::load(feeling("mine.json"), shelf.finder());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  const auto& scene = loading.loaded->protocol.condition("firm")->scene;
+  const auto& curve = std::get<engine::InterpolationSpec>(scene.model).curve;
+  ASSERT_EQ(curve.size(), 2U);
+  EXPECT_EQ(curve[1].travel, 10.5);
+  EXPECT_EQ(curve[1].force, 4.25);
+}
+
+TEST(LoadedProtocol, PutsTheShippedCutIntoAFusedSceneThatNamesNone) {
+  const auto text = tests::with(
+      tests::usualProtocol(),
+      R"("model": "finite-elements",
+        "parameters": { "yield_force_n": 6 })",
+      R"("model": "kalman", "parameters": {})");
+  const auto loading = tests::load(text);
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  const auto& scene = loading.loaded->protocol.condition("firm")->scene;
+  const auto& curve = std::get<engine::KalmanSpec>(scene.model).interpolation.curve;
+  EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size());
+}
+
+TEST(LoadedProtocol, ReadsAFileOnceAndTellsOnceWhatIsWrongWithIt) {
+  const auto text = tests::with(
+      feeling("mine.json"),
+      R"("model": "finite-elements",
+        "parameters": { "yield_force_n": 3 })",
+      R"("model": "interpolation", "parameters": {"cut": "mine.json"})");
+  Shelf shelf{.files = {{"mine.json", tests::with(cutFile(), "10.5", "1")}}};
+  EXPECT_EQ(
+      errorsIn(text, shelf.finder()),
+      Words{"mine.json $.curve[1].travel: the travel does not rise from the point before"});
+  EXPECT_EQ(shelf.asked.at("mine.json"), 1);
+}
+
+TEST(LoadedProtocol, AsksForNoFileOutsideItsFolder) {
+  Shelf shelf;
+  for (const std::string name :
+       {"../mine.json", "/etc/passwd", "a/../../mine.json", "..", "a/.."}) {
+    const Words expected{
+        "$.instrument_files[0]: '" + name + "' lies outside the protocol's folder"};
+    EXPECT_EQ(errorsIn(naming("[\"" + name + "\"]"), shelf.finder()), expected);
+  }
+  EXPECT_TRUE(shelf.asked.empty());
+}
+
+TEST(LoadedProtocol, TellsWhyAFileCannotBeRead) {
+  const FileFinder broken = [](const std::string&) -> std::optional<std::string> {
+    throw questionnaires::Error("The disk is on fire.");
+  };
+  const auto loading = tests::load(naming(R"(["mine.json"])"), broken);
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  EXPECT_EQ(loading.problems[0].what, "the file 'mine.json' cannot be read");
+  EXPECT_EQ(loading.problems[0].fix, "The disk is on fire.");
+}
+
+TEST(LoadedProtocol, PutsTheNameOfAFileBeforeWhatIsWrongInIt) {
+  Shelf shelf{.files = {{"mine.json", "{\"id\": 3"}}};
+  const auto said = errorsIn(naming(R"(["mine.json"])"), shelf.finder());
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_TRUE(said[0].starts_with("mine.json $")) << said[0];
+}
+
+TEST(LoadedProtocol, RefusesItselfAsAnInstrument) {
+  const auto text = naming(R"(["me.json"])");
+  Shelf shelf{.files = {{"me.json", text}}};
+  const auto said = errorsIn(text, shelf.finder());
+  ASSERT_FALSE(said.empty());
+  for (const auto& words : said) EXPECT_TRUE(words.starts_with("me.json $")) << words;
+  EXPECT_EQ(shelf.asked.at("me.json"), 1);
+}
+
+TEST(LoadedProtocol, RefusesTwoFilesWithOneIdAlsoUnderTwoSpellings) {
+  Shelf shelf{
+      .files = {{"mine.json", instrumentFile("mine")}, {"./mine.json", instrumentFile("mine")}}};
+  EXPECT_EQ(
+      errorsIn(naming(R"(["mine.json", "./mine.json"])"), shelf.finder()),
+      Words{"$.instrument_files[1]: './mine.json' holds the instrument 'mine', and so does a file "
+            "before it"});
+}
+
+TEST(LoadedProtocol, RefusesWhatIsTooLargeOrTooDeepInAFileToo) {
+  Shelf shelf{
+      .files = {
+          {"large.json", std::string(10'000'000, ' ')},
+          {"deep.json", std::string(100'000, '[') + std::string(100'000, ']')}}};
+  EXPECT_EQ(
+      errorsIn(naming(R"(["large.json"])"), shelf.finder()),
+      Words{"large.json $: the file is larger than 5 MB"});
+  const auto deep = errorsIn(naming(R"(["deep.json"])"), shelf.finder());
+  ASSERT_EQ(deep.size(), 1U);
+  EXPECT_NE(deep[0].find("nested deeper than 64 levels"), std::string::npos) << deep[0];
+  EXPECT_TRUE(deep[0].starts_with("deep.json $")) << deep[0].substr(0, 200);
+}
+
+TEST(LoadedProtocol, RefusesWhatIsTooLargeOrTooDeepItself) {
+  EXPECT_EQ(errorsIn(std::string(10'000'000, ' ')), Words{"$: the file is larger than 5 MB"});
+  const auto deep = errorsIn(std::string(100'000, '['));
+  ASSERT_EQ(deep.size(), 1U);
+  EXPECT_NE(deep[0].find("nested deeper than 64 levels"), std::string::npos) << deep[0];
+}
+
+TEST(LoadedProtocol, PrefersAFileToTheLibrarysInstrumentOfItsName) {
+  Shelf shelf{.files = {{"mine.json", instrumentFile("realism-common")}}};
+  const auto loading = tests::load(naming(R"(["mine.json"])"), shelf.finder());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  const auto mine = tests::load(tests::usualProtocol());
+  EXPECT_NE(
+      loading.loaded->instrument("realism-common")->items.size(),
+      mine.loaded->instrument("realism-common")->items.size());
+}
+
+TEST(LoadedProtocol, ComparesNoStatementsOnScalesOfOneLengthThatBeginElsewhere) {
+  const auto item = [](const std::string& id, const std::string& lowest) {
+    return R"({"id": ")" + id + R"(", "type": "likert", "text": "T", "scale": {"lowest": )" +
+           lowest + R"(, "points": 5, "low_label": "no", "high_label": "yes"}})";
+  };
+  const auto file = [&](const std::string& lowest) {
+    return R"({"$schema": "instrument-1.schema.json", "id": "mine", "version": "1", "title": "T",
+               "source": {"citation": "c", "licence": "l"}, "languages": ["en"], "items": [)" +
+           item("a", "1") + ", " + item("b", lowest) + "]}";
+  };
+  const auto text = tests::with(naming(R"(["mine.json"])"), "realism-common", "mine");
+  Shelf alike{.files = {{"mine.json", file("1")}}};
+  EXPECT_TRUE(tests::load(text, alike.finder()).loaded.has_value());
+  Shelf unlike{.files = {{"mine.json", file("0")}}};
+  EXPECT_EQ(
+      errorsIn(text, unlike.finder()),
+      Words{"$.analysis.families[0].instrument: the Likert items of 'mine' have different scales"});
+}
+
+TEST(LoadedProtocol, MakesNoInstrumentOfTheLibrarysSchema) {
+  const auto text = tests::with(tests::usualProtocol(), "realism-common", "instrument-1.schema");
+  const auto said = errorsIn(text);
+  ASSERT_FALSE(said.empty());
+  EXPECT_EQ(
+      said[0],
+      "$.phases[1].questionnaires[0].instrument: there is no instrument 'instrument-1.schema'");
+}
+
+TEST(LoadedProtocolFile, FindsWhatLiesBesideItWhereverTheProgramRuns) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("study/protocol.json", feeling("cuts/mine.json"));
+  folder.write("study/cuts/mine.json", cutFile());
+  Problems problems;
+  const auto loaded = loadProtocolFile(file, problems);
+  ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+  EXPECT_EQ(loaded->files.at(0).name, "cuts/mine.json");
+}
+
+TEST(LoadedProtocolFile, IsOfTheLibraryUnderItsNameWithAndWithoutAnEnding) {
+  for (const auto* name : {"reaming-hardness", "reaming-hardness.json"}) {
+    Problems problems;
+    const auto loaded = loadProtocolFile(name, problems);
+    ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+    EXPECT_EQ(loaded->protocol.study.id, "reaming-hardness");
+  }
+}
+
+TEST(LoadedProtocolFile, IsTheOneOnTheDiskWhereOneBearsTheNameOfTheLibrarys) {
+  const tests::ScratchFolder folder;
+  folder.write("reaming-hardness.json", tests::usualProtocol());
+  const auto before = fs::current_path();
+  fs::current_path(folder.path());
+  Problems problems;
+  const auto loaded = loadProtocolFile("reaming-hardness.json", problems);
+  fs::current_path(before);
+  ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+  EXPECT_EQ(loaded->protocol.study.id, "small");
+}
+
+TEST(LoadedProtocolFile, IsTheLibrarysWhereAFolderBearsItsName) {
+  const tests::ScratchFolder folder;
+  fs::create_directories(folder.path() / "reaming-hardness");
+  const auto before = fs::current_path();
+  fs::current_path(folder.path());
+  Problems problems;
+  const auto loaded = loadProtocolFile("reaming-hardness", problems);
+  fs::current_path(before);
+  EXPECT_TRUE(loaded.has_value()) << inWords(problems.all());
+}
+
+TEST(LoadedProtocolFile, SaysInWordsThatItIsNotThereOrNoFile) {
+  const tests::ScratchFolder folder;
+  Problems problems;
+  EXPECT_THROW(loadProtocolFile(folder / "nothing.json", problems), questionnaires::Error);
+  EXPECT_THROW(loadProtocolFile(folder.path().string(), problems), questionnaires::Error);
+  const auto large = folder.write("large.json", std::string(10'000'000, ' '));
+  EXPECT_THROW(loadProtocolFile(large, problems), questionnaires::Error);
+  EXPECT_TRUE(problems.all().empty());
+}
+
+TEST(LoadedProtocolFile, TellsOfAFileBesideItThatIsTooLarge) {
+  const tests::ScratchFolder folder;
+  const auto file = folder.write("protocol.json", naming(R"(["large.json"])"));
+  folder.write("large.json", std::string(10'000'000, ' '));
+  Problems problems;
+  EXPECT_FALSE(loadProtocolFile(file, problems).has_value());
+  ASSERT_EQ(problems.all().size(), 1U) << inWords(problems.all());
+  EXPECT_EQ(problems.all()[0].path, "$.instrument_files[0]");
+  EXPECT_NE(problems.all()[0].fix.find("is larger than 5 MB"), std::string::npos);
+}
+
+/// usualProtocol() with the SUS in place of its questionnaire.
+std::string askingTheSus() {
+  return tests::with(tests::usualProtocol(), "realism-common", "sus");
+}
+
+std::string susWords() {
+  const auto files = questionnaires::libraryFiles();
+  const auto file = std::find_if(
+      files.begin(), files.end(), [](const auto& other) { return other.name == "sus.json"; });
+  auto instrument = questionnaires::readSoundInstrument(file->content, "sus");
+  std::string words = questionnaires::wordingTemplate(instrument, "en");
+  for (std::size_t at = words.find("\"\""); at != std::string::npos; at = words.find("\"\"")) {
+    words.replace(at, 2, "\"words\"");
+  }
+  return words;
+}
+
+TEST(LoadedProtocol, IsRefusedWhereAnInstrumentLacksItsWords) {
+  const auto loading = tests::load(askingTheSus());
+  EXPECT_FALSE(loading.loaded.has_value());
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  EXPECT_EQ(loading.problems[0].path, "$.phases[1].questionnaires[0].instrument");
+  EXPECT_NE(
+      loading.problems[0].fix.find(
+          "palpate instrument wording sus --language en --out wording/sus/en.json"),
+      std::string::npos);
+}
+
+TEST(LoadedProtocol, KeepsTheWordingFilesThatItFinds) {
+  Shelf shelf{.files = {{"wording/sus/en.json", susWords()}}};
+  const auto loading = tests::load(askingTheSus(), shelf.finder());
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_EQ(loading.loaded->instrument("sus")->items[0].text.in("en"), "words");
+  ASSERT_EQ(loading.loaded->files.size(), 1U);
+  EXPECT_EQ(loading.loaded->files[0].name, "wording/sus/en.json");
+  EXPECT_EQ(loading.loaded->files[0].text, susWords());
+}
+
+TEST(LoadedProtocol, TellsWhatAWordingFileLacks) {
+  const auto half = tests::with(susWords(), R"("items/7/text": "words")", R"("items/7/text": "")");
+  Shelf shelf{.files = {{"wording/sus/en.json", half}}};
+  EXPECT_EQ(
+      errorsIn(askingTheSus(), shelf.finder()),
+      Words{"wording/sus/en.json $.texts.items/7/text: this text is still empty"});
+}
+
+TEST(LoadedProtocol, FindsWordingBesideItsFile) {
+  tests::ScratchFolder folder;
+  const auto protocol = folder.write("mine.json", askingTheSus());
+  Problems problems;
+  EXPECT_FALSE(loadProtocolFile(protocol, problems).has_value());
+  fs::create_directories(fs::path(protocol).parent_path() / "wording/sus");
+  folder.write("wording/sus/en.json", susWords());
+  Problems none;
+  EXPECT_TRUE(loadProtocolFile(protocol, none).has_value()) << inWords(none.all());
+}
+
+TEST(LoadedProtocol, IsToldOfAnInstrumentThatIsAskedOnceAndMeasuresAChange) {
+  const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-common", "ssq"));
+  ASSERT_TRUE(once.loaded.has_value()) << once.inWords();
+  EXPECT_NE(
+      once.inWords().find("'ssq' is asked once, and its result is the change"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace protocols

@@ -1,0 +1,122 @@
+#include "protocols/reading/packing_file.h"
+
+#include <gtest/gtest.h>
+
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
+#include "tests/protocols/small_protocol.h"
+
+namespace protocols {
+namespace {
+
+namespace reaming = haptics::reaming;
+
+reaming::PackedBone bone() {
+  reaming::PackedBone made{.name = "cup", .title = "A cup", .isSynthetic = true};
+  made.packing = *reaming::pack(reaming::Acetabulum(), {.count = 50});
+  for (std::size_t i = 0; i < 50; ++i) {
+    made.minimum.push_back(1.0F + static_cast<float>(i));
+    made.average.push_back(1e5F / 3.0F);
+    made.maximum.push_back(0.0F);
+  }
+  return made;
+}
+
+std::string complaintAbout(const std::string& text) {
+  questionnaires::Problems problems;
+  EXPECT_FALSE(readPacking(text, problems));
+  return questionnaires::inWords(problems.all());
+}
+
+TEST(PackingFile, ComesBackAsItWas) {
+  const auto made = bone();
+  questionnaires::Problems problems;
+  PackingOrigin origin;
+  const auto text = packingAsText(
+      made, {.mesh = "hip.stl", .sha256 = "00ff", .material = "bone, dynamic-1", .seed = 9});
+  const auto found = readPacking(text, problems, &origin);
+  ASSERT_TRUE(found) << questionnaires::inWords(problems.all());
+  EXPECT_EQ(found->name, "cup");
+  EXPECT_TRUE(found->isSynthetic);
+  EXPECT_EQ(found->packing.volume, made.packing.volume);
+  EXPECT_EQ(found->minimum, made.minimum);
+  EXPECT_EQ(found->average, made.average);
+  EXPECT_EQ(found->maximum, made.maximum);
+  for (std::size_t i = 0; i < 50; ++i) {
+    EXPECT_EQ(found->packing.spheres[i].x, made.packing.spheres[i].x);
+    EXPECT_EQ(found->packing.spheres[i].radius, made.packing.spheres[i].radius);
+  }
+  EXPECT_EQ(origin.mesh, "hip.stl");
+  EXPECT_EQ(origin.material, "bone, dynamic-1");
+  EXPECT_EQ(origin.seed, 9U);
+}
+
+TEST(PackingFile, SaysWhatIsWrong) {
+  const auto text = packingAsText(bone(), {.mesh = "hip.stl"});
+  const auto has = [](const std::string& words, const char* part) {
+    EXPECT_NE(words.find(part), std::string::npos) << words;
+  };
+  has(complaintAbout(""), "");
+  has(complaintAbout("{}"), "'format' is missing");
+  has(complaintAbout(tests::with(text, "palpate-packing-1", "palpate-packing-9")), "of the kind");
+  has(complaintAbout(text.substr(0, text.size() - 30)), "damaged");
+  has(complaintAbout(text.substr(0, text.size() - 57)), "49 spheres, not 50");
+  has(complaintAbout(text + "\n"), "line 52");
+  auto spoilt = text;
+  spoilt[text.find('\n') + 3] = 'x';
+  has(complaintAbout(spoilt), "line 2");
+}
+
+std::string protocol(const std::string& parameters) {
+  return R"({
+    "$schema": "protocol-1.schema.json",
+    "study": {"id": "bone", "title": "Bone", "version": "1"},
+    "languages": ["en"], "cohorts": [{"id": "all", "title": "All"}],
+    "devices": [{"id": "arm", "kind": "reamer", "max_force_n": 100,
+                 "max_force_rate_n_per_s": 5000}],
+    "conditions": [
+      {"id": "a", "title": "A", "scene": {"device": "arm", "model": "packing",
+       "parameters": )" +
+         parameters + R"(}},
+      {"id": "b", "title": "B", "scene": {"device": "arm", "model": "packing",
+       "parameters": {"hardness": 1, "packing": "cup.packing", "removal": false}}}],
+    "labels": {"policy": "random"},
+    "phases": [{"id": "consent", "type": "consent", "instrument": "consent-punch"},
+               {"id": "felt", "type": "block", "conditions": ["a", "b"],
+                "order": {"type": "balancedLatinSquare"}, "minimum_cuts": 1}]})";
+}
+
+TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
+  const auto find = [](const std::string& name) {
+    const bool isThere = name == "cup.packing";
+    return isThere ? std::optional(packingAsText(bone(), {.mesh = "hip.stl"})) : std::nullopt;
+  };
+  const auto loading = tests::load(
+      protocol(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
+  ASSERT_TRUE(loading.loaded) << loading.inWords();
+  const auto specOf = [&](const char* id) {
+    return std::get<haptics::engine::PackingSpec>(
+        loading.loaded->protocol.condition(id)->scene.model);
+  };
+  EXPECT_EQ(specOf("a").bone, specOf("b").bone);
+  EXPECT_TRUE(specOf("a").isRemoved);
+  EXPECT_FALSE(specOf("b").isRemoved);
+  EXPECT_EQ(specOf("a").options.friction, 0.3);
+  EXPECT_EQ(specOf("a").bone->packing.spheres.size(), 50U);
+
+  const auto refusalOf = [&](const std::string& parameters) {
+    const auto refused = tests::load(protocol(parameters), find);
+    EXPECT_FALSE(refused.loaded);
+    return refused.inWords();
+  };
+  const auto has = [](const std::string& words, const char* part) {
+    EXPECT_NE(words.find(part), std::string::npos) << words;
+  };
+  has(refusalOf(R"({"hardness": 0.5, "packing": "none.packing"})"), "there is no file");
+  has(refusalOf(R"({"hardness": 0.5, "packing": "cup.json"})"), "no file");
+  has(refusalOf(R"({"hardness": 0.5, "removal": false, "friction": 0.2})"), "only a bone");
+  has(refusalOf(R"({"packing": "cup.packing"})"), "hardness");
+}
+
+}  // namespace
+}  // namespace protocols

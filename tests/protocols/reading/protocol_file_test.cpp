@@ -1,0 +1,204 @@
+#include "protocols/reading/protocol_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "protocols/load_protocol.h"
+#include "protocols/model/loaded_protocol.h"
+#include "tests/protocols/refusals.h"
+#include "tests/protocols/small_protocol.h"
+#include "tests/support/test_data.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Problem;
+using questionnaires::Problems;
+using questionnaires::Severity;
+
+struct Reading {
+  std::optional<LoadedProtocol> loaded;
+  std::vector<Problem> problems;
+};
+
+/// Loads a file of the corpora, with what lies beside it.
+Reading read(const std::string& kind, const std::string& name) {
+  const auto file = tests::repository() / "tests/protocols/data" / kind;
+  Problems problems;
+  Reading reading{.loaded = loadProtocolFile((file / (name + ".json")).string(), problems)};
+  reading.problems = problems.all();
+  return reading;
+}
+
+std::vector<tests::Refusal> structuralRefusals() {
+  std::vector<tests::Refusal> all;
+  for (const auto* part :
+       {&tests::refusedHeads(),
+        &tests::refusedScenes(),
+        &tests::refusedPhases(),
+        &tests::refusedPlans()}) {
+    all.insert(all.end(), part->begin(), part->end());
+  }
+  return all;
+}
+
+bool isAsExpected(const Problem& problem, const tests::Refusal& expected) {
+  return problem.severity == Severity::Error && problem.path == expected.path &&
+         problem.what.find(expected.what) != std::string::npos &&
+         problem.fix.find(expected.fix) != std::string::npos;
+}
+
+/// Refused, with the problem that is expected, where it is expected, and how to mend it.
+void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& refusals) {
+  const auto names = tests::corpusNames(kind);
+  std::set<std::string> files(names.begin(), names.end());
+  for (const auto& expected : refusals) {
+    ASSERT_EQ(files.erase(expected.file), 1U) << expected.file;
+    const auto reading = read(kind, expected.file);
+    EXPECT_FALSE(reading.loaded.has_value()) << expected.file;
+    EXPECT_TRUE(std::any_of(
+        reading.problems.begin(),
+        reading.problems.end(),
+        [&](const Problem& problem) { return isAsExpected(problem, expected); }))
+        << expected.file << "\n"
+        << inWords(reading.problems);
+  }
+  EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
+}
+
+TEST(ProtocolFile, TellsWhatIsWrongWithTheStructureAndHowToMendIt) {
+  expectRefusals("bad", structuralRefusals());
+}
+
+TEST(ProtocolFile, TellsWhatNoSchemaSees) {
+  expectRefusals("semantic", tests::semanticRefusals());
+}
+
+TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
+  for (const auto& [kind, refusals] :
+       {std::pair{"bad", structuralRefusals()}, std::pair{"semantic", tests::semanticRefusals()}}) {
+    for (const auto& refusal : refusals) {
+      const auto reading = read(kind, refusal.file);
+      std::set<std::pair<std::string, std::string>> said;
+      for (const auto& problem : reading.problems) {
+        EXPECT_TRUE(said.insert({problem.path, problem.what}).second) << refusal.file;
+        EXPECT_EQ(problem.severity, Severity::Error) << refusal.file;
+      }
+      EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << inWords(reading.problems);
+    }
+  }
+}
+
+TEST(ProtocolFile, TakesWhatIsSound) {
+  for (const auto& name : tests::corpusNames("good")) {
+    const auto reading = read("good", name);
+    EXPECT_TRUE(reading.loaded.has_value()) << name << "\n" << inWords(reading.problems);
+  }
+}
+
+TEST(ProtocolFile, TellsEverythingAtOnce) {
+  const auto loading = tests::load(
+      R"({"$schema": "protocol-2.schema.json",
+          "study": {"id": "my study", "title": "", "versoin": "1"},
+          "languages": ["de"],
+          "cohorts": [{"id": "a", "title": "A"}, {"id": "a", "title": "B", "planned": 1.5}],
+          "devices": [{"id": "d", "kind": "punch", "max_force_n": "8",
+                       "max_force_rate_n_per_s": 1e308}],
+          "instrument_files": ["../mine.json"],
+          "conditions": [
+            {"id": "x", "title": "X", "scene": {"device": "e", "model": "interpolation",
+             "parameters": {"cut": "away.json", "beyound": "hold"}}},
+            {"id": "y", "title": "Y", "scene": {"device": "d", "model": "finite-elements",
+             "parameters": {"tool_position": 3}}}],
+          "labels": {"policy": "rnadom"},
+          "phases": [
+            {"id": "b", "type": "block", "conditions": ["x", "z"], "minimum_cuts": 0,
+             "order": {"type": "reversed", "of": "b"},
+             "questionnaires": [{"instrument": "realism-common"}]},
+            {"id": "p", "type": "preference", "instrument": "debrief", "block": "c"}],
+          "analysis": {"families": [
+            {"id": "f", "title": "F", "instrument": "realism-common", "test": "welsh",
+             "correction": "none", "alpha": 1.5,
+             "comparisons": [{"first": "x", "second": "x"}, {"first": "x", "second": "w"}]}]},
+          "simulation": {"realism": {"w": 0}, "answer_deviation": -1}})");
+  EXPECT_FALSE(loading.loaded.has_value());
+  std::vector<std::string> places;
+  for (const auto& problem : loading.problems) places.push_back(problem.path + " " + problem.what);
+  const std::vector<std::string> expected{
+      "$.$schema this is written for 'protocol-2.schema.json'",
+      "$.study.versoin unknown key 'versoin'",
+      "$.study.id 'my study' cannot be an id",
+      "$.study.title this text is empty",
+      "$.study 'version' is missing",
+      "$.languages 'en' is not among the languages",
+      "$.cohorts[1].planned a whole number is expected here, not one with a decimal point",
+      "$.devices[0].max_force_n a number is expected here, not a text",
+      "$.devices[0].max_force_rate_n_per_s this number is out of range",
+      "$.conditions[0].scene.parameters.beyound unknown key 'beyound'",
+      "$.labels.policy unknown word 'rnadom'",
+      "$.phases[0].minimum_cuts this number is out of range",
+      "$.analysis.families[0].test unknown word 'welsh'",
+      "$.analysis.families[0].alpha this number is out of range",
+      "$.simulation.answer_deviation this number is out of range",
+      "$.instrument_files[0] '../mine.json' lies outside the protocol's folder",
+      "$.conditions[0].scene.parameters.cut there is no file 'away.json'",
+      "$.cohorts[1].id two cohorts share the id 'a'",
+      "$.conditions[0].scene.device there is no device 'e' in this protocol",
+      "$.conditions[1].scene.parameters the finite elements need start < tool position < end, one "
+      "or more elements, a stiffness above 0 and a yield force that is not negative",
+      "$.phases[0] something is felt here before anybody has agreed to take part",
+      "$.phases[1].instrument 'debrief' does not ask for an alternative",
+      "$.phases[0].conditions[1] there is no condition 'z'",
+      "$.phases[0].order.of the orders of these blocks refer to each other in a circle",
+      "$.phases[1].block there is no block 'c'",
+      "$.analysis.families[0].comparisons[0] a condition is compared with itself",
+      "$.analysis.families[0].comparisons[1].second there is no condition 'w'",
+      "$.simulation.realism.w there is no condition 'w'",
+  };
+  EXPECT_EQ(places, expected);
+}
+
+TEST(ProtocolFile, OffersAMendForEveryProblemButOfTypesThatSpeakForThemselves) {
+  const std::vector<std::string> clear{"a number is expected here", "true or false is expected"};
+  for (const auto& [kind, refusals] :
+       {std::pair{"bad", structuralRefusals()}, std::pair{"semantic", tests::semanticRefusals()}}) {
+    for (const auto& refusal : refusals) {
+      for (const auto& problem : read(kind, refusal.file).problems) {
+        const bool isClear = std::any_of(clear.begin(), clear.end(), [&](const auto& words) {
+          return problem.what.starts_with(words);
+        });
+        EXPECT_TRUE(isClear || !problem.fix.empty()) << refusal.file << " " << problem.what;
+      }
+    }
+  }
+}
+
+TEST(ProtocolFile, NeedsNothingThatItRefersTo) {
+  Problems problems;
+  const auto text = tests::with(tests::usualProtocol(), "realism-common", "no-such-instrument");
+  EXPECT_TRUE(readProtocol(text, problems).has_value());
+  EXPECT_TRUE(problems.all().empty());
+}
+
+TEST(ProtocolFile, KeepsWhatWasSaidBefore) {
+  Problems problems;
+  problems.add("$", "something else");
+  EXPECT_TRUE(readProtocol(tests::usualProtocol(), problems).has_value());
+  EXPECT_EQ(problems.all().size(), 1U);
+}
+
+TEST(ProtocolFile, ReturnsNoProtocolThatHasErrors) {
+  Problems problems;
+  const auto text = tests::with(tests::usualProtocol(), "random", "by chance");
+  EXPECT_FALSE(readProtocol(text, problems).has_value());
+  EXPECT_TRUE(readDraft(text, problems).has_value());
+  EXPECT_FALSE(readDraft("[]", problems).has_value());
+}
+
+}  // namespace
+}  // namespace protocols

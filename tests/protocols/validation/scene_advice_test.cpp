@@ -1,0 +1,71 @@
+// A filter that listens to one of its forces only is no fusion; its researcher should know.
+#include "protocols/validation/scene_advice.h"
+
+#include <gtest/gtest.h>
+
+#include "haptics/engine/kalman_weight.h"
+#include "haptics/recordings/parametric_cut.h"
+#include "protocols/reading/cut_file.h"
+
+namespace protocols {
+namespace {
+
+using haptics::engine::InterpolationSpec;
+using haptics::engine::KalmanSpec;
+using haptics::models::KalmanScheme;
+using haptics::models::ProcessReading;
+
+KalmanSpec filter(KalmanScheme scheme, double interpolationNoise) {
+  KalmanSpec spec{
+      .noise = haptics::models::KalmanNoise<double>::published(ProcessReading::StateOrder),
+      .scheme = scheme};
+  spec.noise.interpolation = interpolationNoise;
+  return spec;
+}
+
+std::vector<questionnaires::Problem> adviceOn(auto model) {
+  Protocol protocol;
+  protocol.conditions.push_back({.id = "a", .scene = {.model = std::move(model)}});
+  questionnaires::Problems problems;
+  adviseOnScenes(protocol, problems);
+  return problems.all();
+}
+
+TEST(SceneAdvice, KnowsHowMuchTheInterpolationWeighs) {
+  // The weights of the four schemes with the published noise, and of space-domain at equal R.
+  using haptics::engine::interpolationWeight;
+  EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::PaperText, 7.742)), 0.22, 0.03);
+  EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::AuthorsFirmware, 7.742)), 0.46, 0.05);
+  EXPECT_LT(interpolationWeight(filter(KalmanScheme::Sequential, 7.742)), 0.001);
+  EXPECT_LT(interpolationWeight(filter(KalmanScheme::SpaceDomain, 7.742)), 0.001);
+  EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::SpaceDomain, 0.001)), 0.5, 1e-6);
+}
+
+TEST(SceneAdvice, WarnsOfAFilterThatHearsOneForceOnly) {
+  EXPECT_TRUE(adviceOn(filter(KalmanScheme::AuthorsFirmware, 7.742)).empty());
+  EXPECT_TRUE(adviceOn(filter(KalmanScheme::SpaceDomain, 0.001)).empty());
+  const auto deaf = adviceOn(filter(KalmanScheme::SpaceDomain, 7.742));
+  ASSERT_EQ(deaf.size(), 1U);
+  EXPECT_EQ(deaf[0].path, "$.conditions[0].scene.parameters");
+  EXPECT_NE(deaf[0].what.find("the recorded cut weighs next to nothing"), std::string::npos);
+  const auto other = adviceOn(filter(KalmanScheme::SpaceDomain, 1e-7));
+  ASSERT_EQ(other.size(), 1U);
+  EXPECT_NE(other[0].what.find("the finite elements weigh next to nothing"), std::string::npos);
+}
+
+TEST(SceneAdvice, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
+  const auto cut = haptics::recordings::parametricCut();
+  InterpolationSpec spec{.curve = nodesOf(cut.curve)};
+  spec.branches = haptics::engine::Branches::Hysteresis;
+  spec.opening = nodesOf(*cut.opening);
+  EXPECT_TRUE(adviceOn(spec).empty());
+  for (auto& node : spec.opening) node.force += 0.5;
+  const auto said = adviceOn(spec);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].what.find("0.5"), std::string::npos) << said[0].what;
+  spec.branches = haptics::engine::Branches::ClosingOnly;
+  EXPECT_TRUE(adviceOn(spec).empty());
+}
+
+}  // namespace
+}  // namespace protocols
