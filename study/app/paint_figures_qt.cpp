@@ -7,8 +7,8 @@
 
 #include "study/app/paint_figures.h"
 #include "study/new_file.h"
-#include "study/report/chart_painter.h"
-#include "study/report/figures.h"
+#include "study/report/figures/chart_painter.h"
+#include "study/report/figures/figures.h"
 #include "study/report/pdf_report.h"
 
 namespace study::app {

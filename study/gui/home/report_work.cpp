@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "study/new_file.h"
-#include "study/report/figures.h"
+#include "study/report/figures/figures.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
 #include "study/unblinding.h"

@@ -1,13 +1,13 @@
-#include "study/report/felt_figure.h"
+#include "study/report/figures/felt_figure.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QPainterPath>
 
-#include "study/report/axis_scale.h"
-#include "study/report/palette.h"
-#include "study/report/svg_canvas.h"
+#include "study/report/figures/axis_scale.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/svg_canvas.h"
 
 namespace study::report {
 namespace {

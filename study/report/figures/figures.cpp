@@ -1,16 +1,16 @@
-#include "study/report/figures.h"
+#include "study/report/figures/figures.h"
 
 #include <algorithm>
 #include <map>
 
-#include "study/report/chart_painter.h"
-#include "study/report/effect_figure.h"
-#include "study/report/felt_figure.h"
-#include "study/report/likert_figure.h"
-#include "study/report/position_figure.h"
-#include "study/report/raincloud_figure.h"
-#include "study/report/svg_canvas.h"
-#include "study/report/vote_figure.h"
+#include "study/report/figures/chart_painter.h"
+#include "study/report/figures/effect_figure.h"
+#include "study/report/figures/felt_figure.h"
+#include "study/report/figures/likert_figure.h"
+#include "study/report/figures/position_figure.h"
+#include "study/report/figures/raincloud_figure.h"
+#include "study/report/figures/svg_canvas.h"
+#include "study/report/figures/vote_figure.h"
 
 namespace study::report {
 namespace {

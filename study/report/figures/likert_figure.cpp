@@ -1,10 +1,10 @@
-#include "study/report/likert_figure.h"
+#include "study/report/figures/likert_figure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "study/report/palette.h"
-#include "study/report/svg_canvas.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/svg_canvas.h"
 #include "study/results_text.h"
 
 namespace study::report {

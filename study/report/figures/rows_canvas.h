@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QString>
 
-#include "study/report/axis_scale.h"
+#include "study/report/figures/axis_scale.h"
 
 namespace study::report {
 

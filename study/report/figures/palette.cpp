@@ -1,4 +1,4 @@
-#include "study/report/palette.h"
+#include "study/report/figures/palette.h"
 
 #include <array>
 #include <cmath>

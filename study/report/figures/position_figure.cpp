@@ -1,10 +1,10 @@
-#include "study/report/position_figure.h"
+#include "study/report/figures/position_figure.h"
 
 #include <algorithm>
 
 #include "study/apa_text.h"
-#include "study/report/palette.h"
-#include "study/report/rows_canvas.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/rows_canvas.h"
 
 namespace study::report {
 namespace {

@@ -1,11 +1,11 @@
-#include "study/report/effect_figure.h"
+#include "study/report/figures/effect_figure.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "study/apa_text.h"
-#include "study/report/palette.h"
-#include "study/report/rows_canvas.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/rows_canvas.h"
 
 namespace study::report {
 namespace {

@@ -1,6 +1,6 @@
-#include "study/report/rows_canvas.h"
+#include "study/report/figures/rows_canvas.h"
 
-#include "study/report/svg_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 
 namespace study::report {
 

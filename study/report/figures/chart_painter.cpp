@@ -1,4 +1,4 @@
-#include "study/report/chart_painter.h"
+#include "study/report/figures/chart_painter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include <QPainterPath>
 
-#include "study/report/axis_scale.h"
-#include "study/report/palette.h"
-#include "study/report/svg_canvas.h"
+#include "study/report/figures/axis_scale.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/svg_canvas.h"
 
 namespace study::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/report/axis_scale.h"
+#include "study/report/figures/axis_scale.h"
 
 #include <algorithm>
 #include <cmath>

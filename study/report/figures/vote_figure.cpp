@@ -1,7 +1,7 @@
-#include "study/report/vote_figure.h"
+#include "study/report/figures/vote_figure.h"
 
-#include "study/report/palette.h"
-#include "study/report/rows_canvas.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/rows_canvas.h"
 
 namespace study::report {
 namespace {

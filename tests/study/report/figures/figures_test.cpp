@@ -1,4 +1,4 @@
-#include "study/report/figures.h"
+#include "study/report/figures/figures.h"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "study/report/raincloud_figure.h"
+#include "study/report/figures/raincloud_figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <QPainterPath>
 
 #include "study/apa_text.h"
-#include "study/report/palette.h"
-#include "study/report/rows_canvas.h"
+#include "study/report/figures/palette.h"
+#include "study/report/figures/rows_canvas.h"
 
 namespace study::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/report/svg_canvas.h"
+#include "study/report/figures/svg_canvas.h"
 
 #include <QBuffer>
 #include <QFont>
