@@ -14,8 +14,8 @@
 #include <QTimer>
 
 #include "protocols/load_protocol.h"
-#include "study/gui/live_plot.h"
-#include "study/gui/operator_window.h"
+#include "study/gui/operator/live_plot.h"
+#include "study/gui/operator/operator_window.h"
 #include "study/simulated_participant.h"
 
 namespace study::app {

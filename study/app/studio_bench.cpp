@@ -18,9 +18,9 @@
 #include "protocols/reading/anatomy_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/desk_bench.h"
-#include "study/gui/simulation/hip_scene.h"
-#include "study/gui/simulation/knee_scene.h"
-#include "study/gui/simulation/simulation_view.h"
+#include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/scene/simulation_view.h"
 #include "study/live_trial.h"
 
 namespace study::app {

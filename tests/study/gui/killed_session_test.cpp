@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
-#include "study/gui/operator_window.h"
+#include "study/gui/operator/operator_window.h"
 #include "study/storage/records.h"
 #include "study/verification.h"
 #include "tests/study/gui/participant.h"

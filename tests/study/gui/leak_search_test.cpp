@@ -11,7 +11,7 @@
 #include <QRegularExpression>
 
 #include "protocols/load_protocol.h"
-#include "study/gui/operator_window.h"
+#include "study/gui/operator/operator_window.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "haptics/engine/force_limiter.h"
-#include "study/gui/cut_table.h"
-#include "study/gui/live_plot.h"
-#include "study/gui/servo_health.h"
-#include "study/gui/servo_panel.h"
+#include "study/gui/operator/cut_table.h"
+#include "study/gui/operator/live_plot.h"
+#include "study/gui/operator/servo_panel.h"
+#include "study/gui/session/servo_health.h"
 
 namespace study::gui {
 namespace {

@@ -8,7 +8,7 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#include "study/gui/theme.h"
+#include "study/gui/widgets/theme.h"
 #include "tests/support/standstill.h"
 
 namespace {

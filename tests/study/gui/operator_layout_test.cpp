@@ -10,10 +10,10 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
-#include "study/gui/control_panel.h"
-#include "study/gui/operator_window.h"
-#include "study/gui/servo_panel.h"
-#include "study/gui/sessions_page.h"
+#include "study/gui/operator/control_panel.h"
+#include "study/gui/operator/operator_window.h"
+#include "study/gui/operator/servo_panel.h"
+#include "study/gui/operator/sessions_page.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"
 

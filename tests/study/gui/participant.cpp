@@ -12,9 +12,9 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "study/gui/answer_slider.h"
-#include "study/gui/feel_page.h"
-#include "study/gui/option_buttons.h"
+#include "study/gui/participant/answer_slider.h"
+#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/option_buttons.h"
 #include "study/trial_setup.h"
 #include "tests/study/gui/visible_words.h"
 

@@ -8,7 +8,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "study/gui/operator_window.h"
+#include "study/gui/operator/operator_window.h"
 
 namespace tests {
 

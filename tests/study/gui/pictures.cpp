@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QTest>
 
-#include "study/gui/theme.h"
+#include "study/gui/widgets/theme.h"
 
 namespace tests {
 namespace {

@@ -5,9 +5,9 @@
 #include <QComboBox>
 #include <QSignalSpy>
 
-#include "study/gui/cup_button.h"
-#include "study/gui/feel_page.h"
-#include "study/gui/trial_panel.h"
+#include "study/gui/operator/cup_button.h"
+#include "study/gui/operator/trial_panel.h"
+#include "study/gui/participant/feel_page.h"
 #include "tests/study/gui/simulation/visualised_trial.h"
 
 namespace study::gui {

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "study/gui/simulation/meniscus.h"
-#include "study/gui/simulation/punch_shape.h"
-#include "study/gui/simulation/reamer_shape.h"
-#include "study/gui/simulation/solids.h"
+#include "study/gui/scene/shapes/meniscus.h"
+#include "study/gui/scene/shapes/punch_shape.h"
+#include "study/gui/scene/shapes/reamer_shape.h"
+#include "study/gui/scene/shapes/solids.h"
 
 namespace study::gui::simulation {
 namespace {

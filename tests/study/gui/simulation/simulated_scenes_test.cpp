@@ -4,9 +4,9 @@
 
 #include "haptics/engine/packing_model.h"
 #include "haptics/engine/parametric_bone.h"
-#include "study/gui/simulation/hip_scene.h"
-#include "study/gui/simulation/knee_scene.h"
-#include "study/gui/simulation/software_renderer.h"
+#include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/scene/software_renderer.h"
 #include "tests/study/gui/pictures.h"
 
 namespace study::gui::simulation {

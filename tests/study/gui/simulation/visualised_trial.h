@@ -11,8 +11,8 @@
 #include "protocols/load_protocol.h"
 #include "protocols/model/library.h"
 #include "protocols/model/loaded_protocol.h"
-#include "study/gui/operator_window.h"
-#include "study/gui/simulation/simulation_view.h"
+#include "study/gui/operator/operator_window.h"
+#include "study/gui/scene/simulation_view.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"
 

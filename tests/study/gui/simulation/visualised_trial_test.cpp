@@ -6,10 +6,10 @@
 #include "protocols/load_protocol.h"
 #include "protocols/reading/anatomy_file.h"
 #include "study/export.h"
-#include "study/gui/feel_page.h"
-#include "study/gui/simulation/hip_scene.h"
-#include "study/gui/simulation/knee_scene.h"
-#include "study/gui/trial_view.h"
+#include "study/gui/participant/feel_page.h"
+#include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/session/trial_view.h"
 
 namespace study::gui {
 namespace {

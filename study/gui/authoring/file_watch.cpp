@@ -1,0 +1,55 @@
+#include "study/gui/authoring/file_watch.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace study::gui::home {
+namespace {
+
+constexpr int kSettlesIn = 150;  // [ms]: an editor writes in several goes
+
+}  // namespace
+
+FileWatch::FileWatch(QObject* parent) : QObject(parent) {
+  settled_.setSingleShot(true);
+  settled_.setInterval(kSettlesIn);
+  const auto wait = [this] { settled_.start(); };
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
+  connect(&settled_, &QTimer::timeout, this, &FileWatch::lookAgain);
+}
+
+void FileWatch::watch(const QStringList& files) {
+  const QStringList old = watcher_.files() + watcher_.directories();
+  if (!old.isEmpty()) watcher_.removePaths(old);
+  files_ = files;
+  before_ = look();
+  watchAll();
+}
+
+void FileWatch::watchAll() {
+  for (const auto& file : files_) {
+    const QFileInfo info(file);
+    if (info.exists()) watcher_.addPath(file);
+    if (info.dir().exists()) watcher_.addPath(info.absolutePath());
+  }
+}
+
+std::map<QString, FileWatch::State> FileWatch::look() const {
+  std::map<QString, State> now;
+  for (const auto& file : files_) {
+    const QFileInfo info(file);
+    now[file] = {info.exists() ? info.size() : -1, info.lastModified()};
+  }
+  return now;
+}
+
+void FileWatch::lookAgain() {
+  watchAll();  // a file that was put in another's place is a new one
+  const auto now = look();
+  if (now == before_) return;
+  before_ = now;
+  emit changed();
+}
+
+}  // namespace study::gui::home

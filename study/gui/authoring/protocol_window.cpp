@@ -1,0 +1,200 @@
+#include "study/gui/authoring/protocol_window.h"
+
+#include <algorithm>
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QTime>
+#include <QVBoxLayout>
+
+#include "study/gui/authoring/json_places.h"
+#include "study/gui/authoring/orders_page.h"
+#include "study/gui/authoring/timeline_page.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui::home {
+
+using questionnaires::Severity;
+
+ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
+    : QMainWindow(parent),
+      source_(source),
+      verdict_(bodyLabel({}, this)),
+      readAt_(quietLabel({}, this)),
+      text_(new QPlainTextEdit(this)),
+      problems_(new QTableWidget(0, 4, this)),
+      pages_(new QTabWidget(this)),
+      timeline_(new TimelinePage(this)),
+      orders_(new OrdersPage(this)) {
+  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source).fileName()));
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  pages_->addTab(timeline_, tr("Timeline"));
+  pages_->addTab(orders_, tr("Orders"));
+  auto* sides = new QSplitter(Qt::Horizontal, this);
+  sides->addWidget(pages_);
+  sides->addWidget(text_);
+  sides->setSizes({600, 600});
+  auto* all = new QSplitter(Qt::Vertical, this);
+  all->addWidget(sides);
+  all->addWidget(problems_);
+  all->setSizes({460, 190});
+  prepareText();
+  prepareProblems();
+  auto* inside = new QWidget(this);
+  auto* layout = new QVBoxLayout(inside);
+  layout->setContentsMargins(20, 16, 20, 16);
+  layout->addWidget(verdict_);
+  layout->addWidget(readAt_);
+  layout->addWidget(all, 1);
+  setCentralWidget(inside);
+  resize(1240, 760);
+  connect(&watch_, &FileWatch::changed, this, &ProtocolWindow::reload);
+  connect(problems_, &QTableWidget::currentCellChanged, this, &ProtocolWindow::goToProblem);
+  connect(problems_, &QTableWidget::cellClicked, this, &ProtocolWindow::goToProblem);
+  connect(timeline_, &TimelinePage::phaseChosen, this, [this](int phase) {
+    const auto path = "$.phases[" + std::to_string(phase) + "]";
+    mark(lineOf(checked_.text, std::string_view(path)));
+  });
+  reload();
+}
+
+void ProtocolWindow::prepareText() {
+  text_->setReadOnly(true);
+  text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  text_->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 14px;"));
+  text_->setAccessibleName(tr("Text of the protocol"));
+}
+
+void ProtocolWindow::prepareProblems() {
+  problems_->setHorizontalHeaderLabels({tr("What"), tr("Where"), tr("Problem"), tr("Mend")});
+  problems_->setAccessibleName(tr("Problems"));
+  problems_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  problems_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  problems_->setSelectionMode(QAbstractItemView::SingleSelection);
+  problems_->verticalHeader()->hide();
+  problems_->setWordWrap(true);
+  auto* heads = problems_->horizontalHeader();
+  heads->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  heads->setSectionResizeMode(1, QHeaderView::Interactive);
+  heads->setSectionResizeMode(2, QHeaderView::Stretch);
+  heads->setSectionResizeMode(3, QHeaderView::Stretch);
+  problems_->setColumnWidth(1, 240);
+  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  problems_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+}
+
+QStringList ProtocolWindow::filesToWatch() const {
+  const QFileInfo file(source_);
+  const auto shipped = shippedProtocols();
+  if (std::find(shipped.begin(), shipped.end(), checked_.source) != shipped.end()) return {};
+  QStringList files{file.absoluteFilePath()};
+  if (!checked_.loaded) return files;
+  for (const auto& companion : checked_.loaded->files) {
+    files << file.absoluteDir().filePath(QString::fromStdString(companion.name));
+  }
+  return files;
+}
+
+void ProtocolWindow::reload() {
+  checked_ = checkProtocol(source_.toStdString());
+  watch_.watch(filesToWatch());
+  const QString now = QTime::currentTime().toString(QStringLiteral("HH:mm:ss"));
+  readAt_->setText(
+      filesToWatch().isEmpty()
+          ? tr("%1 ships with the program").arg(source_)
+          : tr("%1, read at %2; read again whenever it changes").arg(source_, now));
+  showVerdict();
+  showText();
+  showProblems();
+  if (checked_.loaded) {
+    timeline_->show(*checked_.loaded);
+    orders_->show(checked_.loaded->protocol);
+  } else {
+    timeline_->clear();
+    orders_->clear();
+  }
+  emit reloaded();
+}
+
+void ProtocolWindow::showVerdict() {
+  const bool isUsable = checked_.loaded.has_value();
+  const bool isSound = isUsable && checked_.warnings() == 0;
+  const char* const role = isSound ? "good" : isUsable ? "warn" : "bad";
+  const char* const sign = isSound ? "✓  " : isUsable ? "!  " : "✕  ";
+  setRole(*verdict_, role);
+  verdict_->setText(QString::fromUtf8(sign) + QString::fromStdString(checked_.verdict()));
+}
+
+void ProtocolWindow::showText() {
+  const QString text = QString::fromStdString(checked_.text);
+  if (text_->toPlainText() == text) return;
+  const int place = text_->verticalScrollBar()->value();
+  text_->setPlainText(text);
+  text_->verticalScrollBar()->setValue(place);
+  mark(-1);
+}
+
+void ProtocolWindow::showProblems() {
+  const QSignalBlocker quiet(problems_);
+  problems_->setRowCount(static_cast<int>(checked_.problems.size()));
+  const auto& colours = theme();
+  for (int row = 0; row < problems_->rowCount(); ++row) {
+    const auto& problem = checked_.problems[static_cast<std::size_t>(row)];
+    const bool isError = problem.severity == Severity::Error;
+    const QString cells[]{
+        isError ? tr("✕ error") : tr("! warning"),
+        QString::fromStdString(problem.path),
+        QString::fromStdString(problem.what),
+        QString::fromStdString(problem.fix)};
+    for (int column = 0; column < 4; ++column) {
+      auto* cell = new QTableWidgetItem(cells[column]);
+      cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+      if (column == 0) {
+        const auto& fill = isError ? colours.paleBad : colours.paleWarn;
+        cell->setBackground(fill.background);
+        cell->setForeground(fill.text);
+      }
+      problems_->setItem(row, column, cell);
+    }
+  }
+  problems_->setVisible(!checked_.problems.empty());
+  problems_->setCurrentCell(-1, -1);
+}
+
+void ProtocolWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::StyleChange) return;
+  showProblems();
+  mark(marked_);
+}
+
+void ProtocolWindow::goToProblem(int row) {
+  if (row < 0 || row >= static_cast<int>(checked_.problems.size())) return;
+  mark(lineOf(checked_.text, checked_.problems[static_cast<std::size_t>(row)]));
+}
+
+void ProtocolWindow::mark(int line) {
+  marked_ = line;
+  const auto block = text_->document()->findBlockByNumber(line);
+  if (line < 0 || !block.isValid()) {
+    text_->setExtraSelections({});
+    return;
+  }
+  QTextEdit::ExtraSelection selection;
+  selection.cursor = QTextCursor(block);
+  selection.format.setBackground(themeOf(*this).paleWarn.background);
+  selection.format.setForeground(themeOf(*this).paleWarn.text);
+  selection.format.setProperty(QTextFormat::FullWidthSelection, true);
+  text_->setExtraSelections({selection});
+  text_->setTextCursor(selection.cursor);
+  text_->centerCursor();
+}
+
+}  // namespace study::gui::home

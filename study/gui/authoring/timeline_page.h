@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QLabel>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "protocols/model/loaded_protocol.h"
+#include "study/gui/authoring/timeline_bar.h"
+
+namespace study::gui::home {
+
+/// A protocol as the day of a participant: phases and steps, with the minutes that `palpate plan`
+/// takes for each.
+class TimelinePage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TimelinePage(QWidget* parent = nullptr);
+
+  void show(const protocols::LoadedProtocol& loaded);
+  using QWidget::show;
+  void clear();
+
+ signals:
+  /// Somebody looks at a phase: its number, from 0.
+  void phaseChosen(int phase);
+
+ private:
+  TimelineBar* bar_;
+  QLabel* total_;
+  QTreeWidget* steps_;
+};
+
+}  // namespace study::gui::home

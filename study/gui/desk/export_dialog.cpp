@@ -1,0 +1,128 @@
+#include "study/gui/desk/export_dialog.h"
+
+#include "study/gui/desk/study_dialogs.h"
+#include "study/gui/widgets/background_task.h"
+#include "study/public_tables.h"
+#include "study/words/counted.h"
+
+namespace study::gui::home {
+namespace {
+
+enum class Audience { Blinded, Unblinded, Public };
+
+constexpr int kMostAlike = 1000;
+
+Audience audienceOf(const QComboBox& choice) {
+  return static_cast<Audience>(choice.currentData().toInt());
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Export data"),
+          tr("Tidy tables, one row per answer, with a dictionary, in a new folder."),
+          tr("Export"),
+          parent),
+      folder_(study.folder),
+      format_(new QComboBox(this)),
+      mode_(runModeChoice(study, this)),
+      audience_(new QComboBox(this)),
+      smallest_(new QSpinBox(this)),
+      reason_(new QLineEdit(this)),
+      traces_(new QCheckBox(tr("also what was felt, a thousand times a second"), this)),
+      target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
+  const auto add = [](QComboBox* box, const QString& words, auto value) {
+    box->addItem(words, static_cast<int>(value));
+  };
+  add(format_, tr("Tables (CSV)"), ExportFormat::Csv);
+  add(format_, tr("One document (JSON)"), ExportFormat::Json);
+  add(format_, tr("Psych-DS"), ExportFormat::PsychDs);
+  add(format_, tr("BIDS"), ExportFormat::Bids);
+  add(format_, tr("Tables with a script for R"), ExportFormat::R);
+  add(format_, tr("Tables with a script for Python"), ExportFormat::Python);
+  add(audience_, tr("Analysts, blinded: codes instead of conditions"), Audience::Blinded);
+  add(audience_, tr("Analysts, unblinded: goes into the audit trail"), Audience::Unblinded);
+  add(audience_, tr("Strangers: nobody can be found among fewer than …"), Audience::Public);
+  format_->setAccessibleName(tr("Format"));
+  audience_->setAccessibleName(tr("For whom"));
+  audience_->setObjectName(QStringLiteral("audience"));
+  smallest_->setAccessibleName(tr("How many people have to be alike"));
+  smallest_->setObjectName(QStringLiteral("smallest-class"));
+  smallest_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
+  reason_->setAccessibleName(tr("Reason for unblinding"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  target_->setPath(beside(folder_, QStringLiteral("data")));
+  form().addRow(tr("Format"), format_);
+  form().addRow(tr("Sessions"), mode_);
+  form().addRow(tr("For whom"), audience_);
+  form().addRow(tr("People alike, at least"), smallest_);
+  form().addRow(tr("Reason for unblinding"), reason_);
+  form().addRow(tr("Traces"), traces_);
+  form().addRow(tr("To a new folder"), target_);
+  connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
+  connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
+  connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
+  connect(reason_, &QLineEdit::textChanged, this, &ExportDialog::updateChoices);
+  updateChoices();
+}
+
+ExportOptions ExportDialog::options() const {
+  const auto audience = audienceOf(*audience_);
+  ExportOptions options{
+      .format = static_cast<ExportFormat>(format_->currentData().toInt()),
+      .runMode = chosenMode(*mode_),
+      .isBlinded = audience != Audience::Unblinded,
+      .hasTraces = audience == Audience::Unblinded && traces_->isChecked()};
+  if (audience == Audience::Public) {
+    options.publicClass = static_cast<std::size_t>(smallest_->value());
+  }
+  return options;
+}
+
+void ExportDialog::updateChoices() {
+  const auto audience = audienceOf(*audience_);
+  form().setRowVisible(smallest_, audience == Audience::Public);
+  form().setRowVisible(reason_, audience == Audience::Unblinded);
+  form().setRowVisible(traces_, audience == Audience::Unblinded);
+  clear();
+  go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());
+  if (audience == Audience::Public) lookAtClasses();
+}
+
+void ExportDialog::lookAtClasses() {
+  try {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    tellMore(QString::fromStdString(study::inWords(publicRelease(study, options()))));
+  } catch (const std::exception& error) {
+    say(Outcome::Bad, QString::fromUtf8(error.what()));
+    go().setEnabled(false);
+  }
+}
+
+void ExportDialog::work() {
+  auto how = options();
+  const std::string target = target_->path().toStdString();
+  const std::string reason = reason_->text().trimmed().toStdString();
+  std::size_t sessions = 0;
+  const auto write = [&](const Progress& progress) {
+    SystemClock clock;
+    const bool isAudited = !how.isBlinded || how.publicClass.has_value();
+    using Access = storage::Database::Access;
+    auto study = Study::open(folder_, clock, isAudited ? Access::ReadWrite : Access::ReadOnly);
+    how.progress = progress;
+    sessions = exportStudy(study, target, how, reason);
+  };
+  const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
+  if (!isDone) return;
+  const QString what = QString::fromStdString(
+      how.publicClass ? "for strangers"
+      : how.isBlinded ? "blinded"
+                      : "NOT blinded");
+  say(sessions > 0 ? Outcome::Good : Outcome::Warning,
+      tr("%1 holds the data of %2, %3.")
+          .arg(target_->path(), QString::fromStdString(words::counted(sessions, "session")), what));
+}
+
+}  // namespace study::gui::home

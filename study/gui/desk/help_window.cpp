@@ -1,0 +1,237 @@
+#include "study/gui/desk/help_window.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <QAbstractTextDocumentLayout>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QPointer>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextList>
+#include <QTimer>
+
+#include "study/gui/participant/participant_window.h"
+
+namespace study::gui::home {
+namespace {
+
+constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
+constexpr const char* kHelpProperty = "help";
+
+/// What the windows are about, by the name of their class and a word of a heading.
+constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>>({
+    {"HomeWindow", "The studio"},
+    {"NewStudyDialog", "Make the study"},
+    {"ProtocolWindow", "Write the protocol"},
+    {"OperatorWindow", "The day"},
+    {"BackupDialog", "After each day"},
+    {"VerifyDialog", "After each day"},
+    {"ReportDialog", "The results"},
+    {"ExportDialog", "The results"},
+    {"SelfTestDialog", "Is this computer fit"},
+    {"ImportCutDialog", "Write the protocol"},
+    {"FitMaterialDialog", "Write the protocol"},
+    {"BuildBoneDialog", "Write the protocol"},
+    {"Tour", "Try it"},
+    {"QMessageBox", "When something goes wrong"},
+});
+
+QPointer<HelpWindow>& helpWindow() {
+  static QPointer<HelpWindow> window;
+  return window;
+}
+
+bool belongsToParticipant(const QWidget& widget) {
+  for (const auto* w = &widget; w != nullptr; w = w->parentWidget()) {
+    if (qobject_cast<const ParticipantWindow*>(w) != nullptr) return true;
+  }
+  return false;
+}
+
+/// Qt sets what it reads from Markdown without air between paragraphs.
+void makeRoomRound(const QTextBlock& block) {
+  const bool isHeading = block.blockFormat().headingLevel() > 0;
+  const bool isCode = block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
+  QTextBlockFormat format;
+  format.setTopMargin(isHeading ? 22.0 : 0.0);
+  format.setBottomMargin(isCode ? 0.0 : 8.0);
+  format.setNonBreakableLines(false);  // a long command goes on in the next line
+  QTextCursor(block).mergeBlockFormat(format);
+}
+
+/// A picture in a text.
+struct Picture {
+  int place;   ///< of its character
+  int width;   ///< its own [px]
+  int indent;  ///< of its line [px]
+};
+
+std::vector<Picture> picturesIn(const QTextDocument& document) {
+  std::vector<Picture> pictures;
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    const int steps = block.blockFormat().indent() +
+                      (block.textList() == nullptr ? 0 : block.textList()->format().indent());
+    const int indent = static_cast<int>(steps * document.indentWidth());
+    for (auto it = block.begin(); !it.atEnd(); ++it) {
+      const auto format = it.fragment().charFormat().toImageFormat();
+      if (!format.isValid()) continue;
+      const QUrl name(format.name());
+      const auto held = document.resource(QTextDocument::ImageResource, name);
+      auto image = held.value<QImage>();
+      if (image.isNull()) image = QImage::fromData(held.toByteArray());  // not painted yet
+      if (!image.isNull()) pictures.push_back({it.fragment().position(), image.width(), indent});
+    }
+  }
+  return pictures;
+}
+
+/// No picture wider than @p room [px], and none larger than it is.
+void fitPictures(QTextDocument& document, int room) {
+  for (const auto& picture : picturesIn(document)) {
+    QTextCursor cursor(&document);
+    cursor.setPosition(picture.place);
+    cursor.setPosition(picture.place + 1, QTextCursor::KeepAnchor);
+    auto format = cursor.charFormat().toImageFormat();
+    format.setWidth(std::min(picture.width, room - picture.indent));
+    cursor.setCharFormat(format);
+  }
+}
+
+class HelpKey final : public QObject {
+ public:
+  using QObject::QObject;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::KeyPress) return false;
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (widget == nullptr || key->key() != Qt::Key_F1) return false;
+    if (!belongsToParticipant(*widget)) showHelp(helpTopicOf(*widget), widget);
+    return true;
+  }
+};
+
+}  // namespace
+
+QString helpTopicOf(const QWidget& widget) {
+  for (const auto* w = &widget; w != nullptr; w = w->parentWidget()) {
+    const QString own = w->property(kHelpProperty).toString();
+    if (!own.isEmpty()) return own;
+    const QString name = QString::fromUtf8(w->metaObject()->className());
+    for (const auto& [window, topic] : kTopics) {
+      if (name.section(QStringLiteral("::"), -1) == QLatin1String(window)) {
+        return QString::fromUtf8(topic);
+      }
+    }
+  }
+  return {};
+}
+
+HelpWindow* openHelp() noexcept {
+  return helpWindow().data();
+}
+
+void showHelp(const QString& topic, const QWidget* beside) {
+  // A modal window keeps all others from being used, but for those that belong to it.
+  auto* modal = QApplication::activeModalWidget();
+  if (openHelp() != nullptr && modal != nullptr && openHelp()->parentWidget() != modal) {
+    delete openHelp();
+  }
+  if (openHelp() == nullptr) {
+    auto* window = new HelpWindow(modal);
+    window->setWindowFlag(Qt::Window);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setAttribute(Qt::WA_QuitOnClose, false);
+    // Over the window that asks, so that it never covers what a participant sees on another screen.
+    constexpr QPoint kAside(60, 40);
+    if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
+    helpWindow() = window;
+  }
+  openHelp()->showTopic(topic);
+  openHelp()->raise();
+}
+
+void offerHelp(QApplication& application) {
+  application.installEventFilter(new HelpKey(&application));
+}
+
+HelpWindow::HelpWindow(QWidget* parent)
+    : QMainWindow(parent), contents_(new QListWidget(this)), text_(new QTextBrowser(this)) {
+  setWindowTitle(tr("Help — Palpate"));
+  contents_->setAccessibleName(tr("Contents"));
+  contents_->setWordWrap(true);
+  contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  text_->setOpenExternalLinks(false);
+  text_->setAccessibleName(tr("Help"));
+  text_->viewport()->installEventFilter(this);
+  text_->document()->setDocumentMargin(16);
+  text_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  auto* sides = new QSplitter(this);
+  sides->addWidget(contents_);
+  sides->addWidget(text_);
+  sides->setSizes({240, 720});
+  setCentralWidget(sides);
+  resize(980, 720);
+  connect(text_, &QTextBrowser::sourceChanged, this, &HelpWindow::listHeadings);
+  connect(contents_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
+    goTo(item->data(Qt::UserRole).toInt());
+  });
+  text_->setSource(QUrl(QString::fromUtf8(kFirstPage)));
+}
+
+void HelpWindow::listHeadings() {
+  contents_->clear();
+  for (auto block = text_->document()->begin(); block.isValid(); block = block.next()) {
+    makeRoomRound(block);
+    if (block.blockFormat().headingLevel() == 0) continue;
+    auto* item = new QListWidgetItem(block.text(), contents_);
+    item->setData(Qt::UserRole, block.blockNumber());
+  }
+  fitToWidth();
+}
+
+bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {
+  // The text has its new lines only after this event.
+  if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &HelpWindow::fitToWidth);
+  return QMainWindow::eventFilter(watched, event);
+}
+
+/// What is at the top stays there.
+void HelpWindow::fitToWidth() {
+  const auto place = text_->cursorForPosition({0, 0});
+  const int before = text_->cursorRect(place).top();
+  const int margins = 2 * static_cast<int>(text_->document()->documentMargin());
+  fitPictures(*text_->document(), std::max(1, text_->viewport()->width() - margins));
+  auto* bar = text_->verticalScrollBar();
+  bar->setValue(bar->value() + text_->cursorRect(place).top() - before);
+}
+
+void HelpWindow::goTo(int number) {
+  const auto block = text_->document()->findBlockByNumber(number);
+  heading_ = block.text();
+  const auto place = text_->document()->documentLayout()->blockBoundingRect(block);
+  text_->verticalScrollBar()->setValue(static_cast<int>(place.top()));
+}
+
+void HelpWindow::showTopic(const QString& topic) {
+  const QUrl first(QString::fromUtf8(kFirstPage));
+  if (text_->source() != first) text_->setSource(first);
+  show();  // only then does the text know how long its lines are
+  for (int row = 0; row < contents_->count(); ++row) {
+    if (row > 0 && !contents_->item(row)->text().contains(topic)) continue;
+    if (row == 0 && !topic.isEmpty()) continue;
+    contents_->setCurrentRow(row);
+    return goTo(contents_->item(row)->data(Qt::UserRole).toInt());
+  }
+  contents_->setCurrentRow(0);
+  if (contents_->count() > 0) goTo(contents_->item(0)->data(Qt::UserRole).toInt());
+}
+
+}  // namespace study::gui::home

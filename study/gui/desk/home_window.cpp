@@ -1,0 +1,297 @@
+#include "study/gui/desk/home_window.h"
+
+#include <utility>
+
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QMenuBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "study/gui/authoring/protocol_window.h"
+#include "study/gui/desk/export_dialog.h"
+#include "study/gui/desk/help_window.h"
+#include "study/gui/desk/measurement_dialogs.h"
+#include "study/gui/desk/new_study_dialog.h"
+#include "study/gui/desk/recent_studies.h"
+#include "study/gui/desk/self_test_dialog.h"
+#include "study/gui/desk/shape_window.h"
+#include "study/gui/desk/study_dialogs.h"
+#include "study/gui/desk/tour.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme_choice.h"
+
+namespace study::gui::home {
+
+/// A study with its windows, in the order in which they may go.
+struct HomeWindow::OpenStudy {
+  OpenStudy(const std::string& folder, const std::string& deviceFile)
+      : study(Study::open(folder, clock)), window(study, deviceFile) {}
+
+  SystemClock clock;
+  Study study;
+  OperatorWindow window;
+};
+
+HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
+    : QMainWindow(parent),
+      deviceFile_(std::move(deviceFile)),
+      list_(new QTableWidget(0, 3, this)),
+      panel_(new StudyPanel(this)) {
+  setWindowTitle(tr("Palpate"));
+  auto* inside = new QWidget(this);
+  auto* columns = new QHBoxLayout(inside);
+  columns->setContentsMargins(24, 12, 24, 20);
+  columns->setSpacing(20);
+  columns->addWidget(makeList(), 5);
+  columns->addWidget(panel_, 4);
+  setCentralWidget(inside);
+  makeMenus();
+  connectPanel();
+  resize(1240, 740);
+  refresh();
+}
+
+HomeWindow::~HomeWindow() = default;
+
+QWidget* HomeWindow::makeList() {
+  auto* side = new QWidget(this);
+  list_->setHorizontalHeaderLabels({tr("Study"), tr("Sessions"), tr("Last opened")});
+  list_->setAccessibleName(tr("Studies"));
+  list_->setObjectName(QStringLiteral("studies"));
+  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list_->setShowGrid(false);
+  list_->setWordWrap(true);
+  list_->verticalHeader()->hide();
+  list_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  auto* heads = list_->horizontalHeader();
+  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  heads->setSectionResizeMode(0, QHeaderView::Stretch);
+  heads->setSectionResizeMode(1, QHeaderView::Interactive);
+  heads->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  list_->setColumnWidth(1, 190);
+  connect(list_, &QTableWidget::itemSelectionChanged, this, &HomeWindow::showChosen);
+  connect(list_, &QTableWidget::cellDoubleClicked, this, [this] {
+    const auto* study = chosen();
+    if (study != nullptr) openStudy(QString::fromStdString(study->folder));
+  });
+  auto* make = new QPushButton(tr("New study…"), side);
+  make->setObjectName(QStringLiteral("new-study"));
+  auto* open = new QPushButton(tr("Open a folder…"), side);
+  auto* read = new QPushButton(tr("Read a protocol…"), side);
+  connect(make, &QPushButton::clicked, this, &HomeWindow::makeStudy);
+  connect(open, &QPushButton::clicked, this, &HomeWindow::chooseFolder);
+  connect(read, &QPushButton::clicked, this, &HomeWindow::askForProtocol);
+  auto* buttons = new QHBoxLayout;
+  for (auto* button : {make, open, read}) buttons->addWidget(button, 1);
+  auto* layout = new QVBoxLayout(side);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(12);
+  layout->addWidget(titleLabel(tr("Studies"), side));
+  layout->addWidget(list_, 1);
+  layout->addLayout(buttons);
+  return side;
+}
+
+template <typename Dialog>
+void HomeWindow::openTool() {
+  auto* dialog = new Dialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void HomeWindow::makeMenus() {
+  auto* study = menuBar()->addMenu(tr("&Study"));
+  study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
+  study->addAction(tr("&Open a folder…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
+  study->addAction(tr("Read a &protocol…"), this, &HomeWindow::askForProtocol);
+  study->addAction(tr("&Take off the list"), this, &HomeWindow::forgetChosen);
+  study->addAction(tr("&Look again"), QKeySequence::Refresh, this, &HomeWindow::refresh);
+  study->addSeparator();
+  study->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
+  auto* measured = menuBar()->addMenu(tr("&Measurements"));
+  measured->addAction(tr("&Import a recording…"), this, &HomeWindow::openTool<ImportCutDialog>);
+  measured->addAction(tr("&Fit a material…"), this, &HomeWindow::openTool<FitMaterialDialog>);
+  measured->addAction(
+      tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
+  measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { askForShape(this); });
+  addThemesTo(*menuBar()->addMenu(tr("&View")));
+  auto* help = menuBar()->addMenu(tr("&Help"));
+  // F1 itself is seen by offerHelp(), wherever the keyboard is.
+  help->addAction(
+      tr("&Help for this window\tF1"), this, [this] { showHelp(helpTopicOf(*this), this); });
+  help->addAction(tr("&Tour in three steps…"), this, &HomeWindow::showTour);
+  help->addAction(tr("&Self-test…"), this, &HomeWindow::testComputer);
+}
+
+template <typename Dialog>
+void HomeWindow::openDialog() {
+  const auto* study = chosen();
+  if (study == nullptr) return;
+  auto* dialog = new Dialog(*study, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void HomeWindow::connectPanel() {
+  connect(panel_, &StudyPanel::openRequested, this, [this] {
+    if (const auto* study = chosen()) openStudy(QString::fromStdString(study->folder));
+  });
+  connect(panel_, &StudyPanel::goOnRequested, this, [this](qlonglong id) {
+    if (const auto* study = chosen()) {
+      openStudy(QString::fromStdString(study->folder), SessionId{id});
+    }
+  });
+  connect(panel_, &StudyPanel::forgetRequested, this, &HomeWindow::forgetChosen);
+  connect(panel_, &StudyPanel::backupRequested, this, &HomeWindow::openDialog<BackupDialog>);
+  connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
+  connect(panel_, &StudyPanel::reportRequested, this, &HomeWindow::openDialog<ReportDialog>);
+  connect(panel_, &StudyPanel::exportRequested, this, &HomeWindow::openDialog<ExportDialog>);
+}
+
+void HomeWindow::forgetChosen() {
+  const auto* study = chosen();
+  if (study == nullptr) return;
+  forgetStudy(QString::fromStdString(study->folder));
+  refresh();
+}
+
+void HomeWindow::refresh() {
+  const auto* before = chosen();
+  const std::string folder = before == nullptr ? std::string() : before->folder;
+  studies_.clear();
+  const auto recent = recentStudies();
+  list_->setRowCount(static_cast<int>(recent.size()));
+  int row = 0;
+  for (const auto& study : recent) {
+    studies_.push_back(summaryOf(study.folder.toStdString()));
+    if (studies_.back().title.empty()) studies_.back().title = study.title.toStdString();
+    const QString opened = study.opened.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    list_->setItem(row, 2, new QTableWidgetItem(opened));
+    fillRow(row++);
+  }
+  for (row = 0; row < list_->rowCount(); ++row) {
+    if (studies_[static_cast<std::size_t>(row)].folder == folder) break;
+  }
+  list_->selectRow(row < list_->rowCount() ? row : 0);
+  showChosen();
+}
+
+void HomeWindow::fillRow(int row) {
+  const auto& study = studies_[static_cast<std::size_t>(row)];
+  const QString folder = QString::fromStdString(study.folder);
+  auto* title = new QTableWidgetItem(
+      QString::fromStdString(study.title) + QLatin1Char('\n') + QDir(folder).dirName());
+  title->setToolTip(folder);
+  const QString sign = study.problem.empty() ? QString() : QStringLiteral("✕ ");
+  const QString words = QString::fromStdString(sessionsInWords(study));
+  list_->setItem(row, 0, title);
+  list_->setItem(row, 1, new QTableWidgetItem(sign + words));
+}
+
+const StudySummary* HomeWindow::chosen() const {
+  const int row = list_->currentRow();
+  const bool isThere = row >= 0 && row < static_cast<int>(studies_.size());
+  return isThere ? &studies_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+void HomeWindow::showChosen() {
+  const auto* study = chosen();
+  if (study == nullptr) return panel_->clear();
+  panel_->show(*study);
+}
+
+void HomeWindow::choose(const QString& folder) {
+  const auto summary = summaryOf(folder.toStdString());
+  rememberStudy(folder, QString::fromStdString(summary.title));
+  refresh();
+  list_->selectRow(0);
+}
+
+OperatorWindow* HomeWindow::operatorWindow() const noexcept {
+  return open_ ? &open_->window : nullptr;
+}
+
+void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> session) {
+  if (open_) return;
+  const bool isOpen = attempt(
+      this, [&] { open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_); });
+  if (!isOpen) return;
+  const auto& title = open_->study.protocol().protocol.study.title;
+  rememberStudy(folder, QString::fromStdString(title));
+  open_->window.installEventFilter(this);
+  open_->window.show();
+  hide();
+  if (session) open_->window.resumeIfFit(*session);
+}
+
+bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
+  const bool isOperator = open_ && watched == &open_->window;
+  if (isOperator && event->type() == QEvent::Hide && !event->spontaneous()) {
+    show();  // before the program finds that its last window has gone
+    QTimer::singleShot(0, this, &HomeWindow::closeStudy);
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void HomeWindow::closeStudy() {
+  if (!open_) return;
+  open_->window.removeEventFilter(this);
+  open_.reset();
+  refresh();
+  list_->selectRow(0);
+}
+
+void HomeWindow::makeStudy() {
+  auto* dialog = new NewStudyDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &NewStudyDialog::created, this, &HomeWindow::choose);
+  connect(dialog, &NewStudyDialog::protocolRequested, this, &HomeWindow::readProtocol);
+  dialog->setWindowModality(Qt::NonModal);
+  dialog->show();
+}
+
+void HomeWindow::showTour() {
+  auto* tour = new Tour(this);
+  tour->setAttribute(Qt::WA_DeleteOnClose);
+  connect(tour, &QDialog::accepted, this, &HomeWindow::makeStudy);
+  tour->open();
+}
+
+void HomeWindow::testComputer() {
+  const auto* study = chosen();
+  const bool isSound = study != nullptr && study->problem.empty();
+  auto* dialog = new SelfTestDialog(
+      {.study = isSound ? study->folder : std::string(), .deviceFile = deviceFile_}, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void HomeWindow::chooseFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("The folder of a study"), QDir::homePath());
+  if (!folder.isEmpty()) choose(folder);
+}
+
+void HomeWindow::askForProtocol() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("A protocol"), QDir::homePath(), tr("Protocols (*.json)"));
+  if (!file.isEmpty()) readProtocol(file);
+}
+
+void HomeWindow::readProtocol(const QString& source) {
+  auto* window = new ProtocolWindow(source);
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home page
+  connect(this, &QObject::destroyed, window, &QObject::deleteLater);
+  window->show();
+}
+
+}  // namespace study::gui::home

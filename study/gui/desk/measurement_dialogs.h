@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QLineEdit>
+#include <QSpinBox>
+
+#include "study/gui/desk/work_dialog.h"
+#include "study/gui/widgets/path_field.h"
+
+namespace study::gui::home {
+
+/// Takes a cut from a recording of the punch, for a protocol.
+class ImportCutDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit ImportCutDialog(QWidget* parent = nullptr);
+
+ protected:
+  void work() override;
+
+ private:
+  PathField* recording_;
+  QSpinBox* cut_;
+  PathField* target_;
+};
+
+/// Makes a reaming material from a folder of measured series.
+class FitMaterialDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit FitMaterialDialog(QWidget* parent = nullptr);
+
+ protected:
+  void work() override;
+
+ private:
+  PathField* series_;
+  QLineEdit* title_;
+  PathField* target_;
+};
+
+/// Fills the program's own cup with spheres.
+class BuildBoneDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit BuildBoneDialog(QWidget* parent = nullptr);
+
+ protected:
+  void work() override;
+
+ private:
+  QSpinBox* spheres_;
+  QSpinBox* seed_;
+  PathField* target_;
+};
+
+}  // namespace study::gui::home

@@ -1,0 +1,185 @@
+#include "study/gui/desk/measurement_work.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "haptics/reaming/material/material_fit.h"
+#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packed_bone.h"
+#include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/recordings/recording_file.h"
+#include "protocols/reading/material_file.h"
+#include "protocols/reading/packing_file.h"
+#include "study/import_recording.h"
+#include "study/new_file.h"
+#include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
+
+namespace study::gui::home {
+namespace {
+
+namespace fs = std::filesystem;
+namespace reaming = haptics::reaming;
+
+/// Before anything is computed: what would be refused at the end.
+void requireNewFile(const std::string& out, std::string_view ending) {
+  if (!out.ends_with(ending)) {
+    throw UserError(
+        "'" + out + "' does not end in " + std::string(ending) + ". Choose another name.");
+  }
+  if (fs::exists(out)) {
+    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
+  }
+}
+
+/// The test that the name of a file speaks of; nothing where it speaks of none.
+std::optional<reaming::TestSet> testOf(const std::string& name) {
+  for (std::size_t i = 0; i < reaming::kTestSets.size(); ++i) {
+    if (name.find(reaming::kTestSets[i]) != std::string::npos) {
+      return static_cast<reaming::TestSet>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<fs::path> seriesIn(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const auto ending = entry.path().extension();
+    if (ending == ".csv" || ending == ".tsv" || ending == ".txt") files.push_back(entry.path());
+  }
+  if (error) throw UserError(folder + " cannot be read (" + error.message() + ").");
+  if (files.empty()) {
+    throw UserError(folder + " holds no series. Choose a folder with tables (.csv, .tsv, .txt).");
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Tells how far it is; false where it was cancelled, since nothing may be thrown there.
+bool goesOn(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
+  try {
+    tell(
+        progress,
+        static_cast<double>(now.spheres) / static_cast<double>(wanted),
+        fmt::format(
+            "{} of {} spheres, {:.1f} % covered", now.spheres, wanted, 100.0 * now.coverage));
+    return true;
+  } catch (const Cancelled&) {
+    return false;
+  }
+}
+
+std::string inWords(const reaming::MaterialFit& fit) {
+  std::string words;
+  for (const auto& set : fit.sets) {
+    words += fmt::format(
+        "{}: {} series to {:.2f} mm; largest error {:.2g} / {:.2g} / {:.2g} N (minimum, average, "
+        "maximum)\n",
+        reaming::kTestSets[static_cast<std::size_t>(set.set)],
+        set.used,
+        1000.0 * set.scale,
+        set.force.minimum.error.largest,
+        set.force.average.error.largest,
+        set.force.maximum.error.largest);
+  }
+  for (const auto& series : fit.series) {
+    if (!series.exclusion.isExcluded()) continue;
+    words += "left out: " + series.name + ": " + series.exclusion.words + "\n";
+  }
+  return words;
+}
+
+}  // namespace
+
+std::string importCutTo(
+    const std::string& recording,
+    std::optional<std::size_t> cut,
+    const std::string& out,
+    const Progress& progress) {
+  requireNewFile(out, ".json");
+  tell(progress, 0.0, "reading the recording");
+  const auto read = haptics::recordings::readRecordingFile(recording);
+  tell(progress, 0.5, "taking the cut");
+  haptics::recordings::ImportOptions options;
+  if (cut) options.closures = {*cut};
+  const auto imported = importRecording(read, options);
+  tell(progress, 0.9, "writing it");
+  writeNewFile(out, cutAsJsonFrom(recording, imported.cut));
+  std::string words = imported.report.reason + "\n";
+  for (const auto& change : imported.report.changes) words += change + "\n";
+  return words;
+}
+
+std::string fitMaterialTo(
+    const std::string& folder,
+    const std::string& title,
+    const std::string& out,
+    const Progress& progress) {
+  requireNewFile(out, ".json");
+  constexpr double kShareOfReading = 0.5;
+  const auto files = seriesIn(folder);
+  std::vector<reaming::Series> all;
+  std::vector<protocols::MaterialSource> sources;
+  for (const auto& file : files) {
+    const auto name = file.filename().string();
+    const double share = static_cast<double>(all.size()) / static_cast<double>(files.size());
+    tell(progress, kShareOfReading * share, "reading " + name);
+    const auto test = testOf(name);
+    if (!test) {
+      throw UserError(
+          "Nobody can tell which test " + name +
+          " is of: its name has to hold static, dynamic-1 or dynamic-2.");
+    }
+    all.push_back(reaming::readSeriesFile(file.string(), *test, {}));
+    sources.push_back({name, storage::sha256(reaming::contentOfSeriesFile(file.string()))});
+  }
+  const bool isSynthetic =
+      std::any_of(all.begin(), all.end(), [](const auto& series) { return series.isSynthetic; });
+  tell(progress, kUnknownShare, "filtering, and fitting the curves");
+  const reaming::FitOptions options;
+  const auto fit = reaming::fitMaterial(all, options);
+  if (fit.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
+  tell(progress, 1.0, "writing it");
+  const auto name = fs::path(out).stem().string();
+  writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
+  return inWords(fit) + (isSynthetic ? "SYNTHETIC: nobody measured these series.\n" : "");
+}
+
+std::string buildBoneTo(
+    std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress) {
+  requireNewFile(out, protocols::kPackingEnding);
+  const reaming::Acetabulum body;
+  reaming::PackedBone bone{
+      .name = fs::path(out).stem().string(), .title = "A cup of spheres", .isSynthetic = true};
+  try {
+    const auto packing = reaming::pack(
+        body, {.count = spheres, .seed = seed}, [&](const reaming::PackingProgress& now) {
+          return goesOn(progress, now, spheres);
+        });
+    if (!packing) throw Cancelled();
+    bone.packing = *packing;
+  } catch (const std::invalid_argument& wrong) {
+    throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
+  }
+  tell(progress, 1.0, "writing it");
+  writeNewFile(
+      out, protocols::packingAsText(bone, {.mesh = "parametric acetabulum", .seed = seed}));
+  return fmt::format(
+      "{} spheres of {:.3f} to {:.3f} mm cover {:.1f} % of {:.1f} cm³. SYNTHETIC: nobody measured "
+      "this bone.\nIt has no densities yet: palpate packing fit {} --material MATERIAL.json --out "
+      "FITTED.packing\n",
+      bone.packing.spheres.size(),
+      1e3 * bone.packing.spheres.back().radius,
+      1e3 * bone.packing.spheres.front().radius,
+      100.0 * bone.packing.coverage(),
+      1e6 * bone.packing.volume,
+      out);
+}
+
+}  // namespace study::gui::home

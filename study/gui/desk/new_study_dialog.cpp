@@ -1,0 +1,98 @@
+#include "study/gui/desk/new_study_dialog.h"
+
+#include <cstdint>
+#include <optional>
+
+#include <QDir>
+#include <QRegularExpressionValidator>
+
+#include "study/gui/widgets/attempt.h"
+#include "study/study.h"
+
+namespace study::gui::home {
+
+NewStudyDialog::NewStudyDialog(QWidget* parent)
+    : WorkDialog(
+          tr("New study"),
+          tr("A study is a folder that holds its protocol, its answers and what was felt. The "
+             "protocol may be changed until the first participant begins."),
+          tr("Make the study"),
+          parent),
+      protocol_(new QComboBox(this)),
+      file_(new PathField(
+          PathField::Kind::ExistingFile, tr("Protocol file"), tr("Protocols (*.json)"), this)),
+      folder_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
+      seed_(new QLineEdit(this)),
+      read_(new QPushButton(tr("Read it beside its problems…"), this)) {
+  protocol_->setAccessibleName(tr("Protocol"));
+  protocol_->setObjectName(QStringLiteral("protocol"));
+  for (const auto& name : shippedProtocols()) {
+    const QString words = QString::fromStdString(name);
+    protocol_->addItem(tr("%1 (ships with the program)").arg(words), words);
+  }
+  protocol_->addItem(tr("A file of my own…"), QString());
+  file_->setObjectName(QStringLiteral("protocol-file"));
+  folder_->setObjectName(QStringLiteral("folder"));
+  folder_->setPath(QDir::home().filePath(QStringLiteral("my-study")));
+  seed_->setAccessibleName(tr("Seed"));
+  seed_->setPlaceholderText(tr("the protocol's, or drawn now"));
+  seed_->setValidator(
+      new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
+  read_->setAutoDefault(false);
+  form().addRow(tr("Protocol"), protocol_);
+  form().addRow(tr("Its file"), file_);
+  form().addRow(QString(), read_);
+  form().addRow(tr("New folder"), folder_);
+  form().addRow(tr("Seed of all orders"), seed_);
+  connect(protocol_, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
+  connect(file_, &PathField::pathChanged, this, &NewStudyDialog::check);
+  connect(folder_, &PathField::pathChanged, this, [this](const QString& path) {
+    go().setEnabled(checked_.loaded.has_value() && !path.isEmpty());
+  });
+  connect(&watch_, &FileWatch::changed, this, &NewStudyDialog::check);
+  connect(read_, &QPushButton::clicked, this, [this] { emit protocolRequested(source()); });
+  check();
+}
+
+QString NewStudyDialog::source() const {
+  const QString shipped = protocol_->currentData().toString();
+  return shipped.isEmpty() ? file_->path() : shipped;
+}
+
+void NewStudyDialog::setProtocolFile(const QString& file) {
+  protocol_->setCurrentIndex(protocol_->count() - 1);
+  file_->setPath(file);
+}
+
+void NewStudyDialog::check() {
+  const bool isOwn = protocol_->currentData().toString().isEmpty();
+  form().setRowVisible(file_, isOwn);
+  fit();
+  watch_.watch(isOwn && !file_->path().isEmpty() ? QStringList{file_->path()} : QStringList());
+  checked_ = {};
+  go().setEnabled(false);
+  read_->setEnabled(!source().isEmpty());
+  if (source().isEmpty()) return clear();
+  checked_ = checkProtocol(source().toStdString());
+  const QString problems = QString::fromStdString(questionnaires::inWords(checked_.problems));
+  const bool isSound = checked_.loaded.has_value();
+  say(isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
+      QString::fromStdString(checked_.verdict()),
+      problems);
+  go().setEnabled(isSound && !folder_->path().isEmpty());
+}
+
+void NewStudyDialog::work() {
+  std::optional<std::uint64_t> seed;
+  if (!seed_->text().isEmpty()) seed = seed_->text().toULongLong();
+  const QString folder = folder_->path();
+  const bool isMade = attempt(this, [&] {
+    SystemClock clock;
+    Study::create(folder.toStdString(), *checked_.loaded, clock, seed);
+  });
+  if (!isMade) return;
+  accept();
+  emit created(folder);
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,69 @@
+#include "study/gui/desk/recent_studies.h"
+
+#include <algorithm>
+
+#include <QDir>
+
+#include "study/gui/widgets/studio_settings.h"
+
+namespace study::gui::home {
+namespace {
+
+constexpr const char* kRecentKey = "recent-studies";
+
+void store(const std::vector<RecentStudy>& studies) {
+  auto settings = studioSettings();
+  settings.remove(QLatin1String(kRecentKey));
+  settings.beginWriteArray(QLatin1String(kRecentKey));
+  for (int i = 0; i < static_cast<int>(studies.size()); ++i) {
+    const auto& study = studies[static_cast<std::size_t>(i)];
+    settings.setArrayIndex(i);
+    settings.setValue(QStringLiteral("folder"), study.folder);
+    settings.setValue(QStringLiteral("title"), study.title);
+    settings.setValue(QStringLiteral("opened"), study.opened);
+  }
+  settings.endArray();
+}
+
+QString plainFolder(const QString& folder) {
+  return QDir::cleanPath(QDir(folder).absolutePath());
+}
+
+std::vector<RecentStudy> without(const QString& folder) {
+  auto studies = recentStudies();
+  std::erase_if(studies, [&](const RecentStudy& study) { return study.folder == folder; });
+  return studies;
+}
+
+}  // namespace
+
+std::vector<RecentStudy> recentStudies() {
+  auto settings = studioSettings();
+  std::vector<RecentStudy> studies;
+  const int count = std::min(settings.beginReadArray(QLatin1String(kRecentKey)), kMostRecent);
+  for (int i = 0; i < count; ++i) {
+    settings.setArrayIndex(i);
+    studies.push_back(
+        {.folder = settings.value(QStringLiteral("folder")).toString(),
+         .title = settings.value(QStringLiteral("title")).toString(),
+         .opened = settings.value(QStringLiteral("opened")).toDateTime()});
+  }
+  settings.endArray();
+  return studies;
+}
+
+void rememberStudy(const QString& folder, const QString& title) {
+  const QString plain = plainFolder(folder);
+  auto studies = without(plain);
+  studies.insert(
+      studies.begin(),
+      {.folder = plain, .title = title, .opened = QDateTime::currentDateTimeUtc()});
+  if (studies.size() > kMostRecent) studies.resize(kMostRecent);
+  store(studies);
+}
+
+void forgetStudy(const QString& folder) {
+  store(without(plainFolder(folder)));
+}
+
+}  // namespace study::gui::home

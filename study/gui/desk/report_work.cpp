@@ -1,0 +1,60 @@
+#include "study/gui/desk/report_work.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "study/new_file.h"
+#include "study/report/figures/figures.h"
+#include "study/report/html_report.h"
+#include "study/report/pdf_report.h"
+#include "study/unblinding.h"
+#include "study/user_error.h"
+
+namespace study::gui::home {
+namespace {
+
+/// Before anything is computed: what would be refused at the end.
+void requireWritable(const std::string& out) {
+  const auto ending = std::filesystem::path(out).extension();
+  if (ending != ".html" && ending != ".pdf") {
+    throw UserError(
+        "A report is a page (.html) or a PDF (.pdf), not '" + out + "'. Choose another name.");
+  }
+  if (std::filesystem::exists(out)) {
+    throw UserError(out + " is there already. Nothing is ever overwritten: choose another name.");
+  }
+}
+
+}  // namespace
+
+void write(const ReportOrder& order, const Progress& progress) {
+  constexpr double kStep = 0.25;  // of four
+  requireWritable(order.out);
+  SystemClock clock;
+  auto study = Study::open(order.folder, clock, accessToNote(order.reason));
+  const auto sessions = study.sessions().all();
+  const bool hasAny = std::any_of(sessions.begin(), sessions.end(), [&](const auto& session) {
+    return session.runMode == order.mode;
+  });
+  if (!hasAny) {
+    throw UserError(
+        "No " + std::string(nameOf(order.mode)) +
+        " participant has taken part yet. Choose other "
+        "sessions.");
+  }
+  noteUnblinding(study, order.mode, "report", order.reason);
+  tell(progress, 0.0, "computing the tables, and what was felt");
+  std::vector<report::ReportSection> sections;
+  sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));
+  tell(progress, kStep, "painting the figures");
+  report::paintFigures(sections.front());
+  tell(progress, 2 * kStep, "setting the page");
+  const auto html = report::asHtml(sections);
+  const bool isPdf = std::filesystem::path(order.out).extension() == ".pdf";
+  const auto page = isPdf ? report::asPdf(html, sections.front().protocol.study.title) : html;
+  tell(progress, 3 * kStep, "writing it");
+  writeNewFile(order.out, page);
+}
+
+}  // namespace study::gui::home

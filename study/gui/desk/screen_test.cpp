@@ -1,0 +1,67 @@
+// What a self-test says of the screens.
+#include <QGuiApplication>
+#include <QScreen>
+
+#include "study/gui/desk/self_test.h"
+#include "study/gui/scene/graphics.h"
+
+namespace study::gui::home {
+namespace {
+
+using haptics::devices::CheckResult;
+using haptics::devices::Finding;
+
+constexpr int kLeastWide = 1280;
+constexpr int kLeastHigh = 800;
+constexpr double kLeastRefresh = 50.0;  // [Hz]
+
+CheckResult judgeScreen(const QScreen& screen) {
+  const QSize size = screen.geometry().size();
+  CheckResult found{
+      .what = screen.name().isEmpty() ? "screen" : screen.name().toStdString(),
+      .measured = QStringLiteral("%1 × %2 points, scale %3, %4 Hz")
+                      .arg(size.width())
+                      .arg(size.height())
+                      .arg(screen.devicePixelRatio())
+                      .arg(screen.refreshRate(), 0, 'f', 0)
+                      .toStdString(),
+      .mend = ""};
+  if (size.width() < kLeastWide || size.height() < kLeastHigh) {
+    found.finding = Finding::Warn;
+    found.mend = "The windows want 1280 × 800 points: choose a higher resolution or less scaling.";
+  } else if (screen.refreshRate() < kLeastRefresh) {
+    found.finding = Finding::Warn;
+    found.mend = "Pictures come late: choose a refresh rate of 50 Hz or more.";
+  }
+  return found;
+}
+
+/// Who would draw a simulation, found by trying.
+CheckResult judgeGraphics() {
+  const auto graphics = simulation::openGraphics();
+  return {
+      graphics.remark.isEmpty() ? Finding::Pass : Finding::Warn,
+      "simulation",
+      "drawn by " + graphics.renderer->name().toStdString(),
+      graphics.remark.toStdString()};
+}
+
+}  // namespace
+
+std::vector<SelfTestLine> testScreens() {
+  std::vector<SelfTestLine> lines;
+  const auto screens = QGuiApplication::screens();
+  for (const auto* screen : screens) lines.push_back({"screen", judgeScreen(*screen)});
+  if (screens.size() < 2) {
+    lines.push_back(
+        {"screen",
+         {Finding::Warn,
+          "participant's screen",
+          "there is one screen only",
+          "Connect a second one: the participant's window goes there by itself."}});
+  }
+  lines.push_back({"screen", judgeGraphics()});
+  return lines;
+}
+
+}  // namespace study::gui::home

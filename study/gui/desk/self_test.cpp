@@ -1,0 +1,164 @@
+#include "study/gui/desk/self_test.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "study/hardware_rig.h"
+#include "study/storage/study_schema.h"
+#include "study/study_files.h"
+#include "study/trial_record.h"
+#include "study/user_error.h"
+
+namespace study::gui::home {
+namespace {
+
+using haptics::devices::CheckResult;
+using haptics::devices::Finding;
+using haptics::engine::RealtimeLoop;
+
+constexpr double kRate = 1000.0;  // [Hz]
+constexpr int kCommits = 40;
+constexpr double kPromptCommit = 0.02;  // [s]: nobody notices the page that waits for it
+constexpr double kSlowCommit = 0.2;     // [s]: everybody does
+
+std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress& progress) {
+  const auto own = order.study / kDeviceFileName;
+  const std::string file = !order.deviceFile.empty() ? order.deviceFile : own.string();
+  if (order.deviceFile.empty() && (order.study.empty() || !std::filesystem::exists(own))) {
+    return {
+        {"devices",
+         {Finding::Pass,
+          "device file",
+          "none: devices are virtual, the participant's mouse or space bar is the hand",
+          ""}}};
+  }
+  std::vector<SelfTestLine> lines;
+  const auto anyHand = [](const protocols::DeviceNeed& need) {
+    return simulatedHandFor(need, 1, {}, 0);
+  };
+  try {
+    HardwareRig rig(loadDevices(file), anyHand);
+    for (const auto& entry : rig.entries()) {
+      tell(progress, kUnknownShare, "listening to " + entry.id);
+      for (auto& result : preflight(*rig.find(entry.id), nullptr, order.seconds)) {
+        result.what = entry.id + ": " + result.what;
+        lines.push_back({"devices", std::move(result)});
+      }
+    }
+  } catch (const UserError& error) {
+    lines.push_back(
+        {"devices", {Finding::Fail, "device file", error.what(), "Mend the device file."}});
+  }
+  return lines;
+}
+
+SelfTestLine testClock(double seconds) {
+  // As much as a scene of a study takes of a tick.
+  volatile double sink = 0.0;
+  RealtimeLoop loop({.rate = kRate}, [&sink](double dt, double) {
+    for (int i = 0; i < 2000; ++i) sink = sink + dt;
+  });
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  const bool isRealtime = loop.isRealtime();
+  return judgeClock(loop.finish(), isRealtime, kRate);
+}
+
+SelfTestLine testCommits(const std::filesystem::path& folder) {
+  try {
+    return judgeCommits(storage::measureCommits(folder, kCommits), folder.string());
+  } catch (const storage::StorageError& error) {
+    return {
+        "database",
+        {Finding::Fail, "writing", error.what(), "Choose a folder that may be written."}};
+  }
+}
+
+SelfTestLine testFile(const std::string& file, const storage::Schema& schema) {
+  const auto name = std::filesystem::path(file).filename().string();
+  std::string problems;
+  try {
+    problems =
+        storage::Database::open(file, schema, storage::Database::Access::ReadOnly).quickProblems();
+  } catch (const storage::StorageError& error) {
+    problems = error.what();
+  }
+  if (problems.empty()) return {"database", {Finding::Pass, name, "whole", ""}};
+  return {
+      "database",
+      {Finding::Fail, name, problems, "Do not go on with it: restore the study from a copy."}};
+}
+
+}  // namespace
+
+SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, double rate) {
+  constexpr double kRoughShare = 0.05;
+  const auto ticks = static_cast<std::int64_t>(report.ticks);
+  const auto late = static_cast<std::int64_t>(report.lateTicks);
+  CheckResult found{
+      .what = fmt::format("{:g} Hz for {:.1f} s", rate, report.seconds),
+      .measured = fmt::format(
+          "late by {:.0f} µs (median), {:.0f} µs (99 of 100), {:.0f} µs (latest); {} of {} ticks "
+          "missed; {}",
+          report.lateness.quantile(0.5),
+          report.lateness.quantile(0.99),
+          report.lateness.largest(),
+          late,
+          ticks,
+          isRealtime ? "real-time priority" : "ordinary priority"),
+      .mend = ""};
+  if (static_cast<double>(late) > kRoughShare * static_cast<double>(ticks)) {
+    found.finding = Finding::Fail;
+    found.mend = "Forces would feel rough. Close other programs, or use another computer.";
+  } else if (isOftenLate(late, ticks)) {
+    found.finding = Finding::Warn;
+    found.mend = "Trials would be marked. Close other programs; leave power saving off.";
+  } else if (!isRealtime) {
+    found.finding = Finding::Warn;
+    found.mend =
+        "Allow real-time priority: the three lines of /etc/security/limits.d/palpate.conf stand in "
+        "docs/devices.md, \"Real time\".";
+  }
+  return {"clock", found};
+}
+
+SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
+  CheckResult found{
+      .what = "an answer to the disk",
+      .measured = fmt::format(
+          "{:.1f} ms (median of {}), {:.1f} ms (longest), in {}",
+          1e3 * times.median,
+          times.commits,
+          1e3 * times.longest,
+          folder),
+      .mend = ""};
+  if (times.median > kSlowCommit) {
+    found.finding = Finding::Fail;
+    found.mend = "Every page would wait. Put the study on a disk inside this computer.";
+  } else if (times.median > kPromptCommit) {
+    found.finding = Finding::Warn;
+    found.mend = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
+  }
+  return {"database", found};
+}
+
+std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progress& progress) {
+  auto lines = testDevices(order, progress);
+  tell(progress, kUnknownShare, "ticking a thousand times a second");
+  lines.push_back(testClock(order.seconds));
+  tell(progress, kUnknownShare, "writing to the disk");
+  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  lines.push_back(testCommits(
+      !order.study.empty() ? order.study : std::filesystem::path(home == nullptr ? "." : home)));
+  if (order.study.empty()) return lines;
+  tell(progress, kUnknownShare, "looking through the databases");
+  const StudyFiles files{order.study};
+  lines.push_back(testFile(files.study(), storage::studySchema()));
+  lines.push_back(testFile(files.traces(), storage::traceSchema()));
+  lines.push_back(testFile(files.identity(), storage::identitySchema()));
+  return lines;
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,123 @@
+#include "study/gui/desk/self_test_dialog.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui::home {
+namespace {
+
+using haptics::devices::Finding;
+
+const Fill& rowFill(const Theme& colours, Finding finding) {
+  return finding == Finding::Pass   ? colours.paleGood
+         : finding == Finding::Warn ? colours.paleWarn
+                                    : colours.paleBad;
+}
+
+QString signOf(Finding finding) {
+  const QString sign = finding == Finding::Pass   ? QStringLiteral("✓ ")
+                       : finding == Finding::Warn ? QStringLiteral("! ")
+                                                  : QStringLiteral("✕ ");
+  return sign + QString::fromUtf8(haptics::devices::nameOf(finding));
+}
+
+}  // namespace
+
+SelfTestDialog::SelfTestDialog(SelfTestOrder order, QWidget* parent)
+    : QDialog(parent),
+      order_(std::move(order)),
+      outcome_(bodyLabel({}, this)),
+      table_(new QTableWidget(0, 5, this)) {
+  setWindowTitle(tr("Self-test"));
+  outcome_->setObjectName(QStringLiteral("outcome"));
+  outcome_->setVisible(false);
+  table_->setObjectName(QStringLiteral("lines"));
+  table_->setAccessibleName(tr("What was found"));
+  table_->setHorizontalHeaderLabels(
+      {tr("Part"), tr("Result"), tr("What"), tr("Measured"), tr("What to do")});
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionMode(QAbstractItemView::NoSelection);
+  table_->setWordWrap(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  auto* heads = table_->horizontalHeader();
+  heads->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  heads->setSectionResizeMode(QHeaderView::ResizeToContents);
+  heads->setSectionResizeMode(3, QHeaderView::Stretch);
+  heads->setSectionResizeMode(4, QHeaderView::Stretch);
+  auto* heading = bodyLabel(tr("Is this computer fit for a study day?"), this);
+  heading->setProperty("role", QStringLiteral("heading"));
+  auto* go = new QPushButton(tr("Test"), this);
+  go->setObjectName(QStringLiteral("go"));
+  go->setProperty("role", QStringLiteral("main"));
+  auto* close = new QPushButton(tr("Close"), this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(close);
+  buttons->addWidget(go);
+  const QString where = order_.study.empty() ? tr("No study is chosen: its databases are left out.")
+                                             : QString::fromStdString(order_.study.string());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(24, 20, 24, 20);
+  layout->addWidget(heading);
+  layout->addWidget(
+      quietLabel(tr("Devices, clock, database, screen; takes a few seconds. %1").arg(where), this));
+  layout->addWidget(outcome_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(buttons);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  connect(go, &QPushButton::clicked, this, &SelfTestDialog::test);
+  resize(1100, 560);
+}
+
+void SelfTestDialog::test() {
+  std::vector<SelfTestLine> lines;
+  const bool isDone = BackgroundTask::run(this, tr("Testing"), [&](const Progress& progress) {
+    lines = testComputer(order_, progress);
+  });
+  if (!isDone) return;
+  for (auto& line : testScreens()) lines.push_back(std::move(line));
+  fill(lines);
+}
+
+void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
+  table_->setRowCount(static_cast<int>(lines.size()));
+  Finding worst = Finding::Pass;
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const auto& [part, found] = lines[static_cast<std::size_t>(row)];
+    worst = std::max(worst, found.finding);
+    const QString cells[]{
+        QString::fromStdString(part),
+        signOf(found.finding),
+        QString::fromStdString(found.what),
+        QString::fromStdString(found.measured),
+        QString::fromStdString(found.mend)};
+    for (int column = 0; column < 5; ++column) {
+      auto* cell = new QTableWidgetItem(cells[column]);
+      cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
+      if (column == 1) {
+        const auto& fill = rowFill(themeOf(*this), found.finding);
+        cell->setBackground(fill.background);
+        cell->setForeground(fill.text);
+      }
+      table_->setItem(row, column, cell);
+    }
+  }
+  static constexpr const char* kRoles[]{"good", "warn", "bad"};
+  setRole(*outcome_, kRoles[static_cast<std::size_t>(worst)]);
+  outcome_->setText(
+      worst == Finding::Pass   ? tr("✓  Everything is as it should be.")
+      : worst == Finding::Warn ? tr("!  A study can be run. Look at what is marked WARN.")
+                               : tr("✕  Mend what is marked FAIL before a participant comes."));
+  outcome_->setVisible(true);
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,170 @@
+#include "study/gui/desk/study_dialogs.h"
+
+#include <filesystem>
+
+#include <QDate>
+#include <QDir>
+#include <QFileInfo>
+
+#include "study/backup.h"
+#include "study/gui/desk/report_work.h"
+#include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/labels.h"
+#include "study/words/words.h"
+
+namespace study::gui::home {
+
+QString inWords(const Verification& verification) {
+  QString words;
+  for (const auto& check : verification.checks) {
+    const bool holds = check.problems.empty();
+    words += (holds ? QStringLiteral("✓  ") : QStringLiteral("✕  FAIL: ")) +
+             QString::fromStdString(check.what) + QLatin1Char('\n');
+    for (const auto& problem : check.problems) {
+      words += QStringLiteral("      ") + QString::fromStdString(problem) + QLatin1Char('\n');
+    }
+  }
+  return words;
+}
+
+QComboBox* runModeChoice(const StudySummary& study, QWidget* parent) {
+  auto* choice = new QComboBox(parent);
+  choice->setAccessibleName(QObject::tr("Which sessions"));
+  for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
+    const auto found = study.sessions.find(mode);
+    const int count = found == study.sessions.end() ? 0 : found->second;
+    const auto name = nameOf(mode);
+    choice->addItem(
+        QObject::tr("%1 (%n session(s))", nullptr, count)
+            .arg(asText(name))
+            .replace(QStringLiteral("session(s)"), count == 1 ? "session" : "sessions"),
+        static_cast<int>(mode));
+  }
+  choice->setCurrentIndex(choice->findData(static_cast<int>(likelyRunMode(study))));
+  return choice;
+}
+
+RunMode chosenMode(const QComboBox& choice) {
+  return static_cast<RunMode>(choice.currentData().toInt());
+}
+
+QString beside(const std::string& folder, const QString& ending) {
+  return QDir::cleanPath(QString::fromStdString(folder)) + QLatin1Char('-') + ending;
+}
+
+BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Back up a study"),
+          tr("A copy of the whole folder as it is at one moment, also while sessions are open. The "
+             "copy is read again to its last byte. Best kept on another disk. It holds what names "
+             "participants: keep it as carefully as the study."),
+          tr("Back up"),
+          parent),
+      folder_(study.folder),
+      target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
+  const QString today = QDate::currentDate().toString(Qt::ISODate);
+  target_->setPath(beside(folder_, QStringLiteral("backup-") + today));
+  form().addRow(tr("To a new folder"), target_);
+}
+
+void BackupDialog::work() {
+  Backup backup;
+  const std::string target = target_->path().toStdString();
+  const bool isDone = BackgroundTask::run(this, tr("Backing up"), [&](const Progress& progress) {
+    backup = backUp(folder_, target, progress);
+  });
+  if (!isDone) return clear();
+  const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
+  const QString checks = inWords(backup.verification);
+  if (backup.verification.isSound()) {
+    say(Outcome::Good,
+        tr("%1 MB are copied to %2, and are what was written.")
+            .arg(megabytes, 0, 'f', 1)
+            .arg(target_->path()),
+        checks);
+  } else {
+    say(Outcome::Bad, tr("The copy is as damaged as the study that it was made of."), checks);
+  }
+}
+
+VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Verify a study"),
+          tr("Reads “%1” to its last byte: is everything still what was written? Nothing is "
+             "changed.")
+              .arg(QString::fromStdString(study.title)),
+          tr("Verify"),
+          parent),
+      folder_(study.folder) {}
+
+void VerifyDialog::work() {
+  Verification verification;
+  const bool isDone = BackgroundTask::run(this, tr("Verifying"), [&](const Progress& progress) {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    verification = verify(study, progress);
+  });
+  if (!isDone) return clear();
+  const QString checks = inWords(verification);
+  if (verification.isSound()) {
+    say(Outcome::Good, tr("Everything is what was written."), checks);
+  } else {
+    say(Outcome::Bad,
+        tr("Something is not what was written. Keep the folder as it is, and restore a copy from "
+           "before."),
+        checks);
+  }
+}
+
+ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Write the report"),
+          tr("Tables, figures, what was felt, in one page or PDF. It names every condition beside "
+             "its results: whoever must stay blind does not open it, and why live sessions are "
+             "unblinded goes into the audit trail."),
+          tr("Write"),
+          parent),
+      folder_(study.folder),
+      mode_(runModeChoice(study, this)),
+      language_(new QComboBox(this)),
+      reason_(new QLineEdit(this)),
+      target_(new PathField(
+          PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)) {
+  for (const auto& language : words::languages()) {
+    const QString tag = QString::fromStdString(language);
+    language_->addItem(nativeName(tag), tag);
+  }
+  language_->setAccessibleName(tr("Language"));
+  target_->setPath(beside(folder_, QStringLiteral("report.html")));
+  form().addRow(tr("Sessions"), mode_);
+  form().addRow(tr("Language"), language_);
+  reason_->setAccessibleName(tr("Reason for unblinding"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  form().addRow(tr("Reason for unblinding"), reason_);
+  form().addRow(tr("File (.html or .pdf)"), target_);
+  connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);
+  connect(reason_, &QLineEdit::textChanged, this, &ReportDialog::updateChoices);
+  updateChoices();
+}
+
+void ReportDialog::updateChoices() {
+  const bool isLive = chosenMode(*mode_) == RunMode::Live;
+  form().setRowVisible(reason_, isLive);
+  go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
+}
+
+void ReportDialog::work() {
+  const ReportOrder order{
+      .folder = folder_,
+      .mode = chosenMode(*mode_),
+      .language = language_->currentData().toString().toStdString(),
+      .out = target_->path().toStdString(),
+      .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
+  const bool isDone = BackgroundTask::run(
+      this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
+  if (!isDone) return clear();
+  say(Outcome::Good, tr("%1 holds the report.").arg(target_->path()));
+}
+
+}  // namespace study::gui::home

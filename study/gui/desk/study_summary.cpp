@@ -1,0 +1,74 @@
+#include "study/gui/desk/study_summary.h"
+
+#include <filesystem>
+
+#include "study/study.h"
+
+namespace study::gui::home {
+namespace {
+
+constexpr RunMode kRunModes[]{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
+
+void fill(StudySummary& summary) {
+  SystemClock clock;
+  auto study = Study::open(summary.folder, clock, storage::Database::Access::ReadOnly);
+  const auto current = study.protocols().current();
+  const auto& metadata = study.protocol().protocol.study;
+  summary.title = metadata.title;
+  summary.protocol = metadata.id + " " + metadata.version + ", " +
+                     (current.frozenUtc ? "frozen " + current.frozenUtc->substr(0, 10)
+                                        : "not frozen yet: no live participant has begun");
+  for (const auto& row : study.sessions().all()) {
+    ++summary.sessions[row.runMode];
+    if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
+  }
+  summary.unfinished = unfinishedSessions(study);
+}
+
+int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
+  const auto found = counts.find(mode);
+  return found == counts.end() ? 0 : found->second;
+}
+
+}  // namespace
+
+StudySummary summaryOf(const std::string& folder) {
+  StudySummary summary{.folder = folder};
+  std::error_code ignored;
+  summary.isGone = !std::filesystem::is_directory(folder, ignored);
+  if (summary.isGone) {
+    summary.problem =
+        "The folder is not there. Was it moved, or is its disk not connected? Open it where it is "
+        "now, or take it off the list.";
+    return summary;
+  }
+  try {
+    fill(summary);
+  } catch (const std::exception& error) {
+    summary.problem = error.what();
+  }
+  return summary;
+}
+
+std::string sessionsInWords(const StudySummary& summary) {
+  if (!summary.problem.empty()) return summary.isGone ? "gone" : "cannot be opened";
+  std::string words;
+  for (const auto mode : kRunModes) {
+    if (countIn(summary.sessions, mode) == 0) continue;
+    words += (words.empty() ? "" : "; ") + std::to_string(countIn(summary.completed, mode)) +
+             " of " + std::to_string(countIn(summary.sessions, mode)) + " " +
+             std::string(nameOf(mode)) + " completed";
+  }
+  if (words.empty()) words = "nobody yet";
+  if (summary.unfinished.empty()) return words;
+  return words + "; " + std::to_string(summary.unfinished.size()) + " unfinished";
+}
+
+RunMode likelyRunMode(const StudySummary& summary) {
+  for (const auto mode : {RunMode::Live, RunMode::Simulated, RunMode::Pilot}) {
+    if (countIn(summary.sessions, mode) > 0) return mode;
+  }
+  return RunMode::Live;
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,242 @@
+#include "study/gui/desk/tour.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "protocols/load_protocol.h"
+#include "study/gui/operator/live_plot.h"
+#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/studio_settings.h"
+
+namespace study::gui::home {
+namespace {
+
+constexpr const char* kTourSeenKey = "tour-seen";
+constexpr const char* kTourProtocol = "punch-face-validity";
+constexpr int kTourPictureEvery = 33;  // [ms]
+constexpr int kTourSteps = 3;
+
+protocols::LoadedProtocol shippedPunch() {
+  questionnaires::Problems problems;
+  auto loaded = protocols::loadProtocolFile(kTourProtocol, problems);
+  if (!loaded) throw std::logic_error("a protocol that ships is not sound");
+  return std::move(*loaded);
+}
+
+QString inUnits(double value, const char* unit, int decimals = 2) {
+  return QString::number(value, 'f', decimals) + QLatin1Char(' ') + QString::fromUtf8(unit);
+}
+
+}  // namespace
+
+Tour::Tour(QWidget* parent)
+    : QDialog(parent),
+      protocol_(shippedPunch()),
+      punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene),
+      heading_(bodyLabel({}, this)),
+      steps_(new QStackedWidget(this)),
+      back_(new QPushButton(tr("Back"), this)),
+      next_(new QPushButton(this)) {
+  setWindowTitle(tr("Palpate in three steps"));
+  heading_->setProperty("role", QStringLiteral("heading"));
+  next_->setObjectName(QStringLiteral("tour-next"));
+  next_->setProperty("role", QStringLiteral("main"));
+  for (auto* button : {back_, next_}) button->setAutoDefault(false);
+  steps_->addWidget(makeFeeling());
+  steps_->addWidget(makeQuestions());
+  steps_->addWidget(makeRecord());
+  auto* skip = new QPushButton(tr("Close"), this);
+  skip->setAutoDefault(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(skip);
+  buttons->addStretch(1);
+  buttons->addWidget(back_);
+  buttons->addWidget(next_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(28, 22, 28, 22);
+  layout->addWidget(heading_);
+  layout->addWidget(steps_, 1);
+  layout->addLayout(buttons);
+  connect(skip, &QPushButton::clicked, this, &QDialog::reject);
+  connect(back_, &QPushButton::clicked, this, [this] { goTo(step() - 1); });
+  connect(next_, &QPushButton::clicked, this, [this] {
+    step() + 1 < kTourSteps ? goTo(step() + 1) : accept();
+  });
+  connect(&watch_, &QTimer::timeout, this, &Tour::look);
+  resize(1060, 700);
+  goTo(0);
+}
+
+Tour::~Tour() = default;
+
+bool Tour::isNew() {
+  return !studioSettings().value(QLatin1String(kTourSeenKey)).toBool();
+}
+
+void Tour::done(int result) {
+  studioSettings().setValue(QLatin1String(kTourSeenKey), true);
+  if (punch_.isRunning()) endFeeling();
+  QDialog::done(result);
+}
+
+QWidget* Tour::makeFeeling() {
+  auto* step = new QWidget(this);
+  page_ = new FeelPage(
+      {.name = tr("Alternative 1"), .minimumCuts = 1, .isReamer = false}, nullptr, step);
+  plot_ = new LivePlot(step);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(page_, 1);
+  columns->addWidget(plot_, 1);
+  auto* layout = new QVBoxLayout(step);
+  layout->addWidget(bodyLabel(
+      tr("Press Begin, then hold the space bar, or drag down on the left side with the mouse: the "
+         "jaw closes on tissue and cuts it. On a real punch your fingers would feel the blue "
+         "curve; "
+         "the virtual one only draws it. It is computed a thousand times a second, as in a study."),
+      step));
+  layout->addLayout(columns, 1);
+  connect(page_, &FeelPage::beginRequested, this, &Tour::begin);
+  connect(page_, &FeelPage::enoughRequested, this, [this] {
+    endFeeling();
+    goTo(1);
+  });
+  connect(page_, &FeelPage::handMoved, this, [this](double share) { punch_.moveTo(share); });
+  return step;
+}
+
+QWidget* Tour::makeQuestions() {
+  auto* step = new QWidget(this);
+  const auto& blocks = protocol_.protocol.phases;
+  const auto block = std::find_if(blocks.begin(), blocks.end(), [](const auto& phase) {
+    return !phase.trials.questionnaires.empty();
+  });
+  const auto& asked = block->trials.questionnaires.front();
+  const auto* instrument = protocol_.instrument(asked.instrument);
+  auto* page = new QuestionnairePage(
+      {.title = tr("Alternative 1"),
+       .introduction = QString::fromStdString(instrument->introduction.in("en")),
+       .items = instrument->itemsOf(asked.setFor(block->trials.conditions.front())),
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = {}},
+      step);
+  auto* layout = new QVBoxLayout(step);
+  layout->addWidget(bodyLabel(
+      tr("This is what a participant sees next: the alternative by its number, never by what it "
+         "is. "
+         "Nothing is chosen beforehand, and every answer is on the disk before the next page. Try "
+         "it: here, nothing is kept."),
+      step));
+  auto* card = new QFrame(step);
+  card->setFrameShape(QFrame::Box);
+  auto* inside = new QVBoxLayout(card);
+  inside->addWidget(page);
+  layout->addWidget(card, 1);
+  return step;
+}
+
+QWidget* Tour::makeRecord() {
+  auto* step = new QWidget(this);
+  record_ = new QTableWidget(0, 2, step);
+  record_->setObjectName(QStringLiteral("tour-record"));
+  record_->setAccessibleName(tr("What is kept of a trial"));
+  record_->setHorizontalHeaderLabels({tr("What is kept"), tr("Of what you just felt")});
+  record_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  record_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  record_->verticalHeader()->hide();
+  record_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  record_->setSelectionMode(QAbstractItemView::NoSelection);
+  kept_ = bodyLabel({}, step);
+  auto* layout = new QVBoxLayout(step);
+  layout->addWidget(kept_);
+  layout->addWidget(record_, 1);
+  layout->addWidget(quietLabel(
+      tr("In a study this lies in its folder: answers and sessions in study.db, samples in "
+         "traces.db, names in identity.db and nowhere else. Everything is in a chain of hashes; "
+         "Verify reads it again at any time."),
+      step));
+  return step;
+}
+
+void Tour::goTo(int step) {
+  static constexpr const char* kHeadings[]{
+      "1 of 3: feel it", "2 of 3: what the participant sees", "3 of 3: what the record holds"};
+  if (punch_.isRunning()) endFeeling();
+  if (step == kTourSteps - 1) showRecord();
+  steps_->setCurrentIndex(step);
+  heading_->setText(tr(kHeadings[step]));
+  back_->setEnabled(step > 0);
+  next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
+}
+
+void Tour::begin() {
+  if (!attempt(this, [&] { punch_.begin(); })) return;
+  plot_->begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  page_->setRunning(true);
+  watch_.start(kTourPictureEvery);
+}
+
+void Tour::look() {
+  haptics::engine::TickSample sample;
+  while (punch_.nextToPlot(sample)) {
+    plot_->add(sample);
+  }
+  plot_->refresh();
+  page_->setCuts(punch_.status().cuts);
+}
+
+void Tour::endFeeling() {
+  watch_.stop();
+  punch_.moveTo(0.0);
+  felt_ = punch_.finish();
+  page_->setRunning(false);
+}
+
+void Tour::showRecord() {
+  record_->setRowCount(0);
+  if (!felt_) {
+    kept_->setText(
+        tr("You have not felt anything yet: go back to the first step, press Begin, and make a "
+           "cut. Then the record of it stands here."));
+    return;
+  }
+  kept_->setText(
+      tr("Proof of what was felt, and how well it was rendered. It is kept with every trial, and "
+         "says whether the trial can be relied on."));
+  const auto add = [&](const QString& what, const QString& value) {
+    const int row = record_->rowCount();
+    record_->insertRow(row);
+    record_->setItem(row, 0, new QTableWidgetItem(what));
+    record_->setItem(row, 1, new QTableWidgetItem(value));
+  };
+  const auto& felt = *felt_;
+  add(tr("Samples, a thousand a second"), QString::number(punch_.samples().size()));
+  add(tr("Duration"), inUnits(felt.duration, "s", 1));
+  add(tr("Cuts"), QString::number(felt.cuts.size()));
+  add(tr("Largest force"), inUnits(felt.largestForce, "N"));
+  add(tr("In contact"), inUnits(felt.contact, "s", 1));
+  if (!felt.cuts.empty() && felt.cuts.front().interception.found) {
+    const double touched = felt.cuts.front().interception.travel;
+    add(tr("First cut: touched the tissue at"), inUnits(touched, "units of travel"));
+  }
+  if (felt.latenessP99) {
+    add(tr("99 of 100 ticks were no later than"), inUnits(*felt.latenessP99, "µs", 0));
+  }
+  const auto judgement = felt.judgement();
+  const auto verdict = nameOf(judgement.verdict);
+  const QString why = QString::fromStdString(judgement.reason);
+  add(tr("Verdict"),
+      asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
+  record_->resizeRowsToContents();
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,48 @@
+#include "study/gui/desk/virtual_punch.h"
+
+#include <utility>
+
+namespace study::gui::home {
+
+VirtualPunch::VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene)
+    : need_(std::move(need)),
+      scene_(std::move(scene)),
+      rig_([this](const protocols::DeviceNeed& wanted) -> std::unique_ptr<haptics::devices::Hand> {
+        auto hand = pointerHandFor(wanted);
+        hand_ = hand.get();
+        return hand;
+      }) {
+  scene_.device = need_.kind;
+}
+
+VirtualPunch::~VirtualPunch() = default;
+
+void VirtualPunch::begin() {
+  samples_.clear();
+  trial_ = std::make_unique<Trial>(
+      rig_.device(need_),
+      Trial::Setup{
+          .scene = scene_,
+          .limits =
+              {.maxForce = need_.maxForce,
+               .maxRate = need_.maxForceRate,
+               .maxVelocity = need_.maxVelocity,
+               .isPassivityControlled = need_.isPassivityControlled},
+          .keep = [this](int, const std::vector<storage::TraceSample>& chunk) {
+            samples_.insert(samples_.end(), chunk.begin(), chunk.end());
+          }});
+  live_ = std::make_unique<LiveTrial>(*trial_);
+}
+
+void VirtualPunch::moveTo(double share) {
+  if (hand_ != nullptr) hand_->moveTo(share * farthestFor(need_));
+}
+
+TrialRecord VirtualPunch::finish() {
+  auto record = live_->finish(TrialEnding::Finished);
+  live_.reset();
+  trial_.reset();
+  return record;
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,35 @@
+#include "study/gui/operator/consent_copy_dialog.h"
+
+#include <filesystem>
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "study/gui/widgets/attempt.h"
+#include "study/new_file.h"
+#include "study/report/consent_copy.h"
+#include "study/report/pdf_report.h"
+
+namespace study::gui {
+
+void writeConsentCopy(Study& study, const std::string& participant, const std::string& path) {
+  const auto html = report::consentCopy(study, participant);
+  const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
+  const auto& title = study.protocol().protocol.study.title;
+  writeNewFile(path, isPdf ? report::asPdf(html, title) : html);
+}
+
+void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent) {
+  QString path = QFileDialog::getSaveFileName(
+      parent,
+      QFileDialog::tr("A copy of what was agreed to"),
+      QStringLiteral("consent-%1.pdf").arg(QString::fromStdString(participant)),
+      QFileDialog::tr("PDF (*.pdf);;Page (*.html)"),
+      nullptr,
+      QFileDialog::DontConfirmOverwrite);  // nothing is overwritten
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
+  attempt(parent, [&] { writeConsentCopy(study, participant, path.toStdString()); });
+}
+
+}  // namespace study::gui

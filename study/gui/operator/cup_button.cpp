@@ -1,0 +1,118 @@
+#include "study/gui/operator/cup_button.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QScreen>
+
+#include "study/gui/participant/participant_window.h"
+#include "study/trial_setup.h"
+
+namespace study::gui {
+namespace {
+
+using haptics::engine::PackingSpec;
+
+/// Whether a bone of spheres is seen anywhere in @p protocol. The same in every step of a study, so
+/// that it says nothing about one.
+bool isBoneSeen(const protocols::Protocol& protocol) {
+  const bool isAnyBlockSeen =
+      std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
+        return phase.trials.isVisualised.value_or(false);
+      });
+  const auto& conditions = protocol.conditions;
+  return std::any_of(conditions.begin(), conditions.end(), [&](const auto& condition) {
+    return std::holds_alternative<PackingSpec>(condition.scene.model) &&
+           (isAnyBlockSeen || condition.scene.isVisualised);
+  });
+}
+
+}  // namespace
+
+QString whyNoColours(const Session& session) {
+  const auto& protocol = session.protocol().protocol;
+  const bool areLabelsDrawn = protocol.labels.policy != protocols::LabelPolicy::Condition;
+  const bool isDoubleBlind =
+      areLabelsDrawn && protocol.conditions.size() > 1 && session.runMode() == RunMode::Live;
+  if (!isDoubleBlind) return {};
+  return CupButton::tr(
+      "This study is double-blind: which alternative is which is hidden from you as well, and the "
+      "bone's colours could tell. In a pilot session they can be seen.");
+}
+
+CupButton::CupButton(QWidget* parent) : QPushButton(tr("See the bone…"), parent) {
+  setObjectName(QStringLiteral("see-the-bone"));
+  setProperty("role", QStringLiteral("tool"));
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(this, &QPushButton::clicked, this, &CupButton::openWindow);
+  follow(nullptr);
+}
+
+CupButton::~CupButton() {
+  closeWindow();
+}
+
+void CupButton::follow(SessionController* controller) {
+  closeWindow();
+  controller_ = controller;
+  isAllowed_ = false;
+  setVisible(controller != nullptr && isBoneSeen(controller->session().protocol().protocol));
+  if (controller == nullptr) return;
+  const QString why = whyNoColours(controller->session());
+  isAllowed_ = why.isEmpty();
+  setToolTip(
+      isAllowed_ ? tr("While a bone is reamed: how hard it is and what has been removed, in a "
+                      "window of its own that participants do not see")
+                 : why);
+  refresh();
+}
+
+simulation::CupWindow::Present CupButton::present() const {
+  if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
+  auto* cup = controller_->seenCup();
+  if (cup == nullptr || cup->spheres() == nullptr) return {};
+  return {.seen = cup, .isRunning = true};
+}
+
+void CupButton::refresh() {
+  const bool isThere = isAllowed_ && present().seen != nullptr;
+  if (isEnabled() != isThere) setEnabled(isThere);
+  if (!isThere) closeWindow();
+}
+
+void CupButton::closeWindow() {
+  delete window_.data();  // at once: what it follows may go
+}
+
+bool CupButton::mayShow() {
+  if (controller_->session().runMode() != RunMode::Live) return true;
+  const auto windows = QApplication::topLevelWidgets();
+  const bool isBesideParticipant = std::any_of(windows.begin(), windows.end(), [this](auto* each) {
+    return qobject_cast<ParticipantWindow*>(each) != nullptr && each->isVisible() &&
+           each->screen() == screen();
+  });
+  if (!isBesideParticipant) return true;
+  return QMessageBox::question(
+             this,
+             tr("The participant would see it"),
+             tr("The participant's window is on this screen: they would see how hard this "
+                "alternative is. Show the bone in colours all the same?"),
+             QMessageBox::Yes | QMessageBox::No,
+             QMessageBox::No) == QMessageBox::Yes;
+}
+
+void CupButton::openWindow() {
+  if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
+  if (present().seen == nullptr) return;  // the trial has ended meanwhile
+  if (window_.isNull()) {
+    const auto setup = setupFor(controller_->session(), {});
+    window_ = new simulation::CupWindow(
+        std::get<PackingSpec>(setup.scene.model), [this] { return present(); }, window());
+  }
+  window_->show();
+  window_->raise();
+}
+
+}  // namespace study::gui

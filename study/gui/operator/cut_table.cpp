@@ -1,0 +1,85 @@
+#include "study/gui/operator/cut_table.h"
+
+#include <QHeaderView>
+
+namespace study::gui {
+namespace {
+
+using haptics::engine::CutDetector;
+using haptics::engine::TickSample;
+
+enum Column { kContact, kYield, kBottom, kOpening, kPeak, kColumns };
+
+QString inWords(const CutDetector::Landmark& landmark, const TravelScale& travel) {
+  if (!landmark.found) return QStringLiteral("—");
+  return CutTable::tr("%1 N at %2%3")
+      .arg(landmark.force, 0, 'f', 2)
+      .arg(travel.factor * landmark.travel, 0, 'f', 1)
+      .arg(travel.suffix);
+}
+
+int columnOf(CutDetector::Event event) {
+  switch (event) {
+    case CutDetector::Event::Interception:
+      return kContact;
+    case CutDetector::Event::Yield:
+      return kYield;
+    case CutDetector::Event::BottomOut:
+      return kBottom;
+    case CutDetector::Event::Opening:
+      return kOpening;
+    default:
+      return -1;
+  }
+}
+
+}  // namespace
+
+CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+  setObjectName(QStringLiteral("cuts"));
+  setAccessibleName(tr("Cuts of this trial"));
+  setHorizontalHeaderLabels(
+      {tr("Contact"), tr("Yield"), tr("Bottom"), tr("Opening"), tr("Largest force")});
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void CutTable::begin(haptics::devices::DeviceKind device, double rate) {
+  detector_ = CutDetector(haptics::engine::cutParametersFor(device));
+  rate_ = rate;
+  travel_ = travelScaleOf(device);
+  cut_ = 0;
+  setRowCount(0);
+}
+
+void CutTable::add(const TickSample& sample) {
+  if ((sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0) return;
+  const auto event = detector_.feed(sample.travel, sample.force);
+  if (event == CutDetector::Event::Nothing) return;
+  if (event != CutDetector::Event::CutCompleted) {
+    const double time = static_cast<double>(sample.tick) / rate_;
+    write(columnOf(event), tr("after %1 s").arg(time, 0, 'f', 2));
+    return;
+  }
+  const auto& cut = detector_.lastCut();
+  write(kContact, inWords(cut.interception, travel_));
+  write(kYield, inWords(cut.yield, travel_));
+  write(kBottom, inWords(cut.bottomOut, travel_));
+  write(kOpening, inWords(cut.opening, travel_));
+  write(kPeak, tr("%1 N").arg(cut.peakForce, 0, 'f', 2));
+  ++cut_;
+}
+
+/// Into the row of the present cut.
+void CutTable::write(int column, const QString& words) {
+  if (rowCount() <= cut_) {
+    setRowCount(cut_ + 1);
+    scrollToBottom();
+  }
+  if (item(cut_, column) == nullptr) setItem(cut_, column, new QTableWidgetItem);
+  item(cut_, column)->setText(words);
+}
+
+}  // namespace study::gui

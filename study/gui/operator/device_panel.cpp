@@ -1,0 +1,112 @@
+#include "study/gui/operator/device_panel.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/labels.h"
+#include "study/hardware_rig.h"
+
+namespace study::gui {
+namespace {
+
+using haptics::devices::Finding;
+using Found = std::vector<FindingsDialog::Found>;
+
+constexpr int kLookEvery = 500;     // [ms]
+constexpr double kListenFor = 2.0;  // [s]
+
+}  // namespace
+
+DevicePanel::DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent)
+    : QWidget(parent), protocol_(protocol), rig_(dynamic_cast<HardwareRig*>(&rig)) {
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new QVBoxLayout;
+  columns->addLayout(layout, 1);
+  if (rig_ == nullptr) {
+    layout->addWidget(quietLabel(
+        tr("Devices are virtual: the participant's mouse or space bar is the hand."), this));
+    return;
+  }
+  for (const auto& need : protocol.devices) {
+    auto* line = quietLabel({}, this);
+    line->setObjectName(QStringLiteral("device-%1").arg(QString::fromStdString(need.id)));
+    line->setWordWrap(true);
+    lines_[need.id] = line;
+    layout->addWidget(line);
+  }
+  button_ = new QPushButton(tr("Check devices…"), this);
+  button_->setObjectName(QStringLiteral("check-devices"));
+  button_->setProperty("role", QStringLiteral("tool"));
+  columns->addWidget(button_, 0, Qt::AlignTop);
+  connect(button_, &QPushButton::clicked, this, &DevicePanel::check);
+  connect(&timer_, &QTimer::timeout, this, &DevicePanel::refresh);
+  timer_.start(kLookEvery);
+  refresh();
+}
+
+void DevicePanel::setBusy(bool isBusy) {
+  if (button_ != nullptr) button_->setEnabled(!isBusy);
+}
+
+void DevicePanel::refresh() {
+  for (const auto& [id, line] : lines_) {
+    const auto* device = rig_->find(id);
+    const auto name = QString::fromStdString(id) + QStringLiteral(": ");
+    const auto fault =
+        device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
+    setRole(*line, fault.isEmpty() ? "quiet" : "bad");
+    line->setText(
+        fault.isEmpty() ? name + QString::fromUtf8(haptics::devices::nameOf(device->lifecycle()))
+                        : QStringLiteral("✖ ") + name + fault);
+  }
+}
+
+void DevicePanel::check() {
+  FindingsDialog(listen(), FindingsDialog::Asks::Nothing, window()).exec();
+}
+
+bool DevicePanel::mayBegin(const Found& otherwise) {
+  Found found = otherwise;
+  if (rig_ != nullptr) {
+    const auto heard = listen();
+    found.insert(found.end(), heard.begin(), heard.end());
+  }
+  if (!FindingsDialog::hasFailed(found)) return true;
+  FindingsDialog question(found, FindingsDialog::Asks::GoWithout, window());
+  return question.exec() == QDialog::Accepted;
+}
+
+Found DevicePanel::listen() {
+  timer_.stop();  // the rig belongs to the worker until it is done
+  Found found;
+  const auto listenToAll = [&](const Progress& progress) {
+    for (const auto& need : protocol_.devices) {
+      tell(progress, kUnknownShare, "listening to " + need.id);
+      auto* device = rig_->find(need.id);
+      if (device == nullptr) {
+        found.push_back(
+            {need.id,
+             {{Finding::Fail,
+               "device file",
+               "no device of that name",
+               "Add it to the device file, or give it that id."}}});
+        continue;
+      }
+      found.push_back({need.id, preflight(*device, &need, kListenFor)});
+    }
+  };
+  // Nobody may begin a trial meanwhile: its dialog takes all clicks until the devices have
+  // answered.
+  const bool isDone = BackgroundTask::run(
+      window(), tr("Devices"), listenToAll, BackgroundTask::Cancelling::Impossible);
+  if (!isDone) {
+    found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
+  }
+  refresh();
+  timer_.start(kLookEvery);
+  return found;
+}
+
+}  // namespace study::gui

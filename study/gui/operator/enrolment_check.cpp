@@ -1,0 +1,25 @@
+#include "study/gui/operator/enrolment_check.h"
+
+#include "protocols/model/blanks.h"
+
+namespace study::gui {
+
+std::vector<FindingsDialog::Found> textsBefore(
+    const protocols::LoadedProtocol& protocol, const Enrolment& enrolment) {
+  FindingsDialog::Found texts{"texts", {}};
+  if (enrolment.runMode != RunMode::Live) return {};
+  for (const auto& blank : protocols::blanksOf(protocol)) {
+    texts.results.push_back(
+        {haptics::devices::Finding::Fail,
+         blank.where,
+         "still to be filled in: " + blank.words,
+         std::string(
+             blank.isInProtocol ? "Write what holds there into the protocol"
+                                : "Copy it beside the protocol and write what holds there") +
+             ", and amend the study; or try it with a pilot session."});
+  }
+  if (texts.results.empty()) return {};
+  return {texts};
+}
+
+}  // namespace study::gui

@@ -1,0 +1,139 @@
+#include "study/gui/operator/live_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QEvent>
+#include <QVBoxLayout>
+#include <qcustomplot.h>
+
+#include "study/gui/operator/travel_scale.h"
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui {
+
+void LivePlot::Slice::add(double time, double value) {
+  if (isEmpty || value < least) {
+    least = value;
+    leastAt = time;
+  }
+  if (isEmpty || value > largest) {
+    largest = value;
+    largestAt = time;
+  }
+  isEmpty = false;
+}
+
+LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  plot_->setNoAntialiasingOnDrag(true);
+  plot_->setNotAntialiasedElements(QCP::aeAll);
+  auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
+  for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed}) {
+    plot_->addGraph(plot_->xAxis, axis);
+    axis->setVisible(true);
+  }
+  plot_->xAxis->setLabel(tr("time [s]"));
+  plot_->yAxis->setLabel(tr("force [N]"));
+  setMinimumHeight(150);
+  paintAsTheTheme();
+  begin(haptics::devices::DeviceKind::Punch, 1000.0);
+}
+
+void LivePlot::paintAsTheTheme() {
+  const auto& colours = themeOf(*this);
+  plot_->setBackground(colours.field.background);
+  const auto paint = [&](QCPAxis* axis) {
+    axis->setBasePen(QPen(colours.quiet));
+    axis->setTickPen(QPen(colours.quiet));
+    axis->setSubTickPen(QPen(colours.quiet));
+    axis->setTickLabelColor(colours.field.text);
+    axis->setLabelColor(colours.field.text);
+    axis->grid()->setPen(QPen(colours.line, 0, Qt::DotLine));
+    axis->grid()->setZeroLinePen(QPen(colours.line));
+  };
+  paint(plot_->xAxis);
+  const std::array<QColor, 3> channels{colours.force, colours.travel, colours.quiet};
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    auto* graph = plot_->graph(static_cast<int>(i));
+    graph->setPen(QPen(channels[i], 1));
+    paint(graph->valueAxis());
+    graph->valueAxis()->setLabelColor(channels[i]);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlot::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::StyleChange) paintAsTheTheme();
+  QWidget::changeEvent(event);
+}
+
+void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {
+  for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
+  slices_ = {};
+  period_ = 1.0 / rate;
+  slice_ = 0;
+  last_ = 0.0;
+  plot_->xAxis->setRange(0.0, kShown);
+  // What an ordinary hand does; more makes the scale grow.
+  const bool isPunch = device == haptics::devices::DeviceKind::Punch;
+  auto* speed = plot_->graph(2)->valueAxis();
+  plot_->yAxis->setRange(0.0, isPunch ? 8.0 : 40.0);
+  plot_->yAxis2->setRange(0.0, isPunch ? 12.0 : 30.0);
+  speed->setRange(-50.0, 50.0);
+  const auto travel = travelScaleOf(device);
+  scale_ = travel.factor;
+  plot_->yAxis2->setLabel(tr("travel [%1]").arg(travel.unit));
+  speed->setLabel(tr("velocity [%1]").arg(travel.velocityUnit));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LivePlot::add(const haptics::engine::TickSample& sample) {
+  const double time = static_cast<double>(sample.tick) * period_;
+  constexpr double kRounding = 1e-6;
+  const auto slice = static_cast<std::int64_t>(std::floor(time / kSlice + kRounding));
+  if (slice != slice_) endSlice();
+  slice_ = slice;
+  slices_[0].add(time, sample.force);
+  slices_[1].add(time, scale_ * sample.travel);
+  slices_[2].add(time, scale_ * sample.velocity);
+  last_ = time;
+}
+
+void LivePlot::endSlice() {
+  for (std::size_t i = 0; i < slices_.size(); ++i) {
+    auto& slice = slices_[i];
+    if (slice.isEmpty) continue;
+    auto* graph = plot_->graph(static_cast<int>(i));
+    const bool leastFirst = slice.leastAt <= slice.largestAt;
+    graph->addData(
+        leastFirst ? slice.leastAt : slice.largestAt, leastFirst ? slice.least : slice.largest);
+    if (slice.leastAt != slice.largestAt) {
+      graph->addData(
+          leastFirst ? slice.largestAt : slice.leastAt, leastFirst ? slice.largest : slice.least);
+    }
+    slice = {};
+  }
+}
+
+std::vector<QPointF> LivePlot::channel(int index) const {
+  std::vector<QPointF> points;
+  const auto shown = plot_->graph(index)->data();
+  for (auto point = shown->constBegin(); point != shown->constEnd(); ++point) {
+    points.emplace_back(point->key, point->value);
+  }
+  return points;
+}
+
+void LivePlot::refresh() {
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    plot_->graph(i)->data()->removeBefore(last_ - kShown);
+    plot_->graph(i)->rescaleValueAxis(true);
+  }
+  plot_->xAxis->setRange(std::max(0.0, last_ - kShown), std::max(kShown, last_));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace study::gui

@@ -1,0 +1,310 @@
+#include "study/gui/operator/operator_window.h"
+
+#include <utility>
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QScreen>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "study/gui/operator/consent_copy_dialog.h"
+#include "study/gui/operator/control_panel.h"
+#include "study/gui/operator/device_panel.h"
+#include "study/gui/operator/enrolment_check.h"
+#include "study/gui/operator/sessions_page.h"
+#include "study/gui/operator/trial_panel.h"
+#include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/session/pin_dialog.h"
+#include "study/gui/session/trial_view.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
+#include "study/gui/widgets/theme_choice.h"
+#include "study/hardware_rig.h"
+#include "study/trial_setup.h"
+
+namespace study::gui {
+
+OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
+    : QMainWindow(parent),
+      study_(study),
+      rig_(rigFor(
+          deviceFile,
+          study.folder(),
+          [this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
+            auto hand = pointerHandFor(need);
+            hands_[need.id] = hand.get();
+            return hand;
+          })),
+      pages_(new QStackedWidget(this)),
+      middle_(new QStackedWidget(this)),
+      sessions_(new SessionsPage(study, this)),
+      controls_(new ControlPanel(this)),
+      trial_(new TrialPanel(this)),
+      devices_(new DevicePanel(study.protocol().protocol, *rig_, this)) {
+  const auto title = QString::fromStdString(study.protocol().protocol.study.title);
+  setWindowTitle(tr("Palpate — %1").arg(title));
+  addThemesTo(*menuBar()->addMenu(tr("&View"))->addMenu(tr("Theme")));
+  auto* inside = new QWidget(this);
+  auto* layout = new QVBoxLayout(inside);
+  layout->setContentsMargins(20, 14, 20, 14);
+  layout->setSpacing(10);
+  layout->addWidget(makeHead());
+  pages_->addWidget(sessions_);
+  pages_->addWidget(makeSession());
+  layout->addWidget(pages_, 1);
+  setCentralWidget(inside);
+  constexpr QSize kComfortable(1280, 860);
+  const QSize available = screen()->availableSize();
+  resize(kComfortable.boundedTo(available));
+  // A desktop puts its frame round what is as large as the screen, and the last line below its
+  // edge.
+  if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
+  connectPanels();
+}
+
+/// What holds in a session and between sessions: the study, and how its instruments are.
+QWidget* OperatorWindow::makeHead() {
+  auto* head = new QWidget(this);
+  auto* lines = new QVBoxLayout(head);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(2);
+  const auto& protocol = study_.protocol().protocol;
+  auto* title = titleLabel(QString::fromStdString(protocol.study.title), head);
+  title->setProperty("role", QStringLiteral("heading"));
+  lines->addWidget(title);
+  lines->addWidget(devices_);
+  if (auto* remark = graphicsRemark(protocol, head)) lines->addWidget(remark);
+  return head;
+}
+
+QWidget* OperatorWindow::makeSession() {
+  auto* page = new QWidget(this);
+  auto* columns = new QHBoxLayout(page);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(20);
+  constexpr int kControlsWidth = 470;  // [px]: "Participant withdraws…" twice
+  controls_->setFixedWidth(kControlsWidth);
+  columns->addWidget(controls_);
+  middle_->addWidget(trial_);
+  auto* scroll = new QScrollArea(page);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(middle_);
+  columns->addWidget(scroll, 1);
+  return page;
+}
+
+void OperatorWindow::connectPanels() {
+  connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolIfFit);
+  connect(sessions_, &SessionsPage::resumeRequested, this, [this](qlonglong id) {
+    resumeIfFit(SessionId{id});
+  });
+  connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
+  connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
+  connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
+    if (controller_) saveConsentCopy(study_, controller_->session().participant(), this);
+  });
+  connect(controls_, &ControlPanel::interviewFinished, this, [this] {
+    if (interview_ != nullptr) controller_->finishStep();
+  });
+  connect(controls_, &ControlPanel::closeSessionRequested, this, &OperatorWindow::endSession);
+}
+
+OperatorWindow::~OperatorWindow() {
+  if (controller_) controller_->disconnect(this);
+  trial_->follow(nullptr);
+  controls_->follow(nullptr);
+}
+
+void OperatorWindow::enrol(const Enrolment& enrolment) {
+  if (controller_) return;
+  attempt(this, [&] { begin(Session::enrol(study_, enrolment)); });
+}
+
+void OperatorWindow::resume(SessionId id) {
+  if (controller_) return;
+  attempt(this, [&] { begin(Session::resume(study_, id)); });
+}
+
+void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
+  if (controller_) return;
+  attempt(this, [&] {
+    if (devices_->mayBegin(textsBefore(study_.protocol(), enrolment))) enrol(enrolment);
+  });
+}
+
+void OperatorWindow::resumeIfFit(SessionId id) {
+  if (!controller_ && devices_->mayBegin({})) resume(id);
+}
+
+void OperatorWindow::begin(Session session) {
+  controller_ = std::make_unique<SessionController>(study_, *rig_, std::move(session));
+  followSession();
+  speakTheSessionsLanguage();
+  participant_ = std::make_unique<ParticipantWindow>(
+      *controller_, pin_, [this](double share) { moveHand(share); });
+  connect(
+      &participant_->lock(),
+      &ScreenLock::opened,
+      this,
+      &OperatorWindow::tellWhatWaited,
+      Qt::QueuedConnection);
+  wearTheme(*participant_, ThemeName::Light);  // the same for everybody who takes part
+  trial_->follow(controller_.get());
+  controls_->follow(controller_.get());
+  pages_->setCurrentIndex(1);
+  updateAll();
+  showParticipant();
+}
+
+void OperatorWindow::followSession() {
+  const auto* session = controller_.get();
+  connect(session, &SessionController::stepChanged, this, &OperatorWindow::updateAll);
+  connect(session, &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
+  connect(
+      session,
+      &SessionController::languageChanged,
+      this,
+      &OperatorWindow::speakTheSessionsLanguage);
+  connect(session, &SessionController::failed, this, &OperatorWindow::tell);
+  connect(session, &SessionController::aboutToLeave, this, [this] {
+    if (interview_ != nullptr) interview_->flush();
+  });
+}
+
+/// Nobody could answer a message behind a window that covers the screen: it waits for the PIN.
+void OperatorWindow::tell(const QString& why) {
+  if (participant_ && participant_->lock().isLocked()) {
+    waiting_ << why;
+    return;
+  }
+  QMessageBox::warning(this, tr("That did not work"), why);
+}
+
+void OperatorWindow::tellWhatWaited() {
+  const auto told = std::exchange(waiting_, {});
+  if (!told.isEmpty()) tell(told.join(QStringLiteral("\n\n")));
+}
+
+void OperatorWindow::stop() {
+  if (controller_) controller_->stop();
+}
+
+void OperatorWindow::handOver() {
+  if (!participant_) return;
+  if (!pin_.isChosen()) {
+    const auto chosen = askForNewPin(this);
+    if (!chosen) return;
+    pin_.choose(*chosen);
+  }
+  trial_->closeBone();
+  participant_->lock().lock();
+}
+
+void OperatorWindow::showParticipant() {
+  const auto screens = QGuiApplication::screens();
+  if (screens.size() > 1) {
+    auto* other = screens.front() == screen() ? screens.back() : screens.front();
+    participant_->setGeometry(other->geometry());
+    participant_->showFullScreen();
+  } else {
+    participant_->resize(1100, 760);
+    participant_->show();
+  }
+}
+
+void OperatorWindow::speakTheSessionsLanguage() {
+  QCoreApplication::removeTranslator(&translator_);
+  const QString language = QString::fromStdString(controller_->session().language());
+  if (translator_.load(QStringLiteral(":/i18n/palpate_%1.qm").arg(language))) {
+    QCoreApplication::installTranslator(&translator_);
+  }
+}
+
+void OperatorWindow::moveHand(double share) {
+  const auto& session = controller_->session();
+  if (session.isOver() || session.step().kind != StepKind::Trial) return;
+  const auto& need = deviceFor(session);
+  const auto hand = hands_.find(need.id);
+  if (hand != hands_.end()) hand->second->moveTo(share * farthestFor(need));
+}
+
+void OperatorWindow::updateAll() {
+  trial_->updateSteps();
+  stopKey_.setArmed(controller_->isTrialRunning());
+  devices_->setBusy(controller_->isTrialRunning());
+  controls_->refresh();
+  showInterview();
+}
+
+void OperatorWindow::showInterview() {
+  if (interview_ != nullptr) {
+    middle_->removeWidget(interview_);
+    interview_->deleteLater();
+    interview_ = nullptr;
+  }
+  const auto& session = controller_->session();
+  if (session.isOver() || session.state() == SessionState::Paused) return;
+  if (session.step().kind != StepKind::Interview) return;
+  const auto* instrument = session.instrument();
+  interview_ = new QuestionnairePage(
+      {.title = QString::fromStdString(instrument->title.in("en")),
+       .introduction = QString::fromStdString(instrument->introduction.in("en")),
+       .items = session.items(),
+       .choices = {},
+       .language = QStringLiteral("en"),
+       .before = session.answers()},
+      this);
+  connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
+  connect(
+      interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
+  connect(controller_.get(), &SessionController::notKept, interview_, &QuestionnairePage::takeBack);
+  middle_->addWidget(interview_);
+  middle_->setCurrentWidget(interview_);
+}
+
+void OperatorWindow::endSession() {
+  if (!controller_ || controller_->isTrialRunning()) return;
+  if (!controller_->keepAll() && !wantsToLose()) return;
+  trial_->follow(nullptr);
+  controls_->follow(nullptr);
+  participant_->allowClosing();
+  participant_->close();
+  participant_.reset();
+  if (interview_ != nullptr) {
+    middle_->removeWidget(interview_);
+    interview_->deleteLater();
+    interview_ = nullptr;
+  }
+  controller_.reset();
+  sessions_->refresh();
+  pages_->setCurrentIndex(0);
+}
+
+bool OperatorWindow::wantsToLose() {
+  return QMessageBox::question(
+             this,
+             tr("Not everything is kept"),
+             tr("Something that was written in this step could not be kept. Close all the same, "
+                "and lose it?"),
+             QMessageBox::Yes | QMessageBox::No,
+             QMessageBox::No) == QMessageBox::Yes;
+}
+
+void OperatorWindow::closeEvent(QCloseEvent* event) {
+  if (controller_ && controller_->isTrialRunning()) {
+    QMessageBox::warning(
+        this, tr("A trial is running"), tr("Stop it first; then this window can be closed."));
+    event->ignore();
+    return;
+  }
+  endSession();
+  event->setAccepted(!controller_);
+}
+
+}  // namespace study::gui

@@ -1,0 +1,105 @@
+#include "study/gui/operator/servo_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include "study/gui/operator/travel_scale.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui {
+
+/// The histogram of lateness: a bar for each range, as high as the logarithm of its ticks, so that
+/// the one that was late among a million is seen.
+class ServoPanel::Bars final : public QWidget {
+ public:
+  Bars(const ServoHealth& health, QWidget* parent) : QWidget(parent), health_(health) {
+    setMinimumSize(230, 96);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    if (health_.ticks() == 0) return;
+    QPainter painter(this);
+    QFont small = font();
+    small.setPixelSize(10);
+    painter.setFont(small);
+    const auto& colours = themeOf(*this);
+    painter.setPen(colours.window.text);
+    const auto& bars = health_.bars();
+    const double wide = static_cast<double>(width()) / static_cast<double>(bars.size());
+    constexpr double kFoot = 14.0;
+    const QString caption = ServoPanel::tr("ticks by lateness [µs]");
+    painter.drawText(QRectF(0, 0, width(), kFoot), Qt::AlignRight | Qt::AlignVCenter, caption);
+    const double most = std::log10(1.0 + static_cast<double>(health_.ticks()));
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+      const double left = wide * static_cast<double>(i);
+      const double share = most > 0.0 ? std::log10(1.0 + static_cast<double>(bars[i])) / most : 0.0;
+      const double high = share * (height() - 2.0 * kFoot);
+      const bool isLate = i + 1 == bars.size();
+      painter.fillRect(
+          QRectF(left + 2, height() - kFoot - high, wide - 4, high),
+          isLate ? colours.bad.background : colours.force);
+      const QString edge = isLate ? QStringLiteral("> %1").arg(ServoHealth::kEdges.back())
+                                  : QString::number(ServoHealth::kEdges[i]);
+      painter.drawText(QRectF(left, height() - kFoot, wide, kFoot), Qt::AlignCenter, edge);
+    }
+  }
+
+ private:
+  const ServoHealth& health_;
+};
+
+ServoPanel::ServoPanel(QWidget* parent)
+    : QWidget(parent), words_(quietLabel({}, this)), bars_(new Bars(health_, this)) {
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  words_->setObjectName(QStringLiteral("servo-health"));
+  words_->setWordWrap(true);
+  layout->addWidget(words_, 3);
+  layout->addWidget(bars_, 2);
+  words_->setToolTip(
+      tr("The energy is that of the present contact: it begins anew whenever the tool comes free"));
+  bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
+  begin(haptics::devices::DeviceKind::Punch, 0.0);
+}
+
+void ServoPanel::begin(haptics::devices::DeviceKind device, double rate) {
+  energyUnit_ = travelScaleOf(device).energyUnit;
+  health_ = {};
+  nominalRate_ = rate;
+  rate_ = 0.0;
+  ticksBefore_ = 0;
+  sinceRate_.start();
+  refresh();
+}
+
+void ServoPanel::refresh() {
+  if (sinceRate_.elapsed() >= 1000) {
+    const double seconds = static_cast<double>(sinceRate_.restart()) / 1000.0;
+    rate_ = static_cast<double>(health_.ticks() - ticksBefore_) / seconds;
+    ticksBefore_ = health_.ticks();
+  }
+  const QString lines = tr("Rate: %1 of %2 Hz\n"
+                           "Late: median %3, 99 % %4, most %5 µs\n"
+                           "Force at its limit: %6 % of the time\n"
+                           "No measurement: %7 % of the ticks\n"
+                           "Energy of the contact: %8 %10, least %9 %10")
+                            .arg(rate_ > 0.0 ? QString::number(rate_, 'f', 0) : QStringLiteral("—"))
+                            .arg(nominalRate_, 0, 'f', 0)
+                            .arg(health_.lateness(0.5), 0, 'f', 0)
+                            .arg(health_.lateness(0.99), 0, 'f', 0)
+                            .arg(health_.largestLateness(), 0, 'f', 0)
+                            .arg(100.0 * health_.saturatedShare(), 0, 'f', 1)
+                            .arg(100.0 * health_.invalidShare(), 0, 'f', 1)
+                            .arg(health_.energy(), 0, 'f', 2)
+                            .arg(health_.leastEnergy(), 0, 'f', 2)
+                            .arg(energyUnit_);
+  words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
+  bars_->update();
+}
+
+}  // namespace study::gui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QWidget>
+
+#include "haptics/devices/device.h"
+#include "study/gui/session/servo_health.h"
+
+namespace study::gui {
+
+/// How punctually a trial is rendered: rate, how late ticks were, how often the force was held
+/// back, and the energy of the contact.
+class ServoPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ServoPanel(QWidget* parent = nullptr);
+
+  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  void begin(haptics::devices::DeviceKind device, double rate);
+  void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
+  /// Writes and draws what was added.
+  void refresh();
+
+  const ServoHealth& health() const noexcept { return health_; }
+
+ private:
+  class Bars;
+
+  ServoHealth health_;
+  QString energyUnit_;
+  double nominalRate_ = 0.0;
+  std::uint64_t ticksBefore_ = 0;
+  double rate_ = 0.0;  ///< over the last second [Hz]
+  QElapsedTimer sinceRate_;
+  QLabel* words_;
+  Bars* bars_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,212 @@
+#include "study/gui/operator/sessions_page.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QDateTime>
+#include <QFormLayout>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+enum SessionColumn { kCode, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
+
+/// "2026-03-09 08:15", as the clock on the wall showed it.
+QString localTime(const std::string& utc) {
+  const auto when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
+  return when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
+/// "in progress", "aborted hardware".
+QString statusInWords(const std::string& status) {
+  return QString::fromStdString(status).replace(u'_', u' ');
+}
+
+QLabel* sectionHeading(const QString& words, QWidget* parent) {
+  auto* heading = bodyLabel(words, parent);
+  heading->setProperty("role", QStringLiteral("heading"));
+  return heading;
+}
+
+}  // namespace
+
+SessionsPage::SessionsPage(Study& study, QWidget* parent)
+    : QWidget(parent),
+      study_(study),
+      table_(new QTableWidget(0, kSessionColumns, this)),
+      details_(quietLabel({}, this)),
+      coming_(quietLabel({}, this)),
+      cohort_(new QComboBox(this)),
+      mode_(new QComboBox(this)),
+      language_(new QComboBox(this)),
+      enrol_(new QPushButton(tr("New participant"), this)),
+      resume_(new QPushButton(tr("Go on with the selected one"), this)) {
+  auto* columns = new QHBoxLayout(this);
+  columns->setContentsMargins(0, 0, 0, 0);
+  columns->setSpacing(20);
+  columns->addWidget(makeList(), 1);
+  columns->addWidget(makeEnrolment(), 0, Qt::AlignTop);
+
+  connect(enrol_, &QPushButton::clicked, this, [this] {
+    emit enrolRequested(
+        {.cohort = cohort_->currentData().toString().toStdString(),
+         .runMode = static_cast<RunMode>(mode_->currentData().toInt()),
+         .language = language_->currentData().toString().toStdString(),
+         .code = {}});
+  });
+  connect(resume_, &QPushButton::clicked, this, [this] {
+    if (const auto* one = selectedUnfinished()) {
+      emit resumeRequested(static_cast<qlonglong>(one->id));
+    }
+  });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &SessionsPage::showSelected);
+  refresh();
+}
+
+QWidget* SessionsPage::makeList() {
+  table_->setAccessibleName(tr("Sessions"));
+  table_->setHorizontalHeaderLabels(
+      {tr("Participant"), tr("Cohort"), tr("Run mode"), tr("Language"), tr("Begun"), tr("Status")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(kCohort, QHeaderView::Stretch);
+  table_->verticalHeader()->hide();
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  details_->setObjectName(QStringLiteral("session-details"));
+  resume_->setProperty("role", QStringLiteral("main"));
+
+  auto* list = new QWidget(this);
+  auto* layout = new QVBoxLayout(list);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(sectionHeading(tr("Sessions"), list));
+  layout->addWidget(table_, 1);
+  layout->addWidget(details_);
+  layout->addWidget(resume_, 0, Qt::AlignLeft);
+  return list;
+}
+
+QWidget* SessionsPage::makeEnrolment() {
+  const auto& protocol = study_.protocol().protocol;
+  for (const auto& cohort : protocol.cohorts) {
+    cohort_->addItem(cohortTitle(protocol, cohort.id), QString::fromStdString(cohort.id));
+  }
+  mode_->addItem(tr("live"), static_cast<int>(RunMode::Live));
+  mode_->addItem(tr("pilot (does not count)"), static_cast<int>(RunMode::Pilot));
+  for (const auto& language : protocol.languages) {
+    const QString tag = QString::fromStdString(language);
+    language_->addItem(nativeName(tag), tag);
+  }
+  enrol_->setProperty("role", QStringLiteral("main"));
+
+  auto* card = new QFrame(this);
+  card->setProperty("role", QStringLiteral("card"));
+  constexpr int kCardWidth = 380;  // [px]
+  card->setFixedWidth(kCardWidth);
+  auto* layout = new QVBoxLayout(card);
+  layout->setContentsMargins(20, 16, 20, 16);
+  layout->setSpacing(12);
+  layout->addWidget(sectionHeading(tr("Who is next"), card));
+  auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  const std::array<std::pair<QString, QComboBox*>, 3> rows{
+      {{tr("Cohort"), cohort_}, {tr("Run mode"), mode_}, {tr("Language"), language_}}};
+  for (const auto& [words, box] : rows) {
+    box->setAccessibleName(words);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form->addRow(words, box);
+  }
+  layout->addLayout(form);
+  layout->addWidget(enrol_);
+  layout->addWidget(coming_);
+  coming_->setObjectName(QStringLiteral("still-to-come"));
+  return card;
+}
+
+void SessionsPage::refresh() {
+  attempt(this, [&] {
+    const auto sessions = storage::Records(study_.database()).sessions();
+    unfinished_ = unfinishedSessions(study_);
+    const auto& protocol = study_.protocol().protocol;
+    fillTable(sessions, protocol);
+    fillCohorts(sessions, protocol);
+  });
+  showSelected();
+}
+
+void SessionsPage::fillTable(
+    const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
+  table_->setRowCount(static_cast<int>(sessions.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const auto& s = sessions[static_cast<std::size_t>(row)];
+    const std::array<QString, kSessionColumns> cells{
+        QString::fromStdString(s.participant),
+        cohortTitle(protocol, s.cohort),
+        QString::fromStdString(s.runMode),
+        nativeName(QString::fromStdString(s.language)),
+        localTime(s.startedUtc),
+        statusInWords(s.status)};
+    for (int column = 0; column < kSessionColumns; ++column) {
+      auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      cell->setData(Qt::UserRole, static_cast<qlonglong>(s.id));
+      table_->setItem(row, column, cell);
+    }
+  }
+  table_->clearSelection();
+  table_->scrollToBottom();
+}
+
+/// How many of each cohort have finished, and have not ended otherwise.
+void SessionsPage::fillCohorts(
+    const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
+  QStringList lines;
+  for (const auto& cohort : protocol.cohorts) {
+    const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
+      return s.cohort == cohort.id && s.runMode == nameOf(RunMode::Live) && s.status == "completed";
+    });
+    const QString title = cohortTitle(protocol, cohort.id);
+    lines
+        << (cohort.planned > 0
+                ? tr("%1: %2 of %3 completed").arg(title).arg(done).arg(cohort.planned)
+                : tr("%1: %2 completed").arg(title).arg(done));
+  }
+  coming_->setText(lines.join(u'\n'));
+}
+
+const UnfinishedSession* SessionsPage::selectedUnfinished() const {
+  const auto selected = table_->selectedItems();
+  if (selected.isEmpty()) return nullptr;
+  const auto id = selected.front()->data(Qt::UserRole).toLongLong();
+  const auto found = std::find_if(unfinished_.begin(), unfinished_.end(), [id](const auto& one) {
+    return static_cast<qlonglong>(one.id) == id;
+  });
+  return found == unfinished_.end() ? nullptr : &*found;
+}
+
+/// Of an unfinished session what happened to it, and what can be done.
+void SessionsPage::showSelected() {
+  const auto* one = selectedUnfinished();
+  resume_->setEnabled(one != nullptr && !one->isOpenElsewhere());
+  if (one == nullptr) {
+    details_->setText(
+        table_->rowCount() == 0 ? tr("Nobody has taken part yet.")
+        : unfinished_.empty()   ? tr("Every session is finished.")
+                                : tr("Select a session that is in progress to go on with it."));
+    return;
+  }
+  QString words = QString::fromStdString(inWords(*one));
+  for (const auto& choice : one->choices) {
+    words += QStringLiteral("\n•  ") + QString::fromStdString(choice);
+  }
+  details_->setText(words);
+}
+
+}  // namespace study::gui

@@ -1,0 +1,111 @@
+#include "study/gui/operator/timeline_table.h"
+
+#include <array>
+
+#include <QHeaderView>
+#include <QResizeEvent>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+/// A step as an operator may read it: the alternative, never what it is.
+QString describe(const Step& step) {
+  const QString phase = QString::fromStdString(step.phase);
+  if (step.isOffered)
+    return TimelineTable::tr("%1: Alternative %2 again?").arg(phase).arg(step.label);
+  if (step.kind == StepKind::Trial) {
+    return TimelineTable::tr("%1: Alternative %2").arg(phase).arg(step.label);
+  }
+  if (step.kind == StepKind::Questionnaire) {
+    return TimelineTable::tr("%1: questions on Alternative %2").arg(phase).arg(step.label);
+  }
+  return phase;
+}
+
+/// How a step stands that is not the present one.
+QString stateOf(const SessionController& controller, int step) {
+  if (controller.attempts(step) == 0) return {};
+  switch (controller.statusOf(step)) {
+    case storage::VisitStatus::Finished:
+      return TimelineTable::tr("done");
+    case storage::VisitStatus::Skipped:
+      return TimelineTable::tr("skipped");
+    case storage::VisitStatus::Repeated:
+      return TimelineTable::tr("to be repeated");
+    case storage::VisitStatus::BrokenOff:
+      return TimelineTable::tr("broken off");
+    case storage::VisitStatus::Open:
+      return TimelineTable::tr("open");
+  }
+  return {};
+}
+
+}  // namespace
+
+TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
+  setObjectName(QStringLiteral("timeline"));
+  setAccessibleName(tr("Steps of the session"));
+  setHorizontalHeaderLabels({tr("#"), tr("Step"), tr("Kind"), tr("Attempts"), tr("State")});
+  horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  constexpr int kWideEnough = 130;  // [px] "to be repeated"
+  setColumnWidth(4, kWideEnough);
+  verticalHeader()->hide();
+  setSelectionMode(QAbstractItemView::NoSelection);
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void TimelineTable::resizeEvent(QResizeEvent* event) {
+  constexpr int kRoomForTheKind = 520;  // [px]; what a step is shows in its name, too
+  setColumnHidden(2, event->size().width() < kRoomForTheKind);
+  QTableWidget::resizeEvent(event);
+}
+
+void TimelineTable::show(const SessionController* controller) {
+  const int steps =
+      controller == nullptr ? 0 : static_cast<int>(controller->session().plan().size());
+  const bool isNew = rowCount() != steps;
+  setRowCount(steps);
+  if (controller == nullptr) return;
+  for (int row = 0; row < steps; ++row) fillRow(row, *controller);
+  // Measured once: to do so at every step would take longer than to keep the answers.
+  for (const int narrow : {0, 2, 3}) {
+    if (isNew) resizeColumnToContents(narrow);
+  }
+  const int now = controller->session().stepIndex();
+  if (now < steps) scrollToItem(item(now, 1), QAbstractItemView::PositionAtCenter);
+}
+
+void TimelineTable::write(int row, int column, const QString& words, bool isNow) {
+  auto* cell = item(row, column);
+  if (cell == nullptr) {
+    cell = new QTableWidgetItem;
+    setItem(row, column, cell);
+  }
+  if (cell->text() != words) cell->setText(words);
+  auto font = cell->font();
+  if (font.bold() == isNow) return;
+  font.setBold(isNow);
+  cell->setFont(font);
+}
+
+void TimelineTable::fillRow(int row, const SessionController& controller) {
+  const auto& session = controller.session();
+  const auto& step = session.plan()[static_cast<std::size_t>(row)];
+  const bool isNow = !session.isOver() && row == session.stepIndex();
+  const int attempts = controller.attempts(row);
+  const std::array<QString, 5> cells{
+      QString::number(row + 1),
+      describe(step),
+      asText(nameOf(step.kind)),
+      attempts > 0 ? QString::number(attempts) : QString(),
+      isNow ? tr("▶ now") : stateOf(controller, row)};
+  for (int column = 0; column < columnCount(); ++column) {
+    write(row, column, cells[static_cast<std::size_t>(column)], isNow);
+  }
+}
+
+}  // namespace study::gui

@@ -1,0 +1,154 @@
+#include "study/gui/operator/trial_panel.h"
+
+#include <array>
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "study/gui/operator/cup_button.h"
+#include "study/gui/operator/cut_table.h"
+#include "study/gui/operator/live_plot.h"
+#include "study/gui/operator/servo_panel.h"
+#include "study/gui/operator/timeline_table.h"
+#include "study/gui/operator/travel_scale.h"
+#include "study/gui/session/trial_view.h"
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+constexpr double kNominalRate = 1000.0;  // [Hz]
+
+}  // namespace
+
+TrialPanel::TrialPanel(QWidget* parent)
+    : QWidget(parent),
+      steps_(new TimelineTable(this)),
+      health_(new QLabel(this)),
+      cutCount_(bodyLabel({}, this)),
+      numbers_(quietLabel({}, this)),
+      cup_(new CupButton(this)),
+      plot_(new LivePlot(this)),
+      servo_(new ServoPanel(this)),
+      cuts_(new CutTable(this)) {
+  cutCount_->setProperty("role", QStringLiteral("heading"));
+  cutCount_->setWordWrap(false);
+  health_->setAlignment(Qt::AlignCenter);
+  health_->setMinimumHeight(36);
+  cuts_->setMinimumHeight(92);
+  constexpr int kThreeSteps = 104;  // [px]
+  steps_->setMinimumHeight(kThreeSteps);
+  // As much as there is, and on a low screen no more than they need: their hints are larger.
+  const std::array<QWidget*, 3> yielding{steps_, plot_, cuts_};
+  for (auto* widget : yielding) {
+    widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  }
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(steps_, 3);
+  auto* numbers = new QHBoxLayout;
+  numbers->addWidget(health_, 1);
+  numbers->addWidget(cutCount_);
+  layout->addLayout(numbers);
+  auto* below = new QHBoxLayout;
+  below->addWidget(numbers_, 1);
+  below->addWidget(cup_);
+  layout->addLayout(below);
+  layout->addWidget(plot_, 3);
+  layout->addWidget(servo_);
+  layout->addWidget(cuts_, 1);
+  follow(nullptr);
+}
+
+void TrialPanel::follow(SessionController* controller) {
+  controller_ = controller;
+  wasRunning_ = false;
+  // Nothing of whoever was felt before.
+  showNothing(haptics::devices::DeviceKind::Punch, kNominalRate);
+  cup_->follow(controller);
+  updateSteps();
+}
+
+void TrialPanel::closeBone() {
+  cup_->closeWindow();
+}
+
+void TrialPanel::showHealth(const QString& words, Health health) {
+  const char* const roles[] = {"good", "resting", "bad"};
+  health_->setText(words);
+  setRole(*health_, roles[static_cast<int>(health)]);
+}
+
+void TrialPanel::updateSteps() {
+  cutCount_->hide();
+  numbers_->clear();
+  steps_->show(controller_);
+  const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
+  if (isRunning && !wasRunning_) beginTrial();
+  wasRunning_ = isRunning;
+  cup_->refresh();
+  showState();
+}
+
+void TrialPanel::showNothing(haptics::devices::DeviceKind device, double rate) {
+  plot_->begin(device, rate);
+  servo_->begin(device, rate);
+  cuts_->begin(device, rate);
+}
+
+void TrialPanel::beginTrial() {
+  showNothing(controller_->deviceKind(), controller_->trialRate());
+}
+
+void TrialPanel::showState() {
+  if (controller_ == nullptr) {
+    showHealth(tr("no session"), Health::Resting);
+    return;
+  }
+  const QString device = controller_->deviceName();
+  const auto& session = controller_->session();
+  if (session.isOver()) {
+    const auto ending = asText(statusOf(session.state())).replace(u'_', u' ');
+    showHealth(tr("this session is over: %1").arg(ending), Health::Resting);
+  } else if (session.state() == SessionState::Paused) {
+    showHealth(tr("‖ paused: no force"), Health::Resting);
+  } else if (session.state() == SessionState::Interrupted) {
+    showHealth(tr("✖ trial broke off: no force"), Health::Bad);
+  } else if (wasRunning_) {
+    showHealth(tr("● %1: running").arg(device), Health::Good);
+  } else {
+    showHealth(
+        device.isEmpty() ? tr("no device needed now") : tr("%1: not armed").arg(device),
+        Health::Resting);
+  }
+}
+
+void TrialPanel::updateTrial() {
+  if (controller_ == nullptr || !controller_->isTrialRunning()) return;
+  const auto status = controller_->trialStatus();
+  const auto scale = travelScaleOf(controller_->deviceKind());
+  const int asked = controller_->session().step().minimumCuts;
+  cutCount_->show();
+  cutCount_->setText(tr("cut %1 of %2").arg(status.cuts).arg(asked));
+  numbers_->setText(
+      tr("%1 N at %2 %6 · %3 ticks, %4 late · %5")
+          .arg(status.force, 0, 'f', 2)
+          .arg(scale.factor * status.travel, 0, 'f', 2)
+          .arg(status.ticks)
+          .arg(status.lateTicks)
+          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority"))
+          .arg(scale.unit) +
+      viewInWords(*controller_));
+  cup_->refresh();
+  haptics::engine::TickSample sample;
+  while (controller_->nextToPlot(sample)) {
+    plot_->add(sample);
+    servo_->add(sample);
+    cuts_->add(sample);
+  }
+  plot_->refresh();
+  servo_->refresh();
+}
+
+}  // namespace study::gui

@@ -1,0 +1,89 @@
+#include "study/gui/participant/answer_slider.h"
+
+#include <cmath>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "study/gui/widgets/theme.h"
+
+namespace study::gui {
+namespace {
+constexpr int kMargin = 18;  // [px]: half a handle
+}
+
+AnswerSlider::AnswerSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  setMinimumHeight(56);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QSlider::valueChanged, this, [this](int position) {
+    isTouched_ = true;  // also where a screen reader moved it
+    emit answered(position);
+  });
+}
+
+void AnswerSlider::answerWith(int position) {
+  isTouched_ = true;
+  const QSignalBlocker quiet(this);
+  setValue(position);
+  update();
+}
+
+void AnswerSlider::take(const QPointF& position) {
+  const double share = (position.x() - kMargin) / std::max(1, width() - 2 * kMargin);
+  const double mirrored = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
+  const int wanted = static_cast<int>(
+      std::lround(minimum() + std::clamp(mirrored, 0.0, 1.0) * (maximum() - minimum())));
+  if (wanted == value() && !isTouched_) {
+    isTouched_ = true;
+    emit answered(wanted);
+  }
+  setValue(wanted);
+  update();
+}
+
+void AnswerSlider::mousePressEvent(QMouseEvent* event) {
+  take(event->position());
+}
+
+void AnswerSlider::mouseMoveEvent(QMouseEvent* event) {
+  if ((event->buttons() & Qt::LeftButton) != 0) take(event->position());
+}
+
+void AnswerSlider::keyPressEvent(QKeyEvent* event) {
+  const bool moves = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
+                     event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
+  if (moves && !isTouched_) {
+    // The first key takes hold of it in the middle; from there it moves.
+    take(QPointF(width() / 2.0, height() / 2.0));
+    return;
+  }
+  QSlider::keyPressEvent(event);
+}
+
+void AnswerSlider::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double y = height() / 2.0;
+  const double left = kMargin;
+  const double right = width() - kMargin;
+  painter.setPen(QPen(themeOf(*this).border, 3));
+  painter.drawLine(QPointF(left, y), QPointF(right, y));
+  for (const double x : {left, (left + right) / 2.0, right}) {
+    painter.drawLine(QPointF(x, y - 9), QPointF(x, y + 9));
+  }
+  if (hasFocus()) {
+    painter.setPen(QPen(themeOf(*this).focus, 3));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(2, 2, -2, -2), 8, 8);
+  }
+  if (!isTouched_) return;
+  const double share =
+      static_cast<double>(value() - minimum()) / std::max(1, maximum() - minimum());
+  const double place = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(themeOf(*this).accent.background);
+  painter.drawEllipse(QPointF(left + place * (right - left), y), 14, 14);
+}
+
+}  // namespace study::gui

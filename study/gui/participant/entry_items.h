@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTimer>
+
+#include "study/gui/participant/answer_slider.h"
+#include "study/gui/participant/item_widget.h"
+
+namespace study::gui {
+
+/// A place between two ends.
+class SliderItem final : public ItemWidget {
+  Q_OBJECT
+
+ public:
+  SliderItem(const questionnaires::Item& item, const QString& language, QWidget* parent);
+  std::optional<questionnaires::Response> response() const override;
+  void show(const questionnaires::Response& response) override;
+
+ private:
+  double step() const noexcept;
+
+  AnswerSlider* slider_;
+};
+
+/// A number, typed; point or comma.
+class NumberItem final : public ItemWidget {
+  Q_OBJECT
+
+ public:
+  NumberItem(const questionnaires::Item& item, const QString& language, QWidget* parent);
+  std::optional<questionnaires::Response> response() const override;
+  void show(const questionnaires::Response& response) override;
+
+ private:
+  QLineEdit* line_;
+};
+
+/// Words: one line, or several. A change is handed on when the typing rests.
+class TextItem final : public ItemWidget {
+  Q_OBJECT
+
+ public:
+  TextItem(const questionnaires::Item& item, const QString& language, QWidget* parent);
+  std::optional<questionnaires::Response> response() const override;
+  void show(const questionnaires::Response& response) override;
+
+ private:
+  QString written() const;
+
+  QLineEdit* line_ = nullptr;
+  QPlainTextEdit* lines_ = nullptr;
+  QTimer* rest_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,112 @@
+#include "study/gui/participant/feel_page.h"
+
+#include <algorithm>
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+constexpr double kWholeStroke = 220.0;  // [px] of dragging close the handle altogether
+}
+
+FeelPage::FeelPage(const Content& content, QWidget* picture, QWidget* parent)
+    : QWidget(parent),
+      content_(content),
+      count_(nullptr),
+      hint_(nullptr),
+      begin_(new QPushButton(tr("Begin"), this)),
+      enough_(new QPushButton(tr("I have felt enough"), this)),
+      decline_(new QPushButton(tr("No, go on"), this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  auto* layout = new QVBoxLayout(this);
+  // A picture wants the room; words make do with what is left.
+  layout->setSpacing(picture == nullptr ? 20 : 8);
+  if (picture == nullptr) layout->addStretch(1);
+  layout->addWidget(hugeLabel(content.name, this));
+  if (picture != nullptr) layout->addWidget(picture, 1);
+  count_ = titleLabel(cutsInWords(0), this);
+  count_->setAlignment(Qt::AlignCenter);
+  layout->addWidget(count_);
+  hint_ = quietLabel(tr("Press Begin when you hold the instrument."), this);
+  if (content.isOffered) {
+    count_->setText(tr("Would you like to feel it once more before you choose?"));
+    begin_->setText(tr("Feel it again"));
+  }
+  hint_->setAlignment(Qt::AlignCenter);
+  layout->addWidget(hint_);
+  if (picture == nullptr) layout->addStretch(1);
+  for (auto* button : {begin_, enough_, decline_}) {
+    button->setProperty("role", QStringLiteral("next"));
+    layout->addWidget(button, 0, Qt::AlignCenter);
+  }
+  if (picture == nullptr) layout->addStretch(1);
+  connect(begin_, &QPushButton::clicked, this, &FeelPage::beginRequested);
+  connect(enough_, &QPushButton::clicked, this, &FeelPage::enoughRequested);
+  connect(decline_, &QPushButton::clicked, this, &FeelPage::declined);
+  setRunning(false);
+}
+
+QString FeelPage::cutsInWords(int cuts) const {
+  return content_.isReamer ? tr("Strokes: %1 of at least %2").arg(cuts).arg(content_.minimumCuts)
+                           : tr("Cuts: %1 of at least %2").arg(cuts).arg(content_.minimumCuts);
+}
+
+void FeelPage::setRunning(bool isRunning) {
+  isRunning_ = isRunning;
+  begin_->setVisible(!isRunning);
+  enough_->setVisible(isRunning);
+  decline_->setVisible(!isRunning && content_.isOffered);
+  enough_->setEnabled(false);
+  if (!isRunning) {
+    begin_->setFocus();
+    return;
+  }
+  hint_->setText(
+      content_.isReamer
+          ? tr("No instrument at hand? Hold the space bar, or drag down on this page, to push in; "
+               "let go to draw back.")
+          : tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; "
+               "let go to open."));
+  setFocus();
+}
+
+void FeelPage::setCuts(int cuts) {
+  count_->setText(cutsInWords(cuts));
+  enough_->setEnabled(isRunning_ && cuts >= content_.minimumCuts);
+}
+
+void FeelPage::mousePressEvent(QMouseEvent* event) {
+  pressedAt_ = event->position().y();
+  if (isRunning_) setFocus();
+}
+
+void FeelPage::mouseMoveEvent(QMouseEvent* event) {
+  if (!isRunning_ || (event->buttons() & Qt::LeftButton) == 0) return;
+  emit handMoved(std::clamp((event->position().y() - pressedAt_) / kWholeStroke, 0.0, 1.0));
+}
+
+void FeelPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
+  if (isRunning_) emit handMoved(0.0);
+}
+
+void FeelPage::keyPressEvent(QKeyEvent* event) {
+  if (isRunning_ && event->key() == Qt::Key_Space) {
+    if (!event->isAutoRepeat()) emit handMoved(1.0);
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void FeelPage::keyReleaseEvent(QKeyEvent* event) {
+  if (isRunning_ && event->key() == Qt::Key_Space) {
+    if (!event->isAutoRepeat()) emit handMoved(0.0);
+    return;
+  }
+  QWidget::keyReleaseEvent(event);
+}
+
+}  // namespace study::gui

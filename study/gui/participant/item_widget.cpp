@@ -1,0 +1,55 @@
+#include "study/gui/participant/item_widget.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "study/gui/participant/choice_items.h"
+#include "study/gui/participant/entry_items.h"
+
+namespace study::gui {
+
+using questionnaires::ItemType;
+
+ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language, QWidget* parent)
+    : QWidget(parent), item_(item), language_(language) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  if (!item_.text.isEmpty()) {
+    auto* statement = new QLabel(text(item_.text), this);
+    statement->setProperty("role", "statement");
+    statement->setWordWrap(true);
+    layout->addWidget(statement);
+  }
+}
+
+QString ItemWidget::text(const questionnaires::LocalizedText& text) const {
+  return QString::fromStdString(text.in(language_.toStdString()));
+}
+
+ItemWidget* makeItemWidget(
+    const questionnaires::Item& item,
+    const ItemWidget::Choices& choices,
+    const QString& language,
+    QWidget* parent) {
+  switch (item.type) {
+    case ItemType::Likert:
+    case ItemType::SemanticDifferential:
+      return new PointItem(item, language, parent);
+    case ItemType::SingleChoice:
+    case ItemType::PairwiseChoice:
+      return new ChoiceItem(item, choices, language, parent);
+    case ItemType::MultipleChoice:
+      return new MultipleChoiceItem(item, language, parent);
+    case ItemType::Slider:
+      return new SliderItem(item, language, parent);
+    case ItemType::Number:
+      return new NumberItem(item, language, parent);
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return new TextItem(item, language, parent);
+  }
+  return nullptr;
+}
+
+}  // namespace study::gui

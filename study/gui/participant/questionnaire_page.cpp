@@ -1,0 +1,105 @@
+#include "study/gui/participant/questionnaire_page.h"
+
+#include <QFrame>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+
+QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
+    : QWidget(parent), language_(content.language) {
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  auto* inside = new QWidget(scroll);
+  auto* layout = new QVBoxLayout(inside);
+  layout->setSpacing(18);
+  layout->addWidget(titleLabel(content.title, inside));
+  if (!content.introduction.isEmpty()) layout->addWidget(bodyLabel(content.introduction, inside));
+
+  for (std::size_t i = 0; i < content.items.size(); ++i) {
+    auto* card = new QFrame(inside);
+    card->setProperty("role", "card");
+    auto* inCard = new QVBoxLayout(card);
+    inCard->setContentsMargins(20, 16, 20, 16);
+    auto* widget = makeItemWidget(content.items[i], content.choices, content.language, card);
+    inCard->addWidget(widget);
+    if (!content.items[i].isRequired)
+      inCard->addWidget(quietLabel(tr("You may leave this out."), card));
+    layout->addWidget(card);
+    widgets_.push_back(widget);
+    told_.emplace_back();
+    for (const auto& answer : content.before) {
+      if (answer.item != content.items[i].id) continue;
+      widget->show(answer.response);
+      told_.back() = {answer.response, answer.firstTouch, answer.changes};
+    }
+    connect(widget, &ItemWidget::changed, this, [this, i] { handOn(i); });
+  }
+  layout->addStretch(1);
+  scroll->setWidget(inside);
+  outer->addWidget(scroll);
+  // A frame round the first answer would look chosen, and is a nudge: it comes with the first Tab.
+  scroll->setFocusPolicy(Qt::StrongFocus);
+  scroll->setAccessibleName(content.title);
+  scroll->setAccessibleDescription(content.introduction);
+  setFocusProxy(scroll);
+  shown_.start();
+}
+
+bool QuestionnairePage::isComplete() const {
+  for (const auto* widget : widgets_) {
+    if (!widget->item().isRequired) continue;
+    const auto response = widget->response();
+    if (!response || questionnaires::objection(widget->item(), *response).has_value()) {
+      const bool isAlternative =
+          widget->item().optionSource == questionnaires::OptionSource::Alternatives;
+      if (!response || !isAlternative) return false;
+    }
+  }
+  return true;
+}
+
+void QuestionnairePage::handOn(std::size_t index) {
+  auto& told = told_[index];
+  const auto response = widgets_[index]->response();
+  const bool isNew = response != told.response;
+  if (!isNew && told.isKept) return;
+  const double now = static_cast<double>(shown_.elapsed()) / 1000.0;
+  if (isNew) {
+    if (told.changes < 0) told.firstTouch = now;
+    ++told.changes;
+  }
+  told.response = response;
+  told.isKept = true;  // takeBack() comes before the signal returns
+  const auto& item = widgets_[index]->item();
+  if (response) {
+    emit answered(
+        {.item = item.id,
+         .response = *response,
+         .itemOrder = static_cast<int>(index) + 1,
+         .firstTouch = told.firstTouch,
+         .responseTime = std::max(now, told.firstTouch),
+         .changes = told.changes,
+         .language = language_.toStdString()});
+  } else {
+    emit retracted(QString::fromStdString(item.id));
+  }
+  emit completeChanged(isComplete());
+}
+
+void QuestionnairePage::takeBack(const QString& item) {
+  for (std::size_t i = 0; i < widgets_.size(); ++i) {
+    if (widgets_[i]->item().id == item.toStdString()) told_[i].isKept = false;
+  }
+}
+
+void QuestionnairePage::flush() {
+  for (std::size_t i = 0; i < widgets_.size(); ++i) handOn(i);
+}
+
+}  // namespace study::gui

@@ -1,0 +1,120 @@
+#include "study/gui/scene/cup_window.h"
+
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace study::gui::simulation {
+namespace {
+
+constexpr int kLookAgain = 67;      // [ms]
+constexpr double kOutside = -0.02;  // of the reamer where nobody reams [m]
+
+}  // namespace
+
+CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      trial_(std::move(trial)),
+      colours_(new QComboBox(this)),
+      picture_(new QLabel(this)),
+      legend_(new ColourLegend(this)) {
+  setAttribute(Qt::WA_DeleteOnClose);
+  setObjectName(QStringLiteral("cup-window"));
+  setWindowTitle(tr("The bone in colours"));
+  colours_->addItem(tr("how hard the bone is"), static_cast<int>(SphereColours::Density));
+  colours_->addItem(tr("what has been removed"), static_cast<int>(SphereColours::Removal));
+  colours_->addItem(
+      tr("nothing, as participants see it"), static_cast<int>(SphereColours::Neutral));
+  colours_->setAccessibleName(tr("What the colours say"));
+  picture_->setMinimumSize(320, 220);
+  picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setAccessibleName(tr("The bone, cut open along the reamer's axis"));
+  picture_->setText(tr("The bone is being drawn…"));
+
+  auto* layout = new QVBoxLayout(this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel(tr("Colours say"), this));
+  row->addWidget(colours_);
+  row->addStretch(1);
+  layout->addLayout(row);
+  layout->addWidget(picture_, 1);
+  layout->addWidget(legend_);
+
+  CupPainter::Changes past;
+  if (trial_) {
+    heard_ = trial_().seen;
+    if (heard_ != nullptr && heard_->spheres() != nullptr) past = heard_->spheres()->changesSoFar();
+  }
+  painter_ = new CupPainter(spec, std::move(past), this);
+  if (heard_ != nullptr) {
+    heard_->tellChangesTo([this](const auto& change) { painter_->tell(change); });
+  }
+  connect(painter_, &CupPainter::painted, this, &CupWindow::showPicture);
+  connect(painter_, &CupPainter::failed, this, [this](const QString& why) {
+    picture_->setText(tr("This bone cannot be drawn: %1").arg(why));
+  });
+  connect(painter_, &CupPainter::measured, this, [this](const DensityRange& range) {
+    range_ = range;
+    choose(colours_->currentIndex());
+  });
+  connect(colours_, &QComboBox::currentIndexChanged, this, &CupWindow::choose);
+  connect(&look_, &QTimer::timeout, this, &CupWindow::follow);
+  choose(0);
+  follow();
+  look_.start(kLookAgain);
+}
+
+CupWindow::~CupWindow() {
+  if (heard_ != nullptr && trial_().seen == heard_) heard_->tellChangesTo({});
+}
+
+void CupWindow::leaveOut(SphereColours colours) {
+  colours_->removeItem(colours_->findData(static_cast<int>(colours)));
+}
+
+void CupWindow::choose(int index) {
+  const auto colours = static_cast<SphereColours>(colours_->itemData(index).toInt());
+  painter_->choose(colours);
+  switch (colours) {
+    case SphereColours::Density:
+      legend_->showDensity(range_);
+      break;
+    case SphereColours::Removal:
+      legend_->showRemoval();
+      break;
+    case SphereColours::Neutral:
+      legend_->showNothing();
+      break;
+  }
+}
+
+/// What a participant sees is asked how far it is; it goes with its page, and this with it.
+void CupWindow::follow() {
+  if (!trial_) return painter_->handOn(kOutside, false);
+  const Present now = trial_();
+  if (now.seen == nullptr || now.seen != heard_) {
+    heard_ = nullptr;
+    close();
+    return;
+  }
+  painter_->handOn(now.seen->depth(), now.isRunning);
+}
+
+void CupWindow::showPicture(const QImage& picture) {
+  QPixmap pixmap = QPixmap::fromImage(picture);
+  pixmap.setDevicePixelRatio(devicePixelRatioF());
+  picture_->setPixmap(pixmap);
+}
+
+QSize CupWindow::pictureSize() const {
+  return (QSizeF(picture_->size()) * devicePixelRatioF()).toSize();
+}
+
+void CupWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  painter_->resize(pictureSize());
+}
+
+}  // namespace study::gui::simulation

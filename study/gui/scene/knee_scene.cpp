@@ -1,0 +1,131 @@
+#include "study/gui/scene/knee_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "study/gui/scene/shapes/knee_anatomy.h"
+#include "study/gui/scene/shapes/punch_shape.h"
+
+namespace study::gui::simulation {
+namespace {
+
+constexpr double kClosed = 10.0;       // [travel units]
+constexpr double kCertainlyCut = 9.3;  // [travel units]
+constexpr double kOpenAgain = 4.0;     // [travel units]
+constexpr double kPieceFloats = 0.7;   // [s]
+constexpr float kNextBite = 13.0F;     // [°]
+constexpr float kMovesOn = 26.0F;      // [°/s]
+
+}  // namespace
+
+KneeScene::KneeScene(const protocols::Anatomy* own) : meniscus_(layout_) {
+  KneeSurfaces around = kneeSurfaces(layout_, own);
+  add(std::move(around.tibia));
+  add(std::move(around.femur));
+  add(std::move(around.capsule));
+  add(meniscus_.body());
+  add({});
+  const QMatrix4x4 punch = punchPose(layout_);
+  PunchShape shape = punchShape();
+  add(std::move(shape.body), punch);
+  add(std::move(shape.grip), punch);
+  add(std::move(shape.jaw));
+  add(std::move(shape.rod));
+  add(std::move(shape.lever));
+  scene_.parts[Piece].isShown = false;
+  lookThroughTheScope();
+  lookAtTheHandles();
+  follow({}, 0.0);
+}
+
+void KneeScene::add(Mesh mesh, const QMatrix4x4& pose) {
+  scene_.parts.push_back({.mesh = std::move(mesh), .pose = pose});
+}
+
+void KneeScene::lookThroughTheScope() {
+  Shot shot{.place = {0.0, 0.0, 0.66, 1.0}, .isRound = true};
+  shot.view.lookAt({-6.0F, 10.5F, 17.0F}, {1.2F, 2.6F, -16.0F}, {-0.05F, 1.0F, 0.0F});
+  shot.fieldOfView = 62.0F;
+  shot.nearest = 2.0F;
+  shot.farthest = 90.0F;
+  shot.light = {.place = {2.5F, 3.5F, 0.0F}, .reach = 38.0F, .ambient = 0.09F};
+  shot.parts = {Plateau, Condyle, Capsule, Tissue, Piece, Body, Jaw, Rod};
+  scene_.shots.push_back(std::move(shot));
+}
+
+void KneeScene::lookAtTheHandles() {
+  Shot shot{.place = {0.65, 0.2, 0.34, 0.75}, .aspect = 1.75};
+  // From the instrument's side, the tip to the left.
+  shot.view.lookAt({-66.0F, -38.0F, -330.0F}, {-66.0F, -38.0F, 0.0F}, {0.0F, 1.0F, 0.0F});
+  shot.view *= punchPose(layout_).inverted();
+  shot.fieldOfView = 16.5F;
+  shot.nearest = 200.0F;
+  shot.farthest = 500.0F;
+  shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.2F};
+  shot.parts = {Body, Grip, Jaw, Rod, Lever};
+  scene_.shots.push_back(std::move(shot));
+}
+
+void KneeScene::follow(const Look& look, double seconds) {
+  followTheCut(look);
+  movePiece(seconds);
+  const auto openness = static_cast<float>(std::clamp(1.0 - look.travel / kClosed, -0.02, 1.05));
+  const QMatrix4x4 punch = punchPose(layout_);
+  scene_.parts[Jaw].pose = punch * jawPose(openness);
+  scene_.parts[Rod].pose = punch * rodPose(openness);
+  scene_.parts[Lever].pose = punch * leverPose(openness);
+
+  Meniscus::Squeeze squeeze{.string = {}, .openness = openness};
+  if (look.mesh != nullptr) squeeze.string = look.mesh->under(look.force);
+  meniscus_.squeeze(squeeze);
+  scene_.parts[Tissue].mesh = meniscus_.body();
+  ++scene_.parts[Tissue].revision;
+  auto& piece = scene_.parts[Piece];
+  piece.isShown = meniscus_.hasPiece();
+  if (!piece.isShown) return;
+  piece.mesh = meniscus_.piece();
+  ++piece.revision;
+}
+
+/// Parts the tissue once in a closure, and lets go of the piece when the hand has opened.
+void KneeScene::followTheCut(const Look& look) {
+  const bool isThrough = look.isCutThrough || look.travel > kCertainlyCut;
+  if (!isParted_ && look.travel > kOpenAgain && isThrough) {
+    isParted_ = true;
+    released_ = 0.0;
+    meniscus_.cut();
+  } else if (isParted_ && look.travel < kOpenAgain) {
+    isParted_ = false;
+    toMoveOn_ += kNextBite;
+  }
+}
+
+/// A piece that is held lies a little apart; one that is let go floats off, and the next bite is
+/// brought under the punch.
+void KneeScene::movePiece(double seconds) {
+  if (!isParted_ && meniscus_.hasPiece()) {
+    released_ += seconds;
+    if (released_ > kPieceFloats) meniscus_.dropPiece();
+  }
+  if (toMoveOn_ > 0.0F && !meniscus_.hasPiece()) {
+    const float step = std::min(toMoveOn_, kMovesOn * static_cast<float>(seconds));
+    meniscus_.moveOn(step);
+    toMoveOn_ -= step;
+  }
+  const auto share = static_cast<float>(released_ / kPieceFloats);
+  QVector3D middle = onArc(layout_, layout_.toolAngle, layout_.innerRadius + 1.6F);
+  middle.setY(1.4F);
+  const QVector3D inwards = (layout_.arcCentre - middle).normalized();
+  auto& pose = scene_.parts[Piece].pose;
+  pose.setToIdentity();
+  // Out of the open jaws to their left, not through them.
+  const QVector3D left = -punchPose(layout_).column(2).toVector3D();
+  pose.translate(
+      middle + (0.35F + 2.0F * share) * inwards + 5.0F * share * left +
+      QVector3D(0.0F, 1.5F * share, 0.0F));
+  pose.rotate(70.0F * share, 0.3F, 0.2F, 1.0F);
+  pose.scale(1.0F - 0.85F * share * share);
+  pose.translate(-middle);
+}
+
+}  // namespace study::gui::simulation

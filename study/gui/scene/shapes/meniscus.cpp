@@ -1,0 +1,193 @@
+#include "study/gui/scene/shapes/meniscus.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "study/gui/scene/shapes/punch_shape.h"
+
+namespace study::gui::simulation {
+namespace {
+
+constexpr float kDegrees = 180.0F / 3.14159265F;
+constexpr float kMillimetresPerTravel = 0.33F;  // at the bite, as the jaw has it
+constexpr float kBiteHalf = 2.9F;               // along the edge [mm]
+constexpr float kBiteDepth = 3.6F;              // across it [mm]
+constexpr std::size_t kMostBites = 12;
+constexpr int kSections = 140;
+constexpr int kPieceSections = 24;
+constexpr int kAcross = 8;   // places across a surface
+constexpr int kUpright = 2;  // places up a face
+constexpr float kThinnest = 0.22F;
+
+constexpr Tint kEdge{244, 236, 214, 150};
+constexpr Tint kRim{226, 178, 158, 120};
+constexpr Tint kCutFace{252, 246, 230, 90};
+
+/// How high the tissue is where it is left alone, at @p share of the way to its rim [mm].
+float restHeight(float share) {
+  return 0.42F + 5.6F * std::pow(share, 1.3F);
+}
+
+/// A smooth curve through the nodes of the string.
+float through(const std::vector<haptics::engine::MeshView::Point>& nodes, double place) {
+  if (place <= nodes.front().position || place >= nodes.back().position) return 0.0F;
+  std::size_t i = 0;
+  while (nodes[i + 1].position < place) ++i;
+  const auto slope = [&](std::size_t k) {
+    const auto& before = nodes[k == 0 ? 0 : k - 1];
+    const auto& after = nodes[std::min(k + 1, nodes.size() - 1)];
+    return (after.displacement - before.displacement) / (after.position - before.position);
+  };
+  const double h = nodes[i + 1].position - nodes[i].position;
+  const double t = (place - nodes[i].position) / h;
+  const double value = (1 + 2 * t) * (1 - t) * (1 - t) * nodes[i].displacement +
+                       t * (1 - t) * (1 - t) * h * slope(i) +
+                       t * t * (3 - 2 * t) * nodes[i + 1].displacement +
+                       t * t * (t - 1) * h * slope(i + 1);
+  return static_cast<float>(value);
+}
+
+}  // namespace
+
+Meniscus::Meniscus(const KneeLayout& layout)
+    : layout_(layout), fromPunch_(punchPose(layout)), toPunch_(fromPunch_.inverted()) {
+  squeeze({});
+}
+
+void Meniscus::cut() {
+  if (bites_.size() == kMostBites) bites_.erase(bites_.begin());
+  bites_.push_back(layout_.toolAngle + moved_);
+  hasPiece_ = true;
+}
+
+/// Where the free edge is after the first @p bites [mm from the arc's centre].
+float Meniscus::edgeAt(float angle, std::size_t bites) const {
+  const float own = angle + moved_;
+  float edge = layout_.innerRadius + 0.14F * std::sin(0.13F * own) + 0.06F * std::sin(0.41F * own);
+  for (std::size_t i = 0; i < bites; ++i) {
+    const float t = (own - bites_[i]) / kDegrees * layout_.innerRadius / kBiteHalf;
+    if (std::abs(t) >= 1.0F) continue;
+    const float bite = kBiteDepth * std::pow(1.0F - t * t, 0.62F);
+    edge = std::max(edge, layout_.innerRadius + bite);
+  }
+  return edge;
+}
+
+/// How far the string has given way at @p angle [mm].
+float Meniscus::displacementAt(float angle, const Squeeze& squeeze) const {
+  const auto& string = squeeze.string;
+  if (string.size() < 3) return 0.0F;
+  const auto peak =
+      std::max_element(string.begin(), string.end(), [](const auto& a, const auto& b) {
+        return a.displacement < b.displacement;
+      });
+  const double perDegree =
+      (string.back().position - string.front().position) / static_cast<double>(layout_.heldAngle);
+  const double place = peak->position + perDegree * static_cast<double>(angle - layout_.toolAngle);
+  return kMillimetresPerTravel * through(string, place);
+}
+
+Meniscus::Column Meniscus::column(float angle, float radius, const Squeeze& squeeze) const {
+  const float share = std::clamp(
+      (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius), 0.0F, 1.0F);
+  Column column{onArc(layout_, angle, radius), {}};
+  column.low.setY(plateauHeight(column.low.x(), column.low.z()) + 0.02F);
+  column.high = column.low;
+  // Towards its rim it is held by the capsule.
+  const float dip = (1.0F - 0.8F * share) * displacementAt(angle, squeeze);
+  const float height = std::max(restHeight(share) - dip, 0.3F * restHeight(share));
+  column.high.setY(column.low.y() + height);
+  keepClearOfTheJaws(column, squeeze.openness);
+  return column;
+}
+
+/// The lower jaw lifts what lies on it, the upper one presses down what is under it.
+void Meniscus::keepClearOfTheJaws(Column& column, float openness) const {
+  constexpr float kEase = 0.16F;  // [1/mm]: how steeply the tissue comes back beside the jaws
+  QVector3D low = toPunch_.map(column.low);
+  QVector3D high = toPunch_.map(column.high);
+  const float aside = std::max(0.0F, std::abs(low.z()) - kJawHalfWidth - 0.35F);
+  const float beyond = std::max(0.0F, std::max(low.x() - kJawLength, -3.0F - low.x()));
+  const float away = kEase * (aside * aside + beyond * beyond);
+  const float lift = std::max(0.0F, 0.03F - away - low.y());
+  low.setY(low.y() + lift);
+  high.setY(high.y() + lift);
+  const float x = std::clamp(high.x(), 0.0F, kJawLength);
+  const float roof = jawHeight(openness, x) - 0.04F + 1.6F * away;
+  if (high.y() > roof) high.setY(std::max(roof, low.y() + kThinnest));
+  column.low = fromPunch_.map(low);
+  column.high = fromPunch_.map(high);
+}
+
+/// Goes once round the tissue at @p angle: over it, down its rim, back below, up its edge. Corners
+/// are there twice, so that they stay sharp.
+void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& squeeze) const {
+  const std::size_t bites = bites_.size();
+  const float inner = edgeAt(angle, isPiece ? bites - 1 : bites);
+  const float outer = isPiece ? edgeAt(angle, bites) : layout_.outerRadius;
+  std::array<Column, kAcross + 1> columns;
+  std::array<Tint, kAcross + 1> tints;
+  for (std::size_t i = 0; i <= kAcross; ++i) {
+    const float radius = inner + (outer - inner) * static_cast<float>(i) / kAcross;
+    columns[i] = column(angle, radius, squeeze);
+    const float share =
+        (radius - layout_.innerRadius) / (layout_.outerRadius - layout_.innerRadius);
+    const float fibre = 0.965F + 0.035F * std::sin(23.0F * radius + 0.11F * (angle + moved_));
+    tints[i] = lit(blend(kEdge, kRim, std::clamp(share, 0.0F, 1.0F)), fibre);
+  }
+  const auto add = [&](QVector3D place, Tint tint) { mesh.vertices.push_back({place, {}, tint}); };
+  const auto upright = [&](const Column& face, int i) {
+    const float share = static_cast<float>(i) / kUpright;
+    return face.low + share * (face.high - face.low);
+  };
+  const bool isCut = inner > layout_.innerRadius + 0.3F;
+  for (std::size_t i = 0; i <= kAcross; ++i) add(columns[i].high, tints[i]);
+  for (int i = kUpright; i >= 0; --i) add(upright(columns.back(), i), isPiece ? kCutFace : kRim);
+  for (std::size_t i = kAcross + 1; i-- > 0;) add(columns[i].low, lit(tints[i], 0.9F));
+  for (int i = 0; i <= kUpright; ++i) {
+    add(upright(columns.front(), i), isCut ? kCutFace : lit(kEdge, 0.94F));
+  }
+}
+
+void Meniscus::shape(Mesh& mesh, float from, float to, bool isPiece, const Squeeze& squeeze) const {
+  const int sections = isPiece ? kPieceSections : kSections;
+  mesh.vertices.clear();
+  for (int i = 0; i <= sections; ++i) {
+    addSection(
+        mesh,
+        from + (to - from) * static_cast<float>(i) / static_cast<float>(sections),
+        isPiece,
+        squeeze);
+  }
+  constexpr std::uint32_t kRound = 2 * (kAcross + 1) + 2 * (kUpright + 1);
+  const auto last = static_cast<std::uint32_t>(sections) * kRound;
+  if (mesh.triangles.empty()) {
+    for (std::uint32_t first = 0; first < last; first += kRound) {
+      for (std::uint32_t i = 0; i < kRound; ++i) {
+        const std::uint32_t next = (i + 1) % kRound;
+        mesh.triangles.push_back({first + i, first + kRound + next, first + next});
+        mesh.triangles.push_back({first + i, first + kRound + i, first + kRound + next});
+      }
+    }
+    // The two ends, each from the surface above to the one below.
+    for (std::uint32_t i = 0; i + 1 < kRound / 2; ++i) {
+      const std::uint32_t j = kRound - 1 - i;
+      mesh.triangles.push_back({i, i + 1, j});
+      mesh.triangles.push_back({i + 1, j - 1, j});
+      mesh.triangles.push_back({last + i, last + j, last + i + 1});
+      mesh.triangles.push_back({last + i + 1, last + j, last + j - 1});
+    }
+  }
+  smoothen(mesh);
+}
+
+void Meniscus::squeeze(const Squeeze& squeeze) {
+  shape(body_, -layout_.halfAngle, layout_.halfAngle, false, squeeze);
+  if (!hasPiece_) return;
+  const float half = kBiteHalf / layout_.innerRadius * kDegrees;
+  const float middle = bites_.back() - moved_;
+  shape(piece_, middle - half, middle + half, true, squeeze);
+}
+
+}  // namespace study::gui::simulation

@@ -1,0 +1,143 @@
+#include "study/gui/scene/shapes/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace study::gui::simulation {
+namespace {
+
+using PlaceKey = std::array<std::int64_t, 3>;
+
+PlaceKey keyOf(const QVector3D& v) {
+  constexpr double kPerMillimetre = 1000.0;
+  return {
+      std::llround(kPerMillimetre * static_cast<double>(v.x())),
+      std::llround(kPerMillimetre * static_cast<double>(v.y())),
+      std::llround(kPerMillimetre * static_cast<double>(v.z()))};
+}
+
+/// Which place each vertex is at: the same number for the same place.
+std::vector<std::uint32_t> welded(const Mesh& mesh) {
+  std::map<PlaceKey, std::uint32_t> places;
+  std::vector<std::uint32_t> place;
+  place.reserve(mesh.vertices.size());
+  for (const auto& vertex : mesh.vertices) {
+    const auto next = static_cast<std::uint32_t>(places.size());
+    place.push_back(places.emplace(keyOf(vertex.position), next).first->second);
+  }
+  return place;
+}
+
+/// As long as the triangle is large.
+QVector3D normalOf(const Mesh& mesh, const Triangle& t) {
+  const QVector3D& a = mesh.vertices[t.a].position;
+  return QVector3D::crossProduct(mesh.vertices[t.b].position - a, mesh.vertices[t.c].position - a);
+}
+
+std::uint8_t asByte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
+
+}  // namespace
+
+Tint blend(Tint a, Tint b, float share) {
+  const auto mix = [share](std::uint8_t from, std::uint8_t to) {
+    return asByte(static_cast<float>(from) * (1.0F - share) + static_cast<float>(to) * share);
+  };
+  return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.gloss, b.gloss)};
+}
+
+Tint lit(Tint tint, float brightness) {
+  const auto scale = [brightness](std::uint8_t c) {
+    return asByte(static_cast<float>(c) * brightness);
+  };
+  return {scale(tint.red), scale(tint.green), scale(tint.blue), tint.gloss};
+}
+
+void append(Mesh& mesh, const Mesh& more) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const auto& t : more.triangles) {
+    mesh.triangles.push_back({first + t.a, first + t.b, first + t.c});
+  }
+}
+
+void place(Mesh& mesh, const QMatrix4x4& pose) {
+  for (auto& vertex : mesh.vertices) {
+    vertex.position = pose.map(vertex.position);
+    vertex.normal = pose.mapVector(vertex.normal).normalized();
+  }
+}
+
+void paint(Mesh& mesh, Tint tint) {
+  for (auto& vertex : mesh.vertices) vertex.tint = tint;
+}
+
+void smoothen(Mesh& mesh) {
+  for (auto& vertex : mesh.vertices) vertex.normal = {};
+  for (const auto& t : mesh.triangles) {
+    const QVector3D normal = normalOf(mesh, t);
+    for (const auto corner : {t.a, t.b, t.c}) mesh.vertices[corner].normal += normal;
+  }
+  for (auto& vertex : mesh.vertices) vertex.normal.normalize();
+}
+
+void crease(Mesh& mesh, float angle) {
+  const auto place = welded(mesh);
+  std::vector<QVector3D> normals;
+  std::map<std::uint32_t, std::vector<std::size_t>> around;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    normals.push_back(normalOf(mesh, t));
+    for (const auto corner : {t.a, t.b, t.c}) around[place[corner]].push_back(i);
+  }
+  constexpr float kDegree = 3.14159265F / 180.0F;
+  const float least = std::cos(kDegree * angle);
+  Mesh creased;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto first = static_cast<std::uint32_t>(creased.vertices.size());
+    const QVector3D own = normals[i].normalized();
+    const auto& t = mesh.triangles[i];
+    for (const auto corner : {t.a, t.b, t.c}) {
+      QVector3D sum;
+      for (const auto j : around[place[corner]]) {
+        if (QVector3D::dotProduct(own, normals[j].normalized()) >= least) sum += normals[j];
+      }
+      creased.vertices.push_back(mesh.vertices[corner]);
+      creased.vertices.back().normal = sum.isNull() ? own : sum.normalized();
+    }
+    creased.triangles.push_back({first, first + 1, first + 2});
+  }
+  mesh = std::move(creased);
+}
+
+std::size_t openEdges(const Mesh& mesh) {
+  const auto place = welded(mesh);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> runs;
+  for (const auto& t : mesh.triangles) {
+    const std::array corners{place[t.a], place[t.b], place[t.c]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto from = corners[i];
+      const auto to = corners[(i + 1) % 3];
+      if (from == to) continue;  // a triangle that is none
+      from < to ? ++runs[{from, to}] : --runs[{to, from}];
+    }
+  }
+  return static_cast<std::size_t>(
+      std::count_if(runs.begin(), runs.end(), [](const auto& run) { return run.second != 0; }));
+}
+
+double volumeOf(const Mesh& mesh) {
+  double sixfold = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const QVector3D across =
+        QVector3D::crossProduct(mesh.vertices[t.b].position, mesh.vertices[t.c].position);
+    sixfold += static_cast<double>(QVector3D::dotProduct(mesh.vertices[t.a].position, across));
+  }
+  return sixfold / 6.0;
+}
+
+}  // namespace study::gui::simulation

@@ -1,0 +1,100 @@
+#include "study/gui/scene/simulation_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QPainter>
+#include <QScreen>
+
+#include "haptics/timing/monotonic_clock.h"
+
+namespace study::gui::simulation {
+namespace {
+
+namespace timing = haptics::timing;
+constexpr double kMostOnProcessor = 1920.0 * 1080.0;  // pixels; more is drawn coarser
+constexpr double kMostOnCard = 2560.0 * 1600.0;
+
+}  // namespace
+
+SimulationView::SimulationView(
+    std::unique_ptr<SimulatedScene> scene, Graphics graphics, Pace pace, QWidget* parent)
+    : QWidget(parent), scene_(std::move(scene)), graphics_(std::move(graphics)), pace_(pace) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setFocusPolicy(Qt::NoFocus);
+  setMinimumSize(320, 200);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  next_.setSingleShot(true);
+  next_.setTimerType(Qt::PreciseTimer);
+  connect(&next_, &QTimer::timeout, this, &SimulationView::drawNext);
+  beginCounting();
+  next_.start(0);
+}
+
+void SimulationView::beginCounting() {
+  statistics_.emplace(period());
+  lostChanges_ = 0;
+}
+
+ViewReport SimulationView::report() const {
+  ViewReport report = statistics_->report();
+  report.renderer = graphics_.renderer->name().toStdString();
+  report.lostChanges = lostChanges_;
+  return report;
+}
+
+/// That frames are meant to be apart [ns].
+std::int64_t SimulationView::period() const {
+  const double rate = screen() != nullptr ? screen()->refreshRate() : 60.0;
+  const double refresh = 1e9 / std::clamp(rate, 30.0, 240.0);
+  const bool isHalved = pace_ == Pace::Display && graphics_.renderer->isOnProcessor();
+  return std::llround(isHalved ? 2.0 * refresh : refresh);
+}
+
+QSize SimulationView::pictureSize() const {
+  const double most = graphics_.renderer->isOnProcessor() ? kMostOnProcessor : kMostOnCard;
+  const double pixels =
+      std::max(1.0, devicePixelRatioF() * devicePixelRatioF() * width() * height());
+  const double scale = devicePixelRatioF() * std::min(1.0, std::sqrt(most / pixels));
+  return (QSizeF(size()) * scale).toSize().expandedTo({1, 1});
+}
+
+void SimulationView::drawNext() {
+  const std::int64_t now = timing::now();
+  due_ = std::max(due_ + period(), now);
+  if (isVisible()) {
+    update();
+  } else {
+    next_.start(static_cast<int>(period() / timing::kMillisecond));
+  }
+}
+
+void SimulationView::paintEvent(QPaintEvent* /*event*/) {
+  const Look look = look_ ? look_() : Look{};
+  if (look.isRunning && !wasRunning_) beginCounting();
+  wasRunning_ = look.isRunning;
+  const double seconds =
+      sinceLast_.isValid() ? 1e-9 * static_cast<double>(sinceLast_.nsecsElapsed()) : 0.0;
+  sinceLast_.start();
+  scene_->follow(look, std::min(seconds, 0.1));
+  if (look.bone != nullptr) lostChanges_ = static_cast<std::int64_t>(look.bone->lost());
+  const QImage& picture = graphics_.renderer->draw(scene_->scene(), pictureSize());
+  QPainter painter(this);
+  painter.drawImage(rect(), picture);
+  painted_ = look;
+  // The window hands its picture on when this event is over: then this frame is shown.
+  QTimer::singleShot(0, this, &SimulationView::noteShown);
+}
+
+void SimulationView::noteShown() {
+  if (!painted_) return;
+  const std::int64_t now = timing::now();
+  if (painted_->isRunning) statistics_->add(now, painted_->sampleTime);
+  painted_.reset();
+  const std::int64_t wait = pace_ == Pace::Unbound ? 0 : due_ - now;
+  next_.start(static_cast<int>(std::max<std::int64_t>(0, wait) / timing::kMillisecond));
+}
+
+}  // namespace study::gui::simulation

@@ -1,0 +1,255 @@
+#include "study/gui/scene/software_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/gui/scene/shading.h"
+
+namespace study::gui::simulation {
+namespace {
+
+QRgb asPixel(float red, float green, float blue) {
+  const auto byte = [](float value) { return static_cast<int>(std::clamp(value, 0.0F, 255.0F)); };
+  return qRgb(byte(red), byte(green), byte(blue));
+}
+
+/// A colour along a row, in 65536ths.
+struct Channel {
+  Channel(float first, float last, float steps)
+      : begin(fixed(first)),
+        step(static_cast<int>(static_cast<float>(fixed(last) - begin) / steps)) {}
+  static int fixed(float value) {
+    return static_cast<int>(65536.0F * std::clamp(value, 0.0F, 255.0F));
+  }
+  int at(int i) const { return (begin + i * step) >> 16; }
+  int begin;
+  int step;
+};
+
+/// From linear light to what is shown, 0 to 255.
+float shown(float light) {
+  return 255.0F * std::sqrt(std::min(light, 1.0F));
+}
+
+}  // namespace
+
+const QImage& SoftwareRenderer::draw(const Scene& scene, QSize size) {
+  if (picture_.size() != size) picture_ = QImage(size, QImage::Format_RGB32);
+  picture_.fill(Qt::black);
+  nearness_.resize(static_cast<std::size_t>(size.width() * size.height()));
+  for (const auto& shot : scene.shots) {
+    Frame frame{.shot = &shot, .place = placeOf(shot, size), .projection = {}};
+    frame.projection = projectionOf(shot, frame.place.size());
+    begin(frame);
+    for (const auto part : shot.parts) {
+      if (scene.parts[part].isShown) drawPart(frame, scene.parts[part]);
+    }
+    if (shot.showsSpheres && scene.spheres != nullptr) drawSpheres(frame, *scene.spheres);
+    if (shot.isRound) darkenRim(frame);
+  }
+  return picture_;
+}
+
+/// An empty ground, and nothing near, whatever an earlier look has left there.
+void SoftwareRenderer::begin(const Frame& frame) {
+  const auto& ground = frame.shot->ground;
+  const QRect place = frame.place.intersected(picture_.rect());
+  for (int y = place.top(); y <= place.bottom(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
+    const bool isEmpty = ground.red + ground.green + ground.blue == 0;
+    if (!isEmpty) {
+      std::fill(
+          row + place.left(), row + place.right() + 1, qRgb(ground.red, ground.green, ground.blue));
+    }
+    auto* near = nearness_.data() + y * picture_.width();
+    std::fill(near + place.left(), near + place.right() + 1, 0.0F);
+  }
+}
+
+void SoftwareRenderer::drawPart(const Frame& frame, const Part& part) {
+  const QMatrix4x4 toEye = frame.shot->view * part.pose;
+  corners_.resize(part.mesh.vertices.size());
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const auto& vertex = part.mesh.vertices[i];
+    corners_[i].eye = toEye.map(vertex.position);
+    light(frame, vertex, toEye.mapVector(vertex.normal).normalized(), corners_[i]);
+    project(frame, corners_[i]);
+  }
+  for (const auto& t : part.mesh.triangles)
+    clip(frame, corners_[t.a], corners_[t.b], corners_[t.c]);
+}
+
+void SoftwareRenderer::light(
+    const Frame& frame, const Vertex& vertex, QVector3D normal, Corner& corner) const {
+  const Tint tint = vertex.tint;
+  const auto bright =
+      brightnessOf(frame.shot->light, corner.eye, normal, static_cast<float>(tint.gloss) / 255.0F);
+  corner.red = shown(linear(tint.red) * bright.diffuse + bright.shine);
+  corner.green = shown(linear(tint.green) * bright.diffuse + bright.shine);
+  corner.blue = shown(linear(tint.blue) * bright.diffuse + bright.shine);
+}
+
+void SoftwareRenderer::project(const Frame& frame, Corner& corner) const {
+  const float distance = std::max(-corner.eye.z(), 1e-3F);
+  const auto wide = static_cast<float>(frame.place.width());
+  const auto high = static_cast<float>(frame.place.height());
+  corner.nearness = 1.0F / distance;
+  corner.x = static_cast<float>(frame.place.left()) +
+             0.5F * wide * (1.0F + frame.projection(0, 0) * corner.eye.x() / distance);
+  corner.y = static_cast<float>(frame.place.top()) +
+             0.5F * high * (1.0F - frame.projection(1, 1) * corner.eye.y() / distance);
+}
+
+/// Leaves out what lies behind the nearest plane.
+void SoftwareRenderer::clip(const Frame& frame, const Corner& a, const Corner& b, const Corner& c) {
+  const float nearest = frame.shot->nearest;
+  const Corner* in[3] = {&a, &b, &c};
+  Corner kept[4];
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Corner& p = *in[i];
+    const Corner& q = *in[(i + 1) % 3];
+    const float here = -p.eye.z() - nearest;
+    const float there = -q.eye.z() - nearest;
+    if (here >= 0.0F) kept[count++] = p;
+    if ((here >= 0.0F) == (there >= 0.0F)) continue;
+    const float t = here / (here - there);
+    Corner between{.eye = p.eye + t * (q.eye - p.eye)};
+    between.red = p.red + t * (q.red - p.red);
+    between.green = p.green + t * (q.green - p.green);
+    between.blue = p.blue + t * (q.blue - p.blue);
+    project(frame, between);
+    kept[count++] = between;
+  }
+  for (int i = 2; i < count; ++i) fill(frame, kept[0], kept[i - 1], kept[i]);
+}
+
+void SoftwareRenderer::fill(const Frame& frame, const Corner& a, const Corner& b, const Corner& c) {
+  const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  if (std::abs(area) < 1e-6F) return;
+  // How much everything changes for a pixel to the right, and for one down.
+  const auto along = [&](float Corner::*what, float xb, float xc) {
+    return ((b.*what - a.*what) * xc - (c.*what - a.*what) * xb) / area;
+  };
+  Corner right;
+  Corner down;
+  for (const auto what : {&Corner::nearness, &Corner::red, &Corner::green, &Corner::blue}) {
+    right.*what = along(what, b.y - a.y, c.y - a.y);
+    down.*what = -along(what, b.x - a.x, c.x - a.x);
+  }
+  const QRect place = frame.place.intersected(picture_.rect());
+  const auto rowOf = [](float y) { return static_cast<int>(std::ceil(y - 0.5F)); };
+  const float lowest = std::max({a.y, b.y, c.y});
+  const float highest = std::min({a.y, b.y, c.y});
+  const int first = std::max(place.top(), rowOf(std::max(highest, -1e6F)));
+  const int last = std::min(place.bottom(), rowOf(std::min(lowest, 1e6F)) - 1);
+  const Corner* corner[3] = {&a, &b, &c};
+  for (int y = first; y <= last; ++y) {
+    const float middle = static_cast<float>(y) + 0.5F;
+    float from = 1e9F;
+    float to = -1e9F;
+    for (int i = 0; i < 3; ++i) {
+      const Corner& p = *corner[i];
+      const Corner& q = *corner[(i + 1) % 3];
+      if ((p.y <= middle) == (q.y <= middle)) continue;
+      const float x = p.x + (q.x - p.x) * (middle - p.y) / (q.y - p.y);
+      from = std::min(from, x);
+      to = std::max(to, x);
+    }
+    const int begin = std::max(place.left(), rowOf(std::max(from, -1e6F)));
+    const int end = std::min(place.right() + 1, rowOf(std::min(to, 1e6F)));
+    if (begin >= end) continue;
+    const float dx = static_cast<float>(begin) + 0.5F - a.x;
+    const float dy = middle - a.y;
+    Corner at;
+    for (const auto what : {&Corner::nearness, &Corner::red, &Corner::green, &Corner::blue}) {
+      at.*what = a.*what + right.*what * dx + down.*what * dy;
+    }
+    fillRow(y, begin, end, at, right);
+  }
+}
+
+void SoftwareRenderer::fillRow(int y, int from, int to, const Corner& at, const Corner& perPixel) {
+  const auto steps = static_cast<float>(std::max(1, to - from - 1));
+  const Channel red(at.red, at.red + steps * perPixel.red, steps);
+  const Channel green(at.green, at.green + steps * perPixel.green, steps);
+  const Channel blue(at.blue, at.blue + steps * perPixel.blue, steps);
+  auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y)) + from;
+  float* near = nearness_.data() + y * picture_.width() + from;
+  for (int i = 0; i < to - from; ++i) {
+    const float nearness = at.nearness + static_cast<float>(i) * perPixel.nearness;
+    if (nearness <= near[i]) continue;
+    near[i] = nearness;
+    row[i] = qRgb(red.at(i), green.at(i), blue.at(i));
+  }
+}
+
+void SoftwareRenderer::drawSpheres(const Frame& frame, SphereCloud& spheres) {
+  sphereBytes_ += sizeof(SphereInstance) * spheres.uploadChanges([](std::size_t, auto) {});
+  const QVector3D toLamp = frame.shot->light.place.normalized();
+  for (const auto& sphere : spheres.instances()) {
+    if (sphere.radius > 0.0F) drawSphere(frame, sphere, toLamp);
+  }
+}
+
+void SoftwareRenderer::drawSphere(
+    const Frame& frame, const SphereInstance& sphere, QVector3D toLamp) {
+  Corner middle{.eye = frame.shot->view.map(QVector3D(sphere.x, sphere.y, sphere.z))};
+  if (-middle.eye.z() < frame.shot->nearest) return;
+  project(frame, middle);
+  const float scale =
+      0.5F * static_cast<float>(frame.place.height()) * frame.projection(1, 1) * middle.nearness;
+  const float radius = std::max(0.7F, scale * sphere.radius);
+  const QRect place = frame.place.intersected(picture_.rect());
+  const int top = std::max(place.top(), static_cast<int>(std::ceil(middle.y - radius - 0.5F)));
+  const int bottom = std::min(place.bottom(), static_cast<int>(middle.y + radius - 0.5F));
+  const int left = std::max(place.left(), static_cast<int>(std::ceil(middle.x - radius - 0.5F)));
+  const int right = std::min(place.right(), static_cast<int>(middle.x + radius - 0.5F));
+  const float red = linear(sphere.tint.red);
+  const float green = linear(sphere.tint.green);
+  const float blue = linear(sphere.tint.blue);
+  const float ambient = frame.shot->light.ambient;
+  for (int y = top; y <= bottom; ++y) {
+    auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
+    float* near = nearness_.data() + y * picture_.width();
+    const float ny = (middle.y - static_cast<float>(y) - 0.5F) / radius;
+    for (int x = left; x <= right; ++x) {
+      const float nx = (static_cast<float>(x) + 0.5F - middle.x) / radius;
+      const float rest = 1.0F - nx * nx - ny * ny;
+      if (rest <= 0.0F || middle.nearness <= near[x]) continue;
+      const float nz = std::sqrt(rest);
+      const float nearness = 1.0F / (-middle.eye.z() - sphere.radius * nz);
+      if (nearness <= near[x]) continue;
+      near[x] = nearness;
+      const float facing = std::max(0.0F, nx * toLamp.x() + ny * toLamp.y() + nz * toLamp.z());
+      // Between spheres there is little light.
+      const float bright = (0.45F + 0.55F * nz) * (ambient * (1.0F + 0.5F * ny) + 1.05F * facing);
+      row[x] = asPixel(shown(red * bright), shown(green * bright), shown(blue * bright));
+    }
+  }
+}
+
+/// A disc on black, darker towards its rim.
+void SoftwareRenderer::darkenRim(const Frame& frame) {
+  constexpr int kSteps = 512;  // of the square of the radius
+  int left[kSteps + 1];        // in 256ths
+  for (int i = 0; i <= kSteps; ++i) {
+    left[i] = static_cast<int>(256.0F * vignette(std::sqrt(static_cast<float>(i) / kSteps)));
+  }
+  const QRect place = frame.place.intersected(picture_.rect());
+  const float half = 0.5F * static_cast<float>(frame.place.width());
+  const QPointF middle = QRectF(frame.place).center();
+  for (int y = place.top(); y <= place.bottom(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(picture_.scanLine(y));
+    const float dy = (static_cast<float>(y) + 0.5F - static_cast<float>(middle.y())) / half;
+    for (int x = place.left(); x <= place.right(); ++x) {
+      const float dx = (static_cast<float>(x) + 0.5F - static_cast<float>(middle.x())) / half;
+      const int share = left[std::min(kSteps, static_cast<int>(kSteps * (dx * dx + dy * dy)))];
+      const QRgb pixel = row[x];
+      row[x] = qRgb(
+          (qRed(pixel) * share) >> 8, (qGreen(pixel) * share) >> 8, (qBlue(pixel) * share) >> 8);
+    }
+  }
+}
+
+}  // namespace study::gui::simulation

@@ -1,0 +1,128 @@
+#include "study/gui/session/screen_lock.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+#include <QWindow>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+
+ScreenLock::ScreenLock(QWidget& window, QPushButton& button, OperatorPin& pin)
+    : QObject(&window), window_(window), button_(button), pin_(pin) {
+  button_.hide();
+  window_.installEventFilter(this);
+  connect(&button_, &QPushButton::clicked, this, &ScreenLock::ask);
+  constexpr int kTryEvery = 100;  // [ms]
+  grab_.setInterval(kTryEvery);
+  connect(&grab_, &QTimer::timeout, this, &ScreenLock::grabKeyboard);
+}
+
+void ScreenLock::lock() {
+  isLocked_ = true;
+  button_.show();
+  cover(true);
+}
+
+/// Over the whole screen, or an ordinary window again.
+void ScreenLock::cover(bool isCovering) {
+  window_.setWindowFlag(Qt::WindowStaysOnTopHint, isCovering);
+  window_.setWindowFlag(Qt::FramelessWindowHint, isCovering);
+  isCovering ? window_.showFullScreen() : window_.showNormal();
+  window_.activateWindow();
+  if (isCovering) {
+    grab_.start();
+    return;
+  }
+  grab_.stop();
+  if (auto* handle = window_.windowHandle()) handle->setKeyboardGrabEnabled(false);
+}
+
+/// A desktop gives the keyboard to a window that can be seen, and to no other; some give it to
+/// none.
+void ScreenLock::grabKeyboard() {
+  auto* handle = window_.windowHandle();
+  constexpr int kMostTries = 50;
+  if (handle == nullptr || !handle->isExposed()) return;
+  if (handle->setKeyboardGrabEnabled(true) || ++tries_ >= kMostTries) {
+    grab_.stop();
+    tries_ = 0;
+  }
+}
+
+bool ScreenLock::eventFilter(QObject* watched, QEvent* event) {
+  if (!isLocked_) return QObject::eventFilter(watched, event);
+  const bool isOurTurn = QApplication::activeModalWidget() == nullptr;
+  if (event->type() == QEvent::WindowDeactivate && isOurTurn) {
+    window_.raise();
+    window_.activateWindow();
+  }
+  // Resized by somebody: a lock covers the screen, and its question stays in the middle.
+  if (event->type() == QEvent::Resize && sheet_ != nullptr) putAway();
+  return QObject::eventFilter(watched, event);
+}
+
+void ScreenLock::ask() {
+  if (sheet_ != nullptr) return;
+  sheet_ = new QFrame(&window_);
+  sheet_->setProperty("role", QStringLiteral("card"));
+  auto* layout = new QVBoxLayout(sheet_);
+  layout->setContentsMargins(28, 24, 28, 24);
+  layout->addWidget(bodyLabel(tr("Only for the researcher: the PIN, please."), sheet_));
+  digits_ = new QLineEdit(sheet_);
+  digits_->setEchoMode(QLineEdit::Password);
+  digits_->setMaxLength(OperatorPin::kMostDigits);
+  digits_->setAccessibleName(tr("PIN of the researcher"));
+  layout->addWidget(digits_);
+  answer_ = quietLabel({}, sheet_);
+  layout->addWidget(answer_);
+  auto* buttons = new QHBoxLayout;
+  auto* back = new QPushButton(tr("Back"), sheet_);
+  auto* open = new QPushButton(tr("Open"), sheet_);
+  buttons->addWidget(back);
+  buttons->addStretch(1);
+  buttons->addWidget(open);
+  layout->addLayout(buttons);
+  connect(back, &QPushButton::clicked, this, &ScreenLock::putAway);
+  connect(open, &QPushButton::clicked, this, &ScreenLock::tryPin);
+  connect(digits_, &QLineEdit::returnPressed, this, &ScreenLock::tryPin);
+  constexpr int kWide = 460;
+  sheet_->setFixedWidth(kWide);
+  sheet_->adjustSize();
+  sheet_->move(window_.rect().center() - sheet_->rect().center());
+  sheet_->show();
+  sheet_->raise();
+  digits_->setFocus();
+}
+
+void ScreenLock::tryPin() {
+  const bool isRight = pin_.opensWith(digits_->text());
+  digits_->clear();
+  if (isRight) {
+    open();
+  } else if (pin_.waitLeft() > 0) {
+    answer_->setText(tr("That is not the PIN. Please wait %1 s.").arg(pin_.waitLeft()));
+  } else {
+    answer_->setText(tr("That is not the PIN."));
+  }
+}
+
+void ScreenLock::open() {
+  putAway();
+  isLocked_ = false;
+  button_.hide();
+  cover(false);
+  emit opened();
+}
+
+void ScreenLock::putAway() {
+  if (sheet_ == nullptr) return;
+  sheet_->hide();
+  sheet_->deleteLater();
+  sheet_ = nullptr;
+}
+
+}  // namespace study::gui

@@ -1,0 +1,205 @@
+#include "study/gui/session/session_controller.h"
+
+#include <exception>
+#include <utility>
+
+#include "study/trial_setup.h"
+
+namespace study::gui {
+namespace {
+constexpr int kLookEvery = 16;  // [ms]: sixty pictures a second
+}
+
+SessionController::SessionController(Study& study, Rig& rig, Session session, QObject* parent)
+    : QObject(parent), study_(study), rig_(rig), session_(std::move(session)) {
+  watch_.setInterval(kLookEvery);
+  connect(&watch_, &QTimer::timeout, this, &SessionController::watchTrial);
+}
+
+SessionController::~SessionController() {
+  if (live_) endTrial(TrialEnding::ProgramEnded);
+}
+
+template <typename Action>
+bool SessionController::tryTo(Action&& action) {
+  try {
+    action();
+    return true;
+  } catch (const std::exception& error) {
+    emit failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+bool SessionController::keepAll() {
+  isAllKept_ = true;
+  emit aboutToLeave();
+  return isAllKept_;
+}
+
+template <typename Action>
+void SessionController::leaveBy(Action&& action) {
+  if (keepAll() && tryTo(std::forward<Action>(action))) emit stepChanged();
+}
+
+template <typename Action>
+void SessionController::endBy(Action&& action) {
+  keepAll();
+  if (tryTo(std::forward<Action>(action))) emit stepChanged();
+}
+
+const haptics::engine::MeshView* SessionController::mesh() const {
+  return trial_ ? trial_->scene().mesh() : nullptr;
+}
+
+haptics::engine::BoneView* SessionController::bone() const {
+  return trial_ ? trial_->scene().bone() : nullptr;
+}
+
+QString SessionController::deviceName() const {
+  if (session_.isOver() || session_.step().kind != StepKind::Trial) return {};
+  return QString::fromStdString(deviceFor(session_).id);
+}
+
+haptics::devices::DeviceKind SessionController::deviceKind() const {
+  return deviceFor(session_).kind;
+}
+
+int SessionController::attempts(int step) const {
+  return study_.sessions().attempts(session_.id(), step);
+}
+
+storage::VisitStatus SessionController::statusOf(int step) const {
+  return study_.sessions().statusOf({session_.id(), step, attempts(step)});
+}
+
+void SessionController::answer(const study::GivenAnswer& answer) {
+  if (tryTo([&] { session_.record(answer); })) return;
+  isAllKept_ = false;
+  emit notKept(QString::fromStdString(answer.item));
+}
+
+void SessionController::retract(const QString& item) {
+  if (tryTo([&] { session_.retract(item.toStdString()); })) return;
+  isAllKept_ = false;
+  emit notKept(item);
+}
+
+void SessionController::countBenchmarkCut() {
+  tryTo([&] { session_.recordBenchmarkCuts(session_.benchmarkCuts() + 1); });
+}
+
+void SessionController::finishStep() {
+  leaveBy([&] { session_.finishStep(); });
+}
+
+void SessionController::declineOffer() {
+  leaveBy([&] { session_.declineOffer(); });
+}
+
+void SessionController::beginTrial() {
+  if (live_) return;
+  const bool isRunning = tryTo([&] {
+    traces_.emplace(study_.openTraces());
+    const VisitKey visit = session_.visit();
+    trial_ = trialFor(session_, rig_, [this, visit](int number, const auto& samples) {
+      traces_->add(visit, number, samples);
+    });
+    session_.beginTrial();
+    live_ = std::make_unique<LiveTrial>(*trial_);
+  });
+  if (!isRunning) {
+    trial_.reset();
+    return;
+  }
+  watch_.start();
+  emit stepChanged();
+}
+
+void SessionController::watchTrial() {
+  if (!live_) return;
+  const auto status = live_->status();
+  if (status.isDeviceGone) {
+    endTrial(TrialEnding::DeviceGone);
+  } else if (status.isTraceLost) {
+    endTrial(TrialEnding::TraceLost);
+  } else {
+    emit trialChanged();
+  }
+}
+
+void SessionController::finishTrial() {
+  if (live_ && live_->status().cuts >= session_.step().minimumCuts) endTrial(TrialEnding::Finished);
+}
+
+void SessionController::stop() {
+  if (!live_) return;
+  live_->stop();
+  endTrial(TrialEnding::Stopped);
+}
+
+void SessionController::endTrial(TrialEnding ending) {
+  watch_.stop();
+  TrialRecord record = live_->finish(ending);
+  record.view = viewReport();
+  live_.reset();
+  tryTo([&] {
+    if (record.ending == TrialEnding::Finished) {
+      session_.finishTrial(record);
+    } else {
+      session_.breakOffTrial(record);
+    }
+  });
+  trial_.reset();
+  emit stepChanged();
+}
+
+void SessionController::repeatStep(const QString& reason) {
+  leaveBy([&] { session_.repeatStep(reason.toStdString()); });
+}
+
+void SessionController::skipStep(const QString& reason) {
+  leaveBy([&] { session_.skipStep(reason.toStdString()); });
+}
+
+void SessionController::pause(const QString& reason) {
+  leaveBy([&] { session_.pause(reason.toStdString()); });
+}
+
+void SessionController::resume() {
+  if (tryTo([&] { session_.resumeAfterPause(); })) emit stepChanged();
+}
+
+void SessionController::withdraw(const QString& reason) {
+  if (live_) stop();
+  endBy([&] { session_.withdraw(reason.toStdString()); });
+}
+
+void SessionController::reject(const QString& reason) {
+  endBy([&] { session_.reject(reason.toStdString()); });
+}
+
+void SessionController::giveUpOnDevice(const QString& reason) {
+  endBy([&] { session_.giveUpOnDevice(reason.toStdString()); });
+}
+
+std::vector<SessionController::Note> SessionController::notes() const {
+  std::vector<Note> notes;
+  for (const auto& event : study_.events().read(session_.id())) {
+    if (event.kind != "note") continue;
+    notes.push_back(
+        {QDateTime::fromMSecsSinceEpoch(event.when.wall), QString::fromStdString(event.detail)});
+  }
+  return notes;
+}
+
+bool SessionController::note(const QString& text) {
+  return tryTo([&] { session_.note(text.toStdString()); });
+}
+
+void SessionController::chooseLanguage(const QString& language) {
+  if (keepAll() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
+    emit languageChanged();
+}
+
+}  // namespace study::gui

@@ -1,0 +1,112 @@
+#include "study/gui/session/trial_view.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/widgets/labels.h"
+#include "study/trial_setup.h"
+
+namespace study::gui {
+namespace {
+
+using simulation::SimulationView;
+
+/// @param knee  that is seen in place of ours; nothing: ours.
+std::unique_ptr<simulation::SimulatedScene> simulatedSceneOf(
+    const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
+  if (spec.device == haptics::devices::DeviceKind::Punch) {
+    return std::make_unique<simulation::KneeScene>(knee);
+  }
+  return std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
+      .packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
+}
+
+simulation::Look lookAt(const SessionController& controller) {
+  const auto status = controller.trialStatus();
+  return {
+      .travel = status.travel,
+      .force = status.force,
+      .isCutThrough = status.isCutThrough,
+      .isRunning = controller.isTrialRunning(),
+      .sampleTime = status.sampleTime,
+      .mesh = controller.mesh(),
+      .bone = controller.bone()};
+}
+
+/// Puts the simulation into @p place, following the trial.
+void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionController& controller) {
+  const auto& session = controller.session();
+  const auto* condition = session.protocol().protocol.condition(session.step().condition);
+  auto* view = new SimulationView(
+      simulatedSceneOf(spec, condition->knee.get()),
+      simulation::openGraphics(),
+      SimulationView::Pace::Display,
+      &place);
+  place.layout()->addWidget(view);
+  view->follow([&controller] { return lookAt(controller); });
+  controller.reportViewBy([seen = QPointer(view)]() -> std::optional<ViewReport> {
+    if (seen.isNull()) return std::nullopt;
+    return seen->report();
+  });
+  controller.showCupBy([seen = QPointer(view)]() -> simulation::HipScene* {
+    return seen.isNull() ? nullptr : dynamic_cast<simulation::HipScene*>(&seen->scene());
+  });
+}
+
+}  // namespace
+
+QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
+  controller.reportViewBy({});
+  controller.showCupBy({});
+  const auto spec = setupFor(controller.session(), {}).scene;
+  if (!spec.isVisualised) return nullptr;
+  auto* place = new QWidget(parent);
+  place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
+  place->setStyleSheet(QStringLiteral("background: black;"));
+  place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  (new QVBoxLayout(place))->setContentsMargins(0, 0, 0, 0);
+  // The page is there at once; what draws is made while it is read.
+  constexpr int kAfterThePage = 20;  // [ms]
+  QTimer::singleShot(
+      kAfterThePage, place, [place, spec, &controller, visit = controller.session().visit()] {
+        const auto& session = controller.session();
+        if (!session.isOver() && session.visit() == visit) begin(*place, spec, controller);
+      });
+  return place;
+}
+
+QString viewInWords(const SessionController& controller) {
+  const auto report = controller.viewReport();
+  if (!report || report->frames < 2) return {};
+  return QCoreApplication::translate("TrialPanel", " · %1 pictures a second, %2 ms old")
+      .arg(report->rate, 0, 'f', 1)
+      .arg(report->latencyMedian, 0, 'f', 0);
+}
+
+bool isAnythingSeen(const protocols::Protocol& protocol) {
+  const auto isSeen = [](const auto& condition) { return condition.scene.isVisualised; };
+  const auto& conditions = protocol.conditions;
+  return std::any_of(conditions.begin(), conditions.end(), isSeen) ||
+         std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
+           return phase.trials.isVisualised.value_or(false);
+         });
+}
+
+QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
+  if (!isAnythingSeen(protocol)) return nullptr;
+  const QString remark = simulation::openGraphics().remark;
+  if (remark.isEmpty()) return nullptr;
+  auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
+  line->setToolTip(remark);  // what to do about it as well
+  line->setObjectName(QStringLiteral("graphics-remark"));
+  return line;
+}
+
+}  // namespace study::gui

@@ -1,0 +1,114 @@
+#include "study/gui/widgets/background_task.h"
+
+#include <utility>
+
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+constexpr int kLookAtWorkEvery = 50;  // [ms]
+constexpr int kWholeBar = 1000;
+
+}  // namespace
+
+BackgroundTask::BackgroundTask(
+    const QString& title, Work work, Cancelling cancelling, QWidget* parent)
+    : QDialog(parent),
+      words_(bodyLabel(tr("Beginning…"), this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+  setWindowTitle(title);
+  setWindowModality(Qt::ApplicationModal);
+  setMinimumWidth(520);
+  auto* heading = bodyLabel(title, this);
+  heading->setProperty("role", QStringLiteral("heading"));
+  words_->setMinimumHeight(48);
+  words_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  bar_->setRange(0, 0);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(title);
+  cancel_->setVisible(cancelling == Cancelling::Possible);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(24, 20, 24, 20);
+  layout->setSpacing(14);
+  layout->addWidget(heading);
+  layout->addWidget(words_);
+  layout->addWidget(bar_);
+  layout->addWidget(cancel_, 0, Qt::AlignRight);
+  connect(cancel_, &QPushButton::clicked, this, &BackgroundTask::reject);
+  connect(&watch_, &QTimer::timeout, this, &BackgroundTask::showHowFar);
+  watch_.start(kLookAtWorkEvery);
+  worker_.reset(QThread::create([this, work = std::move(work)] {
+    std::exception_ptr failure;
+    try {
+      work([this](double share, const std::string& words) { tellFromWorker(share, words); });
+    } catch (...) {
+      failure = std::current_exception();  // told at the desk, where the window's thread sees it
+    }
+    const std::lock_guard lock(mutex_);
+    failure_ = std::move(failure);
+    isOver_ = true;
+  }));
+  worker_->start();
+}
+
+BackgroundTask::~BackgroundTask() {
+  {
+    const std::lock_guard lock(mutex_);
+    isCancelled_ = true;
+  }
+  worker_->wait();
+}
+
+void BackgroundTask::tellFromWorker(double share, const std::string& words) {
+  const std::lock_guard lock(mutex_);
+  if (isCancelled_) throw Cancelled();
+  share_ = share;
+  said_ = words;
+}
+
+void BackgroundTask::reject() {
+  if (!cancel_->isVisibleTo(this) || !cancel_->isEnabled()) return;
+  const std::lock_guard lock(mutex_);
+  isCancelled_ = true;
+  cancel_->setEnabled(false);
+  cancel_->setText(tr("Cancelling…"));
+}
+
+void BackgroundTask::showHowFar() {
+  double share = kUnknownShare;
+  QString said;
+  {
+    const std::lock_guard lock(mutex_);
+    if (isOver_) {
+      watch_.stop();
+      done(failure_ ? Rejected : Accepted);
+      return;
+    }
+    share = share_;
+    said = QString::fromStdString(said_);
+  }
+  if (!said.isEmpty()) words_->setText(said);
+  bar_->setRange(0, share < 0.0 ? 0 : kWholeBar);
+  if (share >= 0.0) bar_->setValue(static_cast<int>(share * kWholeBar));
+}
+
+bool BackgroundTask::run(
+    QWidget* parent, const QString& title, const Work& work, Cancelling cancelling) {
+  BackgroundTask task(title, work, cancelling, parent);
+  task.exec();
+  if (!task.failure()) return true;
+  try {
+    std::rethrow_exception(task.failure());
+  } catch (const Cancelled&) {
+    return false;  // whoever cancelled knows
+  } catch (...) {
+    return attempt(parent, [&] { std::rethrow_exception(task.failure()); });
+  }
+}
+
+}  // namespace study::gui

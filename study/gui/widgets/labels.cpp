@@ -1,0 +1,55 @@
+#include "study/gui/widgets/labels.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QStyle>
+
+namespace study::gui {
+namespace {
+
+QLabel* label(const QString& text, const char* role, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("role", QString::fromLatin1(role));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+QString asText(std::string_view words) {
+  return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+QLabel* titleLabel(const QString& text, QWidget* parent) {
+  return label(text, "title", parent);
+}
+QLabel* bodyLabel(const QString& text, QWidget* parent) {
+  return label(text, "body", parent);
+}
+QLabel* quietLabel(const QString& text, QWidget* parent) {
+  return label(text, "quiet", parent);
+}
+
+QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
+  const auto* cohort = protocol.cohort(id);
+  return QString::fromStdString(cohort == nullptr ? id : cohort->title.in("en"));
+}
+
+void setRole(QLabel& label, const char* role) {
+  const QString wanted = QString::fromLatin1(role);
+  if (label.property("role").toString() == wanted) return;
+  label.setProperty("role", wanted);
+  label.style()->unpolish(&label);  // the style sheet asks for the role
+  label.style()->polish(&label);
+  QEvent change(QEvent::StyleChange);  // a frame takes its new room from it
+  QCoreApplication::sendEvent(&label, &change);
+}
+
+QLabel* hugeLabel(const QString& text, QWidget* parent) {
+  auto* huge = label(text, "huge", parent);
+  huge->setAlignment(Qt::AlignCenter);
+  return huge;
+}
+
+}  // namespace study::gui

@@ -1,0 +1,47 @@
+#include "study/gui/widgets/path_field.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+namespace study::gui::home {
+
+PathField::PathField(Kind kind, const QString& name, const QString& filter, QWidget* parent)
+    : QWidget(parent), kind_(kind), name_(name), filter_(filter), line_(new QLineEdit(this)) {
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  choose->setAccessibleName(tr("Choose: %1").arg(name));
+  line_->setAccessibleName(name);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(line_, 1);
+  row->addWidget(choose);
+  // A form gives a row less than its button needs, unless it is told.
+  choose->ensurePolished();
+  setMinimumHeight(choose->sizeHint().height());
+  setFocusProxy(line_);
+  connect(choose, &QPushButton::clicked, this, &PathField::choose);
+  connect(line_, &QLineEdit::textChanged, this, [this] { emit pathChanged(path()); });
+}
+
+void PathField::choose() {
+  const QString before = path();
+  QString chosen;
+  switch (kind_) {
+    case Kind::ExistingFile:
+      chosen = QFileDialog::getOpenFileName(this, name_, before, filter_);
+      break;
+    case Kind::ExistingFolder:
+      chosen = QFileDialog::getExistingDirectory(this, name_, before);
+      break;
+    case Kind::NewFile:
+    case Kind::NewFolder:
+      // Nothing is ever overwritten, and the work itself says so where the name is taken.
+      chosen = QFileDialog::getSaveFileName(
+          this, name_, before, filter_, nullptr, QFileDialog::DontConfirmOverwrite);
+      break;
+  }
+  if (!chosen.isEmpty()) setPath(chosen);
+}
+
+}  // namespace study::gui::home

@@ -1,0 +1,230 @@
+#include "study/gui/widgets/theme.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include "study/gui/widgets/theme_colours.h"
+
+namespace study::gui {
+namespace {
+
+constexpr const char* kWornTheme = "wears";
+
+/// With @name where a colour stands, and @name.text for that of the words on it. Ordinary words
+/// have the palette's colours: where a rule gives one, Qt halves the contrast of place holders.
+constexpr const char* kStyleSheet = R"css(
+QWidget { background: @window; font-size: 16px; }
+QLabel[role="title"] { font-size: 30px; font-weight: 600; }
+QLabel[role="heading"] { font-size: 20px; font-weight: 600; }
+QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
+QLabel[role="statement"] { font-size: 20px; }
+QLabel[role="quiet"] { color: @quiet; }
+QLabel[role="anchor"] { color: @quiet; font-size: 15px; }
+QLabel[role="good"] { color: @good.text; background: @good; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
+QLabel[role="resting"] { color: @header.text; background: @header; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
+QLabel[role="warn"] { color: @warn.text; background: @warn; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
+QLabel[role="bad"] { color: @bad.text; background: @bad; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
+QPushButton { color: @field.text; background: @field; border: 2px solid @border; border-radius: 8px;
+              padding: 8px 18px; min-height: 34px; }
+QPushButton:hover { border-color: @accent; }
+QPushButton:focus { border: 3px solid @focus; }
+QPushButton:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
+QPushButton:checked { color: @accent.text; background: @accent; border-color: @accent; }
+QPushButton:checked:focus { border: 3px solid @focus; }
+QPushButton[role="next"] { color: @accent.text; background: @accent; border-color: @accent; font-size: 20px;
+                           font-weight: 600; min-height: 48px; min-width: 180px; }
+QPushButton[role="next"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
+QPushButton[role="next"]:focus { border: 3px solid @focus; }
+QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
+QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
+QPushButton[role="main"]:focus { border: 3px solid @focus; }
+QPushButton[role="point"] { font-size: 20px; min-width: 56px; min-height: 52px; padding: 4px; }
+QPushButton[role="option"] { text-align: left; min-height: 44px; font-size: 18px; }
+QPushButton[role="tool"] { min-height: 22px; padding: 5px 10px; }
+QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
+                           font-weight: 700; min-height: 64px; }
+QPushButton[role="stop"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
+QLineEdit, QPlainTextEdit, QComboBox {
+  background: @field; border: 2px solid @border; border-radius: 6px; padding: 6px; }
+QLineEdit:focus, QPlainTextEdit:focus, QComboBox:focus { border: 3px solid @focus; }
+QLineEdit:disabled, QComboBox:disabled { color: @disabled.text; background: @disabled; }
+QSpinBox, QDoubleSpinBox { color: @field.text; background: @field; min-height: 34px; }
+QComboBox::drop-down { border: none; width: 28px; }
+QComboBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
+QComboBox QAbstractItemView { color: @field.text; background: @field; border: 1px solid @border; }
+QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4px; }
+QCheckBox:disabled { color: @disabled.text; background: @disabled; }
+QProgressBar { border: none; background: @line; border-radius: 4px; max-height: 8px; }
+QProgressBar::chunk { background: @accent; border-radius: 4px; }
+QFrame[role="card"] { color: @field.text; background: @field; border: 1px solid @line; border-radius: 10px; }
+QFrame[role="card"] QLabel { background: transparent; }
+QFrame[role="card"] QScrollArea, QFrame[role="card"] QWidget[role="plain"],
+QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
+QFrame[role="card"] QLabel[role="good"] { color: @good.text; background: @good; }
+QFrame[role="card"] QLabel[role="warn"] { color: @warn.text; background: @warn; }
+QFrame[role="card"] QLabel[role="bad"] { color: @bad.text; background: @bad; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QScrollArea { border: none; }
+QScrollBar:vertical { background: @header; width: 14px; margin: 0; border: none; border-radius: 7px; }
+QScrollBar::handle:vertical { background: @border; min-height: 40px; border-radius: 7px; }
+QScrollBar:horizontal { background: @header; height: 14px; margin: 0; border: none; border-radius: 7px; }
+QScrollBar::handle:horizontal { background: @border; min-width: 40px; border-radius: 7px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QTableView, QTreeView, QListView, QTextBrowser {
+  color: @field.text; background: @field; border: 1px solid @line; gridline-color: @line;
+  selection-color: @selection.text; selection-background-color: @selection; }
+QTableView:focus, QTreeView:focus, QListView:focus, QTextBrowser:focus { border: 2px solid @focus; }
+QTableView::item:selected, QTreeView::item:selected, QListView::item:selected {
+  color: @selection.text; background: @selection; }
+QListView::item { padding: 5px 6px; }
+QTableView::item { border: none; padding: 2px 6px; }
+QHeaderView::section { color: @header.text; background: @header; border: none; padding: 4px 8px; font-weight: 600; }
+QTableCornerButton::section { background: @header; border: none; }
+QTabBar::tab { color: @window.text; background: @window; border: 1px solid @line; padding: 8px 16px; }
+QTabBar::tab:selected { color: @accent.text; background: @accent; }
+QTabBar::tab:focus { border: 2px solid @focus; }
+QTabWidget::pane { border: 1px solid @line; }
+QMenuBar { color: @window.text; background: @window; }
+QMenuBar::item { padding: 6px 12px; background: transparent; }
+QMenuBar::item:selected { color: @selection.text; background: @selection; }
+QMenu { color: @field.text; background: @field; border: 1px solid @border; padding: 4px; }
+QMenu::item { padding: 6px 28px; }
+QMenu::item:selected { color: @selection.text; background: @selection; }
+QMenu::item:disabled { color: @disabled.text; }
+QMenu::separator { height: 1px; background: @line; margin: 4px 8px; }
+QToolTip { color: @field.text; background: @field; border: 1px solid @border; padding: 4px; }
+QSplitter::handle { background: @line; }
+QGroupBox { font-weight: 600; border: 1px solid @line; border-radius: 8px; margin-top: 12px;
+            padding-top: 10px; }
+QGroupBox::title { subcontrol-origin: margin; left: 10px; }
+)css";
+
+ThemeName& wornByAll() noexcept {
+  static ThemeName worn = ThemeName::Light;
+  return worn;
+}
+
+/// Where Qt paints without asking a style sheet: menus of fields, links, place holders.
+QPalette paletteOf(const Theme& theme) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, theme.window.background);
+  palette.setColor(QPalette::WindowText, theme.window.text);
+  palette.setColor(QPalette::Base, theme.field.background);
+  palette.setColor(QPalette::AlternateBase, theme.header.background);
+  palette.setColor(QPalette::Text, theme.field.text);
+  palette.setColor(QPalette::Button, theme.field.background);
+  palette.setColor(QPalette::ButtonText, theme.field.text);
+  palette.setColor(QPalette::ToolTipBase, theme.field.background);
+  palette.setColor(QPalette::ToolTipText, theme.field.text);
+  palette.setColor(QPalette::PlaceholderText, theme.quiet);
+  palette.setColor(QPalette::Highlight, theme.selection.background);
+  palette.setColor(QPalette::HighlightedText, theme.selection.text);
+  palette.setColor(QPalette::Link, theme.link);
+  palette.setColor(QPalette::LinkVisited, theme.link);
+  return palette;
+}
+
+double luminance(const QColor& colour) noexcept {
+  const auto linear = [](double share) {
+    return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+         0.0722 * linear(colour.blueF());
+}
+
+}  // namespace
+
+const Theme& themeNamed(ThemeName name) noexcept {
+  static const std::array<Theme, 3> kThemes{lightTheme(), darkTheme(), highContrastTheme()};
+  return kThemes[static_cast<std::size_t>(name)];
+}
+
+const Theme& theme() noexcept {
+  return themeNamed(wornByAll());
+}
+
+const Theme& themeOf(const QWidget& widget) noexcept {
+  const auto own = themeCalled(widget.window()->property(kWornTheme).toString());
+  return own ? themeNamed(*own) : theme();
+}
+
+void applyTheme(QApplication& application, ThemeName name) {
+  wornByAll() = name;
+  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(16);
+  QApplication::setFont(font);
+  QApplication::setPalette(paletteOf(theme()));
+  application.setStyleSheet(styleSheetOf(theme()));
+}
+
+void wearTheme(QWidget& window, ThemeName name) {
+  window.setProperty(kWornTheme, nameOf(name));
+  window.setPalette(paletteOf(themeNamed(name)));
+  // A palette of the whole program would come through where the style sheet names no colour.
+  const auto& own = themeNamed(name);
+  window.setStyleSheet(
+      QStringLiteral(
+          "QWidget { color: %1; }\nQLineEdit, QPlainTextEdit, QComboBox { color: %2; }\n")
+          .arg(own.window.text.name(), own.field.text.name()) +
+      styleSheetOf(own));
+}
+
+QString styleSheetOf(const Theme& theme) {
+  const std::array<std::pair<const char*, Fill>, 10> fills{
+      {{"window", theme.window},
+       {"field", theme.field},
+       {"header", theme.header},
+       {"disabled", theme.disabled},
+       {"accent", theme.accent},
+       {"selection", theme.selection},
+       {"stop", theme.stop},
+       {"good", theme.good},
+       {"warn", theme.warn},
+       {"bad", theme.bad}}};
+  const std::array<std::pair<const char*, QColor>, 4> colours{
+      {{"quiet", theme.quiet},
+       {"border", theme.border},
+       {"line", theme.line},
+       {"focus", theme.focus}}};
+  QString sheet = QString::fromUtf8(kStyleSheet);
+  for (const auto& [name, fill] : fills) {
+    const QString token = QStringLiteral("@") + QString::fromUtf8(name);
+    sheet.replace(token + QStringLiteral(".text"), fill.text.name());
+    sheet.replace(token, fill.background.name());
+  }
+  for (const auto& [name, colour] : colours) {
+    sheet.replace(QStringLiteral("@") + QString::fromUtf8(name), colour.name());
+  }
+  const bool isDark = theme.field.background.lightness() < theme.field.text.lightness();
+  sheet.replace(
+      QStringLiteral("@arrow"),
+      isDark ? QStringLiteral(":/gui/arrow-chalk.png") : QStringLiteral(":/gui/arrow-ink.png"));
+  return sheet;
+}
+
+double contrast(const QColor& one, const QColor& other) noexcept {
+  const double a = luminance(one);
+  const double b = luminance(other);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+QString nameOf(ThemeName name) {
+  constexpr std::array kNames{"light", "dark", "high-contrast"};
+  return QString::fromUtf8(kNames[static_cast<std::size_t>(name)]);
+}
+
+std::optional<ThemeName> themeCalled(const QString& name) {
+  for (const auto each : {ThemeName::Light, ThemeName::Dark, ThemeName::HighContrast}) {
+    if (nameOf(each) == name) return each;
+  }
+  return std::nullopt;
+}
+
+}  // namespace study::gui

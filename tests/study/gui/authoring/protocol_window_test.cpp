@@ -1,0 +1,139 @@
+#include "study/gui/authoring/protocol_window.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include <QPlainTextEdit>
+#include <QTest>
+#include <QTextBlock>
+#include <QTreeWidget>
+
+#include "protocols/model/library.h"
+#include "study/session_length.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+std::string shipped(std::string_view name) {
+  for (const auto& file : protocols::libraryFiles()) {
+    if (file.name == name) return std::string(file.content);
+  }
+  return {};
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const auto place = text.find(what);
+  EXPECT_NE(place, std::string::npos) << what;
+  return place == std::string::npos ? text : text.replace(place, what.size(), with);
+}
+
+class ProtocolWindowTest : public testing::Test {
+ protected:
+  QString write(const std::string& text) {
+    return QString::fromStdString(folder_.write("mine.json", text));
+  }
+
+  static QTableWidget* problemsOf(ProtocolWindow& window) {
+    for (auto* table : window.findChildren<QTableWidget*>()) {
+      if (table->accessibleName() == QStringLiteral("Problems")) return table;
+    }
+    return nullptr;
+  }
+
+  tests::ScratchFolder folder_;
+  std::string sound_ = shipped("punch-face-validity.json");
+};
+
+TEST_F(ProtocolWindowTest, ShowsTheMinutesThatThePlanTakes) {
+  ProtocolWindow window(QStringLiteral("punch-face-validity"));
+  window.show();
+  ASSERT_TRUE(window.checked().loaded);
+  const auto& loaded = *window.checked().loaded;
+  auto* steps = window.findChild<QTreeWidget*>();
+  ASSERT_EQ(steps->topLevelItemCount(), static_cast<int>(loaded.protocol.phases.size()));
+  double minutes = 0.0;
+  for (int i = 0; i < steps->topLevelItemCount(); ++i) {
+    minutes += steps->topLevelItem(i)->text(2).toDouble();
+  }
+  EXPECT_NEAR(minutes, lengthOf(loaded, {}).seconds / 60.0, 0.05 * steps->topLevelItemCount());
+  tests::photographInAllThemes(window, QStringLiteral("protocol"));
+}
+
+TEST_F(ProtocolWindowTest, ShowsEverybodysOrder) {
+  ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
+  window.show();
+  window.findChild<QTabWidget*>()->setCurrentIndex(1);
+  const auto& protocol = window.checked().loaded->protocol;
+  QTableWidget* orders = nullptr;
+  for (auto* table : window.findChildren<QTableWidget*>()) {
+    if (table->accessibleName() == QStringLiteral("Orders")) orders = table;
+  }
+  ASSERT_NE(orders, nullptr);
+  const auto trials =
+      protocols::scheduleFor(protocol, protocol.seed.value_or(1), protocol.cohorts.front().id, 2)
+          .blocks.front()
+          .trials;
+  const QStringList shown = orders->item(2, 2)->text().split(QStringLiteral(" · "));
+  ASSERT_EQ(shown.size(), static_cast<int>(trials.size()));
+  for (int i = 0; i < shown.size(); ++i) {
+    const auto& trial = trials[static_cast<std::size_t>(i)];
+    EXPECT_EQ(shown[i].toStdString(), std::to_string(trial.label) + " " + trial.condition);
+  }
+  tests::photographInAllThemes(window, QStringLiteral("orders"));
+}
+
+TEST_F(ProtocolWindowTest, GoesToTheLineOfAProblemThatIsClicked) {
+  const auto broken = replaced(sound_, "\"planned\": 6", "\"planned\": \"six\"");
+  ProtocolWindow window(write(broken));
+  window.show();
+  EXPECT_FALSE(window.checked().loaded);
+  auto* problems = problemsOf(window);
+  ASSERT_GE(problems->rowCount(), 1);
+  problems->setCurrentCell(0, 2);
+  ASSERT_GE(window.markedLine(), 0);
+  const auto* text = window.findChild<QPlainTextEdit*>();
+  EXPECT_EQ(text->textCursor().blockNumber(), window.markedLine());
+  EXPECT_TRUE(text->textCursor().block().text().contains(QStringLiteral("\"six\"")))
+      << text->textCursor().block().text().toStdString();
+  EXPECT_EQ(text->extraSelections().size(), 1);
+  tests::photographInAllThemes(window, QStringLiteral("protocol-broken"));
+}
+
+TEST_F(ProtocolWindowTest, ReadsAFileAgainThatHasChanged) {
+  const QString file = write(replaced(sound_, "\"phases\"", "\"phasen\""));
+  ProtocolWindow window(file);
+  ASSERT_FALSE(window.checked().loaded);
+  write(sound_);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.checked().loaded.has_value(); }));
+  EXPECT_EQ(window.findChild<QPlainTextEdit*>()->toPlainText().toStdString(), sound_);
+  EXPECT_GT(window.findChild<QTreeWidget*>()->topLevelItemCount(), 0);
+}
+
+TEST_F(ProtocolWindowTest, ReadsAFileAgainThatAnEditorPutInItsPlaceMoreThanOnce) {
+  const QString file = write(sound_);
+  ProtocolWindow window(file);
+  ASSERT_TRUE(window.checked().loaded);
+  const auto replace = [&](const std::string& text) {
+    std::filesystem::rename(folder_.write("mine.json~", text), file.toStdString());
+  };
+  replace(replaced(sound_, "\"phases\"", "\"phasen\""));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.checked().loaded.has_value(); }));
+  replace(sound_);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.checked().loaded.has_value(); }));
+}
+
+TEST_F(ProtocolWindowTest, SaysThatAFileIsGone) {
+  const QString file = write(sound_);
+  ProtocolWindow window(file);
+  std::filesystem::remove(file.toStdString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window.checked().loaded.has_value(); }));
+  ASSERT_EQ(window.checked().problems.size(), 1U);
+  EXPECT_NE(window.checked().problems[0].what.find("mine.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace study::gui::home

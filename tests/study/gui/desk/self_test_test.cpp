@@ -1,0 +1,122 @@
+#include "study/gui/desk/self_test.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "protocols/load_protocol.h"
+#include "study/gui/desk/self_test_dialog.h"
+#include "study/study.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+using haptics::devices::Finding;
+
+haptics::engine::RealtimeLoop::Report reportOf(std::uint64_t ticks, std::uint64_t late) {
+  haptics::engine::RealtimeLoop::Report report{.ticks = ticks, .lateTicks = late};
+  for (std::uint64_t i = 0; i < ticks; ++i) report.lateness.add(i < late ? 1500.0 : 20.0);
+  return report;
+}
+
+TEST(SelfTest, JudgesAClockByWhatItMissedAndWhatItWasGranted) {
+  EXPECT_EQ(judgeClock(reportOf(2000, 0), true, 1000.0).found.finding, Finding::Pass);
+  EXPECT_EQ(judgeClock(reportOf(2000, 0), false, 1000.0).found.finding, Finding::Warn);
+  EXPECT_EQ(judgeClock(reportOf(2000, 60), true, 1000.0).found.finding, Finding::Warn);
+  const auto rough = judgeClock(reportOf(2000, 200), true, 1000.0).found;
+  EXPECT_EQ(rough.finding, Finding::Fail);
+  EXPECT_NE(rough.measured.find("200 of 2000"), std::string::npos) << rough.measured;
+  EXPECT_FALSE(rough.mend.empty());
+}
+
+TEST(SelfTest, JudgesADiskByHowLongAnAnswerTakes) {
+  const auto judge = [](double median) {
+    return judgeCommits({.commits = 40, .median = median, .longest = 2.0 * median}, "/x").found;
+  };
+  EXPECT_EQ(judge(0.002).finding, Finding::Pass);
+  EXPECT_EQ(judge(0.05).finding, Finding::Warn);
+  EXPECT_EQ(judge(0.5).finding, Finding::Fail);
+  EXPECT_TRUE(judge(0.002).mend.empty());
+  EXPECT_FALSE(judge(0.5).mend.empty());
+}
+
+class SelfTestOfAStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    questionnaires::Problems problems;
+    const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
+    Study::create(folder_ / "study", protocol, clock_, 7);
+  }
+
+  std::vector<SelfTestLine> test() {
+    return testComputer({.study = folder_ / "study", .seconds = 0.2}, {});
+  }
+
+  static const SelfTestLine* about(
+      const std::vector<SelfTestLine>& lines, const std::string& what) {
+    for (const auto& line : lines) {
+      if (line.found.what == what) return &line;
+    }
+    return nullptr;
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+};
+
+TEST_F(SelfTestOfAStudy, LooksAtEveryPartAndLeavesNothingBehind) {
+  const auto lines = test();
+  std::set<std::string> parts;
+  for (const auto& line : lines) {
+    parts.insert(line.part);
+    EXPECT_FALSE(line.found.measured.empty()) << line.found.what;
+    EXPECT_EQ(line.found.mend.empty(), line.found.finding == Finding::Pass) << line.found.what;
+  }
+  EXPECT_EQ(parts, (std::set<std::string>{"clock", "database", "devices"}));
+  ASSERT_NE(about(lines, "study.db"), nullptr);
+  EXPECT_EQ(about(lines, "study.db")->found.finding, Finding::Pass);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "study")) {
+    EXPECT_EQ(entry.path().filename().string().find("self-test"), std::string::npos)
+        << entry.path();
+  }
+}
+
+TEST_F(SelfTestOfAStudy, FindsADatabaseThatIsDamaged) {
+  std::filesystem::resize_file(folder_ / "study/traces.db", 5000);
+  const auto lines = test();
+  ASSERT_NE(about(lines, "traces.db"), nullptr);
+  EXPECT_EQ(about(lines, "traces.db")->found.finding, Finding::Fail);
+}
+
+TEST_F(SelfTestOfAStudy, ListensToTheDevicesOfTheFile) {
+  folder_.write(
+      "study/devices.json",
+      R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "simulated-punch"}]})");
+  const auto lines = test();
+  bool knowsPunch = false;
+  for (const auto& line : lines) {
+    knowsPunch |= line.part == "devices" && line.found.what.starts_with("punch: ");
+  }
+  EXPECT_TRUE(knowsPunch) << lines.front().found.measured;
+}
+
+TEST_F(SelfTestOfAStudy, ShowsALineForEverythingInItsWindow) {
+  SelfTestDialog dialog({.study = folder_ / "study", .seconds = 0.3});
+  dialog.show();
+  QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+  auto* table = dialog.findChild<QTableWidget*>(QStringLiteral("lines"));
+  std::set<std::string> parts;
+  for (int row = 0; row < table->rowCount(); ++row) {
+    parts.insert(table->item(row, 0)->text().toStdString());
+  }
+  EXPECT_EQ(parts, (std::set<std::string>{"clock", "database", "devices", "screen"}));
+  EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->isVisible());
+  tests::photographInAllThemes(dialog, QStringLiteral("self-test"));
+}
+
+}  // namespace
+}  // namespace study::gui::home

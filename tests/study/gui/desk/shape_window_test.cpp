@@ -1,0 +1,72 @@
+// A bone or a knee, looked at from the desk.
+#include "study/gui/desk/shape_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "haptics/engine/parametric_bone.h"
+#include "protocols/reading/packing_file.h"
+#include "questionnaires/json/problem.h"
+#include "study/gui/scene/colour_legend.h"
+#include "study/gui/scene/cup_painter.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/scene/shapes/knee_anatomy.h"
+#include "study/gui/scene/simulation_view.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+class ShapeWindow : public testing::Test {
+ protected:
+  QWidget* open(const std::string& path) {
+    window_.reset(openShape(QString::fromStdString(path), nullptr));
+    return window_.get();
+  }
+
+  tests::ScratchFolder folder_;
+  std::unique_ptr<QWidget> window_;
+};
+
+TEST_F(ShapeWindow, ShowsABoneByHowHardItIs) {
+  const auto& bone = *haptics::engine::parametricBone();
+  auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
+  const auto* legend = window->findChild<simulation::ColourLegend*>();
+  const QSignalSpy painted(
+      window->findChild<simulation::CupPainter*>(), &simulation::CupPainter::painted);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 0; }, 20'000));
+  EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
+  EXPECT_EQ(window->findChild<QComboBox*>()->count(), 2);  // nothing is removed here
+  EXPECT_EQ(window->windowTitle(), QStringLiteral("cup.packing"));
+  tests::photograph(*window, QStringLiteral("bone-at-the-desk"));
+}
+
+TEST_F(ShapeWindow, OffersNoColoursOfABoneThatHasNoDensities) {
+  auto bone = *haptics::engine::parametricBone();
+  bone.minimum.clear();
+  bone.average.clear();
+  bone.maximum.clear();
+  auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
+  EXPECT_EQ(window->findChild<QComboBox*>()->count(), 1);
+  EXPECT_TRUE(window->findChild<simulation::ColourLegend*>()->marks().empty());
+}
+
+TEST_F(ShapeWindow, ShowsAKneeAsATrialDoes) {
+  auto* window = open(folder_.write("knee.obj", simulation::kneeAsObj({})));
+  auto* view = dynamic_cast<simulation::SimulationView*>(window);
+  ASSERT_NE(view, nullptr);
+  EXPECT_NE(dynamic_cast<simulation::KneeScene*>(&view->scene()), nullptr);
+}
+
+TEST_F(ShapeWindow, SaysWhatIsWrongWithAFile) {
+  EXPECT_THROW(open(folder_.write("knee.obj", "o patella\n")), questionnaires::Error);
+  EXPECT_THROW(open(folder_.write("cup.packing", "{}")), questionnaires::Error);
+  EXPECT_THROW(open(folder_ / "none.obj"), questionnaires::Error);
+}
+
+}  // namespace
+}  // namespace study::gui::home

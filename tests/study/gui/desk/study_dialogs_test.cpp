@@ -1,0 +1,160 @@
+#include "study/gui/desk/study_dialogs.h"
+
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTimer>
+
+#include "protocols/load_protocol.h"
+#include "study/clock.h"
+#include "study/gui/desk/export_dialog.h"
+#include "study/public_tables.h"
+#include "study/simulated_participant.h"
+#include "tests/study/gui/pictures.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui::home {
+namespace {
+
+/// A study in which eight people who do not exist took part, once for all tests.
+class StudyDialogsTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    made_ = new tests::ScratchFolder;
+    questionnaires::Problems problems;
+    const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
+    SimulatedClock clock;
+    auto study = Study::create(*made_ / "study", protocol, clock, 7);
+    simulateCohorts(study, clock, 8, 7, [](const std::string&) {});
+  }
+  static void TearDownTestSuite() { delete made_; }
+
+  std::string study() const { return *made_ / "study"; }
+  StudySummary summary() const { return summaryOf(study()); }
+
+  /// Names where it is to go, presses the button, and waits for the end.
+  static void press(QDialog& dialog, const std::string& target = {}) {
+    dialog.show();
+    if (auto* field = dialog.findChild<PathField*>())
+      field->setPath(QString::fromStdString(target));
+    QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+  }
+  static QString outcome(QDialog& dialog) {
+    return dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text();
+  }
+  static QString more(QDialog& dialog) {
+    return dialog.findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText();
+  }
+
+  static inline tests::ScratchFolder* made_ = nullptr;
+  tests::ScratchFolder out_;
+};
+
+TEST_F(StudyDialogsTest, VerifySaysEveryCheck) {
+  VerifyDialog dialog(summary());
+  press(dialog);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  EXPECT_EQ(more(dialog).count(QStringLiteral("✓")), 9);
+  EXPECT_FALSE(more(dialog).contains(QStringLiteral("FAIL")));
+  tests::photographInAllThemes(dialog, QStringLiteral("verify"));
+}
+
+TEST_F(StudyDialogsTest, BackupMakesACopyThatIsSound) {
+  BackupDialog dialog(summary());
+  press(dialog, out_ / "copy");
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  SystemClock clock;
+  auto copy = Study::open(out_ / "copy", clock, storage::Database::Access::ReadOnly);
+  EXPECT_TRUE(verify(copy).isSound());
+  tests::photographInAllThemes(dialog, QStringLiteral("backup"));
+}
+
+TEST_F(StudyDialogsTest, ReportIsWrittenAsPageAndOnPaper) {
+  for (const std::string name : {"report.html", "report.pdf"}) {
+    ReportDialog dialog(summary());
+    press(dialog, out_ / name);
+    EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+    EXPECT_GT(std::filesystem::file_size(out_ / name), 10'000U);
+  }
+  EXPECT_EQ(tests::contentOf(out_ / "report.pdf").substr(0, 5), "%PDF-");
+}
+
+TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
+  ReportDialog dialog(summary());
+  dialog.show();
+  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
+  EXPECT_TRUE(go->isEnabled()) << "simulated";
+  EXPECT_FALSE(reason->isVisible());
+  for (auto* choice : dialog.findChildren<QComboBox*>()) {
+    const int live = choice->findData(static_cast<int>(RunMode::Live));
+    if (choice->accessibleName() == QStringLiteral("Which sessions")) choice->setCurrentIndex(live);
+  }
+  EXPECT_TRUE(reason->isVisible());
+  EXPECT_FALSE(go->isEnabled());
+  reason->setText(QStringLiteral("plan signed"));
+  EXPECT_TRUE(go->isEnabled());
+}
+
+TEST_F(StudyDialogsTest, ReportOverwritesNothingAndSaysSo) {
+  out_.write("report.html", "mine");
+  QString told;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, &look, [&] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box == nullptr) return;
+    told = box->text();
+    box->accept();
+  });
+  look.start(20);
+  ReportDialog dialog(summary());
+  press(dialog, out_ / "report.html");
+  EXPECT_TRUE(told.contains(QStringLiteral("is there already"))) << told.toStdString();
+  EXPECT_EQ(tests::contentOf(out_ / "report.html"), "mine");
+}
+
+TEST_F(StudyDialogsTest, ExportIsBlindedUnlessThereIsAReason) {
+  ExportDialog dialog(summary());
+  auto* audience = dialog.findChild<QComboBox*>(QStringLiteral("audience"));
+  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  audience->setCurrentIndex(1);
+  EXPECT_FALSE(go->isEnabled());
+  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("plan signed"));
+  EXPECT_TRUE(go->isEnabled());
+  audience->setCurrentIndex(0);
+  press(dialog, out_ / "data");
+  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("8 sessions, blinded")))
+      << outcome(dialog).toStdString();
+  EXPECT_EQ(tests::contentOf(out_ / "data/responses.csv").find("kalman"), std::string::npos);
+  tests::photographInAllThemes(dialog, QStringLiteral("export"));
+}
+
+TEST_F(StudyDialogsTest, ExportShowsWhoCouldBeFoundBeforeAnythingIsWritten) {
+  ExportDialog dialog(summary());
+  dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(2);
+  SystemClock clock;
+  std::string expected;
+  {
+    auto study = Study::open(this->study(), clock, storage::Database::Access::ReadOnly);
+    expected =
+        study::inWords(publicRelease(study, {.runMode = RunMode::Simulated, .publicClass = 5}));
+  }
+  EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
+  dialog.show();
+  tests::photographInAllThemes(dialog, QStringLiteral("export-public"));
+  press(dialog, out_ / "open");
+  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("for strangers")));
+  dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"))->setValue(9);
+  EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕")));
+}
+
+}  // namespace
+}  // namespace study::gui::home

@@ -1,0 +1,84 @@
+#include "study/gui/desk/tour.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/option_buttons.h"
+#include "study/gui/widgets/studio_settings.h"
+#include "tests/study/gui/participant.h"
+#include "tests/study/gui/pictures.h"
+
+namespace study::gui::home {
+namespace {
+
+using tests::buttonSaying;
+
+class TourTest : public testing::Test {
+ protected:
+  void SetUp() override { studioSettings().clear(); }
+
+  static void next(Tour& tour) {
+    QTest::mouseClick(tour.findChild<QPushButton*>(QStringLiteral("tour-next")), Qt::LeftButton);
+  }
+};
+
+TEST_F(TourTest, LetsTheVirtualPunchBeFeltAndShowsItsRecord) {
+  Tour tour;
+  tour.show();
+  auto* page = tour.findChild<FeelPage*>();
+  QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
+  auto* enough = buttonSaying(page, QStringLiteral("I have felt enough"));
+  ASSERT_NE(enough, nullptr);
+  QTest::keyPress(page, Qt::Key_Space);
+  QTest::qWait(900);
+  tests::photographInAllThemes(tour, QStringLiteral("tour-1"));
+  QTest::keyRelease(page, Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return enough->isEnabled(); }));
+  QTest::mouseClick(enough, Qt::LeftButton);
+  EXPECT_EQ(tour.step(), 1);
+  ASSERT_TRUE(tour.felt());
+  EXPECT_GE(tour.felt()->cuts.size(), 1U);
+  EXPECT_GT(tour.felt()->largestForce, 1.0);
+  EXPECT_FALSE(tour.findChildren<OptionButtons*>().empty());
+  tests::photographInAllThemes(tour, QStringLiteral("tour-2"));
+  next(tour);
+  auto* record = tour.findChild<QTableWidget*>(QStringLiteral("tour-record"));
+  ASSERT_GT(record->rowCount(), 4);
+  EXPECT_EQ(record->item(0, 1)->text().toLongLong(), tour.felt()->traceSamples);
+  tests::photographInAllThemes(tour, QStringLiteral("tour-3"));
+}
+
+TEST_F(TourTest, SaysThatNothingWasFelt) {
+  Tour tour;
+  tour.show();
+  next(tour);
+  next(tour);
+  EXPECT_EQ(tour.step(), 2);
+  EXPECT_EQ(tour.findChild<QTableWidget*>(QStringLiteral("tour-record"))->rowCount(), 0);
+}
+
+TEST_F(TourTest, IsOfferedOnce) {
+  EXPECT_TRUE(Tour::isNew());
+  Tour tour;
+  tour.show();
+  tour.reject();
+  EXPECT_FALSE(Tour::isNew());
+}
+
+TEST_F(TourTest, NamesNoConditionWhereAParticipantWouldLook) {
+  Tour tour;
+  tour.show();
+  for (auto* widget : tour.findChildren<QWidget*>()) {
+    for (const auto& words : {widget->accessibleName(), widget->objectName(), widget->toolTip()}) {
+      EXPECT_FALSE(words.contains(QStringLiteral("interpolation"), Qt::CaseInsensitive));
+    }
+  }
+  for (auto* label : tour.findChildren<QLabel*>()) {
+    EXPECT_FALSE(label->text().contains(QStringLiteral("interpolation"), Qt::CaseInsensitive));
+  }
+}
+
+}  // namespace
+}  // namespace study::gui::home

@@ -1,0 +1,79 @@
+#include "study/gui/participant/option_buttons.h"
+
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace study::gui {
+namespace {
+
+class OptionButtonsTest : public testing::Test {
+ protected:
+  OptionButtonsTest() { buttons_.show(); }
+
+  OptionButtons buttons_{
+      {{"1", "one of five"}, {"2", "two of five"}, {"3", "three of five"}},
+      Qt::Horizontal,
+      QStringLiteral("point")};
+};
+
+TEST_F(OptionButtonsTest, HasNothingChosenAtFirst) {
+  EXPECT_EQ(buttons_.chosen(), -1);
+}
+
+TEST_F(OptionButtonsTest, IsChosenByMouseAndSaysSo) {
+  QSignalSpy spy(&buttons_, &OptionButtons::chosenChanged);
+  QTest::mouseClick(buttons_.button(1), Qt::LeftButton);
+  EXPECT_EQ(buttons_.chosen(), 1);
+  ASSERT_EQ(spy.count(), 1);
+  EXPECT_EQ(spy.front().front().toInt(), 1);
+}
+
+TEST_F(OptionButtonsTest, ArrowKeysMoveAndChangeNothing) {
+  buttons_.choose(0);
+  buttons_.button(0)->setFocus();
+  QTest::keyClick(buttons_.button(0), Qt::Key_Right);
+  EXPECT_EQ(buttons_.chosen(), 0);
+  QTest::keyClick(buttons_.button(1), Qt::Key_Right);
+  EXPECT_EQ(buttons_.chosen(), 0);
+}
+
+TEST_F(OptionButtonsTest, SpaceEnterAndDigitsChoose) {
+  QTest::keyClick(buttons_.button(2), Qt::Key_Space);
+  EXPECT_EQ(buttons_.chosen(), 2);
+  QTest::keyClick(buttons_.button(0), Qt::Key_Return);
+  EXPECT_EQ(buttons_.chosen(), 0);
+  QTest::keyClick(buttons_.button(0), Qt::Key_2);
+  EXPECT_EQ(buttons_.chosen(), 1);
+}
+
+TEST(OptionButtonsWithWords, AreChosenByTheDigitOfTheirPlaceFromTheFirstToTheLast) {
+  OptionButtons buttons(
+      {{"Soft", "soft"}, {"Firm", "firm"}, {"Hard", "hard"}},
+      Qt::Vertical,
+      QStringLiteral("option"));
+  buttons.show();
+  for (const int place : {1, 3, 2, 1}) {
+    QTest::keyClick(buttons.button(1), static_cast<Qt::Key>(Qt::Key_0 + place));
+    EXPECT_EQ(buttons.chosen(), place - 1);
+  }
+  for (const auto key : {Qt::Key_0, Qt::Key_4, Qt::Key_9}) {
+    QTest::keyClick(buttons.button(1), key);
+    EXPECT_EQ(buttons.chosen(), 0) << "there is no option at that place";
+  }
+}
+
+TEST_F(OptionButtonsTest, IsChosenByAScreenReaderToo) {
+  QSignalSpy spy(&buttons_, &OptionButtons::chosenChanged);
+  auto* accessible = QAccessible::queryAccessibleInterface(buttons_.button(2));
+  ASSERT_NE(accessible, nullptr);
+  accessible->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+  EXPECT_EQ(buttons_.chosen(), 2);
+  EXPECT_EQ(spy.count(), 1);
+  EXPECT_EQ(accessible->text(QAccessible::Name), QStringLiteral("three of five"));
+}
+
+}  // namespace
+}  // namespace study::gui

@@ -1,0 +1,221 @@
+// The participant's window in other directions and for other senses.
+#include "study/gui/participant/participant_window.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <QAccessible>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QTest>
+
+#include "protocols/load_protocol.h"
+#include "protocols/model/loaded_protocol.h"
+#include "study/gui/operator/consent_copy_dialog.h"
+#include "study/gui/operator/operator_window.h"
+#include "study/gui/participant/option_buttons.h"
+#include "tests/study/gui/participant.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace {
+
+/// The published study of the punch in its own languages and in Arabic; whatever has no text in it
+/// is shown in the first language.
+class ParticipantPages : public testing::Test {
+ protected:
+  protocols::LoadedProtocol protocol() {
+    questionnaires::Problems problems;
+    const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
+    auto json = nlohmann::ordered_json::parse(shipped->text);
+    json["languages"] = {"en", "de", "ar"};
+    json["labels"]["prefix"]["ar"] = "البديل";
+    return *protocols::loadProtocolFile(folder_.write("protocol.json", json.dump()), problems);
+  }
+
+  ParticipantWindow& page() { return *window_.participantWindow(); }
+
+  void choose(const char* language) {
+    auto* box = page().findChild<QComboBox*>();
+    box->setCurrentIndex(box->findData(QString::fromUtf8(language)));
+    QCoreApplication::processEvents();
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(ParticipantPages, PagesRunFromRightToLeftAndBackAgain) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "ar", .code = {}});
+  EXPECT_EQ(page().layoutDirection(), Qt::RightToLeft);
+  EXPECT_EQ(window_.layoutDirection(), Qt::LeftToRight) << "the operator reads English";
+  choose("de");
+  EXPECT_EQ(page().layoutDirection(), Qt::LeftToRight);
+  EXPECT_NE(tests::buttonSaying(&page(), QStringLiteral("Weiter")), nullptr);
+  choose("ar");
+  EXPECT_EQ(page().layoutDirection(), Qt::RightToLeft);
+  EXPECT_EQ(window_.controller()->session().language(), "ar");
+}
+
+TEST_F(ParticipantPages, ScalesRunTheOtherWayAndKeepTheirNumbers) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& plan = window_.controller()->session().plan();
+  int questions = 0;
+  while (plan[static_cast<std::size_t>(questions)].kind != StepKind::Questionnaire) ++questions;
+  participant_.takePart(questions);
+  choose("ar");
+  participant_.look();
+  auto* scale = page().findChild<OptionButtons*>();
+  QCoreApplication::processEvents();
+  EXPECT_GT(scale->button(0)->x(), scale->button(4)->x());
+  // The key that leads to the left leads to the larger number.
+  scale->button(1)->setFocus();
+  QTest::keyClick(scale->button(1), Qt::Key_Left);
+  QTest::keyClick(scale->button(2), Qt::Key_Space);
+  EXPECT_EQ(scale->chosen(), 2);
+  const auto answers = window_.controller()->session().answers();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers.front().response, questionnaires::Response(std::int64_t{3}));
+  EXPECT_EQ(answers.front().language, "ar");
+}
+
+/// Everything below a window that a screen reader stops at.
+void collect(QAccessibleInterface* node, std::vector<QAccessibleInterface*>& found) {
+  if (node == nullptr) return;
+  if (node->state().focusable && !node->state().invisible) found.push_back(node);
+  for (int i = 0; i < node->childCount(); ++i) collect(node->child(i), found);
+}
+
+TEST_F(ParticipantPages, AScreenReaderIsToldStatementEndsPlaceAndState) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& session = window_.controller()->session();
+  int questions = 0;
+  while (session.plan()[static_cast<std::size_t>(questions)].kind != StepKind::Questionnaire) {
+    ++questions;
+  }
+  participant_.takePart(questions);
+  QCoreApplication::processEvents();
+  const auto items = session.items();
+  for (const auto& item : items) {
+    const auto statement = QString::fromStdString(item.text.in("en"));
+    const auto low = QString::fromStdString(item.scale.lowLabel.in("en"));
+    const auto high = QString::fromStdString(item.scale.highLabel.in("en"));
+    std::vector<QAccessibleInterface*> stops;
+    collect(QAccessible::queryAccessibleInterface(&page()), stops);
+    std::vector<QAccessibleInterface*> points;
+    for (auto* stop : stops) {
+      if (stop->text(QAccessible::Name).startsWith(statement)) points.push_back(stop);
+    }
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(item.scale.points)) << item.id;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const QString name = points[i]->text(QAccessible::Name);
+      const auto place = QStringLiteral("%1 of %2").arg(i + 1).arg(points.size());
+      EXPECT_TRUE(name.contains(place)) << name.toStdString();
+      EXPECT_TRUE(name.contains(low) && name.contains(high)) << name.toStdString();
+      EXPECT_TRUE(points[i]->state().checkable);
+      EXPECT_FALSE(points[i]->state().checked) << "nothing is chosen beforehand";
+    }
+    points[1]->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+    EXPECT_TRUE(points[1]->state().checked);
+    EXPECT_FALSE(points[0]->state().checked);
+  }
+  EXPECT_EQ(session.answers().size(), items.size()) << "what a screen reader chose is kept";
+}
+
+TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& session = window_.controller()->session();
+  int questions = 0;
+  while (session.plan()[static_cast<std::size_t>(questions)].kind != StepKind::Questionnaire) {
+    ++questions;
+  }
+  participant_.takePart(questions);
+  QCoreApplication::processEvents();
+  // No answer stands out before somebody has touched the page.
+  for (auto* scale : page().findChildren<OptionButtons*>()) {
+    EXPECT_FALSE(scale->isAncestorOf(QApplication::focusWidget()));
+    EXPECT_LT(scale->chosen(), 0);
+  }
+  // Tab from stop to stop; a digit where the stop is a point; the last one is Next.
+  const auto scales = page().findChildren<OptionButtons*>();
+  for (int presses = 0; presses < 200 && session.stepIndex() == questions; ++presses) {
+    auto* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    for (auto* scale : scales) {
+      if (scale->isAncestorOf(focus) && scale->chosen() < 0) QTest::keyClick(focus, Qt::Key_4);
+    }
+    auto* next = qobject_cast<QPushButton*>(QApplication::focusWidget());
+    if (next != nullptr && next->text() == QStringLiteral("Next")) {
+      QTest::keyClick(next, Qt::Key_Space);
+      break;
+    }
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  EXPECT_EQ(session.stepIndex(), questions + 1);
+}
+
+/// The published study, with every alternative offered again before the first choice.
+class OfferedPages : public testing::Test {
+ protected:
+  protocols::LoadedProtocol protocol() {
+    questionnaires::Problems problems;
+    const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
+    auto json = nlohmann::ordered_json::parse(shipped->text);
+    for (auto& phase : json["phases"]) {
+      if (phase["type"] == "preference") phase["feel_again"] = true;
+    }
+    return *protocols::loadProtocolFile(folder_.write("protocol.json", json.dump()), problems);
+  }
+
+  tests::ScratchFolder folder_;
+  SystemClock clock_;
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  OperatorWindow window_{study_};
+  tests::Participant participant_{window_};
+};
+
+TEST_F(OfferedPages, AreFeltAgainOrDeclined) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& session = window_.controller()->session();
+  int offer = 0;
+  while (!session.plan()[static_cast<std::size_t>(offer)].isOffered) ++offer;
+  participant_.takePart(offer);
+  ASSERT_EQ(session.stepIndex(), offer);
+  participant_.look();
+  auto* page = window_.participantWindow();
+  QTest::mouseClick(tests::buttonSaying(page, QStringLiteral("No, go on")), Qt::LeftButton);
+  EXPECT_EQ(session.stepIndex(), offer + 1);
+  QCoreApplication::processEvents();
+  QTest::mouseClick(tests::buttonSaying(page, QStringLiteral("Feel it again")), Qt::LeftButton);
+  EXPECT_TRUE(window_.controller()->isTrialRunning());
+  EXPECT_EQ(tests::buttonSaying(page, QStringLiteral("No, go on")), nullptr);
+  window_.controller()->stop();
+}
+
+TEST_F(OfferedPages, WriteACopyOfTheConsentOnRequest) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto code = window_.controller()->session().participant();
+  const std::string pdf = folder_ / "copy.pdf";
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), UserError) << "nobody has agreed yet";
+  participant_.takePart(3);
+  writeConsentCopy(study_, code, pdf);
+  std::ifstream file(pdf, std::ios::binary);
+  std::string head(5, ' ');
+  file.read(head.data(), 5);
+  EXPECT_EQ(head, "%PDF-");
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "nothing overwritten";
+}
+
+}  // namespace
+}  // namespace study::gui

@@ -1,0 +1,142 @@
+#include "study/gui/participant/questionnaire_page.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTest>
+
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "study/gui/participant/answer_slider.h"
+#include "study/gui/participant/option_buttons.h"
+
+namespace study::gui {
+namespace {
+
+std::vector<questionnaires::Item> itemsOf(const std::string& name) {
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name == name + ".json") {
+      return questionnaires::readSoundInstrument(file.content, name).items;
+    }
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+/// A page, and what it has handed on.
+struct Shown {
+  explicit Shown(
+      std::vector<questionnaires::Item> items, const std::vector<GivenAnswer>& before = {})
+      : page({.title = "T", .items = std::move(items), .language = "en", .before = before}) {
+    QObject::connect(&page, &QuestionnairePage::answered, [this](const GivenAnswer& answer) {
+      answers.push_back(answer);
+    });
+    QObject::connect(&page, &QuestionnairePage::retracted, [this](const QString& item) {
+      retracted.push_back(item.toStdString());
+    });
+    page.show();
+  }
+
+  QuestionnairePage page;
+  std::vector<GivenAnswer> answers;
+  std::vector<std::string> retracted;
+};
+
+TEST(QuestionnairePage, IsCompleteOnlyWhenEveryRequiredItemIsAnswered) {
+  Shown shown(itemsOf("realism-common"));
+  EXPECT_FALSE(shown.page.isComplete());
+  const auto rows = shown.page.findChildren<OptionButtons*>();
+  for (int i = 0; i < rows.size(); ++i) {
+    EXPECT_FALSE(shown.page.isComplete());
+    QTest::mouseClick(rows[i]->button(2), Qt::LeftButton);
+  }
+  EXPECT_TRUE(shown.page.isComplete());
+  EXPECT_EQ(shown.answers.size(), static_cast<std::size_t>(rows.size()));
+}
+
+TEST(QuestionnairePage, HandsOnNothingThatWasNotTouched) {
+  Shown shown(itemsOf("nasa-tlx-raw"));
+  shown.page.flush();
+  EXPECT_TRUE(shown.answers.empty());
+  EXPECT_FALSE(shown.page.isComplete());
+}
+
+TEST(QuestionnairePage, KnowsFirstTouchAndCountsChanges) {
+  Shown shown(itemsOf("realism-common"));
+  auto* row = shown.page.findChildren<OptionButtons*>().front();
+  QTest::mouseClick(row->button(0), Qt::LeftButton);
+  QTest::qWait(20);
+  QTest::mouseClick(row->button(4), Qt::LeftButton);
+  ASSERT_EQ(shown.answers.size(), 2U);
+  EXPECT_EQ(shown.answers[0].changes, 0);
+  EXPECT_EQ(shown.answers[1].changes, 1);
+  EXPECT_EQ(shown.answers[1].firstTouch, shown.answers[0].firstTouch);
+  EXPECT_GT(shown.answers[1].responseTime, shown.answers[1].firstTouch);
+  EXPECT_EQ(shown.answers[1].response, questionnaires::Response(std::int64_t{5}));
+}
+
+TEST(QuestionnairePage, ShowsWhatWasAnsweredBeforeWithoutAnsweringAgain) {
+  const auto items = itemsOf("realism-common");
+  Shown shown(
+      items,
+      {{.item = items[1].id, .response = std::int64_t{4}, .itemOrder = 2, .language = "en"}});
+  EXPECT_EQ(shown.page.findChildren<OptionButtons*>()[1]->chosen(), 3);
+  shown.page.flush();
+  EXPECT_TRUE(shown.answers.empty());
+}
+
+TEST(QuestionnairePage, TakesASlidersPlaceByMouseAndKeys) {
+  Shown shown(itemsOf("nasa-tlx-raw"));
+  auto* slider = shown.page.findChildren<AnswerSlider*>().front();
+  EXPECT_FALSE(slider->isTouched());
+  QTest::keyClick(slider, Qt::Key_Right);  // takes hold in the middle
+  ASSERT_EQ(shown.answers.size(), 1U);
+  EXPECT_EQ(shown.answers[0].response, questionnaires::Response(50.0));
+  QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_EQ(shown.answers.back().response, questionnaires::Response(55.0));
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, 20));
+  EXPECT_EQ(shown.answers.back().response, questionnaires::Response(100.0));
+}
+
+TEST(QuestionnairePage, TakesBackWhatIsRubbedOut) {
+  Shown shown(itemsOf("preference"));
+  auto* why = shown.page.findChild<QPlainTextEdit*>();
+  QTest::keyClicks(why, QStringLiteral("because"));
+  shown.page.flush();
+  ASSERT_EQ(shown.answers.size(), 1U);
+  EXPECT_EQ(shown.answers[0].response, questionnaires::Response(std::string("because")));
+  why->clear();
+  shown.page.flush();
+  EXPECT_EQ(shown.retracted, std::vector<std::string>{"why"});
+}
+
+TEST(QuestionnairePage, TakesAnyUnicodeAsItIsWritten) {
+  Shown shown(itemsOf("preference"));
+  const QString words =
+      QString::fromUtf8("Fühlt sich echt an 👍🏽 — كأنه حقيقي\n„Knacks“");
+  shown.page.findChild<QPlainTextEdit*>()->setPlainText(words);
+  shown.page.flush();
+  ASSERT_EQ(shown.answers.size(), 1U);
+  EXPECT_EQ(shown.answers[0].response, questionnaires::Response(words.toStdString()));
+}
+
+TEST(QuestionnairePage, HandsOnNumbersInRangeOnly) {
+  questionnaires::Item item{
+      .id = "years", .type = questionnaires::ItemType::Number, .least = 0, .most = 60};
+  Shown shown({item});
+  auto* line = shown.page.findChild<QLineEdit*>();
+  for (const auto* words : {"", "abc", "-1", "61", "1e999", "nan"}) {
+    line->setText(QString::fromUtf8(words));
+    EXPECT_FALSE(shown.page.isComplete()) << words;
+  }
+  EXPECT_TRUE(shown.answers.empty());
+  line->setText(QStringLiteral("12"));
+  ASSERT_EQ(shown.answers.size(), 1U);
+  EXPECT_EQ(shown.answers[0].response, questionnaires::Response(12.0));
+}
+
+}  // namespace
+}  // namespace study::gui

@@ -1,0 +1,191 @@
+// The spheres that are drawn, and what is handed on about them.
+#include "study/gui/scene/shapes/sphere_cloud.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "haptics/engine/parametric_bone.h"
+#include "study/gui/scene/shapes/bone_tints.h"
+
+namespace study::gui::simulation {
+namespace {
+
+using haptics::engine::SphereChange;
+
+/// CIE L* of a tint, 0 to 100.
+double lightnessOf(Tint tint) {
+  const auto linear = [](std::uint8_t channel) {
+    const double c = channel / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  const double y =
+      0.2126 * linear(tint.red) + 0.7152 * linear(tint.green) + 0.0722 * linear(tint.blue);
+  return y > 0.008856 ? 116.0 * std::cbrt(y) - 16.0 : 903.3 * y;
+}
+
+/// Whoever draws, with a copy of its own; counts what it is sent.
+struct Copy {
+  std::vector<SphereInstance> instances;
+  std::size_t bytes = 0;
+
+  void take(SphereCloud& cloud) {
+    instances.resize(cloud.instances().size());
+    const auto sent = cloud.uploadChanges([this](std::size_t first, auto some) {
+      std::memcpy(instances.data() + first, some.data(), some.size_bytes());
+      bytes += some.size_bytes();
+    });
+    EXPECT_LE(sent, instances.size());
+  }
+  bool isLike(const SphereCloud& cloud) const {
+    const auto& wanted = cloud.instances();
+    return instances.size() == wanted.size() &&
+           std::memcmp(instances.data(), wanted.data(), wanted.size() * sizeof wanted[0]) == 0;
+  }
+};
+
+class SphereCloudTest : public testing::Test {
+ protected:
+  static SphereCloud::Options seenAs(SphereColours colours) { return {.colours = colours}; }
+
+  /// A slot whose sphere is drawn: the first that lies at y > 1 mm in the cup's rim.
+  std::uint32_t slotOf(const SphereInstance& sphere) const {
+    for (std::uint32_t slot = 0; slot < field_.slotCount(); ++slot) {
+      const auto centre = field_.centre(slot);
+      if (std::abs(1000.0 * centre.x - static_cast<double>(sphere.x)) < 1e-4 &&
+          std::abs(1000.0 * centre.y - static_cast<double>(sphere.y)) < 1e-4 &&
+          std::abs(1000.0 * centre.z - static_cast<double>(sphere.z)) < 1e-4) {
+        return slot;
+      }
+    }
+    ADD_FAILURE() << "no such sphere";
+    return 0;
+  }
+
+  std::shared_ptr<const haptics::reaming::PackedBone> bone_ = haptics::engine::parametricBone();
+  haptics::reaming::SphereField field_{bone_->packing, bone_->densities(0.5, 1.0)};
+};
+
+TEST_F(SphereCloudTest, DrawsOnlyWhatCanBeSeen) {
+  const SphereCloud cloud(field_, {});
+  EXPECT_GT(cloud.shown(), bone_->packing.spheres.size() / 50);
+  EXPECT_LT(cloud.shown(), bone_->packing.spheres.size() / 3);
+  for (const auto& sphere : cloud.instances()) EXPECT_GE(sphere.y, 0.0F);  // the section
+  const SphereCloud whole(field_, {.isHalved = false});
+  bool isInFront = false;
+  for (const auto& sphere : whole.instances()) isInFront |= sphere.y < -1.0F;
+  EXPECT_TRUE(isInFront);
+}
+
+TEST_F(SphereCloudTest, HandsOnEverythingOnceAndThenOnlyWhatChanged) {
+  SphereCloud cloud(field_, {});
+  Copy copy;
+  copy.take(cloud);
+  EXPECT_EQ(copy.bytes, cloud.instances().size() * sizeof(SphereInstance));
+  copy.bytes = 0;
+  copy.take(cloud);
+  EXPECT_EQ(copy.bytes, 0U);
+
+  auto sphere = cloud.instances()[10];
+  const std::uint32_t slot = slotOf(sphere);
+  cloud.apply({slot, {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 1e-4F}});
+  copy.take(cloud);  // this sphere, and what lies behind it for the first time
+  EXPECT_GT(copy.bytes, 0U);
+  EXPECT_LT(copy.bytes, 300 * sizeof(SphereInstance));
+  EXPECT_TRUE(copy.isLike(cloud));
+  copy.bytes = 0;
+  cloud.apply({slot, {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 0.9e-4F}});
+  copy.take(cloud);
+  EXPECT_EQ(copy.bytes, sizeof(SphereInstance));
+  EXPECT_TRUE(copy.isLike(cloud));
+}
+
+TEST_F(SphereCloudTest, LaysBareWhatIsBehindASphereThatIsGone) {
+  SphereCloud cloud(field_, {});
+  constexpr std::size_t kGone = 300;
+  const std::size_t before = cloud.shown();
+  std::vector<std::uint32_t> taken;
+  for (std::size_t i = 0; i < kGone; ++i) taken.push_back(slotOf(cloud.instances()[i]));
+  cloud.apply({taken[0], {}});
+  EXPECT_EQ(cloud.instances()[0].radius, 0.0F);
+  for (const auto slot : taken) cloud.apply({slot, {}});
+  EXPECT_GT(cloud.shown(), before - kGone + 50);
+}
+
+TEST_F(SphereCloudTest, IsWholeAgainWhenItIsTold) {
+  SphereCloud cloud(field_, {});
+  const std::size_t before = cloud.shown();
+  Copy copy;
+  copy.take(cloud);
+  for (std::uint32_t slot = 0; slot < 2000; ++slot) cloud.apply({slot, {}});
+  copy.take(cloud);
+  EXPECT_TRUE(copy.isLike(cloud));
+  cloud.apply({SphereChange::kAllAnew, {}});
+  EXPECT_EQ(cloud.shown(), before);
+  copy.take(cloud);
+  EXPECT_TRUE(copy.isLike(cloud));
+}
+
+TEST_F(SphereCloudTest, IgnoresASlotThatIsNone) {
+  SphereCloud cloud(field_, {});
+  const std::size_t before = cloud.shown();
+  cloud.apply({static_cast<std::uint32_t>(field_.slotCount()), {}});
+  EXPECT_EQ(cloud.shown(), before);
+}
+
+TEST_F(SphereCloudTest, SaysDensityAndRemovalByColour) {
+  const SphereCloud neutral(field_, seenAs(SphereColours::Neutral));
+  const SphereCloud density(field_, seenAs(SphereColours::Density));
+  SphereCloud removal(field_, seenAs(SphereColours::Removal));
+  ASSERT_EQ(neutral.instances().size(), density.instances().size());
+  EXPECT_NE(neutral.instances()[7].tint.green, density.instances()[7].tint.green);
+  auto sphere = removal.instances()[7];
+  const Tint before = sphere.tint;
+  removal.apply(
+      {slotOf(sphere), {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 1e-5F}});
+  EXPECT_GT(lightnessOf(removal.instances()[7].tint), lightnessOf(before) + 20.0);
+  EXPECT_LT(std::abs(before.red - before.blue), 40);
+}
+
+TEST(BoneTints, GrowLighterFromEndToEndSoThatNobodyNeedsTheirHues) {
+  for (const auto scale : {&scaleTint, &removalTint}) {
+    double before = lightnessOf(scale(0.0F));
+    EXPECT_LT(before, 25.0);
+    for (int i = 1; i <= 20; ++i) {
+      const double lightness = lightnessOf(scale(static_cast<float>(i) / 20.0F));
+      EXPECT_GT(lightness, before + 1.5) << i;
+      before = lightness;
+    }
+    EXPECT_GT(before, 85.0);
+  }
+}
+
+TEST(BoneTints, ShowNoRemovalThatLooksUntouchedToTheColourBlind) {
+  for (int i = 0; i <= 40; ++i) {
+    const Tint tint = removalTint(static_cast<float>(i) / 40.0F);
+    // What red-blind and green-blind eyes keep: light, and blue against yellow.
+    const Tint none = untouchedTint();
+    const double light = lightnessOf(tint) - lightnessOf(none);
+    const auto yellow = [](Tint t) { return 0.5 * (t.red + t.green) - t.blue; };
+    const double hue = 100.0 * (yellow(tint) - yellow(none)) / 255.0;
+    EXPECT_GT(std::hypot(light, hue), 20.0) << i;
+  }
+}
+
+TEST_F(SphereCloudTest, TellsAnotherWhatHasBecomeOfIt) {
+  SphereCloud cloud(field_, {});
+  EXPECT_TRUE(cloud.changesSoFar().empty());
+  for (std::uint32_t slot = 0; slot < 2000; slot += 2) cloud.apply({slot, {}});
+  auto sphere = cloud.instances()[10];
+  cloud.apply({slotOf(sphere), {0.01F, 0.02F, 0.03F, 2e-4F}});
+  SphereCloud other(field_, {});
+  for (const auto& change : cloud.changesSoFar()) other.apply(change);
+  EXPECT_EQ(other.shown(), cloud.shown());
+  EXPECT_EQ(other.changesSoFar().size(), cloud.changesSoFar().size());
+  cloud.apply({SphereChange::kAllAnew, {}});
+  EXPECT_TRUE(cloud.changesSoFar().empty());
+}
+
+}  // namespace
+}  // namespace study::gui::simulation

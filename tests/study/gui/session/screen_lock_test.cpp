@@ -1,0 +1,117 @@
+// A screen that operator and participant share: who gets behind the participant's window, and how
+// somebody makes the force go away from wherever the focus is.
+#include "study/gui/session/screen_lock.h"
+
+#include <gtest/gtest.h>
+
+#include <QDialog>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QVBoxLayout>
+
+#include "study/gui/session/stop_key.h"
+#include "tests/study/gui/participant.h"
+
+namespace study::gui {
+namespace {
+
+TEST(OperatorPin, IsFourToTwelveDigits) {
+  for (const auto* words : {"1234", "000000000000"}) {
+    EXPECT_FALSE(OperatorPin::objection(QString::fromUtf8(words))) << words;
+  }
+  for (const auto* words : {"", "123", "1234567890123", "12a4", "１２３４", " 1234"}) {
+    EXPECT_TRUE(OperatorPin::objection(QString::fromUtf8(words))) << words;
+  }
+}
+
+TEST(OperatorPin, OpensWithItselfOnlyAndNeverBeforeItWasChosen) {
+  OperatorPin pin;
+  EXPECT_FALSE(pin.opensWith({}));
+  pin.choose(QStringLiteral("2468"));
+  EXPECT_FALSE(pin.opensWith(QStringLiteral("24680")));
+  EXPECT_TRUE(pin.opensWith(QStringLiteral("2468")));
+}
+
+TEST(OperatorPin, MakesWhoeverGuessesWait) {
+  OperatorPin pin;
+  pin.choose(QStringLiteral("2468"));
+  for (int i = 0; i < OperatorPin::kFreeTries; ++i) {
+    EXPECT_EQ(pin.waitLeft(), 0);
+    EXPECT_FALSE(pin.opensWith(QStringLiteral("1111")));
+  }
+  EXPECT_GT(pin.waitLeft(), 0);
+  EXPECT_LE(pin.waitLeft(), OperatorPin::kWait);
+  EXPECT_FALSE(pin.opensWith(QStringLiteral("2468"))) << "not while one has to wait";
+}
+
+class LockedWindow : public testing::Test {
+ protected:
+  LockedWindow() {
+    (new QVBoxLayout(&window_))->addWidget(button_);
+    button_->setText(QStringLiteral("Researcher"));
+    pin_.choose(QStringLiteral("2468"));
+    window_.resize(900, 600);
+    window_.show();
+    lock_.lock();
+  }
+
+  void enter(const char* digits) {
+    QTest::mouseClick(button_, Qt::LeftButton);
+    auto* line = window_.findChild<QLineEdit*>();
+    ASSERT_NE(line, nullptr);
+    QTest::keyClicks(line, QString::fromUtf8(digits));
+    tests::photograph(window_, QStringLiteral("locked"));
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+
+  OperatorPin pin_;
+  QWidget window_;
+  QPushButton* button_ = new QPushButton(&window_);
+  ScreenLock lock_{window_, *button_, pin_};
+};
+
+TEST_F(LockedWindow, CoversTheScreenAndStaysInFront) {
+  EXPECT_TRUE(lock_.isLocked());
+  EXPECT_TRUE(window_.isFullScreen());
+  EXPECT_TRUE(window_.windowFlags().testFlag(Qt::WindowStaysOnTopHint));
+  EXPECT_TRUE(button_->isVisible());
+}
+
+TEST_F(LockedWindow, StaysLockedForAWrongPin) {
+  enter("1357");
+  EXPECT_TRUE(lock_.isLocked());
+  EXPECT_TRUE(window_.isFullScreen());
+  EXPECT_TRUE(window_.findChild<QLineEdit*>()->text().isEmpty()) << "nobody reads what was tried";
+}
+
+TEST_F(LockedWindow, IsAnOrdinaryOneAgainWithThePin) {
+  QSignalSpy opened(&lock_, &ScreenLock::opened);
+  enter("2468");
+  EXPECT_EQ(opened.count(), 1);
+  EXPECT_FALSE(lock_.isLocked());
+  EXPECT_FALSE(window_.isFullScreen());
+  EXPECT_FALSE(window_.windowFlags().testFlag(Qt::WindowStaysOnTopHint));
+  EXPECT_FALSE(button_->isVisible());
+}
+
+TEST(StopKey, IsHeardInFrontOfAnyDialogWhileArmed) {
+  StopKey stop;
+  QSignalSpy pressed(&stop, &StopKey::pressed);
+  QDialog dialog;
+  dialog.show();
+  stop.setArmed(true);
+  for (const auto key : {Qt::Key_Escape, Qt::Key_Pause, Qt::Key_F12}) QTest::keyClick(&dialog, key);
+  EXPECT_EQ(pressed.count(), 3);
+  EXPECT_TRUE(dialog.isVisible()) << "the key means stop, and nothing else";
+  QTest::keyClick(&dialog, Qt::Key_A);
+  EXPECT_EQ(pressed.count(), 3);
+
+  stop.setArmed(false);
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  EXPECT_EQ(pressed.count(), 3);
+  EXPECT_FALSE(dialog.isVisible());
+}
+
+}  // namespace
+}  // namespace study::gui
