@@ -1,0 +1,204 @@
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/devices/serial_port.h"
+#include "protocols/load_protocol.h"
+#include "study/app/commands.h"
+#include "study/app/devices/device_emulate.h"
+#include "study/app/devices/device_json_file.h"
+#include "study/app/devices/device_listen.h"
+#include "study/app/devices/device_rehearse.h"
+#include "study/app/devices/device_report.h"
+#include "study/hardware_rig.h"
+#include "study/user_error.h"
+
+namespace study::app {
+namespace {
+
+struct DeviceArguments {
+  std::string file = std::string(kDeviceFileName);
+  bool isFileNamed = false;
+  std::string protocol;
+  double seconds = 2.0;
+  bool json = false;
+};
+
+std::unique_ptr<haptics::devices::Hand> anyHand(const protocols::DeviceNeed& need) {
+  return simulatedHandFor(need, 1, {}, 0);
+}
+
+int list(const DeviceArguments& arguments) {
+  const auto ports = haptics::devices::serialPorts();
+  fmt::print("Serial ports of this computer:{}\n", ports.empty() ? " none" : "");
+  for (const auto& port : ports) fmt::print("  {}\n", port);
+  fmt::print(
+      "Firmware of this program: {:016x}, protocol {}.\n",
+      haptics::devices::kFirmwareBuild,
+      haptics::wire::punch::kProtocolVersion);
+  if (!std::filesystem::exists(arguments.file)) {
+    fmt::print("No device file {} is there; docs/devices.md shows one.\n", arguments.file);
+    return arguments.isFileNamed ? 1 : 0;
+  }
+  fmt::print("Devices in {}:\n", arguments.file);
+  HardwareRig rig(loadDevices(arguments.file), anyHand);
+  for (const auto& entry : rig.entries()) {
+    const auto& can = rig.find(entry.id)->capabilities();
+    fmt::print(
+        "  {:<12} {:<28} up to {:g} N, {:g} to {:g} {}{}\n",
+        entry.id,
+        can.name,
+        can.maxForce,
+        can.leastTravel,
+        can.mostTravel,
+        can.travelUnit,
+        can.isSimulated ? ", simulated" : "");
+  }
+  return 0;
+}
+
+std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
+  if (!std::filesystem::exists(arguments.file)) {
+    throw UserError(
+        "No device file " + arguments.file +
+        " is there. docs/devices.md shows one, and 'palpate device check FILE' takes any other.");
+  }
+  HardwareRig rig(loadDevices(arguments.file), anyHand);
+  std::vector<protocols::DeviceNeed> needs;
+  if (!arguments.protocol.empty()) {
+    questionnaires::Problems problems;
+    const auto loaded = protocols::loadProtocolFile(arguments.protocol, problems);
+    if (!loaded) {
+      throw UserError(
+          arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+    }
+    needs = loaded->protocol.devices;
+  }
+  return checkAll(rig, needs, arguments.seconds);
+}
+
+int check(const DeviceArguments& arguments) {
+  std::vector<DeviceFindings> found;
+  try {
+    found = findingsOf(arguments);
+  } catch (const std::runtime_error& error) {
+    if (!arguments.json) throw;
+    std::fputs(problemAsJson(error.what()).c_str(), stdout);
+    return 1;
+  }
+  std::fputs((arguments.json ? checksAsJson(found) : checksAsText(found)).c_str(), stdout);
+  return isFit(found) ? 0 : 1;
+}
+
+void addEmulate(CLI::App& noun, Action& action) {
+  auto* emulate = noun.add_subcommand(
+      "emulate",
+      "Stand in for a device on its real wire; 'help' on its input lists what can go wrong");
+  emulate->require_subcommand(1);
+  auto options = std::make_shared<EmulateArguments>();
+  const auto common = [&](CLI::App* verb, int (*perform)(const EmulateArguments&)) {
+    verb->add_option("--seed", options->seed, "Of hand and faults")->capture_default_str();
+    verb->add_option("--seconds", options->seconds, "How long (default: until it is ended)")
+        ->check(CLI::PositiveNumber);
+    verb->add_flag(
+        "--until-input-ends",
+        options->endsWithInput,
+        "Also end when nobody can give lines any more");
+    verb->callback(
+        [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  };
+  auto* punch = emulate->add_subcommand("punch", "The punch, on a pseudo-terminal");
+  punch->add_option("--link", options->link, "A name for its port that stays");
+  punch->add_option("--clock-drift", options->clockDrift, "Of its clock [ppm]")
+      ->check(CLI::Range(-10'000.0, 10'000.0));
+  auto* rate = punch->add_option("--rate", options->rate, "Of its loop [Hz]");
+  rate->check(CLI::Range(100, 8000))->capture_default_str();
+  punch
+      ->add_option(
+          "--firmware", options->firmware, "Run this program for the board under QEMU instead")
+      ->excludes(rate);
+  common(punch, emulatePunch);
+  auto* iiwa = emulate->add_subcommand("iiwa", "The arm and its controller, on UDP");
+  iiwa->add_option("--client", options->client, "Where to send to")->capture_default_str();
+  iiwa->add_option("--fri-version", options->version, "Of FRI")
+      ->check(CLI::IsMember({"1.11", "1.14", "1.15", "1.16", "2.5", "2.7"}))
+      ->capture_default_str();
+  iiwa->add_option("--model", options->model, "Which arm")
+      ->check(CLI::IsMember({"iiwa7", "iiwa14"}))
+      ->capture_default_str();
+  iiwa->add_option("--overlay", options->overlay, "What it is commanded by")
+      ->check(CLI::IsMember({"wrench", "torque"}))
+      ->capture_default_str();
+  iiwa->add_option("--period", options->period, "Between messages [ms]")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  common(iiwa, emulateIiwa);
+}
+
+void addListen(CLI::App& noun, Action& action) {
+  auto* verb =
+      noun.add_subcommand("listen", "Write down what a punch prints with the published sketch");
+  auto options = std::make_shared<ListenArguments>();
+  verb->add_option("PORT", options->port, "Its serial port")->required();
+  verb->add_option("--out", options->out, "A CSV file to make (default: the terminal)");
+  verb->add_option("--baud", options->baud, "Of the line")->capture_default_str();
+  verb->add_option("--seconds", options->seconds, "How long (default: until it is ended)")
+      ->check(CLI::PositiveNumber);
+  verb->callback([&action, options] { action = [options] { return app::listen(*options); }; });
+}
+
+void addRehearse(CLI::App& noun, Action& action) {
+  auto* rehearse = noun.add_subcommand(
+      "rehearse",
+      "Stand-ins for both devices, their check, and a simulated participant who feels them");
+  auto options = std::make_shared<RehearseArguments>();
+  rehearse->add_option("--out", options->out, "A new folder for device file and study")->required();
+  rehearse->add_option("--protocol", options->protocol, "What is rehearsed")->capture_default_str();
+  rehearse->add_option("--participants", options->participants, "How many")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  rehearse->add_option("--seed", options->seed, "Of everything drawn")->capture_default_str();
+  rehearse->add_option(
+      "--firmware", options->firmware, "The punch's program for the board, run under QEMU");
+  rehearse->callback(
+      [&action, options] { action = [options] { return app::rehearse(*options); }; });
+}
+
+}  // namespace
+
+void addDeviceCommands(CLI::App& program, Action& action) {
+  auto* noun =
+      program.add_subcommand("device", "Haptic devices: what is there, and whether it works");
+  noun->require_subcommand(1);
+  auto options = std::make_shared<DeviceArguments>();
+  const auto addFile = [&](CLI::App* verb) {
+    auto* file = verb->add_option("FILE", options->file, "The laboratory's device file");
+    file->capture_default_str();
+    file->each([options](const std::string&) { options->isFileNamed = true; });
+  };
+
+  auto* listing = noun->add_subcommand("list", "Serial ports, and the devices of a device file");
+  addFile(listing);
+  listing->callback([&action, options] { action = [options] { return app::list(*options); }; });
+
+  auto* checking = noun->add_subcommand(
+      "check", "Listen to every device: PASS, WARN or FAIL, what was measured, and the mend");
+  addFile(checking);
+  checking->add_option("--protocol", options->protocol, "Also against what this protocol needs");
+  checking->add_option("--seconds", options->seconds, "How long to listen to each")
+      ->check(CLI::Range(0.5, 600.0))
+      ->capture_default_str();
+  checking->add_flag("--json", options->json, "For programs");
+  checking->callback([&action, options] { action = [options] { return app::check(*options); }; });
+
+  addEmulate(*noun, action);
+  addListen(*noun, action);
+  addRehearse(*noun, action);
+}
+
+}  // namespace study::app

@@ -1,0 +1,153 @@
+#include "study/app/devices/device_emulate.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "haptics/emulators/fri_controller.h"
+#include "haptics/emulators/punch_emulator.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+#include "study/app/devices/qemu_punch.h"
+#include "study/user_error.h"
+
+namespace study::app {
+namespace {
+
+namespace emulators = haptics::emulators;
+namespace timing = haptics::timing;
+
+volatile std::sig_atomic_t isEnded = 0;
+
+void end(int) {
+  isEnded = 1;
+}
+
+void say(const std::string& line) {
+  std::fputs((line + "\n").c_str(), stdout);
+  std::fflush(stdout);
+}
+
+/// Lines of the input, each answered by one, until somebody ends this program, its seconds have
+/// passed, or "quit" comes. Without any input it goes on, unless it was asked not to.
+void obeyInput(
+    const EmulateArguments& arguments,
+    const std::string& help,
+    const std::function<std::string(const std::string&)>& obey) {
+  struct sigaction action {};
+  action.sa_handler = end;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  const double seconds = arguments.seconds;
+  std::string buffer;
+  bool hasInput = true;
+  const std::int64_t until =
+      seconds > 0.0 ? timing::now() + static_cast<std::int64_t>(1e9 * seconds) : INT64_MAX;
+  while (isEnded == 0 && timing::now() < until) {
+    pollfd watched{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    constexpr int kLook = 50;  // [ms]
+    if (poll(&watched, hasInput ? 1 : 0, kLook) <= 0) continue;
+    std::array<char, 512> bytes{};
+    const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (count <= 0) hasInput = false;
+    if (!hasInput && arguments.endsWithInput) return;
+    if (count > 0) buffer.append(bytes.data(), static_cast<std::size_t>(count));
+    for (auto at = buffer.find('\n'); at != std::string::npos; at = buffer.find('\n')) {
+      const std::string line = buffer.substr(0, at);
+      buffer.erase(0, at + 1);
+      if (line == "quit") return;
+      if (!line.empty()) say(line == "help" ? "There are: " + help : obey(line));
+    }
+  }
+}
+
+/// This thread, and those that it starts, go before other programs where that is granted: who gives
+/// an order holds what the stand-in's loop waits for.
+void beLikeHardware() {
+  timing::makeUrgent(timing::kStandInUrgency);
+}
+
+}  // namespace
+
+int emulatePunch(const EmulateArguments& arguments) {
+  if (!arguments.firmware.empty()) {
+    QemuPunch board(arguments.firmware, arguments.link);
+    say("ready port=" + board.port() + " qemu_pid=" + std::to_string(board.id()));
+    obeyInput(
+        arguments, QemuPunch::help(), [&](const std::string& line) { return board.command(line); });
+    return 0;
+  }
+  beLikeHardware();
+  emulators::PunchEmulator::Options options;
+  options.link = arguments.link;
+  options.clockDrift = arguments.clockDrift;
+  options.seed = arguments.seed;
+  options.limits.rate = static_cast<std::uint16_t>(arguments.rate);
+  // The same speed in counts a step, however long a step is.
+  options.limits.mostCountsAStep = options.limits.mostCountsAStep * 1000 / arguments.rate;
+  options.person.closed = 13.8;
+  options.person.variation = 0.1;
+  options.person.seed = arguments.seed;
+  emulators::PunchEmulator punch(options);
+  std::mutex gate;
+  std::jthread loop([&](const std::stop_token& stop) {
+    const std::int64_t period = timing::kSecond / options.limits.rate;
+    std::int64_t due = timing::now();
+    while (!stop.stop_requested()) {
+      {
+        const std::lock_guard lock(gate);
+        punch.step();
+      }
+      due += period;
+      if (timing::now() - due > 100 * period) due = timing::now();  // lost time is not chased
+      timing::sleepUntil(due);
+    }
+  });
+  say("ready port=" + punch.port());
+  const std::string help(emulators::PunchEmulator::help());
+  obeyInput(arguments, help, [&](const std::string& line) {
+    const std::lock_guard lock(gate);
+    if (line == "status") return punch.status();
+    const std::string wrong = punch.command(line);
+    return wrong.empty() ? "ok " + line : "error " + wrong;
+  });
+  return 0;
+}
+
+int emulateIiwa(const EmulateArguments& arguments) {
+  beLikeHardware();
+  namespace fri = haptics::wire::fri;
+  emulators::FriController::Options options;
+  const auto client = haptics::devices::endpointFrom(arguments.client, 30200);
+  if (!client) throw UserError("'" + arguments.client + "' is no address such as 127.0.0.1:30200.");
+  options.client = *client;
+  options.version = fri::versionNamed(arguments.version).value_or(fri::Version::V1_15);
+  options.sendPeriod = arguments.period;
+  options.queuesAgain = true;
+  options.impairment.seed = arguments.seed;
+  options.arm.model = arguments.model == "iiwa7" ? haptics::devices::IiwaModel::Iiwa7
+                                                 : haptics::devices::IiwaModel::Iiwa14;
+  const bool isTorque = arguments.overlay == "torque";
+  options.arm.command = isTorque ? fri::ClientCommandMode::Torque : fri::ClientCommandMode::Wrench;
+  options.arm.control =
+      isTorque ? fri::ControlMode::JointImpedance : fri::ControlMode::CartesianImpedance;
+  emulators::FriController controller(options);
+  std::jthread loop([&](const std::stop_token& stop) { controller.run(stop); });
+  say("ready client=" + arguments.client + " local=" + controller.local().text());
+  obeyInput(arguments, emulators::FriOrders::help(), [&](const std::string& line) {
+    const auto reply = controller.command(line);
+    if (!reply.isTaken) return "error " + reply.text;
+    return reply.text.empty() ? "ok " + line : reply.text;
+  });
+  return 0;
+}
+
+}  // namespace study::app

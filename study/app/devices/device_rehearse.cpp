@@ -1,0 +1,205 @@
+#include "study/app/devices/device_rehearse.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+
+#include "haptics/devices/datagram_socket.h"
+#include "haptics/devices/device_error.h"
+#include "haptics/emulators/fri_arm.h"
+#include "protocols/load_protocol.h"
+#include "study/app/devices/device_report.h"
+#include "study/app/devices/emulator_process.h"
+#include "study/app/simulated_endings.h"
+#include "study/hardware_rig.h"
+#include "study/simulated_participant.h"
+#include "study/storage/event_log.h"
+#include "study/user_error.h"
+#include "study/verification.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+namespace fs = std::filesystem;
+using haptics::devices::DeviceKind;
+
+std::uint16_t freePort() {
+  return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
+}
+
+/// The emulators that a protocol's devices need, and how they are reached.
+struct Stand {
+  std::vector<std::unique_ptr<EmulatorProcess>> emulators;
+  std::vector<DeviceEntry> entries;
+};
+
+Stand standFor(const protocols::Protocol& protocol, const RehearseArguments& arguments) {
+  Stand stand;
+  for (const auto& need : protocol.devices) {
+    const std::string seed = std::to_string(arguments.seed);
+    if (need.kind == DeviceKind::Punch) {
+      SerialPunchSettings settings;
+      settings.punch.port = (fs::absolute(arguments.out) / (need.id + "-port")).string();
+      std::vector<std::string> words{"punch", "--seed", seed, "--link", settings.punch.port};
+      if (!arguments.firmware.empty()) {
+        words.insert(words.end(), {"--firmware", arguments.firmware});
+      }
+      stand.emulators.push_back(std::make_unique<EmulatorProcess>(words));
+      stand.entries.push_back({need.id, settings});
+    } else {
+      haptics::devices::IiwaSettings settings;
+      const haptics::emulators::FriArm::Options arm;
+      settings.port = freePort();
+      settings.model = arm.model;
+      settings.tool.position.z() = arm.toolLength;
+      settings.zero = arm.start;
+      stand.emulators.push_back(std::make_unique<EmulatorProcess>(std::vector<std::string>{
+          "iiwa", "--seed", seed, "--client", "127.0.0.1:" + std::to_string(settings.port)}));
+      stand.entries.push_back({need.id, settings});
+    }
+    fmt::print("Started a stand-in for '{}': {}\n", need.id, stand.emulators.back()->ready());
+  }
+  return stand;
+}
+
+/// The new folder of a rehearsal; gone again unless something has been recorded in it.
+class RehearsalFolder {
+ public:
+  explicit RehearsalFolder(const std::string& path) : path_(path) {
+    if (!fs::create_directories(path_)) {
+      throw UserError(path + " is there already. Name a folder that is not.");
+    }
+  }
+  ~RehearsalFolder() {
+    std::error_code ignored;
+    if (!isKept_) fs::remove_all(path_, ignored);
+  }
+  RehearsalFolder(const RehearsalFolder&) = delete;
+  RehearsalFolder& operator=(const RehearsalFolder&) = delete;
+
+  void keep() noexcept { isKept_ = true; }
+
+ private:
+  fs::path path_;
+  bool isKept_ = false;
+};
+
+/// Whether the stand-ins are fit for use; what was found is printed.
+bool areFit(
+    const std::string& deviceFile,
+    const protocols::Protocol& protocol,
+    const RehearseArguments& arguments) {
+  HardwareRig rig(loadDevices(deviceFile), [&](const protocols::DeviceNeed& need) {
+    return simulatedHandFor(need, arguments.seed, {}, 0);
+  });
+  const auto found = checkAll(rig, protocol.devices, 2.0);
+  std::fputs(checksAsText(found).c_str(), stdout);
+  if (isFit(found)) return true;
+  fmt::print(
+      "REHEARSAL FAILED: the stand-ins for the devices did not pass their check. This computer may "
+      "be too busy for them: end other programs, and try again. Nothing was recorded, and {} is "
+      "gone again.\n",
+      arguments.out);
+  return false;
+}
+
+/// In words for the screen: without the clock that only the record needs.
+std::string shownOf(const std::string& detail) {
+  const auto clock = detail.find("; device's 0 at ");
+  if (clock == std::string::npos) return detail;
+  constexpr std::string_view kEnd = " of our clock";
+  const auto end = detail.find(kEnd, clock);
+  return detail.substr(0, clock) +
+         (end == std::string::npos ? "" : detail.substr(end + kEnd.size()));
+}
+
+void printLinks(Study& study) {
+  for (const auto& event : study.events().read(std::nullopt)) {
+    if (event.kind != "device_link" && event.kind != "device_fault") continue;
+    const auto visit = event.visit.value_or(VisitKey{});
+    fmt::print(
+        "session {} step {} attempt {}: {}\n",
+        static_cast<std::int64_t>(visit.session),
+        visit.step,
+        visit.attempt,
+        shownOf(event.detail));
+  }
+}
+
+/// How it went for those who do not exist. @throws UserError  where a device could not be had
+/// again.
+std::vector<SimulatedEnding> felt(
+    Study& study,
+    SimulatedClock& clock,
+    const RehearseArguments& arguments,
+    const std::string& deviceFile) {
+  const auto tell = [](const std::string& what) {
+    const auto has = [&](const char* part) { return what.find(part) != std::string::npos; };
+    if (!has(" done") && !has(", attempt ") && !has(" waits: ")) return;
+    fmt::print("{}\n", what);
+    std::fflush(stdout);
+  };
+  try {
+    auto endings =
+        simulateCohorts(study, clock, arguments.participants, arguments.seed, tell, deviceFile);
+    printLinks(study);
+    return endings;
+  } catch (const haptics::devices::DeviceError& error) {
+    throw UserError(std::string("REHEARSAL FAILED: ") + error.what());
+  }
+}
+
+/// The last sentence; whether all is well.
+bool sayHowItEnded(
+    Study& study, const RehearseArguments& arguments, const std::vector<SimulatedEnding>& endings) {
+  const bool isSound = verify(study).isSound();
+  const std::string place = (fs::path(arguments.out) / "study").string();
+  const auto failed = std::find_if(endings.begin(), endings.end(), [](const auto& ending) {
+    return ending.state != SessionState::Completed;
+  });
+  if (failed != endings.end()) {
+    fmt::print(
+        "REHEARSAL FAILED: {} The study is {}{}.\n",
+        inWords(*failed),
+        place,
+        isSound ? "" : " and does NOT verify");
+    return false;
+  }
+  fmt::print(
+      "{} '{}' on stand-ins for the devices. The study is {} and {}.\n",
+      words::counted(
+          static_cast<std::uint64_t>(arguments.participants),
+          "participant who does not exist has felt",
+          "participants who do not exist have felt"),
+      arguments.protocol,
+      place,
+      isSound ? "verifies" : "does NOT verify");
+  return isSound;
+}
+
+}  // namespace
+
+int rehearse(const RehearseArguments& arguments) {
+  questionnaires::Problems problems;
+  const auto protocol = protocols::loadProtocolFile(arguments.protocol, problems);
+  if (!protocol) {
+    throw UserError(
+        arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+  }
+  RehearsalFolder folder(arguments.out);
+  const auto stand = standFor(protocol->protocol, arguments);
+  const auto deviceFile = fs::path(arguments.out) / kDeviceFileName;
+  std::ofstream(deviceFile) << devicesAsJson(stand.entries);
+  if (!areFit(deviceFile.string(), protocol->protocol, arguments)) return 1;
+  SimulatedClock clock;
+  auto study = Study::create(fs::path(arguments.out) / "study", *protocol, clock, arguments.seed);
+  folder.keep();
+  return sayHowItEnded(study, arguments, felt(study, clock, arguments, deviceFile.string())) ? 0
+                                                                                             : 1;
+}
+
+}  // namespace study::app

@@ -1,0 +1,55 @@
+#include "study/app/devices/device_report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace study::app {
+
+using haptics::devices::Finding;
+
+std::vector<DeviceFindings> checkAll(
+    HardwareRig& rig, const std::vector<protocols::DeviceNeed>& needs, double seconds) {
+  const auto needOf = [&](const std::string& id) {
+    const auto need =
+        std::find_if(needs.begin(), needs.end(), [&](const auto& n) { return n.id == id; });
+    return need == needs.end() ? nullptr : &*need;
+  };
+  std::vector<DeviceFindings> found;
+  for (const auto& entry : rig.entries()) {
+    found.push_back({entry.id, preflight(*rig.find(entry.id), needOf(entry.id), seconds)});
+  }
+  for (const auto& need : needs) {
+    if (rig.find(need.id) != nullptr) continue;
+    found.push_back(
+        {need.id,
+         {{Finding::Fail,
+           "device file",
+           "no device of that name",
+           "Add it to the device file, or give it that id."}}});
+  }
+  return found;
+}
+
+bool isFit(const std::vector<DeviceFindings>& found) noexcept {
+  return std::all_of(found.begin(), found.end(), [](const auto& device) {
+    return std::none_of(device.results.begin(), device.results.end(), [](const auto& result) {
+      return result.finding == Finding::Fail;
+    });
+  });
+}
+
+std::string checksAsText(const std::vector<DeviceFindings>& found) {
+  std::string text;
+  for (const auto& device : found) {
+    text += device.device + "\n";
+    for (const auto& result : device.results) {
+      text += fmt::format(
+          "  {}  {}: {}\n", haptics::devices::nameOf(result.finding), result.what, result.measured);
+      if (!result.mend.empty()) text += "        → " + result.mend + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace study::app

@@ -1,0 +1,110 @@
+#include "study/app/devices/emulator_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <stdexcept>
+#include <string_view>
+
+#include "study/user_error.h"
+
+extern char** environ;
+
+namespace study::app {
+namespace {
+
+constexpr int kLongestWait = 10'000;  // [ms]
+
+void makePipe(std::array<int, 2>& ends) {
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe can be had");
+}
+
+}  // namespace
+
+EmulatorProcess::EmulatorProcess(const std::vector<std::string>& arguments) {
+  start(arguments);
+  if (readLine(from_, ready_) && ready_.starts_with("ready ")) {
+    ready_ = ready_.substr(6);
+    return;
+  }
+  std::string why = ready_;
+  end();
+  for (std::string line; readLine(errors_, line);) why += (why.empty() ? "" : "\n") + line;
+  ::close(errors_);
+  constexpr std::string_view kName = "palpate: ";
+  if (why.starts_with(kName)) why.erase(0, kName.size());
+  throw UserError("A stand-in for a device did not begin" + (why.empty() ? "." : ": " + why));
+}
+
+void EmulatorProcess::start(const std::vector<std::string>& arguments) {
+  std::array<int, 2> in{};
+  std::array<int, 2> out{};
+  std::array<int, 2> errors{};
+  makePipe(in);
+  makePipe(out);
+  makePipe(errors);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out[1], STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
+  std::vector<std::string> texts{"palpate", "device", "emulate"};
+  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  texts.emplace_back("--until-input-ends");  // however this program ends, its pipes do
+  std::vector<char*> words;
+  for (auto& text : texts) words.push_back(text.data());
+  words.push_back(nullptr);
+  const int error = posix_spawn(&id_, "/proc/self/exe", &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(in[0]);
+  ::close(out[1]);
+  ::close(errors[1]);
+  to_ = in[1];
+  from_ = out[0];
+  errors_ = errors[0];
+  if (error != 0) id_ = -1;
+}
+
+EmulatorProcess::~EmulatorProcess() {
+  end();
+  ::close(errors_);
+}
+
+void EmulatorProcess::end() noexcept {
+  ::close(to_);
+  ::close(from_);
+  if (id_ <= 0) return;
+  kill(id_, SIGTERM);
+  waitpid(id_, nullptr, 0);
+}
+
+bool EmulatorProcess::readLine(int from, std::string& line) {
+  for (;;) {
+    const auto end = buffer_.find('\n');
+    if (end != std::string::npos) {
+      line = buffer_.substr(0, end);
+      buffer_.erase(0, end + 1);
+      return true;
+    }
+    pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
+    if (poll(&watched, 1, kLongestWait) <= 0) return false;
+    std::array<char, 512> bytes{};
+    const ssize_t count = read(from, bytes.data(), bytes.size());
+    if (count <= 0) return false;
+    buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+  }
+}
+
+std::string EmulatorProcess::ask(const std::string& line) {
+  const std::string text = line + "\n";
+  if (write(to_, text.data(), text.size()) != static_cast<ssize_t>(text.size())) return {};
+  std::string answer;
+  return readLine(from_, answer) ? answer : std::string();
+}
+
+}  // namespace study::app

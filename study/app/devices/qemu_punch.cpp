@@ -1,0 +1,142 @@
+#include "study/app/devices/qemu_punch.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <vector>
+
+#include "study/user_error.h"
+
+extern char** environ;
+
+namespace study::app {
+namespace {
+
+constexpr const char* kEmulator = "qemu-system-arm";
+constexpr int kLongestWait = 5000;  // [ms]
+
+pid_t start(const std::string& firmware, int out) {
+  std::vector<std::string> texts{
+      kEmulator,
+      "-M",
+      "mps2-an385",
+      "-display",
+      "none",
+      "-monitor",
+      "none",
+      "-serial",
+      "pty",
+      "-kernel",
+      firmware};
+  std::vector<char*> words;
+  for (auto& text : texts) words.push_back(text.data());
+  words.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, out, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, out, STDERR_FILENO);
+  pid_t id = -1;
+  const int error = posix_spawnp(&id, kEmulator, &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == 0) return id;
+  throw UserError(
+      "QEMU (qemu-system-arm) cannot be started. Install it with ./setup --firmware, or leave "
+      "--firmware out: then the same program runs natively.");
+}
+
+/// The pseudo-terminal that QEMU says it has: "char device redirected to /dev/pts/0 (label
+/// serial0)".
+std::string portSaid(int from) {
+  std::string said;
+  pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
+  while (poll(&watched, 1, kLongestWait) > 0) {
+    std::array<char, 512> bytes{};
+    const ssize_t count = read(from, bytes.data(), bytes.size());
+    if (count <= 0) break;
+    said.append(bytes.data(), static_cast<std::size_t>(count));
+    const auto begin = said.find("/dev/pts/");
+    const auto end = begin == std::string::npos ? begin : said.find(' ', begin);
+    if (end != std::string::npos) return said.substr(begin, end - begin);
+  }
+  throw UserError("QEMU did not offer a serial line: " + said);
+}
+
+}  // namespace
+
+QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
+    : firmware_(firmware), link_(link) {
+  if (!std::filesystem::is_regular_file(firmware)) {
+    throw UserError(
+        firmware +
+        " is no firmware. It is built where arm-none-eabi-g++ is installed (./setup "
+        "--firmware), as haptics/firmware/punch.elf in the build folder.");
+  }
+  refuseNameOfAnother();
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had from the system.");
+  try {
+    id_ = start(firmware, ends[1]);
+    ::close(ends[1]);
+    port_ = portSaid(ends[0]);
+    ::close(ends[0]);
+  } catch (...) {
+    ::close(ends[0]);
+    if (id_ > 0) {
+      kill(id_, SIGKILL);
+      waitpid(id_, nullptr, 0);
+    }
+    throw;
+  }
+  if (link_.empty()) return;
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(link_)) std::filesystem::remove(link_, ignored);
+  std::filesystem::create_symlink(port_, link_);
+}
+
+/// A name that leads to a port that is there belongs to whoever has that port.
+void QemuPunch::refuseNameOfAnother() const {
+  std::error_code ignored;
+  if (!std::filesystem::is_symlink(link_, ignored)) return;
+  if (!std::filesystem::exists(link_, ignored)) return;
+  throw UserError(
+      "The name " + link_ +
+      " leads to a port that is there: another emulator has it. End that one, choose another name, "
+      "or remove the link.");
+}
+
+QemuPunch::~QemuPunch() {
+  if (id_ > 0) {
+    kill(id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+  }
+  std::error_code ignored;
+  if (!link_.empty() && std::filesystem::is_symlink(link_)) {
+    std::filesystem::remove(link_, ignored);
+  }
+}
+
+std::string QemuPunch::command(const std::string& line) {
+  const std::string pid = " qemu_pid=" + std::to_string(id_);
+  if (line == "status") return "device=punch-qemu running=" + std::to_string(id_ > 0) + pid;
+  if (id_ <= 0) return "error QEMU is not running any more";
+  if (line == "kill") {
+    kill(id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+    id_ = -1;
+  } else if (line == "stop") {
+    kill(id_, SIGSTOP);
+  } else if (line == "continue") {
+    kill(id_, SIGCONT);
+  } else {
+    return "error '" + line + "' is no command. There are: " + help();
+  }
+  return "ok " + line;
+}
+
+}  // namespace study::app

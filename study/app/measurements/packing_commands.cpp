@@ -1,0 +1,255 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/mesh_solid.h"
+#include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/virtual_experiment.h"
+#include "protocols/reading/packing_file.h"
+#include "questionnaires/json/document.h"
+#include "study/app/commands.h"
+#include "study/app/finite_range.h"
+#include "study/app/measurements/body_mesh.h"
+#include "study/app/measurements/packing_inputs.h"
+#include "study/app/measurements/packing_report.h"
+#include "study/bench/bench_report.h"
+#include "study/new_file.h"
+#include "study/storage/protocol_repository.h"
+#include "study/user_error.h"
+
+namespace study::app {
+namespace {
+
+namespace reaming = haptics::reaming;
+namespace fs = std::filesystem;
+
+constexpr double kMillimetre = 0.001;
+
+struct BuildCommand {
+  std::string mesh;
+  std::string unit;
+  std::string out;
+  std::string name = "bone";
+  std::string title = "A bone of spheres";
+  std::optional<double> smallest;  ///< [mm]
+  std::optional<double> largest;   ///< [mm]
+  double reamerRadius = 26.0;      ///< [mm]
+  reaming::PackingOptions options;
+};
+
+std::string checkedEnding(const std::string& path) {
+  if (!path.ends_with(protocols::kPackingEnding)) {
+    throw UserError("'" + path + "' does not end in '.packing', by which such files are known.");
+  }
+  if (fs::exists(path)) {
+    throw UserError(
+        "'" + path + "' is there already, and nothing is overwritten. Choose a new name.");
+  }
+  return path;
+}
+
+std::unique_ptr<reaming::Solid> bodyOf(const BuildCommand& command) {
+  if (command.mesh.empty()) return std::make_unique<reaming::Acetabulum>();
+  auto body = readBody(command.mesh, command.unit);
+  for (const auto& said : body.said) fmt::print(stderr, "{}: {}\n", command.mesh, said);
+  return std::make_unique<reaming::MeshSolid>(std::move(body.mesh));
+}
+
+void printMark(const reaming::PackedBone& bone) {
+  if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
+}
+
+/// Tells of every pass once.
+bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
+  if (progress.radius == lastRadius) return true;
+  lastRadius = progress.radius;
+  fmt::print(
+      stderr,
+      "{:>9} spheres, {:4.1f} % covered; looking for room for {:.3f} mm\n",
+      progress.spheres,
+      100.0 * progress.coverage,
+      progress.radius / kMillimetre);
+  return true;
+}
+
+int buildPacking(BuildCommand& command) {
+  checkedEnding(command.out);
+  auto& options = command.options;
+  if (command.smallest) options.smallestRadius = kMillimetre * *command.smallest;
+  if (command.largest) options.largestRadius = kMillimetre * *command.largest;
+  if (!options.count && !options.coverage && !options.smallestRadius) options.count = 201'532;
+  const auto body = bodyOf(command);
+  const auto begin = std::chrono::steady_clock::now();
+  reaming::PackedBone bone{.name = command.name, .title = command.title};
+  bone.isSynthetic = command.mesh.empty();
+  bone.reamerRadius = kMillimetre * command.reamerRadius;
+  try {
+    double lastRadius = 0.0;
+    bone.packing = *reaming::pack(
+        *body, options, [&](const auto& progress) { return tell(progress, lastRadius); });
+  } catch (const std::invalid_argument& wrong) {
+    throw UserError(std::string("The spheres cannot be placed: ") + wrong.what() + ".");
+  }
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  protocols::PackingOrigin origin{.mesh = "parametric acetabulum", .seed = options.seed};
+  if (!command.mesh.empty()) {
+    origin.mesh = fs::path(command.mesh).filename().string();
+    origin.sha256 =
+        storage::sha256(questionnaires::readTextFile(command.mesh, protocols::kLargestPacking));
+  }
+  writeNewFile(command.out, protocols::packingAsText(bone, origin));
+  const auto flaws = reaming::flawsOf(bone.packing, *body);
+  const auto& spheres = bone.packing.spheres;
+  fmt::print(
+      "{}: {} spheres of {:.3f} to {:.3f} mm cover {:.1f} % of {:.1f} cm³, in {:.1f} s.\n"
+      "Largest overlap {:.1g} of a radius, out of the body {:.1g}. The literature reaches about "
+      "85 % with\nspheres of any size (ProtoSphere); here none is larger than what can be felt "
+      "apart.\n"
+      "It has no densities yet:\n  palpate packing fit {} --material MATERIAL.json --out "
+      "FITTED.packing\n",
+      command.out,
+      spheres.size(),
+      spheres.back().radius / kMillimetre,
+      spheres.front().radius / kMillimetre,
+      100.0 * bone.packing.coverage(),
+      1e6 * bone.packing.volume,
+      passed.count(),
+      std::max(flaws.overlap, 0.0),
+      std::max(flaws.protrusion, 0.0),
+      command.out);
+  printMark(bone);
+  return 0;
+}
+
+void addBuildPacking(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<BuildCommand>();
+  auto* verb = noun.add_subcommand("build", "A closed mesh, or a cup of our own, to spheres");
+  verb->add_option(
+      "MESH", command->mesh, "STL, OBJ or PLY, +z into the cup; left out: our own cup");
+  verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
+  verb->add_option("--unit", command->unit, "Of the mesh; left out: by its size")
+      ->check(CLI::IsMember({"m", "mm"}));
+  auto* count = verb->add_option("--count", command->options.count, "So many spheres (201532)");
+  auto* coverage =
+      verb->add_option("--coverage", command->options.coverage, "This share of the body")
+          ->check(finiteRange(0.01, 0.8));
+  auto* smallest =
+      verb->add_option("--smallest-radius", command->smallest, "None smaller than this [mm]")
+          ->check(finiteRange(0.001, 50.0));
+  count->excludes(coverage)->excludes(smallest);
+  coverage->excludes(smallest);
+  verb->add_option("--largest-radius", command->largest, "None larger than this [mm]")
+      ->check(finiteRange(0.001, 50.0));
+  verb->add_option("--reamer-radius", command->reamerRadius, "That will ream it [mm]")
+      ->check(finiteRange(1.0, 100.0))
+      ->capture_default_str();
+  verb->add_option("--seed", command->options.seed, "The same seed, the same spheres")
+      ->capture_default_str();
+  verb->add_option("--threads", command->options.threads, "However many, the same spheres")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  verb->add_option("--name", command->name, "Of the bone")->capture_default_str();
+  verb->add_option("--title", command->title, "For people")->capture_default_str();
+  verb->callback(
+      [&action, command] { action = [command] { return app::buildPacking(*command); }; });
+}
+
+struct DensityCommand {
+  std::string packing;
+  MaterialChoice material;
+  std::string out;
+  std::string report;
+  std::size_t depths = 400;
+};
+
+/// Reams what was fitted, as the machine of the paper would.
+void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
+  double h = 0.0;
+  for (const auto& curve : report.curves) {
+    const auto result = reaming::ream(bone, h);
+    fmt::print(
+        "{:<8} reamed at 0.03 mm/s: {:.2g} of the force off the curve; {:.1f} % of the mass "
+        "removed; ended by {}\n",
+        curve.curve,
+        reaming::errorOf(result, curve.depths, curve.wanted),
+        100.0 * result.removedShare,
+        result.stop);
+    h += 0.5;
+  }
+}
+
+int fitDensities(const DensityCommand& command) {
+  checkedEnding(command.out);
+  protocols::PackingOrigin origin;
+  auto bone = readBone(command.packing, origin);
+  const auto material = curvesOf(command.material, origin);
+  bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
+  reaming::BoneFitReport report;
+  try {
+    report = reaming::fitTo(bone, material.curves, command.depths, [](const std::string& curve) {
+      fmt::print(stderr, "fitting the {} curve\n", curve);
+    });
+  } catch (const std::invalid_argument& wrong) {
+    throw UserError(command.packing + ": " + wrong.what() + ".");
+  }
+  for (const auto& curve : report.curves) {
+    fmt::print(
+        "{:<8} error {:.2g} of the force (12 layers alone: {:.2g}); at most {:.1g} above the "
+        "optimum; {} steps\n",
+        curve.curve,
+        curve.fit.spheres.error,
+        curve.fit.layers.error,
+        std::max(curve.fit.spheres.gap, 0.0),
+        curve.fit.spheres.iterations);
+  }
+  fmt::print(
+      "{:.0f} % of the spheres are touched by the experiment; the others are as the deepest layer "
+      "that is. {:.1f} s.\n",
+      100.0 * report.curves.front().fit.touchedShare,
+      report.seconds);
+  printExperiments(bone, report);
+  for (const auto& warning : warningsOf(report)) fmt::print("WARNING: {}\n", warning);
+  writeNewFile(command.out, protocols::packingAsText(bone, origin));
+  fmt::print(
+      "{0} holds the bone. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",
+      fs::path(command.out).filename().string());
+  printMark(bone);
+  if (!command.report.empty()) {
+    writeDocument(command.report, "packing", packingReport(bone, report));
+    fmt::print("{}/packing.html holds tables and figures.\n", command.report);
+  }
+  return 0;
+}
+
+void addFitDensities(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<DensityCommand>();
+  auto* verb = noun.add_subcommand("fit", "Densities that make spheres feel like a material");
+  verb->add_option("PACKING", command->packing, "As 'palpate packing build' made it")->required();
+  addMaterialOptions(*verb, command->material);
+  verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
+  verb->add_option("--report", command->report, "A folder for tables, figures and a page");
+  verb->add_option("--depths", command->depths, "Places of the curve that are to be met")
+      ->check(CLI::Range(20, 2000))
+      ->capture_default_str();
+  verb->callback(
+      [&action, command] { action = [command] { return app::fitDensities(*command); }; });
+}
+
+}  // namespace
+
+void addPackingCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("packing", "Bone as spheres that can be reamed away");
+  noun->require_subcommand(1);
+  addBuildPacking(*noun, action);
+  addFitDensities(*noun, action);
+  addSwarmCommands(*noun, action);
+}
+
+}  // namespace study::app

@@ -1,0 +1,91 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/data/error.h"
+#include "analysis/published/published_table.h"
+#include "questionnaires/json/document.h"
+#include "study/app/commands.h"
+#include "study/app/planning/published_report.h"
+
+namespace study::app {
+namespace {
+
+struct CheckTableOptions {
+  std::string groups;
+  std::string comparisons;
+  std::vector<std::uint64_t> sizes;
+  std::vector<int> scale;
+  int parts = 1;
+  bool json = false;
+};
+
+PublishedQuestion questionOf(const CheckTableOptions& options) {
+  PublishedQuestion question;
+  if (!options.sizes.empty()) {
+    question.fewest = options.sizes[0];
+    question.most = options.sizes[1];
+    if (options.sizes[0] > options.sizes[1]) {
+      throw analysis::Error("--sizes go from the fewest to the most, for instance --sizes 24 36");
+    }
+  }
+  if (!options.scale.empty()) {
+    question.scale = {
+        .lowest = options.scale[0], .highest = options.scale[1], .parts = options.parts};
+    const int points = (options.scale[1] - options.scale[0]) * options.parts + 1;
+    if (points < 2 || points > analysis::AnswerLattice::kMostPoints) {
+      throw analysis::Error(
+          "--scale goes from the lowest point to the highest, for instance --scale 1 5, and has "
+          "at most 101 points");
+    }
+  }
+  return question;
+}
+
+int checkTable(const CheckTableOptions& options) {
+  const auto groups = questionnaires::readTextFile(options.groups);
+  const auto comparisons = questionnaires::readTextFile(options.comparisons);
+  try {
+    const auto table = analysis::readPublishedTable(groups, comparisons);
+    const auto report = examine(table, questionOf(options));
+    std::fputs(
+        (options.json ? publishedReportAsJson(report) : publishedReportAsText(report)).c_str(),
+        stdout);
+  } catch (const analysis::Error& error) {
+    throw analysis::Error(
+        options.groups + " and " + options.comparisons + " cannot be checked:\n" + error.what());
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addCheckTableCommand(CLI::App& stats, Action& action) {
+  auto options = std::make_shared<CheckTableOptions>();
+  auto* command = stats.add_subcommand(
+      "check-table", "Does a published table follow from its own means, variances and sizes?");
+  command
+      ->add_option(
+          "GROUPS", options->groups, "A CSV file: group, n (may be missing), mean, variance or sd")
+      ->required();
+  command->add_option("COMPARISONS", options->comparisons, "A CSV file: group1, group2, p")
+      ->required();
+  command->add_option("--sizes", options->sizes, "Sizes of the groups to try: FEWEST MOST")
+      ->expected(2)
+      ->check(CLI::Range(2, 1000));
+  auto* scale =
+      command->add_option("--scale", options->scale, "What people answered on: LOWEST HIGHEST")
+          ->expected(2)
+          ->check(CLI::Range(-1000, 1000));
+  command->add_option("--parts", options->parts, "Answers come in steps of 1/PARTS of a point")
+      ->check(CLI::Range(1, 20))
+      ->needs(scale)
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "For programs, full precision");
+  command->callback([&action, options] { action = [options] { return checkTable(*options); }; });
+}
+
+}  // namespace study::app

@@ -1,0 +1,105 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "protocols/load_protocol.h"
+#include "study/app/commands.h"
+#include "study/app/finite_range.h"
+#include "study/app/planning/study_plan.h"
+
+namespace study::app {
+namespace {
+
+struct PlanOptions {
+  std::string file;
+  PlanQuestion question;
+  std::uint64_t participants = 0;
+  double alpha = 0.0;
+  std::vector<double> shares;
+  bool json = false;
+};
+
+void takeShares(PlanOptions& options) {
+  if (options.shares.empty()) return;
+  const double sum = options.shares[0] + options.shares[1] + options.shares[2];
+  if (std::abs(sum - 1.0) > 1e-9) {
+    throw std::runtime_error(
+        "the three shares of the variance add up to 1, for instance --shares .3 .2 .5");
+  }
+  options.question.model.participantShare = options.shares[0];
+  options.question.model.participantByConditionShare = options.shares[1];
+  options.question.model.residualShare = options.shares[2];
+}
+
+int plan(PlanOptions options) {
+  takeShares(options);
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(options.file, problems);
+  if (!loaded) {
+    std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+    return 1;
+  }
+  const auto found = planOf(*loaded, options.question);
+  std::fputs((options.json ? studyPlanAsJson(found) : studyPlanAsText(found)).c_str(), stdout);
+  return 0;
+}
+
+void addAssumptions(CLI::App& command, PlanOptions& options) {
+  auto& question = options.question;
+  command
+      .add_option(
+          "--shares",
+          options.shares,
+          "Of an answer's variance: participant, their taste for a condition, chance (.3 .2 .5)")
+      ->expected(3)
+      ->check(finiteRange(0.0, 1.0));
+  command.add_option("--studies", question.studies, "To be simulated; 0 for none")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str();
+  command.add_option("--seed", question.seed, "Of the simulation")->capture_default_str();
+  command.add_option("--seconds-per-item", question.pace.perItem, "For a statement or a choice")
+      ->check(finiteRange(0.1, 3600.0))
+      ->capture_default_str();
+  command.add_option("--seconds-per-cut", question.pace.perCut, "On the device or the real tool")
+      ->check(finiteRange(0.1, 3600.0))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<PlanOptions>();
+  auto& question = options->question;
+  auto* command = program.add_subcommand(
+      "plan", "Before anybody comes: how many participants, what they can show, how long it takes");
+  command->add_option("PROTOCOL", options->file, "A protocol file, or one of the library by name")
+      ->required();
+  auto* participants = command->add_option(
+      "--participants", options->participants, "Of every cohort; otherwise what is planned");
+  participants->check(CLI::Range(1, 1000));
+  command
+      ->add_option(
+          "--effect", question.dz, "d_z to be found: mean difference / its deviation among people")
+      ->check(finiteRange(0.01, 100.0))
+      ->capture_default_str();
+  auto* alpha = command->add_option(
+      "--alpha", options->alpha, "Of a family; otherwise what the protocol declares");
+  alpha->check(finiteRange(1e-6, 0.5));
+  command->add_option("--power", question.power, "To be reached")
+      ->check(finiteRange(0.5, 0.9999))
+      ->capture_default_str();
+  addAssumptions(*command, *options);
+  command->add_flag("--json", options->json, "For programs, full precision");
+  command->callback([&action, options, participants, alpha] {
+    if (participants->count() > 0) options->question.participants = options->participants;
+    if (alpha->count() > 0) options->question.alpha = options->alpha;
+    action = [options] { return app::plan(*options); };
+  });
+}
+
+}  // namespace study::app

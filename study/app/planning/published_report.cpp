@@ -1,0 +1,85 @@
+#include "study/app/planning/published_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/data/error.h"
+
+namespace study::app {
+namespace {
+
+using analysis::GroupSizes;
+using analysis::PublishedTable;
+
+constexpr std::uint64_t kMostSizes = 100;
+
+/// Nothing where one of them is not stated.
+std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
+  GroupSizes sizes;
+  for (const auto& group : table.groups) {
+    if (!group.n) return std::nullopt;
+    sizes.push_back(*group.n);
+  }
+  return sizes;
+}
+
+/// For every group the sizes to be tried.
+std::vector<GroupSizes> sizesToTry(const PublishedTable& table, const PublishedQuestion& question) {
+  std::vector<GroupSizes> all;
+  for (const auto& group : table.groups) {
+    auto& sizes = all.emplace_back();
+    if (!question.fewest) {
+      sizes.push_back(*group.n);
+      continue;
+    }
+    for (std::uint64_t n = *question.fewest; n <= *question.most; ++n) sizes.push_back(n);
+  }
+  return all;
+}
+
+void findWholeAnswers(PublishedReport& report) {
+  const auto sizes = sizesToTry(report.table, report.question);
+  std::uint64_t most = 0;
+  for (const auto& ofGroup : sizes) most = std::max(most, ofGroup.back());
+  try {
+    const analysis::AnswerLattice lattice(*report.question.scale, most);
+    for (const auto& convention : analysis::publishedConventions()) {
+      report.wholeAnswers.push_back(
+          analysis::fittingSizes(report.table, sizes, lattice, convention));
+    }
+  } catch (const std::invalid_argument& error) {
+    throw analysis::Error(
+        std::string(error.what()) +
+        ": try fewer sizes (--sizes), or leave the scale out (--scale)");
+  }
+}
+
+}  // namespace
+
+PublishedReport examine(const PublishedTable& table, const PublishedQuestion& question) {
+  const auto stated = statedSizes(table);
+  if (!stated && !question.fewest) {
+    throw analysis::Error(
+        "the table does not state the size of every group: add a column n, or say which sizes to "
+        "try, for instance --sizes 24 36");
+  }
+  if (question.fewest && *question.most - *question.fewest >= kMostSizes) {
+    throw analysis::Error(
+        "those are too many sizes to try at once: at most " + std::to_string(kMostSizes));
+  }
+  PublishedReport report{.table = table, .question = question};
+  if (question.scale) findWholeAnswers(report);
+  for (const auto& convention : analysis::publishedConventions()) {
+    if (stated) report.atStated.push_back(analysis::checkAt(table, *stated, convention));
+    if (!question.fewest) continue;
+    for (std::uint64_t n = *question.fewest; n <= *question.most; ++n) {
+      report.atEqual.push_back(
+          analysis::checkAt(table, GroupSizes(table.groups.size(), n), convention));
+    }
+  }
+  return report;
+}
+
+}  // namespace study::app

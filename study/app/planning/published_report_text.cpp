@@ -1,0 +1,157 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "study/app/planning/published_report.h"
+
+namespace study::app {
+namespace {
+
+using analysis::ConventionCheck;
+using analysis::PublishedTable;
+
+std::string shortP(double p) {
+  if (p < 0.00005) return p == 0.0 ? "0" : "<.0001";
+  if (p >= 0.99995) return "1";
+  return fmt::format("{:.4f}", p).substr(1);
+}
+
+std::string namesAndSizes(const PublishedTable& table, const analysis::GroupSizes& sizes) {
+  std::string words;
+  for (std::size_t g = 0; g < sizes.size(); ++g) {
+    words += fmt::format("{}{} {}", g == 0 ? "" : ", ", table.groups[g].name, sizes[g]);
+  }
+  return words;
+}
+
+/// 24–27, 30
+std::string inRanges(const std::vector<std::uint64_t>& numbers) {
+  std::string words;
+  for (std::size_t i = 0; i < numbers.size();) {
+    std::size_t last = i;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+    words += (words.empty() ? "" : ", ") + std::to_string(numbers[i]);
+    if (last > i) words += "–" + std::to_string(numbers[last]);
+    i = last + 1;
+  }
+  return words.empty() ? "none" : words;
+}
+
+std::string verdict(const analysis::ComparisonCheck& check, const analysis::Interval& printed) {
+  if (check.follows) return "may be";
+  const bool isTooLarge = printed.low > check.attainable.high;
+  return fmt::format(
+      "CANNOT BE: {} {}",
+      isTooLarge ? "at most" : "at least",
+      shortP(isTooLarge ? check.attainable.high : check.attainable.low));
+}
+
+std::string comparisonTable(const PublishedTable& table, const ConventionCheck& check) {
+  std::string text = fmt::format(
+      "n = {}; {}:\n  {:<24} {:>10}   {:<18} {}\n",
+      namesAndSizes(table, check.sizes),
+      analysis::inWords(check.convention),
+      "comparison",
+      "printed p",
+      "attainable p",
+      "verdict");
+  for (std::size_t i = 0; i < table.comparisons.size(); ++i) {
+    const auto& [first, second, p] = table.comparisons[i];
+    const auto& row = check.comparisons[i];
+    text += fmt::format(
+        "  {:<24} {:>10}   {:<18} {}\n",
+        table.groups[first].name + " – " + table.groups[second].name,
+        p.text(),
+        shortP(row.attainable.low) + " … " + shortP(row.attainable.high),
+        verdict(row, p.bounds(check.convention.reading)));
+  }
+  if (check.eachFollows()) {
+    text += check.row ? "  One mean and one variance for each group give all p at once.\n"
+                      : "  Each p may be for itself; no means and variances were found that give "
+                        "all of them at once.\n";
+  }
+  return text + "\n";
+}
+
+/// Which conventions explain the whole row.
+std::string statedPart(const PublishedReport& report) {
+  std::string text = comparisonTable(report.table, report.atStated.front());
+  std::vector<std::string> fitting;
+  for (const auto& check : report.atStated) {
+    if (check.row) fitting.push_back(analysis::inWords(check.convention));
+  }
+  text += fmt::format(
+      "Of {} conventions {} the whole row at these sizes{}\n",
+      report.atStated.size(),
+      fitting.empty() ? "none explains" : fmt::format("{} explain", fitting.size()),
+      fitting.empty() ? "." : ":");
+  for (const auto& words : fitting) text += "  " + words + "\n";
+  return text + "\n";
+}
+
+std::string equalPart(const PublishedReport& report) {
+  std::string text = fmt::format(
+      "Sizes from {} to {}, the same in every group, that explain the whole row (real numbers):\n",
+      *report.question.fewest,
+      *report.question.most);
+  for (const auto& convention : analysis::publishedConventions()) {
+    std::vector<std::uint64_t> sizes;
+    for (const auto& check : report.atEqual) {
+      if (check.convention == convention && check.row) sizes.push_back(check.sizes.front());
+    }
+    text += fmt::format("  {:<60} {}\n", analysis::inWords(convention), inRanges(sizes));
+  }
+  return text + "\n";
+}
+
+std::string fitsInWords(const PublishedTable& table, const analysis::FittingSizes& fits) {
+  if (fits.tried == 1) return fits.fitting.empty() ? "no answers fit" : "answers fit";
+  if (fits.fitting.empty()) return fmt::format("none of {} fits", fits.tried);
+  const auto equal = fits.equalSizes();
+  return fmt::format(
+      "{} of {} fit, {}; fewest missing: {}",
+      fits.fitting.size(),
+      fits.tried,
+      equal.empty() ? "none with equal sizes" : "equal sizes " + inRanges(equal),
+      namesAndSizes(table, *fits.fewestMissing()));
+}
+
+std::string wholePart(const PublishedReport& report) {
+  const auto& scale = *report.question.scale;
+  std::string text = fmt::format(
+      "Answers on {} … {}{} (sums and sums of squares are whole; every combination of sizes):\n",
+      scale.lowest,
+      scale.highest,
+      scale.parts == 1 ? "" : fmt::format(" in steps of 1/{}", scale.parts));
+  const auto& usual = report.wholeAnswers.front();
+  for (std::size_t g = 0; g < report.table.groups.size(); ++g) {
+    text += fmt::format(
+        "  mean and variance of {} alone: {}\n",
+        report.table.groups[g].name,
+        usual.possible[g].empty() ? "no size" : "n = " + inRanges(usual.possible[g]));
+  }
+  for (const auto& fits : report.wholeAnswers) {
+    text += fmt::format(
+        "  {:<60} {}\n", analysis::inWords(fits.convention), fitsInWords(report.table, fits));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string publishedReportAsText(const PublishedReport& report) {
+  std::string text =
+      "Do the printed p values follow from the printed means, variances and sizes?\n\n";
+  if (!report.atStated.empty()) text += statedPart(report);
+  if (!report.atEqual.empty()) text += equalPart(report);
+  if (!report.wholeAnswers.empty()) {
+    text += wholePart(report);
+  } else {
+    text +=
+        "Whole answers were not looked for: say what scale they were given on, for instance "
+        "--scale 1 5.\n";
+  }
+  return text;
+}
+
+}  // namespace study::app

@@ -1,0 +1,223 @@
+#include "study/app/planning/study_plan.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "analysis/planning/power.h"
+#include "protocols/orders/order.h"
+#include "protocols/orders/schedule.h"
+#include "study/apa_text.h"
+
+namespace study::app {
+namespace {
+
+using protocols::LoadedProtocol;
+using protocols::PhaseType;
+
+constexpr double kDefaultAlpha = 0.05;
+
+std::vector<BlockPlan> blocksOf(const protocols::Protocol& protocol) {
+  std::vector<BlockPlan> blocks;
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != PhaseType::Block) continue;
+    const auto balance = protocols::balanceOf(protocol, phase, 1, protocol.cohorts.front().id, 0);
+    blocks.push_back(
+        {.phase = phase.id,
+         .conditions = phase.trials.conditions.size(),
+         .order = phase.trials.order.type,
+         .multipleOf = balance.multipleOf,
+         .hasOneOrder = balance.multipleOf == 1});
+  }
+  return blocks;
+}
+
+std::size_t balancedBy(const std::vector<BlockPlan>& blocks) {
+  std::size_t multiple = 1;
+  for (const auto& block : blocks) {
+    if (block.multipleOf > 0) multiple = std::lcm(multiple, block.multipleOf);
+  }
+  return multiple;
+}
+
+std::vector<CohortPlan> cohortsOf(
+    const protocols::Protocol& protocol, const PlanQuestion& question, std::size_t multiple) {
+  std::vector<CohortPlan> cohorts;
+  for (const auto& cohort : protocol.cohorts) {
+    const auto planned = static_cast<std::uint64_t>(std::max(cohort.planned, 0));
+    const auto participants = question.participants.value_or(planned);
+    cohorts.push_back(
+        {.id = cohort.id,
+         .title = cohort.title.in("en"),
+         .participants = participants,
+         .isBalanced = participants > 0 && multiple > 1 && participants % multiple == 0});
+  }
+  return cohorts;
+}
+
+std::set<std::string> conditionsOf(const protocols::Family& family) {
+  std::set<std::string> conditions;
+  for (const auto& pair : family.comparisons) conditions.insert({pair.first, pair.second});
+  return conditions;
+}
+
+/// How many Likert statements somebody answers about @p condition for @p family.
+std::size_t answersTo(
+    const std::string& condition, const protocols::Family& family, const LoadedProtocol& loaded) {
+  const auto& instrument = *loaded.instrument(family.instrument);
+  std::size_t answers = 0;
+  for (const auto& phase : loaded.protocol.phases) {
+    const bool isAsked = phase.type == PhaseType::Block &&
+                         std::ranges::count(phase.trials.conditions, condition) > 0 &&
+                         (family.blocks.empty() || std::ranges::count(family.blocks, phase.id) > 0);
+    if (!isAsked) continue;
+    for (const auto& asked : phase.trials.questionnaires) {
+      if (asked.instrument != family.instrument) continue;
+      const auto items = instrument.itemsOf(asked.setFor(condition));
+      answers += static_cast<std::size_t>(
+          std::ranges::count(items, questionnaires::ItemType::Likert, &questionnaires::Item::type));
+    }
+  }
+  return answers;
+}
+
+int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
+  const auto& items = loaded.instrument(family.instrument)->items;
+  const auto likert =
+      std::ranges::find(items, questionnaires::ItemType::Likert, &questionnaires::Item::type);
+  return likert == items.end() ? 5 : likert->scale.points;
+}
+
+analysis::SimulatedPower simulated(
+    const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants, double dz) {
+  analysis::PowerSimulation simulation{
+      .model = question.model,
+      .participants = participants,
+      .alpha = family.alpha,
+      .comparisons = family.isCorrected ? family.comparisons : 1,
+      .studies = question.studies,
+      .seed = question.seed};
+  simulation.model.points = family.points;
+  simulation.model.conditions = static_cast<int>(family.conditions);
+  simulation.model.answers = static_cast<int>(family.answers);
+  simulation.model.dz = dz;
+  return analysis::simulatePower(simulation);
+}
+
+Prospect prospectOf(
+    const FamilyPlan& family, const PlanQuestion& question, std::uint64_t participants) {
+  Prospect prospect{
+      .participants = participants, .pair = analysis::smallestSignFlipP(participants)};
+  prospect.canFindPairs = prospect.pair.p <= family.alphaPerTest;
+  if (family.conditions > 2) {
+    prospect.friedman =
+        analysis::smallestFriedmanP(participants, static_cast<int>(family.conditions));
+  }
+  if (participants < 2) return prospect;
+  prospect.power = analysis::pairedTPower(question.dz, participants, family.alphaPerTest);
+  if (question.studies > 0 && family.answers > 0) {
+    prospect.found = simulated(family, question, participants, question.dz);
+    prospect.invented = simulated(family, question, participants, 0.0);
+  }
+  return prospect;
+}
+
+FamilyPlan declared(
+    const protocols::Family& family, const LoadedProtocol& loaded, const PlanQuestion& question) {
+  const auto conditions = conditionsOf(family);
+  FamilyPlan plan{
+      .id = family.id,
+      .title = family.title,
+      .comparisons = family.comparisons.size(),
+      .conditions = conditions.size(),
+      .points = pointsOf(family, loaded),
+      .alpha = question.alpha.value_or(family.alpha),
+      .isCorrected = family.correction != protocols::CorrectionType::None,
+      .correction = std::string(nameOf(family.correction))};
+  const auto tests = plan.isCorrected ? plan.comparisons : 1;
+  plan.alphaPerTest = plan.alpha / static_cast<double>(tests);
+  plan.answers = answersTo(*conditions.begin(), family, loaded);
+  for (const auto& condition : conditions) {
+    plan.answers = std::min(plan.answers, answersTo(condition, family, loaded));
+  }
+  return plan;
+}
+
+FamilyPlan familyPlan(
+    const protocols::Family& family, const LoadedProtocol& loaded, const StudyPlan& study) {
+  FamilyPlan plan = declared(family, loaded, study.question);
+  plan.fewestForAnyP = analysis::fewestForSignFlip(plan.alphaPerTest, 1);
+  if (study.question.power > plan.alphaPerTest) {
+    plan.forPower =
+        analysis::participantsForPower(study.question.dz, plan.alphaPerTest, study.question.power);
+  }
+  if (plan.forPower) {
+    const auto needed = std::max(*plan.forPower, plan.fewestForAnyP);
+    const auto multiple = static_cast<std::uint64_t>(study.balancedBy);
+    plan.recommended = (needed + multiple - 1) / multiple * multiple;
+  }
+  for (const auto& cohort : study.cohorts) {
+    const auto same =
+        std::ranges::find(plan.prospects, cohort.participants, &Prospect::participants);
+    plan.prospects.push_back(
+        same != plan.prospects.end() ? Prospect(*same)
+                                     : prospectOf(plan, study.question, cohort.participants));
+  }
+  return plan;
+}
+
+void addCohortPairs(StudyPlan& study) {
+  for (std::size_t i = 0; i < study.cohorts.size(); ++i) {
+    for (std::size_t j = i + 1; j < study.cohorts.size(); ++j) {
+      const auto& first = study.cohorts[i];
+      const auto& second = study.cohorts[j];
+      if (first.participants == 0 || second.participants == 0) continue;
+      study.cohortPairs.push_back(
+          {first.id,
+           second.id,
+           analysis::smallestMannWhitneyP(first.participants, second.participants)});
+    }
+  }
+}
+
+void addVotes(StudyPlan& study, const protocols::Protocol& protocol) {
+  const double alpha = study.question.alpha.value_or(kDefaultAlpha);
+  for (const auto& phase : protocol.phases) {
+    if (phase.type != PhaseType::Preference) continue;
+    const auto& conditions = protocol.phase(phase.block)->trials.conditions;
+    for (const auto& cohort : study.cohorts) {
+      VotePlan vote{
+          .phase = phase.id,
+          .cohort = cohort.id,
+          .alternatives = static_cast<int>(conditions.size()),
+          .votes = cohort.participants};
+      if (vote.alternatives > 1) {
+        vote.toWin = analysis::fewestVotesToWin(vote.votes, vote.alternatives, alpha);
+        vote.canDecide = analysis::smallestVoteP(vote.votes, vote.alternatives).p <= alpha;
+      }
+      study.votes.push_back(vote);
+    }
+  }
+}
+
+}  // namespace
+
+StudyPlan planOf(const LoadedProtocol& loaded, const PlanQuestion& question) {
+  const auto& protocol = loaded.protocol;
+  StudyPlan study{.title = protocol.study.title, .question = question};
+  study.blocks = blocksOf(protocol);
+  study.balancedBy = balancedBy(study.blocks);
+  study.cohorts = cohortsOf(protocol, question, study.balancedBy);
+  for (const auto& family : protocol.analysis.families) {
+    if (!family.comparisons.empty()) study.families.push_back(familyPlan(family, loaded, study));
+  }
+  addCohortPairs(study);
+  addVotes(study, protocol);
+  study.length = lengthOf(loaded, question.pace);
+  for (const auto& device : protocol.devices) {
+    study.mostForce = std::max(study.mostForce, device.maxForce);
+  }
+  return study;
+}
+
+}  // namespace study::app

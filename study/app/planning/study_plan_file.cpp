@@ -1,0 +1,128 @@
+#include <nlohmann/json.hpp>
+
+#include "study/app/planning/study_plan.h"
+
+namespace study::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json asJson(const analysis::AttainableP& p) {
+  return {{"p", p.p}, {"log10_p", p.log10P}};
+}
+
+Json asJson(const std::optional<analysis::SimulatedPower>& found) {
+  if (!found) return nullptr;
+  Json json;
+  const auto add = [&](const char* name, const analysis::DetectionRate& rate) {
+    json[name] = {{"rate", rate.rate}, {"se", rate.standardError}};
+  };
+  add("paired_t", found->pairedT);
+  add("signed_rank", found->signedRank);
+  add("friedman", found->friedman);
+  add("any_paired_t", found->anyPairedT);
+  add("pooled_welch", found->pooledWelch);
+  add("any_pooled_welch", found->anyPooledWelch);
+  return json;
+}
+
+Json asJson(const Prospect& prospect, const CohortPlan& cohort) {
+  return {
+      {"cohort", cohort.id},
+      {"participants", prospect.participants},
+      {"smallest_pair", asJson(prospect.pair)},
+      {"can_find_pairs", prospect.canFindPairs},
+      {"smallest_friedman", prospect.friedman ? asJson(*prospect.friedman) : Json(nullptr)},
+      {"power", orNull(prospect.power)},
+      {"simulated", asJson(prospect.found)},
+      {"simulated_without_effect", asJson(prospect.invented)}};
+}
+
+Json asJson(const FamilyPlan& family, const StudyPlan& plan) {
+  Json json{
+      {"family_id", family.id},
+      {"title", family.title},
+      {"comparisons", family.comparisons},
+      {"conditions", family.conditions},
+      {"answers", family.answers},
+      {"points", family.points},
+      {"alpha", family.alpha},
+      {"alpha_per_test", family.alphaPerTest},
+      {"fewest_for_exact_pair", family.fewestForAnyP},
+      {"participants_for_power", orNull(family.forPower)},
+      {"participants_for_power_balanced", orNull(family.recommended)}};
+  json["prospects"] = Json::array();
+  for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
+    json["prospects"].push_back(asJson(family.prospects[i], plan.cohorts[i]));
+  }
+  return json;
+}
+
+Json asJson(const SessionLength& length) {
+  Json json{{"seconds", length.seconds}, {"seconds_of_force", length.secondsOfForce}};
+  json["parts"] = Json::array();
+  for (const auto& part : length.parts) {
+    json["parts"].push_back(
+        {{"kind", nameOf(part.kind)},
+         {"steps", part.steps},
+         {"items", part.items},
+         {"cuts", part.cuts},
+         {"seconds", part.seconds}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string studyPlanAsJson(const StudyPlan& plan) {
+  Json json{
+      {"title", plan.title},
+      {"effect_dz", plan.question.dz},
+      {"power", plan.question.power},
+      {"balanced_by", plan.balancedBy}};
+  json["blocks"] = Json::array();
+  for (const auto& block : plan.blocks) {
+    json["blocks"].push_back(
+        {{"phase", block.phase},
+         {"conditions", block.conditions},
+         {"multiple_of", block.multipleOf},
+         {"one_order_for_all", block.hasOneOrder}});
+  }
+  json["cohorts"] = Json::array();
+  for (const auto& cohort : plan.cohorts) {
+    json["cohorts"].push_back(
+        {{"id", cohort.id},
+         {"participants", cohort.participants},
+         {"balanced", cohort.isBalanced}});
+  }
+  json["cohort_pairs"] = Json::array();
+  for (const auto& pair : plan.cohortPairs) {
+    json["cohort_pairs"].push_back(
+        {{"first", pair.first},
+         {"second", pair.second},
+         {"smallest_mann_whitney", asJson(pair.smallest)}});
+  }
+  json["families"] = Json::array();
+  for (const auto& family : plan.families) json["families"].push_back(asJson(family, plan));
+  json["votes"] = Json::array();
+  for (const auto& vote : plan.votes) {
+    json["votes"].push_back(
+        {{"phase", vote.phase},
+         {"cohort", vote.cohort},
+         {"alternatives", vote.alternatives},
+         {"votes", vote.votes},
+         {"can_decide", vote.canDecide},
+         {"to_win", orNull(vote.toWin)}});
+  }
+  json["session"] = asJson(plan.length);
+  json["max_force_n"] = plan.mostForce;
+  json["ethics"] = ethicsParagraph(plan);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace study::app

@@ -1,0 +1,386 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "analysis/planning/power.h"
+#include "study/app/planning/study_plan.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+using words::counted;
+
+/// .0167, 7.6e-06
+std::string pText(double p) {
+  if (p >= 0.99995) return "1";
+  if (p < 0.0001) return fmt::format("{:.1e}", p);
+  return fmt::format("{:.4f}", p).substr(1);
+}
+
+std::string pText(const analysis::AttainableP& p) {
+  if (p.p > 0.0) return pText(p.p);
+  return fmt::format("1e{:.0f}", std::floor(p.log10P));
+}
+
+std::string share(double rate) {
+  return rate >= 0.995 ? "1.00" : fmt::format("{:.2f}", rate).substr(1);
+}
+
+std::string sizeText(const std::optional<std::uint64_t>& size) {
+  return size ? std::to_string(*size) : "more than a million";
+}
+
+std::string ordersText(const StudyPlan& plan) {
+  std::string text = "Orders\n";
+  for (const auto& block : plan.blocks) {
+    text += fmt::format("  {}: {}, ", block.phase, counted(block.conditions, "condition"));
+    if (block.conditions < 2) {
+      text += "nothing to balance.\n";
+    } else if (block.hasOneOrder) {
+      text +=
+          "the same order for everybody. No number of participants balances it: what is felt "
+          "later may seem better or worse for that alone.\n";
+    } else if (block.multipleOf == 0) {
+      text += "an order drawn for everybody: balanced on average, exactly for no number.\n";
+    } else {
+      text += fmt::format("balanced for every multiple of {}.\n", block.multipleOf);
+    }
+  }
+  if (plan.balancedBy < 2) return text;
+  for (const auto& cohort : plan.cohorts) {
+    if (cohort.participants == 0) continue;
+    const auto over = cohort.participants % plan.balancedBy;
+    text += fmt::format("  {}: {} ", cohort.id, counted(cohort.participants, "participant"));
+    if (cohort.isBalanced) {
+      text += "balance every block.\n";
+    } else {
+      text += fmt::format(
+          "do NOT balance every block; {}{} do.\n",
+          cohort.participants > over ? fmt::format("{} or ", cohort.participants - over) : "",
+          cohort.participants - over + plan.balancedBy);
+    }
+  }
+  return text;
+}
+
+std::string pairVerdict(const FamilyPlan& family, const Prospect& prospect) {
+  const auto smallest = pText(prospect.pair);
+  if (prospect.canFindPairs) {
+    return fmt::format(
+        "smallest exact p of a pair {}: below {}, so that exact paired tests can find something",
+        smallest,
+        pText(family.alphaPerTest));
+  }
+  return fmt::format(
+      "smallest exact p of a pair {}: above {}, so that NO exact paired test can ever be "
+      "significant, whatever people answer. At least {} are needed",
+      smallest,
+      pText(family.alphaPerTest),
+      family.fewestForAnyP);
+}
+
+std::string friedmanVerdict(const FamilyPlan& family, const Prospect& prospect) {
+  if (!prospect.friedman) return {};
+  const bool can = prospect.friedman->p <= family.alpha;
+  return fmt::format(
+      "    smallest exact p of Friedman's test {}: it {} find something at {}.\n",
+      pText(*prospect.friedman),
+      can ? "can" : "can NOT",
+      pText(family.alpha));
+}
+
+std::string simulationText(const Prospect& prospect) {
+  if (!prospect.found || !prospect.invented) return {};
+  const auto& found = *prospect.found;
+  const auto& invented = *prospect.invented;
+  std::string text = fmt::format(
+      "    simulated: found by the paired t-test {}, by the exact signed rank test {}, by "
+      "Friedman's test {}.\n",
+      share(found.pairedT.rate),
+      share(found.signedRank.rate),
+      share(found.friedman.rate));
+  text += fmt::format(
+      "    simulated without any difference, at least one is found: paired t-tests {}, Welch's on "
+      "pooled answers {}.\n",
+      share(invented.anyPairedT.rate),
+      share(invented.anyPooledWelch.rate));
+  return text;
+}
+
+std::string prospectsText(const StudyPlan& plan, const FamilyPlan& family) {
+  std::string text;
+  for (std::size_t i = 0; i < plan.cohorts.size(); ++i) {
+    const auto& prospect = family.prospects[i];
+    if (prospect.participants == 0) {
+      text += fmt::format(
+          "  {}: nobody has said how many will come (\"planned\", or --participants).\n",
+          plan.cohorts[i].id);
+      continue;
+    }
+    text += fmt::format(
+        "  {}, {}:\n    {}.\n{}",
+        plan.cohorts[i].id,
+        counted(prospect.participants, "participant"),
+        pairVerdict(family, prospect),
+        friedmanVerdict(family, prospect));
+    if (prospect.power) {
+      text += fmt::format(
+          "    power of a paired t-test for d_z = {:g}{}: {}.\n",
+          plan.question.dz,
+          family.isCorrected ? " at the strictest step of the correction" : "",
+          share(*prospect.power));
+    }
+    text += simulationText(prospect);
+  }
+  return text;
+}
+
+std::string powerTable(const StudyPlan& plan, const FamilyPlan& family) {
+  std::set<double> effects{0.5, 0.8, 1.0, 1.2, 1.5, std::abs(plan.question.dz)};
+  effects.erase(0.0);
+  std::set<std::uint64_t> sizes{6, 8, 10, 12, 16, 20, 24, 30};
+  for (const auto& prospect : family.prospects) {
+    if (prospect.participants > 1) sizes.insert(prospect.participants);
+  }
+  std::string text = "  power of a paired t-test on participants' means, by d_z:\n             N";
+  for (const double dz : effects) text += fmt::format("{:>8g}", dz);
+  for (const auto n : sizes) {
+    text += fmt::format("\n{:>14}", n);
+    for (const double dz : effects) {
+      text += fmt::format("{:>8}", share(analysis::pairedTPower(dz, n, family.alphaPerTest)));
+    }
+  }
+  std::set<double> powers{0.8, 0.9, plan.question.power};
+  for (const double power : powers) {
+    if (power <= family.alphaPerTest) continue;
+    text += fmt::format("\n{:>14}", fmt::format("N for {:g}", power));
+    for (const double dz : effects) {
+      const auto n = analysis::participantsForPower(dz, family.alphaPerTest, power);
+      text += fmt::format("{:>8}", n ? std::to_string(*n) : "> 1e6");
+    }
+  }
+  return text + "\n";
+}
+
+std::string familyText(const StudyPlan& plan, const FamilyPlan& family) {
+  std::string text = fmt::format(
+      "\n{} ({}): {} of {}, {}, so alpha = {} for each\n",
+      family.title,
+      family.id,
+      counted(family.comparisons, "comparison"),
+      counted(family.conditions, "condition"),
+      family.isCorrected ? fmt::format("{} within {:g}", family.correction, family.alpha)
+                         : fmt::format("not corrected, {:g}", family.alpha),
+      pText(family.alphaPerTest));
+  text += fmt::format(
+      "  Each participant answers {} about each condition, on {}.\n",
+      counted(family.answers, "statement"),
+      counted(static_cast<std::uint64_t>(family.points), "point"));
+  text += prospectsText(plan, family);
+  text += powerTable(plan, family);
+  text += fmt::format(
+      "  for d_z = {:g} with power {:g}: {} participants a cohort{}.\n",
+      plan.question.dz,
+      plan.question.power,
+      sizeText(family.forPower),
+      family.recommended && plan.balancedBy > 1
+          ? fmt::format("; {} balance the orders as well", *family.recommended)
+          : "");
+  return text;
+}
+
+std::string cohortsText(const StudyPlan& plan) {
+  if (plan.cohortPairs.empty()) return {};
+  std::string text = "\nBetween cohorts, in one condition\n";
+  for (const auto& pair : plan.cohortPairs) {
+    text += fmt::format(
+        "  {} against {}: smallest exact p of Mann and Whitney's test {}.\n",
+        pair.first,
+        pair.second,
+        pText(pair.smallest));
+  }
+  return text;
+}
+
+std::string votesText(const StudyPlan& plan) {
+  if (plan.votes.empty()) return {};
+  std::string text = "\nVotes\n";
+  std::set<std::string> rounds;
+  for (const auto& vote : plan.votes) {
+    rounds.insert(vote.phase);
+    if (vote.votes == 0 || vote.alternatives < 2) continue;
+    text += fmt::format(
+        "  {}, {}: {} for {}; ",
+        vote.phase,
+        vote.cohort,
+        counted(vote.votes, "vote"),
+        counted(vote.alternatives, "alternative"));
+    text += vote.toWin ? fmt::format(
+                             "one that gets {} or more is preferred by more than chance (exact "
+                             "multinomial test).\n",
+                             *vote.toWin)
+            : vote.canDecide ? "too many to be counted out before the study.\n"
+                             : "too few: not even all votes for one would be more than chance.\n";
+  }
+  text += "  A tie for the first place decides nothing; it is reported as one.\n";
+  if (rounds.size() > 1) {
+    text +=
+        "  Votes of one person in several rounds depend on each other: each round is tested for "
+        "itself, never their sum.\n";
+  }
+  return text;
+}
+
+std::string wordsFor(const PartOfSession& part) {
+  switch (part.kind) {
+    case StepKind::Reading:
+      return "information and debriefing";
+    case StepKind::Consent:
+      return "consent";
+    case StepKind::Form:
+      return "forms";
+    case StepKind::Benchmark:
+      return "the real tool";
+    case StepKind::Trial:
+      return "trials on the device";
+    case StepKind::Questionnaire:
+      return "questions about what was felt";
+    case StepKind::Preference:
+      return "votes";
+    case StepKind::Break:
+      return "breaks";
+    case StepKind::Interview:
+      return "interview";
+  }
+  return {};
+}
+
+std::string lengthText(const StudyPlan& plan) {
+  const auto& pace = plan.question.pace;
+  std::string text = fmt::format(
+      "\nA session lasts about {:.0f} minutes\n", std::ceil(plan.length.seconds / 60.0));
+  for (const auto& part : plan.length.parts) {
+    std::string of = counted(part.steps, "step");
+    if (part.items > 0) of += ", " + counted(part.items, "item");
+    if (part.cuts > 0) of += ", " + counted(static_cast<std::uint64_t>(part.cuts), "cut");
+    text += fmt::format("  {:>6.1f} min  {} ({})\n", part.seconds / 60.0, wordsFor(part), of);
+  }
+  text += fmt::format(
+      "  Assumed: {:g} s an item, {:g} s an answer in words, {:g} s a cut, {:g} s before a trial, "
+      "{:g} words read a second; without arrival and leaving.\n",
+      pace.perItem,
+      pace.perText,
+      pace.perCut,
+      pace.perChange,
+      pace.wordsPerSecond);
+  return text;
+}
+
+std::string modelText(const StudyPlan& plan) {
+  const auto& model = plan.question.model;
+  if (plan.question.studies == 0 || plan.families.empty()) return {};
+  return fmt::format(
+      "\nd_z is the mean difference of two conditions divided by the standard deviation of the "
+      "participants' differences.\nSimulated: {} studies, seed {}; behind each answer a normal "
+      "number cut into points, of whose variance the\nparticipant has {:g}, the participant's "
+      "taste for a condition {:g}, chance {:g}; the first condition is ahead of the\nothers by d_z "
+      "before it is cut into points. A plan, never a finding.\n",
+      plan.question.studies,
+      plan.question.seed,
+      model.participantShare,
+      model.participantByConditionShare,
+      model.residualShare);
+}
+
+std::string cohortsInWords(const StudyPlan& plan) {
+  std::string words;
+  for (const auto& cohort : plan.cohorts) {
+    if (cohort.participants == 0) continue;
+    words += fmt::format(
+        "{}{} in the cohort “{}”",
+        words.empty() ? "" : ", ",
+        counted(cohort.participants, "participant"),
+        cohort.title);
+  }
+  return words;
+}
+
+std::string findableInWords(const StudyPlan& plan, const FamilyPlan& family) {
+  std::string words = fmt::format(
+      " The family “{}” consists of {} of {} ({}). A paired t-test on participants' mean ratings "
+      "needs {} participants a cohort to find a standardised difference of d_z = {:g} with a "
+      "power of {:g}",
+      family.title,
+      counted(family.comparisons, "comparison"),
+      counted(family.conditions, "condition"),
+      family.isCorrected
+          ? fmt::format("{}, alpha = {} each", family.correction, pText(family.alphaPerTest))
+          : fmt::format("alpha = {} each, not corrected", pText(family.alphaPerTest)),
+      sizeText(family.forPower),
+      plan.question.dz,
+      plan.question.power);
+  std::set<std::uint64_t> seen;
+  for (const auto& prospect : family.prospects) {
+    if (!prospect.power || !seen.insert(prospect.participants).second) continue;
+    words += fmt::format(
+        "; with {} its power is {}, and an exact signed rank test {} reach significance",
+        prospect.participants,
+        share(*prospect.power),
+        prospect.canFindPairs ? "can" : "cannot");
+  }
+  return words + ".";
+}
+
+/// "all 3 conditions"; of several blocks "3 conditions in “a” and 2 conditions in “b”". Nothing
+/// where no block has two.
+std::string feltInWords(const StudyPlan& plan) {
+  std::string words;
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
+    const auto& block = plan.blocks[i];
+    most = std::max(most, block.conditions);
+    if (plan.blocks.size() == 1) return most > 1 ? fmt::format("all {} conditions", most) : "";
+    words += i == 0 ? "" : i + 1 == plan.blocks.size() ? " and " : ", ";
+    words += fmt::format("{} in “{}”", counted(block.conditions, "condition"), block.phase);
+  }
+  return most > 1 ? words : "";
+}
+
+}  // namespace
+
+std::string ethicsParagraph(const StudyPlan& plan) {
+  const auto cohorts = cohortsInWords(plan);
+  std::string words = cohorts.empty() ? "The number of participants has not been decided."
+                                      : "We plan to include " + cohorts + ".";
+  if (const auto felt = feltInWords(plan); !felt.empty()) {
+    words += " Every participant feels " + felt +
+             ", so that conditions are compared within participants";
+    words += plan.balancedBy > 1
+                 ? fmt::format("; orders are balanced for every {} participants.", plan.balancedBy)
+                 : ".";
+  }
+  for (const auto& family : plan.families) words += findableInWords(plan, family);
+  words += fmt::format(
+      " A session takes about {:.0f} minutes, of which about {:.0f} are spent touching the "
+      "device, which is limited to {:g} N. Participants may pause or stop at any time.",
+      std::ceil(plan.length.seconds / 60.0),
+      std::ceil(plan.length.secondsOfForce / 60.0),
+      plan.mostForce);
+  return words;
+}
+
+std::string studyPlanAsText(const StudyPlan& plan) {
+  std::string text = plan.title + "\n\n" + ordersText(plan);
+  if (plan.families.empty()) {
+    text +=
+        "\nThe protocol declares no comparisons (\"analysis\"): there is no power to be told.\n";
+  }
+  for (const auto& family : plan.families) text += familyText(plan, family);
+  text += cohortsText(plan) + votesText(plan) + lengthText(plan) + modelText(plan);
+  return text + "\nFor an application to an ethics committee\n" + ethicsParagraph(plan) + "\n";
+}
+
+}  // namespace study::app
