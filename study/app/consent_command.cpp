@@ -7,7 +7,7 @@
 
 #include "study/app/commands.h"
 #include "study/app/paint_figures.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
 
 namespace study::app {

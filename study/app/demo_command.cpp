@@ -10,11 +10,11 @@
 #include "protocols/model/library.h"
 #include "study/app/commands.h"
 #include "study/app/write_report.h"
-#include "study/export.h"
-#include "study/import_recording.h"
-#include "study/new_file.h"
-#include "study/simulated_participant.h"
-#include "study/verification.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/export.h"
+#include "study/model/new_file.h"
+#include "study/session/import_recording.h"
+#include "study/session/verification.h"
 
 namespace study::app {
 namespace {

@@ -14,9 +14,9 @@
 #include <QTimer>
 
 #include "protocols/load_protocol.h"
+#include "study/cohort/simulated_participant.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/operator_window.h"
-#include "study/simulated_participant.h"
 
 namespace study::app {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "study/app/commands.h"
 #include "study/app/run_mode_option.h"
-#include "study/export.h"
-#include "study/public_tables.h"
+#include "study/export/export.h"
+#include "study/export/public_tables.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -13,7 +13,7 @@
 #include "questionnaires/reading/wording.h"
 #include "study/app/commands.h"
 #include "study/app/instrument_keys.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 
 namespace study::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "haptics/recordings/process_noise.h"
 #include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"
-#include "study/results.h"
-#include "study/verification.h"
+#include "study/results/results.h"
+#include "study/session/verification.h"
 
 // What --json prints: one JSON document, numbers so that they read back exactly, null with a reason
 // where something is undefined.

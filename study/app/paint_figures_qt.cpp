@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "study/app/paint_figures.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 #include "study/report/figures/chart_painter.h"
 #include "study/report/figures/figures.h"
 #include "study/report/pdf_report.h"

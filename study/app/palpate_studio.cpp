@@ -20,9 +20,9 @@
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/theme_choice.h"
-#include "study/new_file.h"
-#include "study/storage/storage_error.h"
-#include "study/study.h"
+#include "study/model/new_file.h"
+#include "study/model/storage_error.h"
+#include "study/session/study.h"
 
 namespace {
 

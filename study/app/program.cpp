@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "study/app/commands.h"
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::app {
 

@@ -10,7 +10,7 @@
 #include "protocols/orders/schedule.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
-#include "study/balance_words.h"
+#include "study/results/balance_words.h"
 #include "study/words/counted.h"
 
 namespace study::app {

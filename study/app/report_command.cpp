@@ -11,7 +11,7 @@
 #include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
-#include "study/unblinding.h"
+#include "study/session/unblinding.h"
 #include "study/words/counted.h"
 
 namespace study::app {

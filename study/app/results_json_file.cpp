@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "study/apa_text.h"
 #include "study/app/json_file.h"
-#include "study/felt_curves.h"
-#include "study/statistics_row.h"
+#include "study/export/statistics_row.h"
+#include "study/results/apa_text.h"
+#include "study/results/felt_curves.h"
 
 namespace study::app {
 namespace {

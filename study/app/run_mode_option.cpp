@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "study/run_mode.h"
-#include "study/study.h"
+#include "study/model/run_mode.h"
+#include "study/session/study.h"
 
 namespace CLI {
 class App;
@@ -17,7 +17,7 @@ void addRunModeOption(CLI::App& command, std::string& name);
 /// Adds --run-mode for a session that somebody takes part in, live or pilot, and --pilot for short.
 void addRunModeOfSession(CLI::App& command, std::string& name);
 
-/// Adds --reason, for what names conditions beside results (study/unblinding.h).
+/// Adds --reason, for what names conditions beside results (study/session/unblinding.h).
 void addReasonOption(CLI::App& command, std::string& reason);
 
 /// The run mode that @p name says, or live where it says nothing.

@@ -20,8 +20,8 @@
 #include "study/app/paint_figures.h"
 #include "study/app/scene_cost.h"
 #include "study/app/scene_play.h"
-#include "study/new_file.h"
-#include "study/user_error.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "haptics/engine/scene_spec.h"
-#include "study/data_table.h"
+#include "study/model/data_table.h"
 #include "study/report/chart.h"
 
 namespace study::app {

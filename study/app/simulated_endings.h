@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
 
 namespace study::app {
 

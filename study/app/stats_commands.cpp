@@ -16,9 +16,9 @@
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"
 #include "study/app/run_mode_option.h"
-#include "study/pooled_answers.h"
-#include "study/results_text.h"
-#include "study/unblinding.h"
+#include "study/results/pooled_answers.h"
+#include "study/results/results_text.h"
+#include "study/session/unblinding.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -21,7 +21,7 @@
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/simulation_view.h"
-#include "study/live_trial.h"
+#include "study/trial/live_trial.h"
 
 namespace study::app {
 namespace {

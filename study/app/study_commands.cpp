@@ -12,11 +12,11 @@
 #include "study/app/run_mode_option.h"
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
-#include "study/backup.h"
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/session/backup.h"
+#include "study/session/unfinished_sessions.h"
+#include "study/session/verification.h"
 #include "study/storage/records.h"
-#include "study/unfinished_sessions.h"
-#include "study/verification.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -15,9 +15,9 @@
 
 #include "haptics/devices/device_error.h"
 #include "protocols/model/blanks.h"
-#include "study/hardware_rig.h"
-#include "study/live_trial.h"
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
+#include "study/trial/hardware_rig.h"
+#include "study/trial/live_trial.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/session.h"
+#include "study/session/session.h"
 
 namespace study::app {
 

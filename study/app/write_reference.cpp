@@ -10,7 +10,7 @@
 #include "study/app/command_reference.h"
 #include "study/app/program.h"
 #include "study/app/studio_options.h"
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace {
 

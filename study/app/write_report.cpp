@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "study/app/paint_figures.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 #include "study/report/html_report.h"
 
 namespace study::app {

@@ -23,7 +23,7 @@
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
 #include "study/app/devices/emulator_process.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {

@@ -12,11 +12,11 @@
 
 #include "haptics/engine/realtime_loop.h"
 #include "haptics/engine/sample_ring.h"
+#include "study/model/user_error.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/trace_store.h"
 #include "study/storage/transaction.h"
-#include "study/user_error.h"
 
 namespace study::app {
 namespace {

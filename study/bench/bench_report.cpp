@@ -6,7 +6,7 @@
 
 #include "haptics/bench/machine.h"
 #include "study/app/paint_figures.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 
 namespace study::app {
 

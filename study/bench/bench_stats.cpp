@@ -15,10 +15,10 @@
 
 #include <fmt/format.h>
 
-#include "study/audit_words.h"
 #include "study/bench/bench_stats_study.h"
 #include "study/bench/bench_workers.h"
-#include "study/pooled_answers.h"
+#include "study/results/pooled_answers.h"
+#include "study/session/audit_words.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/statement.h"
 

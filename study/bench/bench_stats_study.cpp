@@ -9,11 +9,11 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/orders/schedule.h"
-#include "study/session.h"
-#include "study/session_plan.h"
+#include "study/model/session_plan.h"
+#include "study/session/session.h"
+#include "study/session/study.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
-#include "study/study.h"
 
 namespace study::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 extern char** environ;
 

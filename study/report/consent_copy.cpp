@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
+#include "study/model/user_error.h"
 #include "study/report/html_text.h"
 #include "study/storage/records.h"
-#include "study/user_error.h"
 #include "study/words/words.h"
 
 namespace study::report {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::report {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/data_table.h"
+#include "study/model/data_table.h"
 #include "study/report/chart.h"
 
 namespace study::report {

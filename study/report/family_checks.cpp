@@ -1,7 +1,7 @@
 #include "study/report/family_checks.h"
 
-#include "study/apa_text.h"
 #include "study/report/html_writer.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

@@ -1,10 +1,10 @@
 #include "study/report/family_section.h"
 
-#include "study/data_table.h"
+#include "study/model/data_table.h"
 #include "study/report/family_checks.h"
 #include "study/report/family_tests.h"
 #include "study/report/html_writer.h"
-#include "study/results_text.h"
+#include "study/results/results_text.h"
 
 namespace study::report {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "study/apa_text.h"
 #include "study/report/html_writer.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "study/apa_text.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

@@ -1,10 +1,10 @@
 #include <array>
 #include <sstream>
 
-#include "study/apa_text.h"
-#include "study/data_table.h"
+#include "study/model/data_table.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

@@ -20,7 +20,7 @@
 #include <QTextOption>
 
 #include "study/report/print_html.h"
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::report {
 namespace {

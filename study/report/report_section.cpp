@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "protocols/load_protocol.h"
-#include "study/statistics_row.h"
+#include "study/export/statistics_row.h"
 
 namespace study::report {
 namespace {

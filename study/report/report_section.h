@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "study/felt_curves.h"
-#include "study/plan_history.h"
-#include "study/results.h"
+#include "study/results/felt_curves.h"
+#include "study/results/results.h"
+#include "study/session/plan_history.h"
+#include "study/session/study.h"
 #include "study/storage/records.h"
-#include "study/study.h"
 #include "study/words/words.h"
 
 namespace study::report {

@@ -1,6 +1,6 @@
 #include "study/storage/completed_sessions.h"
 
-#include "study/session_state.h"
+#include "study/model/session_state.h"
 
 namespace study::storage {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "study/ids.h"
-#include "study/run_mode.h"
+#include "study/model/ids.h"
+#include "study/model/run_mode.h"
 #include "study/storage/database.h"
 #include "study/storage/statement.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "study/ids.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 #include "study/storage/hasher.h"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "study/storage/storage_error.h"
+#include "study/model/storage_error.h"
 
 struct sqlite3;
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 #include "study/storage/database.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"

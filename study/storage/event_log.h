@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "study/clock.h"
-#include "study/ids.h"
+#include "study/model/clock.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/ids.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "study/ids.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "protocols/model/loaded_protocol.h"
-#include "study/ids.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

@@ -1,6 +1,6 @@
 #include "study/storage/records.h"
 
-#include "study/session_state.h"
+#include "study/model/session_state.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/statement.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "study/given_answer.h"
-#include "study/ids.h"
+#include "study/model/given_answer.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "study/ids.h"
-#include "study/run_mode.h"
-#include "study/session_plan.h"
-#include "study/session_state.h"
+#include "study/model/ids.h"
+#include "study/model/run_mode.h"
+#include "study/model/session_plan.h"
+#include "study/model/session_state.h"
 #include "study/storage/database.h"
 
 namespace study::storage {

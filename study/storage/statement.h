@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/ids.h"
+#include "study/model/ids.h"
 #include "study/storage/database.h"
 
 struct sqlite3_stmt;

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "study/ids.h"
+#include "study/model/ids.h"
+#include "study/model/trial_record.h"
 #include "study/storage/database.h"
-#include "study/trial_record.h"
 
 namespace study::storage {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "study/device_file.h"
+#include "study/trial/device_file.h"
 
 // Fuzzes the reader of device files: a verdict for everything, words for every refusal, and what it
 // takes it takes again when it has been written.

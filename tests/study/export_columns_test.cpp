@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "study/export.h"
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/export.h"
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"

@@ -17,9 +17,9 @@
 
 #include "analysis/data/csv_table.h"
 #include "analysis/data/decimal_number.h"
-#include "study/codebook.h"
-#include "study/export.h"
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/codebook.h"
+#include "study/export/export.h"
 #include "study/storage/records.h"
 #include "study/storage/trace_store.h"
 #include "tests/study/made_study.h"

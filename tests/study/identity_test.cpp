@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/export.h"
+#include "study/export/export.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "questionnaires/json/characters.h"
+#include "study/session/verification.h"
 #include "study/storage/records.h"
-#include "study/verification.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "study/clock.h"
-#include "study/session.h"
-#include "study/study.h"
+#include "study/model/clock.h"
+#include "study/session/session.h"
+#include "study/session/study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace tests {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "study/export.h"
-#include "study/public_tables.h"
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/export.h"
+#include "study/export/public_tables.h"
 #include "study/storage/records.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"

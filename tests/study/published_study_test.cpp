@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "study/export.h"
-#include "study/results.h"
-#include "study/results_text.h"
+#include "study/export/export.h"
+#include "study/results/results.h"
+#include "study/results/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/scratch_folder.h"

@@ -1,8 +1,8 @@
 // A session goes on at the step it was in, whenever the program ended.
 #include <gtest/gtest.h>
 
+#include "study/session/verification.h"
 #include "study/storage/records.h"
-#include "study/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 

@@ -1,7 +1,7 @@
 // Every text comes back byte for byte.
 #include <gtest/gtest.h>
 
-#include "study/verification.h"
+#include "study/session/verification.h"
 #include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "study/session.h"
+#include "study/session/session.h"
 
 namespace tests {
 

@@ -15,8 +15,8 @@
 #include "study/app/devices/device_listen.h"
 #include "study/app/devices/device_rehearse.h"
 #include "study/app/devices/device_report.h"
-#include "study/hardware_rig.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
+#include "study/trial/hardware_rig.h"
 
 namespace study::app {
 namespace {

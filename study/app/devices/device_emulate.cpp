@@ -18,7 +18,7 @@
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
 #include "study/app/devices/qemu_punch.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {

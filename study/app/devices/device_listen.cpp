@@ -14,7 +14,7 @@
 #include "haptics/devices/serial_port.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/wire/sketch_line.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {

@@ -14,11 +14,11 @@
 #include "study/app/devices/device_report.h"
 #include "study/app/devices/emulator_process.h"
 #include "study/app/simulated_endings.h"
-#include "study/hardware_rig.h"
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/model/user_error.h"
+#include "study/session/verification.h"
 #include "study/storage/event_log.h"
-#include "study/user_error.h"
-#include "study/verification.h"
+#include "study/trial/hardware_rig.h"
 #include "study/words/counted.h"
 
 namespace study::app {

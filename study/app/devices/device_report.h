@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/hardware_rig.h"
+#include "study/trial/hardware_rig.h"
 
 namespace study::app {
 

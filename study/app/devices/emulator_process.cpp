@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 extern char** environ;
 

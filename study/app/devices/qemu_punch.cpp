@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 extern char** environ;
 

@@ -4,7 +4,7 @@
 
 #include "protocols/reading/mesh_file.h"
 #include "questionnaires/json/problem.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {

@@ -17,9 +17,9 @@
 #include "study/app/finite_range.h"
 #include "study/app/measurements/material_report.h"
 #include "study/bench/bench_report.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
-#include "study/user_error.h"
 
 namespace study::app {
 namespace {

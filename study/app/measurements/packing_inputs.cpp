@@ -5,7 +5,7 @@
 #include "haptics/engine/parametric_bone.h"
 #include "protocols/reading/material_file.h"
 #include "questionnaires/json/document.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 

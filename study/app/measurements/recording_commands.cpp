@@ -15,9 +15,9 @@
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"
-#include "study/import_recording.h"
-#include "study/new_file.h"
-#include "study/user_error.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/session/import_recording.h"
 #include "study/words/counted.h"
 
 namespace study::app {

@@ -16,9 +16,9 @@
 #include "study/app/finite_range.h"
 #include "study/app/measurements/packing_inputs.h"
 #include "study/app/measurements/swarm_file.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
-#include "study/user_error.h"
 
 namespace study::app {
 namespace {

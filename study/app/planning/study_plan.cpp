@@ -7,7 +7,7 @@
 #include "analysis/planning/power.h"
 #include "protocols/orders/order.h"
 #include "protocols/orders/schedule.h"
-#include "study/apa_text.h"
+#include "study/results/apa_text.h"
 
 namespace study::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "analysis/planning/simulated_power.h"
 #include "analysis/tests/attainable_p.h"
 #include "protocols/model/loaded_protocol.h"
-#include "study/session_length.h"
+#include "study/session/session_length.h"
 
 namespace study::app {
 

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "protocols/orders/schedule.h"
-#include "study/balance_words.h"
 #include "study/gui/widgets/labels.h"
+#include "study/results/balance_words.h"
 
 namespace study::gui::home {
 namespace {

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/labels.h"
-#include "study/session_length.h"
+#include "study/session/session_length.h"
 
 namespace study::gui::home {
 namespace {

@@ -1,8 +1,8 @@
 #include "study/gui/desk/export_dialog.h"
 
+#include "study/export/public_tables.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/background_task.h"
-#include "study/public_tables.h"
 #include "study/words/counted.h"
 
 namespace study::gui::home {

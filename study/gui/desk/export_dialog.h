@@ -7,7 +7,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-#include "study/export.h"
+#include "study/export/export.h"
 #include "study/gui/desk/study_summary.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"

@@ -14,10 +14,10 @@
 #include "haptics/recordings/recording_file.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/packing_file.h"
-#include "study/import_recording.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/session/import_recording.h"
 #include "study/storage/protocol_repository.h"
-#include "study/user_error.h"
 
 namespace study::gui::home {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "study/progress.h"
+#include "study/model/progress.h"
 
 namespace study::gui::home {
 

@@ -7,7 +7,7 @@
 #include <QRegularExpressionValidator>
 
 #include "study/gui/widgets/attempt.h"
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::gui::home {
 

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "study/new_file.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
 #include "study/report/figures/figures.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
-#include "study/unblinding.h"
-#include "study/user_error.h"
+#include "study/session/unblinding.h"
 
 namespace study::gui::home {
 namespace {

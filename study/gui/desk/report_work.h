@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "study/progress.h"
-#include "study/run_mode.h"
+#include "study/model/progress.h"
+#include "study/model/run_mode.h"
 
 namespace study::gui::home {
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "study/hardware_rig.h"
+#include "study/model/study_files.h"
+#include "study/model/trial_record.h"
+#include "study/model/user_error.h"
 #include "study/storage/study_schema.h"
-#include "study/study_files.h"
-#include "study/trial_record.h"
-#include "study/user_error.h"
+#include "study/trial/hardware_rig.h"
 
 namespace study::gui::home {
 namespace {

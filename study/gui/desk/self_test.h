@@ -7,7 +7,7 @@
 #include "haptics/devices/device_check.h"
 #include "haptics/engine/realtime_loop.h"
 #include "protocols/model/protocol.h"
-#include "study/progress.h"
+#include "study/model/progress.h"
 #include "study/storage/disk_check.h"
 
 namespace study::gui::home {

@@ -6,11 +6,11 @@
 #include <QDir>
 #include <QFileInfo>
 
-#include "study/backup.h"
 #include "study/gui/desk/report_work.h"
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
+#include "study/session/backup.h"
 #include "study/words/words.h"
 
 namespace study::gui::home {

@@ -10,7 +10,7 @@
 #include "study/gui/desk/study_summary.h"
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
-#include "study/verification.h"
+#include "study/session/verification.h"
 
 namespace study::gui::home {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::gui::home {
 namespace {

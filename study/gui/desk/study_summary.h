@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "study/run_mode.h"
-#include "study/unfinished_sessions.h"
+#include "study/model/run_mode.h"
+#include "study/session/unfinished_sessions.h"
 
 namespace study::gui::home {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "protocols/model/protocol.h"
-#include "study/live_trial.h"
-#include "study/rig.h"
-#include "study/trial.h"
+#include "study/trial/live_trial.h"
+#include "study/trial/rig.h"
+#include "study/trial/trial.h"
 
 namespace study::gui::home {
 

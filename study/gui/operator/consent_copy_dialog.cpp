@@ -6,7 +6,7 @@
 #include <QFileInfo>
 
 #include "study/gui/widgets/attempt.h"
-#include "study/new_file.h"
+#include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
 #include "study/report/pdf_report.h"
 

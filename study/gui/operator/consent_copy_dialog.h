@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace study::gui {
 

@@ -8,7 +8,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "study/session_state.h"
+#include "study/model/session_state.h"
 
 namespace study::gui {
 

@@ -8,7 +8,7 @@
 #include <QScreen>
 
 #include "study/gui/participant/participant_window.h"
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
 
 namespace study::gui {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
-#include "study/hardware_rig.h"
+#include "study/trial/hardware_rig.h"
 
 namespace study::gui {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/findings_dialog.h"
-#include "study/session.h"
+#include "study/session/session.h"
 
 namespace study::gui {
 

@@ -25,8 +25,8 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 #include "study/gui/widgets/theme_choice.h"
-#include "study/hardware_rig.h"
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
+#include "study/trial/hardware_rig.h"
 
 namespace study::gui {
 

@@ -12,7 +12,7 @@
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/session/stop_key.h"
-#include "study/rig.h"
+#include "study/trial/rig.h"
 
 namespace study::gui {
 

@@ -10,9 +10,9 @@
 #include <QTableWidget>
 #include <QWidget>
 
-#include "study/session.h"
+#include "study/session/session.h"
+#include "study/session/unfinished_sessions.h"
 #include "study/storage/records.h"
-#include "study/unfinished_sessions.h"
 
 namespace study::gui {
 

@@ -6,8 +6,8 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
-#include "study/given_answer.h"
 #include "study/gui/participant/item_widget.h"
+#include "study/model/given_answer.h"
 
 namespace study::gui {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "haptics/timing/lateness_histogram.h"
-#include "study/view_report.h"
+#include "study/model/view_report.h"
 
 namespace study::gui::simulation {
 

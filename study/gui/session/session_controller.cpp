@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
 
 namespace study::gui {
 namespace {

@@ -10,11 +10,11 @@
 #include <QString>
 #include <QTimer>
 
-#include "study/live_trial.h"
-#include "study/rig.h"
-#include "study/session.h"
+#include "study/session/session.h"
 #include "study/storage/session_repository.h"
-#include "study/trial.h"
+#include "study/trial/live_trial.h"
+#include "study/trial/rig.h"
+#include "study/trial/trial.h"
 
 namespace study::gui {
 

@@ -11,7 +11,7 @@
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/widgets/labels.h"
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
 
 namespace study::gui {
 namespace {

@@ -12,7 +12,7 @@
 #include <QThread>
 #include <QTimer>
 
-#include "study/progress.h"
+#include "study/model/progress.h"
 
 namespace study::gui {
 

@@ -5,7 +5,7 @@
 
 #include "study/report/figures/palette.h"
 #include "study/report/figures/svg_canvas.h"
-#include "study/results_text.h"
+#include "study/results/results_text.h"
 
 namespace study::report {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <QPainterPath>
 
-#include "study/apa_text.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {

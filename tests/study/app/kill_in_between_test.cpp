@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
-#include "study/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/child_process.h"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/verification.h"
+#include "study/session/verification.h"
 #include "tests/study/app/simulation.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"

@@ -2,9 +2,9 @@
 
 #include <sstream>
 
+#include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "study/storage/statement.h"
-#include "study/verification.h"
 #include "tests/support/programs.h"
 
 namespace tests {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "questionnaires/model/answer.h"
-#include "study/study.h"
+#include "study/session/study.h"
 
 namespace tests {
 

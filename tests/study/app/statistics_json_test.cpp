@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "study/app/json_file.h"
-#include "study/simulated_participant.h"
-#include "study/statistics_table.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/statistics_table.h"
 #include "tests/study/made_study.h"
 
 namespace study {

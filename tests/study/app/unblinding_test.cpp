@@ -1,5 +1,5 @@
 // What names conditions beside real people's answers asks why, and writes it down.
-#include "study/unblinding.h"
+#include "study/session/unblinding.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/bench/bench_stats_study.h"
-#include "study/pooled_answers.h"
+#include "study/results/pooled_answers.h"
 #include "study/storage/coded_answers.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"

@@ -6,8 +6,8 @@
 
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/operator_window.h"
+#include "study/session/verification.h"
 #include "study/storage/records.h"
-#include "study/verification.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"

@@ -15,7 +15,7 @@
 #include "study/gui/participant/answer_slider.h"
 #include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/option_buttons.h"
-#include "study/trial_setup.h"
+#include "study/session/trial_setup.h"
 #include "tests/study/gui/visible_words.h"
 
 namespace tests {

@@ -13,7 +13,7 @@
 #include "study/gui/operator/timeline_table.h"
 #include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/option_buttons.h"
-#include "study/results.h"
+#include "study/results/results.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/visible_words.h"

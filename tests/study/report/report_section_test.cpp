@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "study/cohort/simulated_participant.h"
 #include "study/report/html_report.h"
 #include "study/report/study_parts.h"
-#include "study/results_text.h"
-#include "study/simulated_participant.h"
+#include "study/results/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 

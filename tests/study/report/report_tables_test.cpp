@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "study/report/html_report.h"
-#include "study/results_text.h"
+#include "study/results/results_text.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/numbered_section.h"
 

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "study/simulated_participant.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/session/verification.h"
 #include "study/storage/statement.h"
-#include "study/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
-#include "study/verification.h"
+#include "study/session/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/verification.h"
+#include "study/session/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "study/results_text.h"
+#include "study/results/results_text.h"
+#include "study/session/verification.h"
 #include "study/storage/coded_answers.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/identity_store.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
-#include "study/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/storage/storage_error.h"
+#include "study/model/storage_error.h"
 
 namespace tests {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "study/model/storage_error.h"
+#include "study/session/verification.h"
 #include "study/storage/content_hash.h"
-#include "study/storage/storage_error.h"
-#include "study/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 

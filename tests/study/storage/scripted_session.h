@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/session.h"
+#include "study/session/session.h"
 #include "study/storage/hasher.h"
 #include "tests/support/scratch_folder.h"
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/verification.h"
+#include "study/session/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 

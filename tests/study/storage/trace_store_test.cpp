@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "study/rig.h"
+#include "study/session/trial_setup.h"
+#include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
-#include "study/trial_setup.h"
-#include "study/verification.h"
+#include "study/trial/rig.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"

@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 
 #include "protocols/model/library.h"
-#include "study/session_length.h"
+#include "study/session/session_length.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 

@@ -8,7 +8,7 @@
 
 #include "protocols/load_protocol.h"
 #include "study/gui/desk/self_test_dialog.h"
-#include "study/study.h"
+#include "study/session/study.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 

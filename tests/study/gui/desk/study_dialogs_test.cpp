@@ -13,10 +13,10 @@
 #include <QTimer>
 
 #include "protocols/load_protocol.h"
-#include "study/clock.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/export/public_tables.h"
 #include "study/gui/desk/export_dialog.h"
-#include "study/public_tables.h"
-#include "study/simulated_participant.h"
+#include "study/model/clock.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 

@@ -12,7 +12,7 @@
 #include "protocols/reading/packing_file.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/measurement_work.h"
-#include "study/user_error.h"
+#include "study/model/user_error.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"

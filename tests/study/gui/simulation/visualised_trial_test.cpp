@@ -5,7 +5,7 @@
 
 #include "protocols/load_protocol.h"
 #include "protocols/reading/anatomy_file.h"
-#include "study/export.h"
+#include "study/export/export.h"
 #include "study/gui/participant/feel_page.h"
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"

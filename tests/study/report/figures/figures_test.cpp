@@ -8,9 +8,9 @@
 #include <QString>
 #include <QXmlStreamReader>
 
-#include "study/apa_text.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
+#include "study/results/apa_text.h"
 #include "tests/study/report/section.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"

@@ -1,0 +1,297 @@
+// A cohort that answers through the very same session code as people do.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "haptics/devices/device_error.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/session/trial_setup.h"
+#include "study/trial/hardware_rig.h"
+#include "study/trial/live_trial.h"
+
+namespace study {
+namespace {
+
+constexpr double kLongestTrial = 120.0;  // [s]
+constexpr int kMostFailures = 30;
+constexpr double kAtOnce = 0.5;  // [s]: a trial that breaks off sooner has not been felt
+constexpr int kMostAtOnce = 5;   // of those, one after the other: the device is not mended
+constexpr std::chrono::milliseconds kBetweenTries{500};
+constexpr std::chrono::seconds kLongestWait{30};          // for a device to come back
+constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
+
+/// One simulated sitting.
+class Sitting {
+ public:
+  Sitting(
+      Study& study,
+      Session& session,
+      SimulatedClock& clock,
+      std::uint64_t seed,
+      const Acknowledge& acknowledge,
+      Rig* devices)
+      : study_(study),
+        session_(session),
+        clock_(clock),
+        acknowledge_(acknowledge),
+        devices_(devices),
+        person_(
+            session.protocol().protocol.simulation,
+            seed,
+            session.cohort(),
+            static_cast<std::uint64_t>(session.slot())),
+        seed_(seed) {}
+
+  void run() {
+    while (!session_.isOver()) {
+      const std::string phase = session_.step().phase;
+      if (session_.state() == SessionState::Interrupted) {
+        session_.repeatStep("a trial had been broken off");
+        continue;
+      }
+      if (session_.step().isOffered) {
+        session_.declineOffer();
+        continue;
+      }
+      if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
+        feelOn(*devices_);  // and says by itself how it went
+        continue;
+      }
+      session_.step().kind == StepKind::Trial ? feel() : answerStep();
+      acknowledge_(session_.participant() + " " + phase + " done");
+    }
+  }
+
+ private:
+  void feel() {
+    const VisitKey visit = session_.visit();
+    const int cuts = session_.step().minimumCuts;
+    // The hand is fresh in every trial: one that is done again after a crash feels the same.
+    SimulatedRig rig([&](const protocols::DeviceNeed& need) {
+      return simulatedHandFor(
+          need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
+    });
+    Trial trial(
+        rig.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
+          study_.traces().add(visit, number, samples);
+        }));
+    session_.beginTrial();
+    const auto record = feelInVirtualTime(trial, cuts, kLongestTrial);
+    clock_.advance(record.duration);
+    if (record.ending == TrialEnding::Finished) {
+      session_.finishTrial(record);
+      return;
+    }
+    session_.breakOffTrial(record);
+    session_.skipStep("a simulated trial broke off");
+  }
+
+  /// On devices that are there, in real time. One that fails is connected anew, some times over.
+  void feelOn(Rig& rig) {
+    const VisitKey visit = session_.visit();
+    const int cuts = session_.step().minimumCuts;
+    std::unique_ptr<Trial> trial;
+    try {
+      trial = trialFor(session_, rig, [&](int number, const auto& samples) {
+        study_.traces().add(visit, number, samples);
+      });
+    } catch (const haptics::devices::DeviceError& error) {
+      // An arm that is not let command is waited for ten seconds each time.
+      const auto now = std::chrono::steady_clock::now();
+      if (!waitingSince_) waitingSince_ = now;
+      if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;
+      acknowledge_(session_.participant() + " waits: " + error.what());
+      std::this_thread::sleep_for(kBetweenTries);
+      return;
+    }
+    waitingSince_.reset();
+    session_.beginTrial();
+    const auto record = feelInRealTime(*trial, cuts, kLongestTrial);
+    trial.reset();
+    clock_.advance(record.duration);
+    const std::string which = session_.participant() + " step " + std::to_string(visit.step) +
+                              " (" + session_.step().phase + "), attempt " +
+                              std::to_string(visit.attempt) + ": ";
+    if (record.ending == TrialEnding::Finished) {
+      failures_ = 0;
+      atOnce_ = 0;
+      session_.finishTrial(record);
+      acknowledge_(which + "finished");
+      return;
+    }
+    session_.breakOffTrial(record);
+    const std::string why =
+        record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
+    atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
+    const bool isHopeless = ++failures_ >= kMostFailures || atOnce_ >= kMostAtOnce;
+    if (isHopeless) session_.giveUpOnDevice(why);
+    acknowledge_(which + "broken off: " + why + (isHopeless ? "; given up" : "; repeated"));
+  }
+
+  void answerStep() {
+    const std::string phase = session_.step().phase + "/" + session_.step().condition;
+    const auto items = session_.items();
+    const auto already = session_.answers();
+    double shown = 0.0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const double touched = shown + person_.secondsFor(phase + "/" + items[i].id, 1.0, 8.0);
+      const auto response = person_.answer(session_, items[i]);
+      const bool isThere = std::any_of(already.begin(), already.end(), [&](const auto& answer) {
+        return answer.item == items[i].id;
+      });
+      if (!response) continue;
+      if (!isThere) clock_.advance(touched - shown);
+      shown = touched;
+      if (isThere) continue;
+      session_.record(
+          {.item = items[i].id,
+           .response = *response,
+           .itemOrder = static_cast<int>(i) + 1,
+           .firstTouch = touched,
+           .responseTime = touched,
+           .language = session_.language()});
+      acknowledge_(session_.participant() + " " + phase + " " + items[i].id);
+    }
+    if (session_.step().kind == StepKind::Benchmark) {
+      session_.recordBenchmarkCuts(session_.step().minimumCuts);
+    }
+    clock_.advance(std::max(session_.step().seconds, person_.secondsFor(phase, 2.0, 5.0)));
+    session_.finishStep();
+  }
+
+  Study& study_;
+  Session& session_;
+  SimulatedClock& clock_;
+  const Acknowledge& acknowledge_;
+  Rig* devices_;
+  std::optional<std::chrono::steady_clock::time_point> waitingSince_;
+  int failures_ = 0;  ///< of devices, one after the other
+  int atOnce_ = 0;    ///< of these, that came before anything was felt
+  SimulatedParticipant person_;
+  std::uint64_t seed_;
+};
+
+/// The cohort that is furthest behind its plan.
+std::string nextCohort(
+    const protocols::Protocol& protocol, const std::map<std::string, int>& have) {
+  std::string next;
+  double least = 1e300;
+  for (const auto& cohort : protocol.cohorts) {
+    const auto found = have.find(cohort.id);
+    const double count = found == have.end() ? 0.0 : found->second;
+    const double share = count / (cohort.planned > 0 ? cohort.planned : 10);
+    if (share < least) {
+      least = share;
+      next = cohort.id;
+    }
+  }
+  return next;
+}
+
+/// A new sitting begins an hour after the last one did; a resumed one goes on where it was.
+void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> resumed) {
+  std::int64_t latest = 0;
+  std::int64_t latestStart = 0;
+  for (const auto& event : study.events().read(resumed)) {
+    latest = std::max(latest, event.when.wall);
+    if (event.kind == "enrolled") latestStart = std::max(latestStart, event.when.wall);
+  }
+  if (resumed) {
+    clock.setWall(latest);
+  } else if (latestStart > 0) {
+    clock.setWall(latestStart + kBetweenParticipants);
+  }
+}
+
+SimulatedEnding endingOf(const storage::SessionRow& row) {
+  return {
+      .participant = row.participant,
+      .state = row.state,
+      .step = row.step,
+      .attempts = row.attempt,
+      .reason = row.endReason.value_or("")};
+}
+
+SimulatedEnding endingOf(Study& study, const Session& session) {
+  auto sessions = study.sessions();
+  const SessionId id = session.visit().session;
+  auto ending = endingOf(sessions.load(id));
+  for (std::size_t i = 0; i < session.plan().size(); ++i) {
+    if (session.plan()[i].kind != StepKind::Trial || session.plan()[i].isOffered) continue;
+    const int step = static_cast<int>(i);
+    const int attempts = sessions.attempts(id, step);
+    ++ending.trials;
+    if (sessions.statusOf({id, step, attempts}) == storage::VisitStatus::Finished) {
+      ++ending.trialsFinished;
+    }
+  }
+  return ending;
+}
+
+}  // namespace
+
+void simulate(
+    Study& study,
+    Session& session,
+    SimulatedClock& clock,
+    std::uint64_t seed,
+    const Acknowledge& acknowledge,
+    Rig* devices) {
+  Sitting(study, session, clock, seed, acknowledge, devices).run();
+}
+
+std::vector<SimulatedEnding> simulateCohorts(
+    Study& study,
+    SimulatedClock& clock,
+    int participants,
+    std::uint64_t seed,
+    const Acknowledge& acknowledge,
+    const std::string& deviceFile) {
+  // Nobody who does not exist moves a real device unless asked to.
+  std::unique_ptr<Rig> devices;
+  if (!deviceFile.empty()) {
+    devices = rigFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
+      return simulatedHandFor(need, seed, {}, 0);
+    });
+  }
+  std::vector<SimulatedEnding> endings;
+  std::map<std::string, int> finished;
+  int total = 0;
+  for (const auto& row : study.sessions().all()) {
+    if (row.runMode != RunMode::Simulated) continue;
+    if (isOver(row.state)) {
+      endings.push_back(endingOf(row));
+    } else {
+      setClockFor(study, clock, row.id);
+      auto session = Session::resume(study, row.id);
+      simulate(study, session, clock, seed, acknowledge, devices.get());
+      endings.push_back(endingOf(study, session));
+    }
+    ++finished[row.cohort];
+    ++total;
+  }
+  for (; total < participants; ++total) {
+    const std::string cohort = nextCohort(study.protocol().protocol, finished);
+    setClockFor(study, clock, std::nullopt);
+    auto session =
+        Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
+    acknowledge(session.participant() + " enrolled");
+    simulate(study, session, clock, seed, acknowledge, devices.get());
+    endings.push_back(endingOf(study, session));
+    ++finished[cohort];
+  }
+  return endings;
+}
+
+int plannedParticipants(const protocols::Protocol& protocol) {
+  int planned = 0;
+  for (const auto& cohort : protocol.cohorts) planned += cohort.planned > 0 ? cohort.planned : 10;
+  return planned;
+}
+
+}  // namespace study

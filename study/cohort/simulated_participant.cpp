@@ -1,0 +1,105 @@
+#include "study/cohort/simulated_participant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace study {
+namespace {
+
+using questionnaires::Item;
+using questionnaires::ItemType;
+using questionnaires::Response;
+
+constexpr double kLeavesOut = 0.3;  // how often what may be left out is
+
+}  // namespace
+
+SimulatedParticipant::SimulatedParticipant(
+    const protocols::SimulationTruth& truth,
+    std::uint64_t seed,
+    std::string cohort,
+    std::uint64_t slot)
+    : truth_(truth), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
+
+protocols::RandomStream SimulatedParticipant::stream(const std::string& purpose) const {
+  return {seed_, slot_, "simulated/" + cohort_ + "/" + purpose};
+}
+
+double SimulatedParticipant::secondsFor(const std::string& what, double least, double most) const {
+  // Whole milliseconds: what a clock can say.
+  return std::round(stream("seconds/" + what).uniform(least, most) * 1000.0) / 1000.0;
+}
+
+double SimulatedParticipant::realismOf(const std::string& condition) const {
+  return truth_.realismOf(condition) + truth_.personDeviation * stream("leniency").normal() +
+         truth_.personByConditionDeviation * stream("taste/" + condition).normal();
+}
+
+std::int64_t SimulatedParticipant::point(
+    const Session& session, const Item& item, const std::string& purpose) const {
+  const double realism =
+      session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
+  const double felt = realism + truth_.answerDeviation * stream(purpose).normal();
+  const double unit = (item.scale.points - 1) / 4.0;  // the truth is written for five points
+  const double middle = (item.scale.lowest + item.scale.highest()) / 2.0;
+  const double answer = middle + item.key * unit * felt;
+  return std::clamp<std::int64_t>(std::llround(answer), item.scale.lowest, item.scale.highest());
+}
+
+std::string SimulatedParticipant::preferred(
+    const Session& session, const std::string& purpose) const {
+  std::string best;
+  double most = -1e300;
+  for (const auto& step : session.plan()) {
+    const auto& labels = session.step().alternatives;
+    const auto* phase = session.protocol().protocol.phase(session.step().phase);
+    const std::string label = std::to_string(step.label);
+    const bool isChoice = step.kind == StepKind::Trial && phase != nullptr &&
+                          step.phase == phase->block &&
+                          std::find(labels.begin(), labels.end(), label) != labels.end();
+    if (!isChoice) continue;
+    const double felt = realismOf(step.condition) +
+                        0.5 * truth_.answerDeviation * stream(purpose + "/" + label).normal();
+    if (felt > most) {
+      most = felt;
+      best = label;
+    }
+  }
+  return best;
+}
+
+std::optional<Response> SimulatedParticipant::answer(
+    const Session& session, const Item& item) const {
+  const std::string purpose =
+      "answer/" + session.step().phase + "/" + session.step().condition + "/" + item.id;
+  auto random = stream(purpose + "/choice");
+  if (!item.isRequired && random.uniform() < kLeavesOut) return std::nullopt;
+  switch (item.type) {
+    case ItemType::Likert:
+    case ItemType::SemanticDifferential:
+      return point(session, item, purpose);
+    case ItemType::Slider:
+    case ItemType::Number: {
+      const double share = std::clamp(0.45 + 0.18 * random.normal(), 0.0, 1.0);
+      const double grain = item.step > 0.0 ? item.step : 1.0;
+      const double steps = std::floor((item.most - item.least) / grain + 1e-9);
+      return item.least + grain * std::round(share * steps);
+    }
+    case ItemType::SingleChoice:
+    case ItemType::PairwiseChoice:
+      if (!item.consentOption.empty()) return item.consentOption;
+      if (item.optionSource == questionnaires::OptionSource::Alternatives) {
+        return preferred(session, purpose);
+      }
+      return item.options[random.below(item.options.size())].id;
+    case ItemType::MultipleChoice:
+      return std::vector<std::string>{item.options[random.below(item.options.size())].id};
+    case ItemType::ShortText:
+    case ItemType::LongText:
+      return std::string("simulated");
+  }
+  return std::nullopt;
+}
+
+}  // namespace study

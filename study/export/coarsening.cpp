@@ -1,0 +1,115 @@
+#include "study/export/coarsening.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "study/storage/answer_repository.h"
+
+namespace study {
+namespace {
+
+using questionnaires::Item;
+using questionnaires::ItemType;
+using questionnaires::Option;
+
+/// 1, 2 or 5 times a power of ten, and not less than @p least.
+double roundWidth(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0}) {
+    if (times * power >= least * (1.0 - 1e-12)) return times * power;
+  }
+  return 10.0 * power;
+}
+
+bool isBand(const Option& option) {
+  return !option.id.empty() && std::isdigit(static_cast<unsigned char>(option.id.front())) != 0;
+}
+
+/// Neighbouring bands of @p options, @p together of them at a time; everything else alone.
+std::vector<std::vector<Option>> neighbours(
+    const std::vector<Option>& options, std::size_t together) {
+  std::vector<std::vector<Option>> groups;
+  bool isOpen = false;
+  for (const auto& option : options) {
+    if (!isOpen || !isBand(option) || groups.back().size() == together) groups.emplace_back();
+    groups.back().push_back(option);
+    isOpen = isBand(option);
+  }
+  return groups;
+}
+
+}  // namespace
+
+Coarsening::Coarsening(const Item& item, std::string_view language) {
+  if (item.type == ItemType::Number) {
+    addBands(item);
+  } else if (item.type == ItemType::MultipleChoice) {
+    grains_.emplace_back();
+  } else {
+    addOptions(item, language);
+  }
+}
+
+void Coarsening::addBands(const Item& item) {
+  const double range = item.most - item.least;
+  if (!(range > 0.0) || !std::isfinite(range)) return;
+  const double first = roundWidth(std::max(range / 20.0, 5.0 * item.step));
+  isWhole_ = item.step >= 1.0 && std::floor(item.step) == item.step;
+  for (double width = first; width < range; width *= 2.0) {
+    Grain grain{.values = {}, .byOption = {}, .width = width};
+    for (double from = std::floor(item.least / width) * width; from <= item.most; from += width) {
+      const auto text = band(from, width);
+      grain.values.push_back({text, item.unit.empty() ? text : text + " " + item.unit});
+    }
+    grains_.push_back(std::move(grain));
+  }
+}
+
+void Coarsening::addOptions(const Item& item, std::string_view language) {
+  std::size_t before = 0;
+  for (std::size_t together = 1;; together *= 2) {
+    const auto groups = neighbours(item.options, together);
+    if (groups.size() == before) return;
+    before = groups.size();
+    Grain grain;
+    for (const auto& group : groups) {
+      Level level{group.front().id, group.front().text.in(language)};
+      if (group.size() > 1) {
+        level.value += " to " + group.back().id;
+        level.label += " to " + group.back().text.in(language);
+      }
+      for (const auto& option : group) grain.byOption[option.id] = level.value;
+      grain.values.push_back(std::move(level));
+    }
+    grains_.push_back(std::move(grain));
+  }
+}
+
+std::string Coarsening::band(double from, double width) const {
+  const auto rounded = [](double value) { return exactly(std::round(value * 1e9) / 1e9 + 0.0); };
+  return rounded(from) + " to " +
+         (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));
+}
+
+std::string Coarsening::told(std::size_t grain, const questionnaires::Response& response) const {
+  const auto& with = grains_.at(grain);
+  const auto stored = storage::stored(response);
+  if (with.width > 0.0) {
+    const auto number = stored.point ? static_cast<double>(*stored.point) : stored.number;
+    return number ? band(std::floor(*number / with.width) * with.width, with.width) : "";
+  }
+  const auto text = stored.text.value_or("");
+  if (with.byOption.empty()) return text;
+  const auto option = with.byOption.find(text);
+  return option == with.byOption.end() ? std::string() : option->second;
+}
+
+bool isAboutThePerson(const Item& item) noexcept {
+  const bool isChoice =
+      item.type == ItemType::SingleChoice || item.type == ItemType::MultipleChoice;
+  return (isChoice && item.optionSource == questionnaires::OptionSource::Listed) ||
+         item.type == ItemType::Number;
+}
+
+}  // namespace study

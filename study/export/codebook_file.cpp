@@ -1,0 +1,179 @@
+#include <nlohmann/json.hpp>
+
+#include "study/export/codebook.h"
+#include "study/export/export_parts.h"
+#include "study/export/public_tables.h"
+#include "study/words/counted.h"
+
+namespace study {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A line about what was felt; blinded, no names, which may tell.
+std::string inWords(const protocols::FeltSource& source, const ExportOptions& options) {
+  if (!options.isBlinded) return "- Felt from " + protocols::inWords(source) + ".\n";
+  if (!source.isSynthetic) return "";
+  return "- SYNTHETIC: a " + source.kind +
+         " that was felt is one that nobody recorded or measured.\n";
+}
+
+/// Whose sessions these are.
+std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) {
+  const std::string mode = options.runMode ? std::string(nameOf(*options.runMode)) + " " : "";
+  if (sessions == 0) return "No " + mode + "session is in this folder: its tables are empty.";
+  std::string words = words::counted(sessions, mode + "session") +
+                      (options.runMode ? ", and no others." : "; `run_mode` says of each.");
+  if (options.runMode == RunMode::Simulated) {
+    words += " Nobody took part: these answers say nothing about any method.";
+  }
+  if (options.runMode == RunMode::Pilot) words += " They are not for publication.";
+  return words;
+}
+
+/// What is particular about a layout.
+std::string formatInWords(const ExportOptions& options) {
+  const bool isR = options.format == ExportFormat::R;
+  if (options.format == ExportFormat::Bids) {
+    return "- BIDS 1.8.0: tables with tabs, n/a for a missing value; tabs and new lines in words "
+           "that "
+           "somebody wrote have become spaces. Questions and traces lie in `sourcedata/`.\n";
+  }
+  if (!isR && options.format != ExportFormat::Python) return {};
+  const std::string ending = isR ? ".R" : ".py";
+  return "- `read_tables" + ending + "` reads the tables with their types and values in order.\n" +
+         (options.isBlinded
+              ? "- To compute the tests again needs to know who was compared with whom, "
+                "which tells what codes stand for: unblinded there is a script.\n"
+              : std::string());
+}
+
+/// With what the scripts that go with an unblinded export run.
+constexpr const char* kPythonInWords =
+    "- `analysis.py` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
+    "It "
+    "needs Python 3.8 or later with NumPy and SciPy (no pandas): `sudo apt install python3-scipy` "
+    "on "
+    "Debian and Ubuntu, elsewhere `python3 -m pip install scipy`. Where they are missing it says "
+    "so.\n";
+constexpr const char* kRInWords =
+    "- `analysis.R` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
+    "It "
+    "needs R alone: `Rscript analysis.R`. Mixed models too where lmerTest and ordinal are there "
+    "(`sudo apt install r-cran-lmertest r-cran-ordinal`); where not, it says so.\n";
+
+std::string scriptsInWords(const ExportOptions& options) {
+  const bool hasNone = options.format == ExportFormat::Bids || options.format == ExportFormat::Json;
+  if (options.isBlinded || hasNone) return {};
+  std::string text;
+  if (options.format != ExportFormat::Python) text += kRInWords;
+  if (options.format != ExportFormat::R) text += kPythonInWords;
+  return text;
+}
+
+constexpr const char* kTracesInWords =
+    "\n## Traces\n\nOne gzip-compressed CSV per trial, one row per tick of the force loop.\n\n"
+    "| column | what |\n|---|---|\n"
+    "| `tick`, `time_s` | which tick of the trial, and when by the rate asked for |\n"
+    "| `travel`, `velocity_per_s` | of the tool, in the device's travel unit, and that per second "
+    "|\n"
+    "| `desired_n`, `force_n` | what the scene asked for, and what the device was told |\n"
+    "| `lateness_us` | of the tick against its due time |\n"
+    "| `status` | 0 measured, 1 not new, 2 the device says that it is faulty, 3 it does not answer "
+    "|\n"
+    "| `interventions` | a sum: 1 limited to the largest force, 2 to the fastest change, 4 no "
+    "number, "
+    "8 damped, 16 the scene gave more energy than it took |\n"
+    "| `marks` | a sum: 1 no measurement, 2 no force is defined here, 4 stopped, 8 no scene, 16 "
+    "the tool "
+    "is too fast, 32 nobody holds the dead-man switch, 64 the force comes on softly, 128 the clock "
+    "lost "
+    "beats |\n"
+    "| `landmark` | 0 nothing, 1 interception, 2 yield, 3 end of travel, 4 opening, 5 a cut is "
+    "complete |\n";
+
+Json levelsAsJson(const std::vector<Level>& levels) {
+  Json json = Json::array();
+  for (const auto& level : levels) json.push_back({{"value", level.value}, {"label", level.label}});
+  return json;
+}
+
+}  // namespace
+
+std::string headAsJson(Study& study, const ExportOptions& options) {
+  const auto& metadata = study.protocol().protocol.study;
+  Json head;
+  head["study_id"] = metadata.id;
+  head["title"] = metadata.title;
+  if (!options.publicClass) head["study_uuid"] = study.uuid();
+  head["protocol_version"] = metadata.version;
+  head["protocol_hash"] = study.protocols().current().sha256;
+  head["app_version"] = appVersion();
+  head["blinded"] = options.isBlinded;
+  head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
+  if (options.publicClass) head["k"] = *options.publicClass;
+  head["felt_from"] = Json::array();
+  for (const auto& source : study.protocol().sources) {
+    Json entry{{"kind", source.kind}, {"synthetic", source.isSynthetic}};
+    if (!options.isBlinded) {
+      entry["file"] = source.file;
+      entry["title"] = source.title;
+      entry["origin"] = source.origin;
+      entry["conditions"] = source.conditions;
+    }
+    head["felt_from"].push_back(std::move(entry));
+  }
+  head["export_format"] = 1;
+  return head.dump();
+}
+
+std::string readmeOf(
+    Study& study,
+    const ExportOptions& options,
+    const std::vector<DataTable>& tables,
+    const std::string& responses) {
+  if (options.publicClass) return publicReadme(study, options, publicRelease(study, options));
+  std::string text =
+      "# " + study.protocol().protocol.study.title + "\n\n" + "Exported by palpate " +
+      std::string(appVersion()) + ".\n\n" + "- " +
+      sessionsInWords(options, tables.front().rows.size()) +
+      "\n"
+      "- One row per answer in `" +
+      responses +
+      "`; keys in every table: `participant_id`, "
+      "`session_num`, `step_num`, `attempt`.\n"
+      "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value.\n"
+      "- Free text that begins with = + - @ has an apostrophe before it, so that no "
+      "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
+      "- What a column holds is written in `codebook.json`, or beside each table.\n"
+      "- Nothing in this folder names a person.\n";
+  text += options.isBlinded
+              ? "- Blinded: `condition_code` says which rows belong together, not which rendering "
+                "they are. 'palpate export --unblind --reason \"…\"' says it.\n"
+              : "- Not blinded: `condition` says which rendering was felt.\n";
+  for (const auto& source : study.protocol().sources) text += inWords(source, options);
+  return text + formatInWords(options) + scriptsInWords(options) +
+         (options.hasTraces ? kTracesInWords : "");
+}
+
+std::string codebookAsJson(
+    Study& study, const ExportOptions& options, const std::vector<DataTable>& tables) {
+  Json json = Json::parse(headAsJson(study, options));
+  const auto levels = levelsOf(study, options);
+  for (const auto& table : tables) {
+    Json columns = Json::array();
+    for (const auto& column : table.columns) {
+      Json entry{
+          {"name", column.name},
+          {"type", nameOf(typeOf(column.name))},
+          {"description", column.description}};
+      const auto values = levelsOf(column, levels);
+      if (!values.empty()) entry["levels"] = levelsAsJson(values);
+      columns.push_back(std::move(entry));
+    }
+    json["tables"][table.name] = {{"description", table.description}, {"columns", columns}};
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace study

@@ -1,0 +1,167 @@
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "study/export/codebook.h"
+#include "study/export/export.h"
+#include "study/export/export_parts.h"
+#include "study/export/library.h"
+#include "study/export/public_tables.h"
+#include "study/export/statistics_table.h"
+#include "study/export/votes_table.h"
+#include "study/model/new_file.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json asJson(const Cell& cell) {
+  if (const auto* flag = std::get_if<bool>(&cell)) return *flag;
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return *whole;
+  if (const auto* number = std::get_if<double>(&cell)) return *number;
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  return nullptr;
+}
+
+Json asJson(const DataTable& table) {
+  Json rows = Json::array();
+  for (const auto& row : table.rows) {
+    Json object;
+    for (std::size_t i = 0; i < row.size(); ++i) object[table.columns[i].name] = asJson(row[i]);
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+/// Whether a script comes with the tables that reads them with their types.
+bool hasReader(const ExportOptions& options) {
+  return options.format == ExportFormat::R || options.format == ExportFormat::Python;
+}
+
+/// And says how many sessions are in them.
+std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
+  auto tables = tablesFor(study, options);
+  const auto sessions = tables.front().rows.size();
+  if (hasReader(options)) tables.push_back(columnsTable(study, options, tables));
+  if (options.format == ExportFormat::Json) {
+    Json json = Json::parse(headAsJson(study, options));
+    for (const auto& table : tables) json[table.name] = asJson(table);
+    writeNewFile((folder / "study.json").string(), json.dump(1) + "\n");
+  } else {
+    for (const auto& table : tables)
+      writeNewFile((folder / (table.name + ".csv")).string(), asCsv(table));
+    writeScripts(folder, options);
+  }
+  if (options.hasTraces) writeTraces(study, folder / "traces", options);
+  writeNewFile((folder / "codebook.json").string(), codebookAsJson(study, options, tables));
+  writeNewFile((folder / "README.md").string(), readmeOf(study, options, tables, "responses.csv"));
+  return sessions;
+}
+
+/// In the layout that is asked for. @return  how many sessions are in it.
+std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
+  tell(options.progress, kUnknownShare, "writing the tables");
+  if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
+  if (options.format == ExportFormat::Bids) return writeBids(study, folder, options);
+  return writeTables(study, folder, options);
+}
+
+/// @throws storage::StorageError  in words, where @p options contradict each other or lack a
+/// reason.
+void refuseWhatMayNotLeave(const ExportOptions& options, const std::string& reason) {
+  if (!options.isBlinded && reason.empty()) {
+    throw storage::StorageError(
+        "To say which rendering was felt needs a reason: it goes into the audit trail.");
+  }
+  if (options.publicClass && options.hasTraces) {
+    throw storage::StorageError(
+        "How somebody's hand moved is theirs alone, so that a public folder has no traces. Leave "
+        "--traces or --public out.");
+  }
+  if (options.publicClass && options.format == ExportFormat::Bids) {
+    throw storage::StorageError(
+        "A BIDS folder has one for each person, with measurements in it, which a public one may "
+        "not "
+        "have. Choose --format csv, json, psych-ds, r or python.");
+  }
+  if (options.publicClass && *options.publicClass < kSmallestPublicClass) {
+    throw storage::StorageError(
+        "A class of a public folder has at least " + std::to_string(kSmallestPublicClass) +
+        " people. Ask for that many or more.");
+  }
+  if (options.isBlinded && options.hasTraces) {
+    throw storage::StorageError(
+        "Traces show what an alternative felt like, so that a blinded export has none. Leave "
+        "--traces out, or add --unblind --reason \"…\".");
+  }
+}
+
+/// Into the audit trail, before anything has left.
+void noteExport(Study& study, const ExportOptions& options, const std::string& reason) {
+  if (options.publicClass) {
+    const auto release = publicRelease(study, options);
+    study.note(
+        "public_export",
+        "k = " + std::to_string(release.k) + ", " + std::to_string(release.after.people) +
+            " people, smallest class " + std::to_string(release.after.smallest));
+  }
+  if (!options.isBlinded) study.note("unblinded_export", reason);
+}
+
+}  // namespace
+
+std::vector<DataTable> tablesFor(Study& study, const ExportOptions& options) {
+  auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
+  tables.push_back(itemsTable(study));
+  if (!options.isBlinded && !options.publicClass) {
+    tables.push_back(statisticsTable(study, options));
+    tables.push_back(votesTable(study, options));
+  }
+  return tables;
+}
+
+void writeScripts(const fs::path& folder, const ExportOptions& options) {
+  const bool hasStatistics = !options.isBlinded && !options.publicClass;
+  for (const auto& file : libraryFiles()) {
+    const bool isReader = file.name.starts_with("read_");
+    const bool isForR = file.name.ends_with(".R");
+    const bool isForOther = options.format == (isForR ? ExportFormat::Python : ExportFormat::R);
+    if (isForOther || !(isReader ? hasReader(options) : hasStatistics)) continue;
+    writeNewFile((folder / file.name).string(), std::string(file.content));
+  }
+}
+
+std::size_t exportStudy(
+    Study& study,
+    const std::string& folder,
+    const ExportOptions& asked,
+    const std::string& reason) {
+  ExportOptions options = asked;
+  if (options.publicClass && !options.runMode) options.runMode = RunMode::Live;
+  fs::path target = fs::path(folder).lexically_normal();
+  if (!target.has_filename()) target = target.parent_path();  // "out/" means "out"
+  std::error_code error;
+  if (fs::exists(target, error)) {
+    throw storage::StorageError(
+        folder + " is there already. Nothing is ever overwritten: choose another folder.");
+  }
+  refuseWhatMayNotLeave(options, reason);
+  tell(options.progress, kUnknownShare, "gathering the tables");
+  noteExport(study, options, reason);
+  const fs::path unfinished = newFolderBeside(target);
+  try {
+    const auto sessions = writeAll(study, unfinished, options);
+    tell(options.progress, 1.0, "giving the folder its name");
+    fs::rename(unfinished, target, error);
+    if (error)
+      throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");
+    return sessions;
+  } catch (...) {
+    fs::remove_all(unfinished, error);
+    throw;
+  }
+}
+
+}  // namespace study

@@ -1,0 +1,130 @@
+// The layout that Psych-DS asks for. Names of files: key-value pairs joined by underscores, keys of
+// small letters, values of letters and digits.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "study/export/codebook.h"
+#include "study/export/export_parts.h"
+#include "study/export/statistics_table.h"
+#include "study/model/new_file.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The type as schema.org and JSON name it.
+std::string_view jsonTypeOf(ColumnType type) {
+  switch (type) {
+    case ColumnType::Integer:
+      return "integer";
+    case ColumnType::Number:
+      return "number";
+    case ColumnType::Boolean:
+      return "boolean";
+    case ColumnType::Text:
+    case ColumnType::DateTime:
+      break;
+  }
+  return "string";
+}
+
+Json variableOf(const Column& column, const std::map<std::string, std::vector<Level>>& levels) {
+  Json variable{
+      {"@type", "PropertyValue"},
+      {"name", column.name},
+      {"description", column.description},
+      {"valueType", jsonTypeOf(typeOf(column.name))}};
+  for (const auto& level : levelsOf(column, levels)) {
+    variable["levels"].push_back({{"value", level.value}, {"label", level.label}});
+  }
+  return variable;
+}
+
+/// Every column once: columns of one name mean the same in all tables.
+Json variablesOf(
+    const std::vector<DataTable>& tables, const std::map<std::string, std::vector<Level>>& levels) {
+  Json variables = Json::array();
+  std::vector<std::string> seen;
+  for (const auto& table : tables) {
+    for (const auto& column : table.columns) {
+      if (std::find(seen.begin(), seen.end(), column.name) != seen.end()) continue;
+      seen.push_back(column.name);
+      variables.push_back(variableOf(column, levels));
+    }
+  }
+  return variables;
+}
+
+Json descriptionOf(
+    Study& study, const ExportOptions& options, const std::vector<DataTable>& tables) {
+  const auto& metadata = study.protocol().protocol.study;
+  Json json{
+      {"@context", "https://schema.org/"},
+      {"@type", "Dataset"},
+      {"name", metadata.title},
+      {"description",
+       metadata.description.empty() || options.isBlinded ? metadata.title : metadata.description},
+      {"variableMeasured", variablesOf(tables, levelsOf(study, options))}};
+  json["palpate"] = Json::parse(headAsJson(study, options));
+  return json;
+}
+
+/// Words that are somebody's published text stay at home; so does what would lead out of the
+/// folder.
+bool mayLeave(const fs::path& name) {
+  return name.is_relative() && name.begin() != name.end() && *name.begin() != "wording" &&
+         std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
+}
+
+void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& options) {
+  if (options.isBlinded || options.publicClass) return;
+  fs::create_directories(folder);
+  const auto stored = study.protocols().current();
+  writeNewFile((folder / "study-protocol.json").string(), stored.text);
+  for (const auto& file : stored.files) {
+    const fs::path name(file.name);
+    if (!mayLeave(name)) continue;
+    fs::create_directories((folder / name).parent_path());
+    writeNewFile((folder / name).string(), file.text);
+  }
+}
+
+}  // namespace
+
+std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptions& options) {
+  const auto tables = tablesFor(study, options);
+  const std::size_t sessions = tables.front().rows.size();
+  const auto levels = levelsOf(study, options);
+  const std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
+  const auto data = folder / "data";
+  fs::create_directories(data);
+  for (const auto& table : tables) {
+    const std::string name = prefix + "_description-" + table.name + "_data";
+    writeNewFile((data / (name + ".csv")).string(), asCsv(table));
+    Json dictionary{
+        {"description", table.description}, {"variableMeasured", variablesOf({table}, levels)}};
+    writeNewFile((data / (name + ".json")).string(), dictionary.dump(2) + "\n");
+  }
+  if (options.hasTraces) writeTraces(study, data / "raw", options);
+  writeMaterials(study, folder / "materials", options);
+  if (!options.isBlinded && !options.publicClass) {
+    fs::create_directories(folder / "analysis");
+    writeScripts(folder / "analysis", options);
+  }
+  writeNewFile(
+      (folder / "dataset_description.json").string(),
+      descriptionOf(study, options, tables).dump(2) + "\n");
+  writeNewFile(
+      (folder / "README.md").string(),
+      readmeOf(study, options, tables, "data/" + prefix + "_description-responses_data.csv"));
+  writeNewFile(
+      (folder / "CHANGES.md").string(),
+      "# Changes\n\n- Exported by palpate " + std::string(appVersion()) +
+          "; nothing has been changed since.\n");
+  return sessions;
+}
+
+}  // namespace study

@@ -1,0 +1,127 @@
+#include "study/export/public_people.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "study/storage/answer_repository.h"
+
+namespace study {
+namespace {
+
+std::string asWritten(const questionnaires::Response& response) {
+  const auto stored = storage::stored(response);
+  if (stored.point) return std::to_string(*stored.point);
+  return stored.number ? exactly(*stored.number) : stored.text.value_or("");
+}
+
+std::vector<BackgroundQuestion> questionsOf(const protocols::LoadedProtocol& loaded) {
+  std::vector<BackgroundQuestion> questions;
+  for (const auto& phase : loaded.protocol.phases) {
+    const auto* instrument = loaded.instrument(phase.instrument);
+    if (phase.type != protocols::PhaseType::Form || instrument == nullptr) continue;
+    for (const auto& item : instrument->items) {
+      if (item.isIdentifying || !isAboutThePerson(item)) continue;
+      questions.push_back({phase.id, &item, Coarsening(item, loaded.protocol.languages.front())});
+    }
+  }
+  return questions;
+}
+
+}  // namespace
+
+std::string BackgroundQuestion::column() const {
+  std::string name = phase + "_" + item->id;
+  for (char& c : name) {
+    if (c == '-' || c == '.' || c == ' ') c = '_';
+  }
+  return name;
+}
+
+PublicPeople::PublicPeople(Study& study, RunMode mode)
+    : study_(study), questions_(questionsOf(study.protocol())) {
+  const storage::Records records(study.database());
+  std::set<std::string> seen;
+  for (auto& session : records.sessions()) {
+    const bool isTheirs = session.status == "completed" && session.runMode == nameOf(mode);
+    if (!isTheirs || !seen.insert(session.participant).second) continue;
+    people_.emplace(session.id, sessions_.size());
+    sessions_.push_back(std::move(session));
+  }
+  const auto counts = [&](const storage::StepRecord& step) {
+    return step.visitStatus == "finished" && people_.count(step.visit.session) == 1;
+  };
+  for (auto& answer : records.answers()) {
+    if (counts(answer.step)) answers_.push_back(std::move(answer));
+  }
+  for (auto& trial : records.trials()) {
+    if (counts(trial.step)) trials_.push_back(std::move(trial));
+  }
+}
+
+std::optional<std::size_t> PublicPeople::personOf(SessionId session) const {
+  const auto found = people_.find(session);
+  return found == people_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<QuasiIdentifier> PublicPeople::identifiers() const {
+  std::vector<QuasiIdentifier> identifiers{cohorts()};
+  for (const auto& question : questions_) identifiers.push_back(background(question));
+  identifiers.push_back(orders());
+  return identifiers;
+}
+
+QuasiIdentifier PublicPeople::cohorts() const {
+  QuasiIdentifier cohorts{.name = kCohortColumn, .exact = {}, .levels = {}};
+  for (const auto& session : sessions_) cohorts.exact.push_back(session.cohort);
+  cohorts.levels = {cohorts.exact};
+  return cohorts;
+}
+
+QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) const {
+  const std::size_t grains = question.coarsening.grains();
+  QuasiIdentifier identifier{
+      .name = question.column(),
+      .exact = Values(count()),
+      .levels = std::vector<Values>(grains, Values(count()))};
+  for (const auto& answer : answers_) {
+    const bool isIt = answer.step.kind == "form" && answer.step.phase == question.phase &&
+                      answer.answer.item == question.item->id;
+    if (!isIt) continue;
+    const std::size_t person = people_.at(answer.step.visit.session);
+    identifier.exact[person] = asWritten(answer.answer.response);
+    for (std::size_t grain = 0; grain < grains; ++grain) {
+      identifier.levels[grain][person] = question.coarsening.told(grain, answer.answer.response);
+    }
+  }
+  return identifier;
+}
+
+QuasiIdentifier PublicPeople::orders() const {
+  const auto codes = conditionCodes(study_);
+  std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> felt(count());
+  for (const auto& trial : trials_) {
+    if (trial.step.isOfferedAgain()) continue;  // it has no place in the order
+    auto& blocks = felt[people_.at(trial.step.visit.session)];
+    const auto code = codes.find(trial.step.condition);
+    const auto& phases = study_.protocol().protocol.phases;
+    const auto phase = std::find_if(phases.begin(), phases.end(), [&](const auto& known) {
+      return known.id == trial.step.phase;
+    });
+    const int place = static_cast<int>(phase - phases.begin());
+    blocks[{place, trial.step.phase}][trial.step.position] =
+        code == codes.end() ? "" : code->second;
+  }
+  QuasiIdentifier orders{.name = kOrderColumn, .exact = Values(count()), .levels = {}};
+  for (std::size_t person = 0; person < count(); ++person) {
+    auto& text = orders.exact[person];
+    for (const auto& [block, positions] : felt[person]) {
+      text += (text.empty() ? "" : "; ") + block.second + ":";
+      for (const auto& [position, code] : positions) text += " " + code;
+    }
+  }
+  orders.levels = {orders.exact};
+  return orders;
+}
+
+}  // namespace study

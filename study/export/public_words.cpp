@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include "study/export/export_parts.h"
+#include "study/export/public_people.h"
+#include "study/export/public_tables.h"
+#include "study/words/counted.h"
+
+namespace study {
+namespace {
+
+std::string peopleInWords(std::size_t count) {
+  return words::counted(count, "person", "people");
+}
+
+/// "cohort, background_role".
+template <typename Pairs>
+std::string namesOf(const Pairs& pairs) {
+  std::string names;
+  for (const auto& [name, what] : pairs) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+/// Who may be found among whom, before anything was done.
+std::string beforeInWords(const Release& release) {
+  const auto& before = release.before;
+  auto text = fmt::format(
+      "As answered: {} of {} in classes of fewer than {}, the smallest of {}.\n",
+      before.inSmall,
+      peopleInWords(before.people),
+      release.k,
+      peopleInWords(before.smallest));
+  for (const auto& [name, count] : before.causes) {
+    text += fmt::format(
+        "  {}: by it alone {} in classes of fewer than {}\n",
+        name,
+        peopleInWords(count),
+        release.k);
+  }
+  if (before.causes.empty() && before.inSmall > 0) {
+    text += "  nothing alone, but together: " + namesOf(before.smallestClass) + "\n";
+  }
+  return text;
+}
+
+std::string afterInWords(const Release& release) {
+  const auto& after = release.after;
+  std::string said;
+  for (const auto& [name, value] : after.smallestClass) {
+    said += (said.empty() ? "" : ", ") + name + " = " + value;
+  }
+  return fmt::format(
+      "As told: {}, the smallest of {}: {}.\n",
+      words::counted(after.classes, "class", "classes"),
+      peopleInWords(after.smallest),
+      said.empty() ? "of them nothing is told" : said);
+}
+
+/// What is told of people, and what is not.
+std::string columnsInWords(const Release& release) {
+  std::string told;
+  std::string untold;
+  for (const auto& column : release.columns) {
+    auto& names = column.level ? told : untold;
+    names += (names.empty() ? "" : ", ") + column.name;
+    std::size_t empty = 0;
+    for (const auto& value : column.values) empty += value.empty() ? 1 : 0;
+    if (column.level && empty > 0) names += fmt::format(" (not of {})", peopleInWords(empty));
+  }
+  return "Told: " + (told.empty() ? "nothing" : told) + ".\n" +
+         (untold.empty() ? "" : "Not told: " + untold + ".\n");
+}
+
+}  // namespace
+
+std::string inWords(const Release& release) {
+  return beforeInWords(release) + afterInWords(release) + columnsInWords(release);
+}
+
+std::string publicReadme(Study& study, const ExportOptions& options, const Release& release) {
+  const bool isOrderTold = release.column(kOrderColumn)->level.has_value();
+  std::string text = fmt::format(
+      "# {}\n\nFor the public, by palpate {}.\n\n"
+      "- {} {} sessions that were completed, one of each person. Nothing of anybody else.\n"
+      "- Of each person at least {} people the same is told (k-anonymity with k = {}), as to "
+      "cohort, "
+      "what they said about themselves and the order in which they felt the conditions.\n",
+      study.protocol().protocol.study.title,
+      appVersion(),
+      release.after.people,
+      nameOf(options.runMode.value_or(RunMode::Live)),
+      release.k,
+      release.k);
+  text +=
+      "- Numbers about people are told as bands. What too few share is empty, or its column is not "
+      "there.\n"
+      "- Not in this folder: words that somebody wrote, dates and times, how long answers took, "
+      "languages, what was measured in trials, events, who did not finish.\n"
+      "- Ids were drawn for this folder, and rows stand in an order drawn for it: neither leads "
+      "back "
+      "to the study.\n"
+      "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value. "
+      "`codebook.json`, or a dictionary beside each table, says what columns mean.\n"
+      "- Opinions are told as they were given. Who has the study's own data can find its people "
+      "here "
+      "by them; nobody else should be able to.\n";
+  if (!isOrderTold) text += "- The order of conditions is not told, and no position in it.\n";
+  text += options.isBlinded ? "- Blinded: `condition_code` says which rows belong together, not "
+                              "which rendering they are.\n"
+                            : "- Not blinded: `condition` says which rendering was felt.\n";
+  return text + "\n" + afterInWords(release) + "\n" + columnsInWords(release);
+}
+
+}  // namespace study

@@ -1,0 +1,96 @@
+#include <zlib.h>
+
+#include <array>
+#include <cstdio>
+#include <map>
+
+#include "study/export/export_parts.h"
+#include "study/model/new_file.h"
+#include "study/storage/records.h"
+#include "study/storage/trace_store.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using storage::StorageError;
+
+/// RFC 1952, without a name and a time, so that the same text gives the same bytes.
+std::string gzip(const std::string& text) {
+  constexpr int kGzip = 15 + 16;  // largest window, gzip header
+  constexpr int kMemory = 8;
+  z_stream stream{};
+  if (deflateInit2(
+          &stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzip, kMemory, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw StorageError("There is not enough memory to compress a trace.");
+  }
+  std::string packed(deflateBound(&stream, text.size()), '\0');
+  // zlib only reads its input, whatever its type says.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  const bool isDone = deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  if (!isDone) throw StorageError("A trace could not be compressed.");
+  return packed;
+}
+
+std::string asCsv(const std::vector<storage::TraceSample>& samples, double rate) {
+  std::string csv =
+      "tick,time_s,travel,velocity_per_s,desired_n,force_n,lateness_us,status,interventions,marks,"
+      "landmark\n";
+  for (const auto& s : samples) {
+    csv += std::to_string(s.tick) + "," + exactly(s.tick / rate);
+    for (const float value : {s.travel, s.velocity, s.desired, s.force, s.lateness}) {
+      csv += "," + exactly(value);
+    }
+    for (const int value : {s.status, s.interventions, s.marks, s.landmark}) {
+      csv += "," + std::to_string(value);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string nameOf(const storage::SessionRecord& session, const VisitKey& visit) {
+  std::array<char, 160> name{};
+  std::snprintf(
+      name.data(),
+      name.size(),
+      "%s_session-%d_step-%02d_attempt-%d_force.csv.gz",
+      session.participant.c_str(),
+      session.number,
+      static_cast<int>(visit.step) + 1,
+      static_cast<int>(visit.attempt));
+  return name.data();
+}
+
+}  // namespace
+
+std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOptions& options) {
+  const storage::Records records(study.database());
+  std::map<SessionId, storage::SessionRecord> sessions;
+  for (auto& session : records.sessions()) {
+    const bool isWanted = !options.runMode || session.runMode == nameOf(*options.runMode);
+    if (isWanted) sessions.emplace(session.id, session);
+  }
+  fs::create_directories(folder);
+  auto& traces = study.traces();
+  std::size_t written = 0;
+  double seen = 0.0;
+  const auto trials = records.trials();
+  for (const auto& trial : trials) {
+    tell(options.progress, seen / static_cast<double>(trials.size()), "writing what was felt");
+    seen += 1.0;
+    const auto session = sessions.find(trial.step.visit.session);
+    if (session == sessions.end() || trial.traceSamples == 0) continue;
+    const auto text = asCsv(traces.read(trial.step.visit), trial.nominalRate);
+    writeNewFile((folder / nameOf(session->second, trial.step.visit)).string(), gzip(text));
+    ++written;
+  }
+  return written;
+}
+
+}  // namespace study

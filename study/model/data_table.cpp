@@ -1,0 +1,57 @@
+#include "study/model/data_table.h"
+
+#include <array>
+#include <charconv>
+
+namespace study {
+namespace {
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + '"';
+}
+
+bool beginsLikeAFormula(const std::string& text) {
+  return !text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos;
+}
+
+std::string asText(const Cell& cell, const Column& column) {
+  if (const auto* flag = std::get_if<bool>(&cell)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&cell)) return exactly(*number);
+  if (const auto* text = std::get_if<std::string>(&cell)) {
+    return quoted(column.isFreeText && beginsLikeAFormula(*text) ? "'" + *text : *text);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string exactly(double value) {
+  std::array<char, 40> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+std::string asCsv(const DataTable& table) {
+  std::string csv;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    csv += (i == 0 ? "" : ",") + table.columns[i].name;
+  }
+  csv += '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) csv += ',';
+      csv += asText(row[i], table.columns[i]);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace study

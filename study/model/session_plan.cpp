@@ -1,0 +1,129 @@
+#include "study/model/session_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace study {
+namespace {
+
+using protocols::Phase;
+using protocols::PhaseType;
+
+void addTrials(
+    const protocols::Protocol& protocol,
+    const Phase& phase,
+    const protocols::PlannedBlock& block,
+    std::vector<Step>& steps) {
+  for (const auto& trial : block.trials) {
+    const auto* condition = protocol.condition(trial.condition);
+    Step step{
+        .kind = StepKind::Trial,
+        .phase = phase.id,
+        .position = trial.position,
+        .label = trial.label,
+        .condition = trial.condition,
+        .isVisualised = phase.trials.isVisualised.value_or(condition->scene.isVisualised),
+        .minimumCuts = phase.trials.minimumCuts};
+    steps.push_back(step);
+    step.kind = StepKind::Questionnaire;
+    step.minimumCuts = 0;
+    step.isVisualised = false;
+    for (const auto& asked : phase.trials.questionnaires) {
+      step.instrument = asked.instrument;
+      step.itemSet = asked.setFor(trial.condition);
+      steps.push_back(step);
+    }
+  }
+}
+
+/// Before a choice, each alternative once more, by its label: felt by whoever wants to.
+void offerAgain(
+    const protocols::Protocol& protocol,
+    const Phase& preference,
+    const protocols::PlannedBlock& block,
+    std::vector<Step>& steps) {
+  auto trials = block.trials;
+  std::sort(
+      trials.begin(), trials.end(), [](const auto& a, const auto& b) { return a.label < b.label; });
+  const auto& seen = protocol.phase(preference.block)->trials.isVisualised;
+  for (const auto& trial : trials) {
+    steps.push_back(
+        {.kind = StepKind::Trial,
+         .phase = preference.id,
+         .label = trial.label,
+         .condition = trial.condition,
+         .isVisualised = seen.value_or(protocol.condition(trial.condition)->scene.isVisualised),
+         .minimumCuts = 1,
+         .isOffered = true});
+  }
+}
+
+std::vector<std::string> labelsOf(const protocols::PlannedBlock& block) {
+  std::vector<int> numbers;
+  for (const auto& trial : block.trials) numbers.push_back(trial.label);
+  std::sort(numbers.begin(), numbers.end());
+  std::vector<std::string> labels;
+  for (const int number : numbers) labels.push_back(std::to_string(number));
+  return labels;
+}
+
+StepKind kindOf(PhaseType type) {
+  switch (type) {
+    case PhaseType::Consent:
+      return StepKind::Consent;
+    case PhaseType::Form:
+      return StepKind::Form;
+    case PhaseType::Benchmark:
+      return StepKind::Benchmark;
+    case PhaseType::Preference:
+      return StepKind::Preference;
+    case PhaseType::Break:
+      return StepKind::Break;
+    case PhaseType::Interview:
+      return StepKind::Interview;
+    default:
+      return StepKind::Reading;
+  }
+}
+
+}  // namespace
+
+std::string_view nameOf(StepKind kind) noexcept {
+  constexpr std::array<std::string_view, 9> kNames{
+      "reading",
+      "consent",
+      "form",
+      "benchmark",
+      "trial",
+      "questionnaire",
+      "preference",
+      "break",
+      "interview"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Step> sessionPlan(
+    const protocols::Protocol& protocol, const protocols::Schedule& schedule) {
+  std::vector<Step> steps;
+  for (const auto& phase : protocol.phases) {
+    if (phase.type == PhaseType::Block) {
+      addTrials(protocol, phase, *schedule.block(phase.id), steps);
+      continue;
+    }
+    Step step{
+        .kind = kindOf(phase.type),
+        .phase = phase.id,
+        .instrument = phase.instrument,
+        .minimumCuts = phase.minimumCuts,
+        .seconds = phase.seconds};
+    if (phase.type == PhaseType::Preference) {
+      step.alternatives = labelsOf(*schedule.block(phase.block));
+      if (phase.mayFeelAgain) offerAgain(protocol, phase, *schedule.block(phase.block), steps);
+    }
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+}  // namespace study

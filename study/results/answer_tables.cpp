@@ -1,0 +1,120 @@
+#include "study/results/answer_tables.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <variant>
+
+#include "questionnaires/model/answer.h"
+
+namespace study {
+namespace {
+
+using questionnaires::ItemType;
+
+std::optional<std::size_t> placeOf(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+const protocols::ConditionQuestionnaire* questionnaireIn(
+    const protocols::Phase& phase, const protocols::Family& family) {
+  const bool isMeant = family.blocks.empty() || placeOf(family.blocks, phase.id).has_value();
+  if (phase.type != protocols::PhaseType::Block || !isMeant) return nullptr;
+  for (const auto& questionnaire : phase.trials.questionnaires) {
+    if (questionnaire.instrument == family.instrument) return &questionnaire;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> conditionsOf(
+    const protocols::Protocol& protocol, const protocols::Family& family) {
+  std::set<std::string> named;
+  for (const auto& pair : family.comparisons) named.insert({pair.first, pair.second});
+  std::vector<std::string> conditions;
+  for (const auto& condition : protocol.conditions) {
+    if (named.count(condition.id) > 0) conditions.push_back(condition.id);
+  }
+  return conditions;
+}
+
+analysis::AnswerTable answerTable(
+    const protocols::LoadedProtocol& loaded,
+    const protocols::Family& family,
+    const std::vector<std::string>& people,
+    const std::vector<OwnedAnswer>& answers) {
+  analysis::AnswerTable table;
+  table.participants = people;
+  table.methods = conditionsOf(loaded.protocol, family);
+  for (const auto& phase : loaded.protocol.phases) {
+    if (questionnaireIn(phase, family) != nullptr) table.rounds.push_back(phase.id);
+  }
+  const auto& instrument = *loaded.instrument(family.instrument);
+  for (const auto& item : instrument.items) {
+    if (item.type != ItemType::Likert) continue;
+    table.lowest = item.scale.lowest;
+    table.highest = item.scale.highest();
+    table.statements.push_back(item.id);
+  }
+  for (const auto& [participant, record] : answers) {
+    const auto& step = record->step;
+    if (step.kind != "questionnaire" || step.instrument != family.instrument) continue;
+    const auto method = placeOf(table.methods, step.condition);
+    const auto round = placeOf(table.rounds, step.phase);
+    const auto statement = placeOf(table.statements, record->answer.item);
+    const auto person = placeOf(table.participants, *participant);
+    const auto* point = std::get_if<std::int64_t>(&record->answer.response);
+    if (!method || !round || !statement || !person || point == nullptr) continue;
+    // An answer that was given on the scale of an earlier version of the protocol counts as
+    // missing.
+    const auto score = questionnaires::keyed(*instrument.item(record->answer.item), *point);
+    if (score < table.lowest || score > table.highest) continue;
+    table.answers.push_back(
+        {.participant = *person,
+         .method = *method,
+         .round = *round,
+         .statement = *statement,
+         .position = step.position,
+         .score = static_cast<int>(score)});
+  }
+  return table;
+}
+
+std::vector<std::size_t> expectedAnswers(
+    const protocols::LoadedProtocol& loaded,
+    const protocols::Family& family,
+    const analysis::AnswerTable& table) {
+  std::vector<std::size_t> expected(table.methods.size());
+  const auto& instrument = *loaded.instrument(family.instrument);
+  for (const auto& phase : loaded.protocol.phases) {
+    const auto* questionnaire = questionnaireIn(phase, family);
+    if (questionnaire == nullptr) continue;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      if (!placeOf(phase.trials.conditions, table.methods[i])) continue;
+      for (const auto& item : instrument.itemsOf(questionnaire->setFor(table.methods[i]))) {
+        if (item.type == ItemType::Likert) ++expected[i];
+      }
+    }
+  }
+  return expected;
+}
+
+std::vector<std::size_t> relativeStatements(
+    const protocols::LoadedProtocol& loaded,
+    const protocols::Family& family,
+    const analysis::AnswerTable& table) {
+  const auto& instrument = *loaded.instrument(family.instrument);
+  std::set<std::size_t> answered;
+  for (const auto& answer : table.answers) answered.insert(answer.statement);
+  std::vector<std::size_t> places;
+  for (const std::size_t place : answered) {
+    const auto* item = instrument.item(table.statements[place]);
+    if (item->reference == questionnaires::Reference::Previous) places.push_back(place);
+  }
+  return places;
+}
+
+}  // namespace study

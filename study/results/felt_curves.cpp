@@ -1,0 +1,190 @@
+#include "study/results/felt_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/tests/paired_t.h"
+#include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/tick_sample.h"
+#include "study/storage/records.h"
+
+namespace study {
+namespace {
+
+constexpr int kBins = 80;
+constexpr std::size_t kFewest = 20;  // samples in a bin that say something
+
+/// Forces by bins of travel.
+class Bins {
+ public:
+  explicit Bins(double most) : width_(most / kBins), forces_(kBins) {}
+
+  void add(const std::vector<storage::TraceSample>& samples) {
+    using haptics::engine::TickSample;
+    const double closing = 5.0 * width_;  // [units/s]: slower is no movement
+    for (const auto& sample : samples) {
+      const bool isBad = (sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0;
+      if (isBad || static_cast<double>(sample.velocity) < closing) continue;
+      const auto bin = static_cast<std::int64_t>(std::floor(sample.travel / width_));
+      if (bin >= 0 && bin < kBins) forces_[static_cast<std::size_t>(bin)].push_back(sample.force);
+    }
+  }
+
+  /// The middle sample of every bin that was felt.
+  std::map<int, double> medians() {
+    std::map<int, double> medians;
+    for (int bin = 0; bin < kBins; ++bin) {
+      auto& forces = forces_[static_cast<std::size_t>(bin)];
+      if (forces.empty()) continue;
+      const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
+      std::nth_element(forces.begin(), middle, forces.end());
+      medians[bin] = *middle;
+    }
+    return medians;
+  }
+
+  std::vector<FeltCurve::Point> points() {
+    std::vector<FeltCurve::Point> points;
+    for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
+      auto& forces = forces_[bin];
+      if (forces.size() < kFewest) continue;
+      std::sort(forces.begin(), forces.end());
+      const auto at = [&](double share) {
+        return static_cast<double>(
+            forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);
+      };
+      points.push_back({(static_cast<double>(bin) + 0.5) * width_, at(0.1), at(0.5), at(0.9)});
+    }
+    return points;
+  }
+
+ private:
+  double width_;
+  std::vector<std::vector<float>> forces_;
+};
+
+double mostTravelOf(haptics::devices::DeviceKind kind) {
+  return kind == haptics::devices::DeviceKind::Punch ? 11.0 : 0.02;
+}
+
+/// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
+/// any is gone, without jitter. Nothing for what depends on more than travel.
+std::vector<double> meantForces(
+    haptics::engine::SceneSpec scene, const std::vector<FeltCurve::Point>& points) {
+  if (!haptics::engine::isBone(scene)) return {};
+  if (auto* packing = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
+    packing->isRemoved = false;
+  } else {
+    std::get<haptics::engine::MaterialSpec>(scene.model).jitter = {};
+  }
+  haptics::engine::CompiledScene compiled(scene);
+  std::vector<double> forces;
+  for (const auto& point : points) {
+    forces.push_back(compiled.respond({.travel = point.travel}).force);
+  }
+  return forces;
+}
+
+}  // namespace
+
+std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
+  const storage::Records records(study.database());
+  std::map<SessionId, std::string> counted;  // and whose they are
+  for (const auto& session : records.sessions()) {
+    if (session.runMode == nameOf(mode) && session.status == "completed")
+      counted.emplace(session.id, session.participant);
+  }
+  const auto& protocol = study.protocol().protocol;
+  const auto trials = records.trials();
+  std::vector<FeltCurve> curves;
+  for (const auto& condition : protocol.conditions) {
+    FeltCurve curve{.condition = condition.id, .device = condition.device};
+    const double most = mostTravelOf(protocol.device(condition.device)->kind);
+    Bins bins(most);
+    std::map<std::string, Bins> byParticipant;
+    for (const auto& trial : trials) {
+      const bool counts = trial.step.condition == condition.id &&
+                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain() &&
+                          counted.count(trial.step.visit.session) > 0;
+      if (!counts) continue;
+      const auto samples = study.traces().read(trial.step.visit);
+      bins.add(samples);
+      byParticipant.try_emplace(counted.at(trial.step.visit.session), most)
+          .first->second.add(samples);
+      curve.travelUnit = trial.travelUnit;
+      ++curve.trials;
+    }
+    curve.points = bins.points();
+    for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
+    auto scene = condition.scene;
+    scene.device = protocol.device(condition.device)->kind;
+    curve.meant = meantForces(std::move(scene), curve.points);
+    if (curve.trials > 0) curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+std::optional<double> rmsFromMeant(const FeltCurve& curve) {
+  if (curve.meant.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    sum += std::pow(curve.points[i].median - curve.meant[i], 2.0);
+  }
+  return std::sqrt(sum / static_cast<double>(curve.points.size()));
+}
+
+namespace {
+
+/// Of two series by place, where both have a value; nothing where nowhere.
+template <typename Place>
+std::optional<double> rmsDifference(
+    const std::map<Place, double>& a, const std::map<Place, double>& b) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& [place, value] : a) {
+    const auto other = b.find(place);
+    if (other == b.end()) continue;
+    sum += (value - other->second) * (value - other->second);
+    ++count;
+  }
+  return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
+}
+
+std::map<double, double> mediansOf(const FeltCurve& curve) {
+  std::map<double, double> medians;
+  for (const auto& point : curve.points) medians[point.travel] = point.median;
+  return medians;
+}
+
+}  // namespace
+
+std::vector<FeltDifference> feltDifferences(const std::vector<FeltCurve>& curves) {
+  std::vector<FeltDifference> differences;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    for (std::size_t j = i + 1; j < curves.size(); ++j) {
+      const auto& a = curves[i];
+      const auto& b = curves[j];
+      if (a.device != b.device) continue;
+      const auto pooled = rmsDifference(mediansOf(a), mediansOf(b));
+      if (!pooled) continue;
+      std::vector<double> own;
+      for (const auto& [participant, medians] : a.medians) {
+        const auto other = b.medians.find(participant);
+        if (other == b.medians.end()) continue;
+        if (const auto rms = rmsDifference(medians, other->second)) own.push_back(*rms);
+      }
+      const auto test = analysis::pairedTTest(own, std::vector<double>(own.size(), 0.0));
+      differences.push_back(
+          {.condition1 = a.condition,
+           .condition2 = b.condition,
+           .pooled = *pooled,
+           .participants = own.size(),
+           .mean = test.meanDifference,
+           .interval = confidenceInterval(test, 0.95)});
+    }
+  }
+  return differences;
+}
+
+}  // namespace study

@@ -1,0 +1,177 @@
+#include "study/results/instrument_scores.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/effects/share_interval.h"
+#include "analysis/tests/paired_t.h"
+#include "questionnaires/scoring/consistency.h"
+#include "questionnaires/scoring/scoring.h"
+
+namespace study {
+namespace {
+
+using questionnaires::Answer;
+using questionnaires::Instrument;
+
+/// What one person answered at one visit.
+struct Form {
+  std::string participant;
+  std::string cohort;
+  std::string condition;
+  std::vector<Answer> answers;
+};
+
+/// One instrument's summary in the making.
+class Summarising {
+ public:
+  Summarising(
+      const protocols::Protocol& protocol, const Instrument& instrument, std::vector<Form> forms)
+      : protocol_(protocol), instrument_(instrument), forms_(std::move(forms)) {}
+
+  InstrumentSummary all() {
+    result_.instrument = instrument_.id;
+    result_.forms = forms_.size();
+    for (const auto& form : forms_) {
+      const auto consistency = consistencyOf(instrument_, form.answers);
+      if (consistency && consistency->isSuspicious) ++result_.contradictory;
+    }
+    for (const auto& cohort : protocol_.cohorts) {
+      for (const auto& score : instrument_.scores) scoresOf(score, cohort.id);
+      acceptabilityIn(cohort.id);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void scoresOf(const questionnaires::Score& score, const std::string& cohort) {
+    if (instrument_.occasions == questionnaires::Occasions::BeforeAndAfter) {
+      changesOf(score, cohort);
+      return;
+    }
+    for (const auto& condition : conditionsIn(cohort)) {
+      ScoreSummary summary{.score = score.id, .cohort = cohort, .condition = condition};
+      std::map<std::string, std::vector<double>> byParticipant;
+      for (const auto& form : forms_) {
+        if (form.cohort != cohort || form.condition != condition) continue;
+        const auto found = computeScore(instrument_, score, form.answers);
+        if (found.answered == 0) continue;  // its items were not asked here
+        if (found.value) byParticipant[form.participant].push_back(*found.value);
+        if (!found.value) ++summary.missing;
+      }
+      for (const auto& [participant, values] : byParticipant) {
+        double sum = 0.0;
+        for (const double value : values) sum += value;
+        summary.values.push_back(sum / static_cast<double>(values.size()));
+      }
+      add(std::move(summary));
+    }
+  }
+
+  /// That forms are about, in the protocol's order; first those about none.
+  std::vector<std::string> conditionsIn(const std::string& cohort) const {
+    std::vector<std::string> all{""};
+    for (const auto& condition : protocol_.conditions) all.push_back(condition.id);
+    std::erase_if(all, [&](const auto& condition) {
+      return std::none_of(forms_.begin(), forms_.end(), [&](const auto& form) {
+        return form.cohort == cohort && form.condition == condition;
+      });
+    });
+    return all;
+  }
+
+  /// Of everybody who answered at least twice: first, last, and last − first.
+  void changesOf(const questionnaires::Score& score, const std::string& cohort) {
+    std::map<std::string, std::vector<const Form*>> byParticipant;
+    for (const auto& form : forms_) {
+      if (form.cohort == cohort) byParticipant[form.participant].push_back(&form);
+    }
+    if (byParticipant.empty()) return;
+    ScoreSummary before{.score = score.id, .cohort = cohort, .occasion = "before"};
+    ScoreSummary after{.score = score.id, .cohort = cohort, .occasion = "after"};
+    ScoreSummary change{.score = score.id, .cohort = cohort, .occasion = "change"};
+    for (const auto& [participant, forms] : byParticipant) {
+      if (forms.size() < 2) {
+        ++change.missing;
+        continue;
+      }
+      const auto found =
+          scoreChange(instrument_, score, forms.front()->answers, forms.back()->answers);
+      if (found.before) before.values.push_back(*found.before);
+      if (found.after) after.values.push_back(*found.after);
+      if (found.change) change.values.push_back(*found.change);
+      if (!found.change) ++change.missing;
+    }
+    for (auto* summary : {&before, &after, &change}) add(std::move(*summary));
+  }
+
+  void add(ScoreSummary summary) {
+    const std::vector<double> zeros(summary.values.size(), 0.0);
+    const auto test = analysis::pairedTTest(summary.values, zeros);
+    summary.mean = test.meanDifference;
+    if (!summary.mean && summary.values.size() == 1) summary.mean = summary.values.front();
+    if (test.variance) summary.standardDeviation = std::sqrt(*test.variance);
+    summary.interval = confidenceInterval(test, 0.95);
+    result_.scores.push_back(std::move(summary));
+  }
+
+  /// What each participant said last about each condition.
+  void acceptabilityIn(const std::string& cohort) {
+    for (const auto& condition : conditionsIn(cohort)) {
+      std::map<std::string, const Form*> last;
+      for (const auto& form : forms_) {
+        if (form.cohort == cohort && form.condition == condition) last[form.participant] = &form;
+      }
+      std::vector<std::vector<Answer>> participants;
+      for (const auto& [participant, form] : last) participants.push_back(form->answers);
+      for (auto& item : acceptabilityOf(instrument_, participants)) {
+        AcceptabilitySummary summary{
+            .cohort = cohort, .condition = condition, .item = std::move(item), .interval = {}};
+        summary.interval = analysis::wilsonInterval(summary.item.acceptable, summary.item.answered);
+        result_.acceptable.push_back(std::move(summary));
+      }
+    }
+  }
+
+  const protocols::Protocol& protocol_;
+  const Instrument& instrument_;
+  std::vector<Form> forms_;
+  InstrumentSummary result_;
+};
+
+bool isSummarised(const Instrument& instrument) {
+  const bool hasThreshold =
+      std::any_of(instrument.items.begin(), instrument.items.end(), [](const auto& item) {
+        return item.acceptableFrom.has_value();
+      });
+  return hasThreshold || !instrument.scores.empty() || instrument.consistency;
+}
+
+}  // namespace
+
+std::vector<InstrumentSummary> summariseInstruments(
+    const protocols::LoadedProtocol& loaded,
+    const std::map<SessionId, storage::SessionRecord>& sessions,
+    const std::vector<storage::AnswerRecord>& answers) {
+  std::vector<InstrumentSummary> summaries;
+  for (const auto& instrument : loaded.instruments) {
+    if (!isSummarised(instrument)) continue;
+    std::map<VisitKey, Form> forms;
+    for (const auto& answer : answers) {
+      if (answer.step.instrument != instrument.id) continue;
+      const auto& session = sessions.at(answer.step.visit.session);
+      auto& form = forms[answer.step.visit];
+      form.participant = session.participant;
+      form.cohort = session.cohort;
+      form.condition = answer.step.condition;
+      form.answers.push_back({answer.answer.item, answer.answer.response});
+    }
+    std::vector<Form> list;
+    for (auto& [visit, form] : forms) list.push_back(std::move(form));
+    if (list.empty()) continue;
+    summaries.push_back(Summarising(loaded.protocol, instrument, std::move(list)).all());
+  }
+  return summaries;
+}
+
+}  // namespace study

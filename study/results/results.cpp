@@ -1,0 +1,307 @@
+#include "study/results/results.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "analysis/effects/share_interval.h"
+#include "analysis/numerics/common_unit.h"
+#include "study/model/trial_record.h"
+#include "study/results/answer_tables.h"
+#include "study/results/pooled_answers.h"
+#include "study/session/plan_history.h"
+#include "study/storage/records.h"
+
+namespace study {
+namespace {
+
+using storage::AnswerRecord;
+using storage::Records;
+using storage::SessionRecord;
+
+/// All that results are computed from, read once.
+class Computation {
+ public:
+  Computation(Study& study, RunMode mode)
+      : mode_(mode),
+        loaded_(study.protocol()),
+        records_(study.database()),
+        pooled_(study, mode),
+        history_(planHistory(study)) {
+    for (auto& session : records_.sessions()) {
+      if (session.runMode == nameOf(mode)) sessions_.emplace(session.id, session);
+    }
+    for (auto& answer : records_.answers()) {
+      const auto session = sessions_.find(answer.step.visit.session);
+      const bool counts = session != sessions_.end() && session->second.status == "completed" &&
+                          answer.step.visitStatus == "finished";
+      if (counts) answers_.push_back(std::move(answer));
+    }
+    for (auto& trial : records_.trials()) {
+      const auto session = sessions_.find(trial.step.visit.session);
+      const bool counts = session != sessions_.end() && session->second.status == "completed" &&
+                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain();
+      if (counts) trials_.push_back(std::move(trial));
+    }
+    allocation_ = records_.allocation();
+  }
+
+  Results all() {
+    Results results{.runMode = mode_};
+    for (const auto& cohort : loaded_.protocol.cohorts) results.flow.push_back(flowOf(cohort.id));
+    for (std::size_t i = 0; i < loaded_.protocol.analysis.families.size(); ++i) {
+      results.families.push_back(resultOf(i));
+    }
+    for (const auto& phase : loaded_.protocol.phases) {
+      if (phase.type != protocols::PhaseType::Preference) continue;
+      for (const auto& cohort : loaded_.protocol.cohorts) {
+        results.votes.push_back(votesOf(phase, cohort.id));
+      }
+    }
+    results.instruments = summariseInstruments(loaded_, sessions_, answers_);
+    return results;
+  }
+
+ private:
+  CohortFlow flowOf(const std::string& cohort) const {
+    CohortFlow flow{.cohort = cohort};
+    for (const auto& [id, session] : sessions_) {
+      if (session.cohort != cohort) continue;
+      flow.add(session.status);
+    }
+    return flow;
+  }
+
+  const std::string& cohortOf(const AnswerRecord& answer) const {
+    return sessions_.at(answer.step.visit.session).cohort;
+  }
+
+  FamilyResult resultOf(std::size_t place) const {
+    const auto& family = loaded_.protocol.analysis.families[place];
+    FamilyResult result{.family = family, .isDeclared = history_.isDeclared(family.id)};
+    std::vector<analysis::DeclaredPair> pairs;
+    for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
+    for (std::size_t i = 0; i < loaded_.protocol.cohorts.size(); ++i) {
+      const auto& cohort = loaded_.protocol.cohorts[i];
+      CohortResult part{.cohort = cohort.id, .table = tableOf(family, cohort.id)};
+      part.conditions = pooled_.of(place, i);
+      part.comparisons = comparePooled(family, part.conditions);
+      part.within = analysis::compareWithin(
+          part.table,
+          pairs,
+          {.alpha = family.alpha,
+           .adjustment = adjustmentOf(family.correction),
+           .equivalenceBound = family.equivalenceBound});
+      part.checks = analysis::scaleChecks(part.table);
+      part.position = analysis::positionEffect(part.table);
+      part.flags = flagsOf(family, part);
+      result.cohorts.push_back(std::move(part));
+    }
+    result.between = betweenCohorts(result);
+    return result;
+  }
+
+  static std::vector<double> meansOf(const analysis::AnswerTable& table, std::size_t method) {
+    std::vector<double> means;
+    for (const auto& row : table.participantMeans()) {
+      if (row[method]) means.push_back(*row[method]);
+    }
+    return analysis::withoutRoundingNoise(means);
+  }
+
+  /// Every pair of cohorts, condition by condition.
+  static std::vector<BetweenResult> betweenCohorts(const FamilyResult& family) {
+    std::vector<BetweenResult> results;
+    const auto& cohorts = family.cohorts;
+    for (std::size_t i = 0; i < cohorts.size(); ++i) {
+      for (std::size_t j = i + 1; j < cohorts.size(); ++j) {
+        for (std::size_t method = 0; method < cohorts[i].table.methods.size(); ++method) {
+          const auto first = meansOf(cohorts[i].table, method);
+          const auto second = meansOf(cohorts[j].table, method);
+          results.push_back(
+              {.condition = cohorts[i].table.methods[method],
+               .cohort1 = cohorts[i].cohort,
+               .cohort2 = cohorts[j].cohort,
+               .mannWhitney = analysis::mannWhitneyTest(first, second),
+               .brunnerMunzel = analysis::brunnerMunzelTest(first, second),
+               .cliff = analysis::cliffDelta(first, second)});
+        }
+      }
+    }
+    return results;
+  }
+
+  analysis::AnswerTable tableOf(const protocols::Family& family, const std::string& cohort) const {
+    std::vector<std::string> people;
+    for (const auto& [id, session] : sessions_) {
+      const bool counts = session.cohort == cohort && session.status == "completed";
+      if (counts && std::find(people.begin(), people.end(), session.participant) == people.end()) {
+        people.push_back(session.participant);
+      }
+    }
+    std::vector<OwnedAnswer> owned;
+    for (const auto& answer : answers_) {
+      if (!isOf(family, answer) || cohortOf(answer) != cohort) continue;
+      owned.push_back({&sessions_.at(answer.step.visit.session).participant, &answer});
+    }
+    return answerTable(loaded_, family, people, owned);
+  }
+
+  /// The largest value that the smallest p of a family may have to be significant.
+  static double thresholdOf(const protocols::Family& family) {
+    using enum protocols::CorrectionType;
+    const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
+    switch (family.correction) {
+      case Bonferroni:
+      case Holm:
+        return family.alpha / m;
+      case HolmSidak:
+        return 1.0 - std::pow(1.0 - family.alpha, 1.0 / m);
+      case BenjaminiYekutieli: {
+        double harmonic = 0.0;
+        for (double i = 1.0; i <= m; i += 1.0) harmonic += 1.0 / i;
+        return family.alpha / harmonic;
+      }
+      case None:
+      case Hochberg:
+      case Hommel:
+      case BenjaminiHochberg:
+        return family.alpha;  // where all of the family are as small
+    }
+    return family.alpha;
+  }
+
+  static std::vector<std::optional<double>> declaredPValues(
+      const protocols::Family& family, const CohortResult& part) {
+    std::vector<std::optional<double>> pValues;
+    if (family.test == protocols::TestType::Welch) {
+      for (const auto& row : part.comparisons.rows) pValues.push_back(row.welch.p);
+    }
+    for (const auto& row : part.within.rows) {
+      if (family.test == protocols::TestType::PairedT) pValues.push_back(row.pairedP.p);
+      if (family.test == protocols::TestType::SignFlip) pValues.push_back(row.signFlipP.p);
+      if (family.test == protocols::TestType::SignedRank) pValues.push_back(row.signedRankP.p);
+    }
+    return pValues;
+  }
+
+  std::vector<analysis::Flag> flagsOf(
+      const protocols::Family& family, const CohortResult& part) const {
+    analysis::StudyFacts facts{
+        .isPooled = true,  // the pooled tests are always printed
+        .isDeclared = history_.isDeclared(family.id),
+        .alpha = family.alpha,
+        .threshold = thresholdOf(family),
+        .tests = family.comparisons.size(),
+        .relativeStatements = relativeStatements(loaded_, family, part.table),
+        .expected = expectedAnswers(loaded_, family, part.table)};
+    for (const auto& method : part.table.methods) {
+      facts.methodTitles.push_back(loaded_.protocol.condition(method)->title);
+    }
+    if (family.correction == protocols::CorrectionType::Bonferroni) {
+      for (const auto& p : declaredPValues(family, part)) {
+        if (p) facts.pValues.push_back(*p);
+      }
+    }
+    for (const auto& trial : trials_) {
+      if (sessions_.at(trial.step.visit.session).cohort != part.cohort) continue;
+      ++facts.trials;
+      if (isOftenLate(trial.lateTicks.value_or(0), trial.ticks)) ++facts.lateTrials;
+      if (trial.saturated > 0.0) ++facts.saturatedTrials;
+    }
+    return analysis::flagsOf(part.table, facts);
+  }
+
+  bool isOf(const protocols::Family& family, const AnswerRecord& answer) const {
+    const auto& blocks = family.blocks;
+    return answer.step.kind == "questionnaire" && answer.step.instrument == family.instrument &&
+           (blocks.empty() ||
+            std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
+  }
+
+  /// What an alternative was in a session; empty where it was nothing.
+  std::string feltAs(SessionId session, const std::string& block, const std::string& label) const {
+    int number = 0;
+    std::from_chars(label.data(), label.data() + label.size(), number);
+    const auto felt = allocation_.find({session, block, number});
+    return felt == allocation_.end() ? std::string() : felt->second;
+  }
+
+  VoteResult votesOf(const protocols::Phase& phase, const std::string& cohort) const {
+    const auto& block = loaded_.protocol.phase(phase.block)->trials;
+    VoteResult result{
+        .cohort = cohort,
+        .phase = phase.id,
+        .block = phase.block,
+        .votes = analysis::VoteCounts(block.conditions),
+        .test = {},
+        .intervals = {}};
+    const auto* instrument = loaded_.instrument(phase.instrument);
+    for (const auto& answer : answers_) {
+      if (answer.step.phase != phase.id || cohortOf(answer) != cohort) continue;
+      const auto* item = instrument->item(answer.answer.item);
+      const auto* label = std::get_if<std::string>(&answer.answer.response);
+      const bool isVote = item != nullptr && label != nullptr &&
+                          item->optionSource == questionnaires::OptionSource::Alternatives;
+      if (!isVote) continue;
+      const auto felt = feltAs(answer.step.visit.session, phase.block, *label);
+      const auto& options = block.conditions;
+      if (std::find(options.begin(), options.end(), felt) != options.end()) result.votes.add(felt);
+    }
+    result.test = analysis::equalSharesTest(result.votes);
+    for (const auto& share : result.votes.shares()) {
+      result.intervals.push_back(analysis::wilsonInterval(share.votes, result.votes.total()));
+    }
+    return result;
+  }
+
+  RunMode mode_;
+  const protocols::LoadedProtocol& loaded_;
+  Records records_;
+  PooledAnswers pooled_;
+  PlanHistory history_;
+  std::map<SessionId, SessionRecord> sessions_;
+  std::vector<AnswerRecord> answers_;
+  std::vector<storage::TrialRow> trials_;
+  std::map<Records::Alternative, std::string> allocation_;
+};
+
+}  // namespace
+
+void CohortFlow::add(std::string_view status) {
+  ++enrolled;
+  if (status == "completed") ++completed;
+  if (status == "in_progress") ++inProgress;
+  if (status == "declined") ++declined;
+  if (status == "withdrawn") ++withdrawn;
+  if (status == "rejected") ++rejected;
+  if (status == "aborted_hardware") ++abortedHardware;
+}
+
+int Results::completed() const {
+  int total = 0;
+  for (const auto& cohort : flow) total += cohort.completed;
+  return total;
+}
+
+std::vector<RaisedFlag> flagsByKind(const FamilyResult& family) {
+  std::vector<RaisedFlag> raised;
+  for (const auto& cohort : family.cohorts) {
+    for (const auto& flag : cohort.flags) {
+      auto same = std::find_if(raised.begin(), raised.end(), [&](const auto& other) {
+        return other.flag->id == flag.id;
+      });
+      if (same == raised.end()) same = raised.insert(raised.end(), {&flag, {}});
+      same->found.emplace_back(cohort.cohort, &flag);
+    }
+  }
+  return raised;
+}
+
+Results computeResults(Study& study, RunMode mode) {
+  return Computation(study, mode).all();
+}
+
+}  // namespace study

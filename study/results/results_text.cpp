@@ -1,0 +1,263 @@
+#include "study/results/results_text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "study/words/counted.h"
+
+namespace study {
+namespace {
+
+/// How many columns a text takes on the screen; bytes that go on with a character take none.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  }));
+}
+
+std::string padded(const std::string& text, std::size_t columns, bool toTheRight = false) {
+  const std::string space(columns > width(text) ? columns - width(text) : 0, ' ');
+  return toTheRight ? space + text : text + space;
+}
+
+class Writer {
+ public:
+  Writer(Study& study, const Results& results, Profile profile)
+      : protocol_(study.protocol().protocol), results_(results), profile_(profile) {}
+
+  std::string all() {
+    head();
+    for (const auto& family : results_.families) {
+      means(family);
+      profile_ == Profile::AsPublished ? asPublished(family) : recommended(family);
+      flags(family);
+    }
+    if (!results_.votes.empty()) votes();
+    if (!results_.instruments.empty()) scores();
+    return text_;
+  }
+
+ private:
+  void line(const std::string& words) { text_ += words + "\n"; }
+
+  const std::string& titleOf(const std::string& condition) const {
+    return protocol_.condition(condition)->title;
+  }
+  const std::string& cohortTitle(const std::string& cohort) const {
+    return protocol_.cohort(cohort)->title.in("en");
+  }
+
+  void head() {
+    line(protocol_.study.title);
+    if (results_.runMode == RunMode::Simulated) {
+      line("SIMULATED: nobody took part; these numbers say nothing about any method.");
+    }
+    if (results_.runMode == RunMode::Pilot) line("PILOT: not for publication.");
+    for (const auto& flow : results_.flow) {
+      const int others = flow.declined + flow.withdrawn + flow.rejected + flow.abortedHardware;
+      line(fmt::format(
+          "{}: {} enrolled, {} completed, {} in progress, {} left or excluded",
+          cohortTitle(flow.cohort),
+          flow.enrolled,
+          flow.completed,
+          flow.inProgress,
+          others));
+    }
+  }
+
+  void means(const FamilyResult& family) {
+    line("\n" + family.family.title + ": mean μ and variance σ² of the keyed answers");
+    std::string heading = padded("", 40);
+    for (const auto& condition : family.cohorts.front().conditions) {
+      heading += padded(titleOf(condition.name), 22, true);
+    }
+    line(heading);
+    for (const auto& cohort : family.cohorts) {
+      std::string row = padded(cohortTitle(cohort.cohort), 40);
+      for (const auto& condition : cohort.conditions) {
+        row += padded(
+            fmt::format(
+                "{} / {} (n={})",
+                rounded(condition.counts.mean(), 1),
+                rounded(condition.counts.variance(), 1),
+                condition.counts.total()),
+            22,
+            true);
+      }
+      line(row);
+    }
+  }
+
+  /// Of the profile as published; what is not declared is exploratory.
+  void asPublished(const FamilyResult& family) {
+    const bool isCorrected = !correctionOf(family.family).empty();
+    line(fmt::format(
+        "\n{}: Welch's t-tests{}, alpha = {} ({})",
+        family.family.title,
+        isCorrected ? fmt::format(" with {} correction", correctionOf(family.family)) : "",
+        family.family.alpha,
+        family.isConfirmatory(protocols::TestType::Welch) ? "declared: confirmatory"
+                                                          : "exploratory"));
+    for (const auto& cohort : family.cohorts) {
+      line(
+          cohortTitle(cohort.cohort) +
+          (cohort.comparisons.alphaPerTest
+               ? fmt::format(" (alpha per test {:.4f})", *cohort.comparisons.alphaPerTest)
+               : ""));
+      for (const auto& row : cohort.comparisons.rows) comparison(row);
+    }
+  }
+
+  /// Only what is declared corrects as declared; Bonferroni's way is the paper's.
+  static std::string_view correctionOf(const protocols::Family& family) {
+    return nameOf(
+        family.test == protocols::TestType::Welch ? family.correction
+                                                  : protocols::CorrectionType::Bonferroni);
+  }
+
+  void recommended(const FamilyResult& family) {
+    line(fmt::format(
+        "\n{}: within people, alpha = {}\n  {}",
+        family.family.title,
+        family.family.alpha,
+        family.isDeclared
+            ? "declared, confirmatory: " + declaredInWords(family.family) +
+                  "; all else is exploratory"
+            : "not declared before the first participant and ever since: all is exploratory, also "
+              "what the protocol names now, " +
+                  declaredInWords(family.family)));
+    for (const auto& cohort : family.cohorts) {
+      line(fmt::format(
+          "{}: {} who judged every method{}",
+          cohortTitle(cohort.cohort),
+          words::counted(cohort.within.participants, "participant"),
+          cohort.within.leftOut.empty()
+              ? ""
+              : fmt::format(", {} left out", cohort.within.leftOut.size())));
+      for (const auto& words : apaLines(cohort.within)) line("  " + words);
+      for (const auto& row : cohort.within.rows) {
+        line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
+        for (const auto& words : apaLines(row, family.family)) line("    " + words);
+      }
+      checks(cohort);
+    }
+    between(family);
+  }
+
+  /// What the order did, and how far the scale can be trusted.
+  void checks(const CohortResult& cohort) {
+    const auto& slope = cohort.position.slope;
+    line(
+        slope.p ? fmt::format(
+                      "  Order: {} points from one position to the next {}, p {}",
+                      rounded(slope.meanDifference, 2),
+                      intervalInWords(cohort.position.slopeInterval),
+                      equalsInWords(pInWords(slope.p)))
+                : "  Order: no slope over positions: " + slope.reason);
+    for (const auto& method : cohort.checks.methods) {
+      line(fmt::format(
+          "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p {}",
+          titleOf(method.method),
+          rounded(method.alpha.value, 2),
+          rounded(method.omega.value, 2),
+          equalsInWords(pInWords(method.normality.p))));
+    }
+  }
+
+  void between(const FamilyResult& family) {
+    if (family.between.empty()) return;
+    line("Between cohorts, on participants' means (exploratory)");
+    for (const auto& row : family.between) {
+      line("  " + titleOf(row.condition) + ", " + betweenInWords(row));
+    }
+  }
+
+  std::string betweenInWords(const BetweenResult& row) const {
+    std::string words = cohortTitle(row.cohort1) + " vs. " + cohortTitle(row.cohort2) + ": ";
+    if (!row.mannWhitney.p) return words + "not defined: " + row.mannWhitney.reason;
+    words += fmt::format(
+        "U = {:g}, exact p {}, Cliff's δ = {} {}",
+        row.mannWhitney.u.value_or(0.0),
+        equalsInWords(pInWords(row.mannWhitney.p)),
+        rounded(row.cliff.delta, 2),
+        intervalInWords(row.cliff.interval));
+    if (row.brunnerMunzel.p)
+      words += "; Brunner–Munzel p " + equalsInWords(pInWords(row.brunnerMunzel.p));
+    return words;
+  }
+
+  void comparison(const analysis::PairwiseComparison& row) {
+    const auto& w = row.welch;
+    std::string words = "  " + padded(titleOf(row.group1) + " vs. " + titleOf(row.group2), 38);
+    if (!w.p) {
+      line(words + "not defined: " + w.reason);
+      return;
+    }
+    words += fmt::format(
+        "difference {:>6.2f}, t({:.2f}) = {:>6.2f}, p {:<9} adjusted p {:<9}",
+        *w.difference,
+        *w.degreesOfFreedom,
+        *w.t,
+        equalsInWords(pInWords(w.p)),
+        equalsInWords(pInWords(row.adjustedP)));
+    line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
+  }
+
+  /// Each once, with what it found in every cohort.
+  void flags(const FamilyResult& family) {
+    const auto raised = flagsByKind(family);
+    if (raised.empty()) return;
+    line("\nWhat a reader has to know");
+    for (const auto& [flag, found] : raised) {
+      line(fmt::format("  [{}]", flag->id));
+      for (const auto& [cohort, what] : found) {
+        line("    " + cohortTitle(cohort) + ": " + what->inEnglish());
+      }
+      line(fmt::format("    Why: {}", flag->why));
+      line(fmt::format("    What to do: {}", flag->remedy));
+    }
+  }
+
+  void votes() {
+    line("\nPreferences: how many named each method");
+    for (const auto& vote : results_.votes) {
+      std::string row = padded(cohortTitle(vote.cohort), 40) + padded("after " + vote.block, 22);
+      for (const auto& share : vote.votes.shares()) {
+        row += padded(titleOf(share.option) + " " + std::to_string(share.votes), 18);
+      }
+      if (vote.test.exactP) row += "exact p " + equalsInWords(pInWords(vote.test.exactP));
+      line(row);
+    }
+  }
+
+  void scores() {
+    line("\nScores of questionnaires: mean, standard deviation, 95 % interval");
+    for (const auto& instrument : results_.instruments) {
+      for (const auto& score : instrument.scores) {
+        if (score.values.empty()) continue;
+        const auto about = score.condition.empty() ? score.occasion : titleOf(score.condition);
+        line(fmt::format(
+            "{}{} {} {}, n = {}",
+            padded(instrument.instrument + ", " + score.score, 40),
+            padded(cohortTitle(score.cohort) + (about.empty() ? "" : ", " + about), 44),
+            rounded(score.mean, 2),
+            rounded(score.standardDeviation, 2) + " " + intervalInWords(score.interval),
+            score.values.size()));
+      }
+    }
+  }
+
+  const protocols::Protocol& protocol_;
+  const Results& results_;
+  Profile profile_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string resultsAsText(Study& study, const Results& results, Profile profile) {
+  return Writer(study, results, profile).all();
+}
+
+}  // namespace study

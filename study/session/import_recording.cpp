@@ -1,0 +1,29 @@
+#include "study/session/import_recording.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "protocols/reading/cut_file.h"
+#include "study/storage/protocol_repository.h"
+
+namespace study {
+
+haptics::recordings::ImportedCut importRecording(
+    const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options) {
+  if (options.name.empty()) options.name = std::filesystem::path(recording.source).stem().string();
+  for (char& c : options.name) {
+    const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!isPlain && c != '.' && c != '_') c = '-';
+  }
+  return haptics::recordings::importCut(recording, std::move(options));
+}
+
+std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut) {
+  std::ifstream file(recording, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return protocols::cutAsJson(cut, storage::sha256(bytes));
+}
+
+}  // namespace study

@@ -1,0 +1,142 @@
+#include "study/session/plan_history.h"
+
+#include <algorithm>
+#include <set>
+
+namespace study {
+namespace {
+
+using protocols::AnalysisPlan;
+using protocols::Family;
+
+std::set<std::set<std::string>> pairsOf(const Family& family) {
+  std::set<std::set<std::string>> pairs;
+  for (const auto& pair : family.comparisons) pairs.insert({pair.first, pair.second});
+  return pairs;
+}
+
+const Family* familyIn(const AnalysisPlan& plan, const std::string& id) {
+  const auto found = std::find_if(
+      plan.families.begin(), plan.families.end(), [&](const auto& f) { return f.id == id; });
+  return found == plan.families.end() ? nullptr : &*found;
+}
+
+/// Whether family @p id stands in both plans, and alike.
+bool isAlikeIn(const AnalysisPlan& one, const AnalysisPlan& other, const std::string& id) {
+  const auto* first = familyIn(one, id);
+  const auto* second = familyIn(other, id);
+  return first != nullptr && second != nullptr && differingKeys(*first, *second).empty();
+}
+
+/// Follows the plan through the versions since the first live participant began.
+class PlanFollower {
+ public:
+  explicit PlanFollower(const AnalysisPlan& declared) : declared_(declared) {}
+
+  /// What one version did to the plan of the version before it.
+  /// @param isUsed  a live participant began with it
+  void follow(
+      const AnalysisPlan& before,
+      const protocols::Protocol& after,
+      const std::string& addedUtc,
+      bool isUsed) {
+    for (const auto& family : after.analysis.families) {
+      const auto* earlier = familyIn(before, family.id);
+      auto keys =
+          earlier == nullptr ? std::vector<std::string_view>{} : differingKeys(*earlier, family);
+      if (earlier != nullptr && keys.empty()) continue;
+      auto kind = earlier == nullptr ? FamilyChange::Kind::Added : FamilyChange::Kind::Changed;
+      if (isAlikeIn(declared_, after.analysis, family.id)) kind = FamilyChange::Kind::PutBack;
+      add(family, kind, after.study.version, addedUtc);
+      if (kind == FamilyChange::Kind::Changed) changes_.back().keys = std::move(keys);
+    }
+    for (const auto& family : before.families) {
+      if (familyIn(after.analysis, family.id) != nullptr) continue;
+      add(family, FamilyChange::Kind::Removed, after.study.version, addedUtc);
+    }
+    if (!isUsed) return;
+    for (const auto& family : declared_.families) {
+      if (!isAlikeIn(declared_, after.analysis, family.id)) usedOtherwise_.insert(family.id);
+    }
+  }
+
+  /// Which families of @p now were not declared as they stand, and what happened to all of them.
+  void finish(const AnalysisPlan& now, PlanHistory& history) {
+    for (const auto& family : now.families) {
+      const bool isKept = isAlikeIn(declared_, now, family.id);
+      if (!isKept || usedOtherwise_.contains(family.id)) history.undeclared.push_back(family.id);
+    }
+    for (auto& change : changes_) {
+      if (change.kind == FamilyChange::Kind::PutBack) continue;
+      change.isHarmless =
+          familyIn(now, change.family) != nullptr && history.isDeclared(change.family);
+    }
+    history.changes = std::move(changes_);
+  }
+
+ private:
+  void add(
+      const Family& family,
+      FamilyChange::Kind kind,
+      const std::string& version,
+      const std::string& addedUtc) {
+    changes_.push_back(
+        {.family = family.id,
+         .title = family.title,
+         .kind = kind,
+         .keys = {},
+         .version = version,
+         .addedUtc = addedUtc,
+         .isHarmless = kind == FamilyChange::Kind::PutBack && !usedOtherwise_.contains(family.id)});
+  }
+
+  const AnalysisPlan& declared_;
+  std::vector<FamilyChange> changes_;
+  std::set<std::string>
+      usedOtherwise_;  ///< families a live participant began with, unlike declared
+};
+
+}  // namespace
+
+bool PlanHistory::isDeclared(std::string_view family) const {
+  return std::find(undeclared.begin(), undeclared.end(), family) == undeclared.end();
+}
+
+std::vector<std::string_view> differingKeys(const Family& before, const Family& after) {
+  std::vector<std::string_view> keys;
+  const auto note = [&](bool differs, std::string_view key) {
+    if (differs) keys.push_back(key);
+  };
+  note(before.instrument != after.instrument, "instrument");
+  note(before.blocks != after.blocks, "blocks");
+  note(pairsOf(before) != pairsOf(after), "comparisons");
+  note(before.test != after.test, "test");
+  note(before.correction != after.correction, "correction");
+  note(before.alpha != after.alpha, "alpha");
+  note(before.equivalenceBound != after.equivalenceBound, "equivalence_bound");
+  return keys;
+}
+
+PlanHistory planHistory(Study& study) {
+  const auto ids = study.protocols().all();
+  PlanHistory history{.versions = ids.size(), .changes = {}, .undeclared = {}};
+  const auto isFrozen = [&](ProtocolId id) {
+    return study.protocols().load(id).frozenUtc.has_value();
+  };
+  const auto first = std::find_if(ids.begin(), ids.end(), isFrozen);
+  if (first == ids.end()) return history;
+  PlanFollower plan(study.protocol(*first).protocol.analysis);
+  for (auto id = first + 1; id != ids.end(); ++id) {
+    ++history.versionsSinceBegun;
+    const auto stored = study.protocols().load(*id);
+    plan.follow(
+        study.protocol(*(id - 1)).protocol.analysis,
+        study.protocol(*id).protocol,
+        stored.addedUtc,
+        stored.frozenUtc.has_value());
+  }
+  plan.finish(study.protocol().protocol.analysis, history);
+  return history;
+}
+
+}  // namespace study

@@ -1,0 +1,257 @@
+#include "study/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "protocols/orders/schedule.h"
+#include "questionnaires/json/document.h"
+#include "study/storage/transaction.h"
+
+namespace study {
+namespace {
+
+using storage::Actor;
+using storage::SessionRow;
+using storage::SlotState;
+using storage::StorageError;
+using storage::VisitStatus;
+
+constexpr double kClockSlack = 2.0;  // [s]: more is no drift, somebody set the clock
+
+std::vector<Step> planFor(Study& study, const SessionRow& row) {
+  const auto& protocol = study.protocol(row.protocol).protocol;
+  return sessionPlan(
+      protocol,
+      protocols::scheduleFor(
+          protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+}
+
+[[noreturn]] void refuseDamaged(const std::string& what) {
+  throw StorageError(
+      what + " Do not go on with it; 'palpate study verify' says more.",
+      StorageError::Kind::Damaged);
+}
+
+void requireSound(Study& study, const SessionRow& row, const std::vector<Step>& plan) {
+  std::vector<std::pair<int, std::string>> drawn;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
+  }
+  if (study.sessions().allocation(row.id) != drawn) {
+    refuseDamaged("The order of this session is not the one that was drawn for it.");
+  }
+  const bool isAStep = row.step >= 0 && row.step < static_cast<int>(plan.size());
+  if (!isAStep && !isOver(row.state)) refuseDamaged("This session stands before no step.");
+}
+
+void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrolment) {
+  const auto& languages = protocol.languages;
+  if (protocol.cohort(enrolment.cohort) == nullptr) {
+    throw UserError("The protocol has no cohort '" + enrolment.cohort + "'.");
+  }
+  if (std::find(languages.begin(), languages.end(), enrolment.language) == languages.end()) {
+    throw UserError("The protocol has no texts in '" + enrolment.language + "'.");
+  }
+  if (!enrolment.code.empty() && !questionnaires::isSoundId(enrolment.code)) {
+    throw UserError(
+        "'" + enrolment.code +
+        "' cannot be a participant's code. Use letters, digits, '-' and '_'.");
+  }
+}
+
+/// The first live participant freezes the protocol.
+void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
+  if (row.runMode != RunMode::Live || study.protocols().current().frozenUtc) return;
+  study.protocols().freeze(row.protocol, row.startedUtc);
+  study.events().append({.when = now, .kind = "froze_protocol", .detail = row.participant});
+}
+
+/// Writes down that somebody takes part, inside the caller's transaction.
+std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
+  auto sessions = study.sessions();
+  row.protocol = study.protocols().current().id;
+  row.startedUtc = asUtc(now.wall);
+  if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode);
+  row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
+  auto plan = planFor(study, row);
+  freezeFor(study, row, now);
+  sessions.add(row, plan, std::string(appVersion()));
+  sessions.openVisit({row.id, 0, 1}, row.startedUtc);
+  return plan;
+}
+
+}  // namespace
+
+Session::Session(Study& study, SessionRow row, std::vector<Step> plan, storage::Lease lease)
+    : study_(study),
+      row_(std::move(row)),
+      plan_(std::move(plan)),
+      protocol_(&study.protocol(row_.protocol)),
+      lease_(std::move(lease)) {}
+
+Session Session::enrol(Study& study, const Enrolment& enrolment) {
+  requirePossible(study.protocol().protocol, enrolment);
+  SessionRow row;
+  std::vector<Step> plan;
+  std::optional<storage::Lease> lease;
+  study.transact([&] {
+    const Moment now = study.clock().now();
+    row = {
+        .participant = enrolment.code,
+        .runMode = enrolment.runMode,
+        .cohort = enrolment.cohort,
+        .language = enrolment.language};
+    plan = enrolIn(study, row, now);
+    lease.emplace(study.database(), row.id, row.startedUtc);
+    study.events().append(
+        {.visit = VisitKey{row.id, 0, 1},
+         .when = now,
+         .kind = "enrolled",
+         .detail = row.participant + " " + row.cohort + " " + std::string(nameOf(row.runMode)) +
+                   ", place " + std::to_string(row.slot + 1)});
+  });
+  return Session(study, std::move(row), std::move(plan), std::move(*lease));
+}
+
+Session Session::resume(Study& study, SessionId id) {
+  auto row = study.sessions().load(id);
+  std::optional<storage::Lease> lease;
+  study.withRoom([&] {
+    storage::Transaction transaction(study.database());
+    lease.emplace(study.database(), id, asUtc(study.clock().now().wall));
+    row = study.sessions().load(id);  // as it is now that nobody else goes on with it
+    transaction.commit();
+  });
+  auto plan = planFor(study, row);
+  requireSound(study, row, plan);
+  Session session(study, std::move(row), std::move(plan), std::move(*lease));
+  if (session.isOver()) return session;
+  session.transact([&] { session.say(Actor::Program, "resumed"); });
+  if (session.state() == SessionState::InTrial) {
+    session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
+  }
+  return session;
+}
+
+bool Session::allows(SessionEvent event) const noexcept {
+  return study::allows(row_.state, plan_, row_.step, event);
+}
+
+bool Session::isRightAfterConsent() const noexcept {
+  return study::isRightAfterConsent(row_.state, plan_, row_.step);
+}
+
+/// What comes before is no step that is ever done again.
+bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept {
+  const bool isAgain = state == SessionState::Interrupted;
+  const auto before = static_cast<std::size_t>(step) - 1;
+  return !isAgain && (step == 0 || plan[before].kind == StepKind::Consent);
+}
+
+bool allows(
+    SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept {
+  if (!next(state, event) || isOver(state)) return false;
+  const auto kind = plan[static_cast<std::size_t>(step)].kind;
+  if (event == SessionEvent::BeganTrial) return kind == StepKind::Trial;
+  if (event == SessionEvent::FinishedStep) return kind != StepKind::Trial;
+  if (event == SessionEvent::RepeatedStep) return !isRightAfterConsent(state, plan, step);
+  if (event == SessionEvent::SkippedStep) return kind != StepKind::Consent;
+  return true;
+}
+
+void Session::require(SessionEvent event) const {
+  require(
+      allows(event),
+      "'" + std::string(nameOf(event)) + "' cannot happen while the session is '" +
+          std::string(nameOf(row_.state)) + "'.");
+}
+
+void Session::require(bool condition, const std::string& otherwise) const {
+  if (!condition) throw UserError(otherwise);
+}
+
+void Session::transact(const std::function<void()>& action) {
+  settleDoubt();
+  const SessionRow before = row_;
+  const auto lastMoment = lastMoment_;
+  try {
+    study_.transact([&] {
+      row_ = before;
+      lastMoment_ = lastMoment;
+      said_.clear();
+      action();
+      study_.sessions().update(row_);
+      for (const auto& event : said_) study_.events().append(event);
+    });
+  } catch (const StorageError& error) {
+    isInDoubt_ = error.kind() == StorageError::Kind::Unknown;
+    row_ = before;
+    throw;
+  } catch (...) {
+    row_ = before;
+    throw;
+  }
+}
+
+/// Nobody goes on from a step that may not be the present one any more.
+void Session::settleDoubt() {
+  if (!isInDoubt_) return;
+  const auto kept = study_.sessions().load(row_.id);
+  isInDoubt_ = false;
+  if (kept == row_) return;
+  row_ = kept;
+  throw UserError(
+      "What could not be confirmed had been kept after all. Go on from the present step.");
+}
+
+void Session::say(Actor actor, const std::string& kind, const std::string& detail) {
+  const Moment now = study_.clock().now();
+  noticeSteppedClock(now);
+  said_.push_back({.visit = visit(), .when = now, .actor = actor, .kind = kind, .detail = detail});
+}
+
+void Session::noticeSteppedClock(const Moment& now) {
+  const auto last = std::exchange(lastMoment_, now);
+  if (!last) return;
+  const double onWall = static_cast<double>(now.wall - last->wall) / 1e3;
+  const double really = static_cast<double>(now.monotonic - last->monotonic) / 1e9;
+  if (std::abs(onWall - really) < kClockSlack) return;
+  said_.push_back(
+      {.visit = visit(),
+       .when = now,
+       .kind = "clock_stepped",
+       .detail = "by " + std::to_string(onWall - really) + " s; durations are not affected"});
+}
+
+std::string Session::utcNow() const {
+  return asUtc(study_.clock().now().wall);
+}
+
+void Session::enter(SessionEvent event, Actor actor, const std::string& detail) {
+  row_.state = *next(row_.state, event);
+  say(actor, std::string(nameOf(event)), detail);
+}
+
+void Session::leaveStep(VisitStatus status, const std::string& reason) {
+  study_.sessions().closeVisit(visit(), status, utcNow(), reason);
+}
+
+void Session::moveTo(int step) {
+  row_.step = step;
+  if (step >= static_cast<int>(plan_.size())) {
+    enter(SessionEvent::FinishedSession, Actor::Program);
+    end(SlotState::Consumed, "completed");
+    return;
+  }
+  row_.attempt = study_.sessions().attempts(row_.id, step) + 1;
+  study_.sessions().openVisit(visit(), utcNow());
+}
+
+void Session::end(SlotState slot, const std::string& reason) {
+  row_.slotState = slot;
+  row_.endedUtc = utcNow();
+  row_.endReason = reason;
+}
+
+}  // namespace study

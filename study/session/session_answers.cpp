@@ -1,0 +1,133 @@
+// What is asked in a step, and what has been answered.
+#include <algorithm>
+#include <utility>
+
+#include "study/session/audit_words.h"
+#include "study/session/session.h"
+#include "study/storage/answer_repository.h"
+
+namespace study {
+namespace {
+
+using storage::Actor;
+
+constexpr const char* kBenchmarkItem = "physical-cuts";
+
+/// A number stays a number, also where somebody wrote it without a point.
+GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
+  using questionnaires::ItemType;
+  const bool isNumber = item.type == ItemType::Number || item.type == ItemType::Slider;
+  const auto* whole = std::get_if<std::int64_t>(&answer.response);
+  if (isNumber && whole != nullptr) answer.response = static_cast<double>(*whole);
+  return answer;
+}
+
+}  // namespace
+
+const questionnaires::Instrument* Session::instrument() const {
+  return step().hasItems() ? protocol_->instrument(step().instrument) : nullptr;
+}
+
+std::vector<questionnaires::Item> Session::items() const {
+  const auto* asked = instrument();
+  return asked == nullptr ? std::vector<questionnaires::Item>() : asked->itemsOf(step().itemSet);
+}
+
+std::vector<GivenAnswer> Session::answers() const {
+  return storage::AnswerRepository(study_.database()).of(visit());
+}
+
+storage::IdentityStore::Place Session::place() const {
+  return {row_.participant, row_.number, row_.step, row_.attempt};
+}
+
+std::vector<std::string> Session::missing() const {
+  std::vector<questionnaires::Answer> given;
+  for (auto& answer : answers()) given.push_back({answer.item, std::move(answer.response)});
+  const auto asked = items();
+  auto missing = questionnaires::unanswered(asked, given);
+  std::erase_if(missing, [&](const std::string& id) {
+    const auto item =
+        std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });
+    return item != asked.end() && item->isIdentifying && study_.identities().has(place(), id);
+  });
+  return missing;
+}
+
+void Session::requireAnswerable() const {
+  require(next(row_.state, SessionEvent::FinishedStep).has_value(), "Nothing can be answered now.");
+}
+
+questionnaires::Item Session::askedItem(const std::string& id) const {
+  const auto asked = items();
+  const auto item =
+      std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });
+  require(item != asked.end(), "'" + id + "' is not asked in this step.");
+  return *item;
+}
+
+void Session::record(const GivenAnswer& answer) {
+  requireAnswerable();
+  const auto item = askedItem(answer.item);
+  const auto objection = questionnaires::objection(item, answer.response, step().alternatives);
+  require(!objection, objection.value_or(""));
+  if (item.isIdentifying) {
+    storeIdentifying(item, answer);
+    return;
+  }
+  transact([&] {
+    storage::AnswerRepository(study_.database()).put(visit(), asKept(item, answer), utcNow());
+    say(Actor::Participant, "answered", auditWords(asKept(item, answer)));
+  });
+}
+
+void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer) {
+  const auto* text = std::get_if<std::string>(&answer.response);
+  require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
+  study_.withRoom([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
+  transact([&] { say(Actor::Participant, "answered", item.id + " (kept apart)"); });
+}
+
+void Session::retract(const std::string& id) {
+  requireAnswerable();
+  const auto item = askedItem(id);
+  if (item.isIdentifying) study_.withRoom([&] { study_.identities().remove(place(), id); });
+  transact([&] {
+    storage::AnswerRepository(study_.database()).remove(visit(), id);
+    say(Actor::Participant, "retracted", id);
+  });
+}
+
+void Session::recordBenchmarkCuts(int cuts) {
+  requireAnswerable();
+  require(step().kind == StepKind::Benchmark, "No physical cuts are counted in this step.");
+  require(cuts >= 0, "There cannot be fewer than no cuts.");
+  transact([&] {
+    const GivenAnswer answer{
+        .item = kBenchmarkItem,
+        .response = std::int64_t{cuts},
+        .itemOrder = 1,
+        .language = row_.language};
+    storage::AnswerRepository(study_.database()).put(visit(), answer, utcNow());
+    say(Actor::Participant, "answered", auditWords(answer));
+  });
+}
+
+int Session::benchmarkCuts() const {
+  const auto answer = storage::AnswerRepository(study_.database()).find(visit(), kBenchmarkItem);
+  return answer ? static_cast<int>(std::get<std::int64_t>(answer->response)) : 0;
+}
+
+bool Session::gaveConsent() const {
+  const auto given = answers();
+  const auto asked = items();
+  return std::all_of(asked.begin(), asked.end(), [&](const auto& item) {
+    if (item.consentOption.empty() || !item.isRequired) return true;
+    return std::any_of(given.begin(), given.end(), [&](const auto& answer) {
+      return answer.item == item.id &&
+             answer.response == questionnaires::Response(item.consentOption);
+    });
+  });
+}
+
+}  // namespace study

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "protocols/model/loaded_protocol.h"
+#include "study/model/session_plan.h"
+
+namespace study {
+
+/// How fast people are taken to be.
+struct Pace {
+  double perItem = 8.0;         ///< a statement or a choice [s]
+  double perText = 40.0;        ///< an answer in words [s]
+  double perCut = 8.0;          ///< one cut or stroke [s]
+  double perChange = 20.0;      ///< from one trial to the next [s]
+  double wordsPerSecond = 3.0;  ///< of a text that is read
+};
+
+/// All steps of one kind.
+struct PartOfSession {
+  StepKind kind = StepKind::Reading;
+  std::size_t steps = 0;
+  std::size_t items = 0;
+  int cuts = 0;
+  double seconds = 0.0;
+};
+
+/// How long a session lasts, and what with.
+struct SessionLength {
+  std::vector<PartOfSession> parts;  ///< in the order in which they first occur
+  double seconds = 0.0;
+  double secondsOfForce = 0.0;  ///< of that in trials on the device
+};
+
+/// One step of a session.
+PartOfSession partOf(
+    const protocols::LoadedProtocol& loaded, const Step& step, const Pace& pace = {});
+
+/// The sum over all steps of a session, which is the same for every participant. A trial lasts its
+/// least number of cuts, and one where the protocol names none.
+SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace);
+
+}  // namespace study

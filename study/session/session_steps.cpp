@@ -1,0 +1,222 @@
+// How a session goes on: steps, trials, and what the operator may decide.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "study/session/session.h"
+#include "study/storage/trial_repository.h"
+#include "study/words/counted.h"
+
+namespace study {
+
+using storage::Actor;
+using storage::SlotState;
+using storage::VisitStatus;
+
+void Session::finishStep() {
+  require(SessionEvent::FinishedStep);
+  const auto open = missing();
+  require(
+      open.empty(), "Not everything is answered yet: " + (open.empty() ? "" : open.front()) + ".");
+  const auto& present = step();
+  if (present.kind == StepKind::Benchmark) {
+    require(
+        benchmarkCuts() >= present.minimumCuts,
+        "At least " +
+            words::counted(static_cast<std::uint64_t>(present.minimumCuts), "cut is", "cuts are") +
+            " needed first.");
+  }
+  transact([&] {
+    const bool isConsent = present.kind == StepKind::Consent;
+    if (isConsent && !gaveConsent()) {
+      leaveStep(VisitStatus::Finished, "");
+      enter(SessionEvent::DeclinedConsent, Actor::Participant);
+      end(SlotState::Released, "declined");
+      return;
+    }
+    leaveStep(VisitStatus::Finished, "");
+    enter(
+        isConsent ? SessionEvent::GaveConsent : SessionEvent::FinishedStep,
+        Actor::Participant,
+        present.phase);
+    moveTo(row_.step + 1);
+  });
+}
+
+void Session::declineOffer() {
+  require(!isOver() && step().isOffered, "Nothing is offered in this step.");
+  require(SessionEvent::SkippedStep);
+  transact([&] {
+    const std::string reason = "not wanted";
+    leaveStep(VisitStatus::Skipped, reason);
+    enter(SessionEvent::SkippedStep, Actor::Participant, reason);
+    moveTo(row_.step + 1);
+  });
+}
+
+void Session::beginTrial() {
+  require(SessionEvent::BeganTrial);
+  transact([&] { enter(SessionEvent::BeganTrial, Actor::Program); });
+}
+
+void Session::finishTrial(const TrialRecord& record) {
+  require(SessionEvent::FinishedTrial);
+  require(record.ending == TrialEnding::Finished, "This trial was not finished.");
+  transact([&] {
+    keepTrial(record);
+    leaveStep(VisitStatus::Finished, "");
+    enter(
+        SessionEvent::FinishedTrial,
+        Actor::Program,
+        words::counted(record.cuts.size(), "cut") + ", " +
+            std::string(nameOf(record.judgement().verdict)));
+    moveTo(row_.step + 1);
+  });
+}
+
+void Session::breakOffTrial(const TrialRecord& record) {
+  require(SessionEvent::BrokeOffTrial);
+  transact([&] {
+    keepTrial(record);
+    leaveStep(VisitStatus::BrokenOff, std::string(nameOf(record.ending)));
+    enter(SessionEvent::BrokeOffTrial, Actor::Program, std::string(nameOf(record.ending)));
+  });
+}
+
+void Session::keepTrial(const TrialRecord& record) {
+  storage::TrialRepository(study_.database()).add(visit(), record);
+  say(Actor::Program, "kept_trace", study_.traces().digest(visit()));
+  const auto& passivity = record.passivity;
+  say(Actor::Program,
+      "passivity",
+      fmt::format(
+          "K {:.4g}, T {:.4g} s, needs b {:.3g}, device has {:.3g}, least energy {:.3g}",
+          passivity.stiffness,
+          passivity.effectivePeriod(),
+          passivity.neededDamping(),
+          record.deviceDamping,
+          record.leastEnergy));
+  if (record.link.isThere) say(Actor::Program, "device_link", inWords(record.link));
+  if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
+  if (record.view) say(Actor::Program, "view", inWords(*record.view));
+  for (const auto& event : record.safety) {
+    say(Actor::Program,
+        "safety_" + std::string(nameOf(event.kind)),
+        fmt::format(
+            "{}, {:.3f} s in all",
+            words::counted(static_cast<std::uint64_t>(event.times), "time"),
+            event.duration));
+  }
+}
+
+/// What is known of a trial that nobody is there to tell about.
+TrialRecord Session::brokenOff(TrialEnding ending) {
+  TrialRecord record{.ending = ending};
+  record.traceSamples = study_.traces().sampleCount(visit());
+  record.ticks = record.traceSamples;
+  return record;
+}
+
+/// Of a questionnaire the trial that it is about; nobody is asked again about what nobody felt.
+int Session::stepToRepeat() const {
+  if (row_.state == SessionState::Interrupted) return row_.step;
+  const auto isQuestionnaire = [&](int step) {
+    return plan_[static_cast<std::size_t>(step)].kind == StepKind::Questionnaire;
+  };
+  const int before = row_.step - 1;
+  int felt = isQuestionnaire(row_.step) ? row_.step : before;
+  while (isQuestionnaire(felt)) --felt;
+  if (isQuestionnaire(row_.step) || felt == before) return felt;
+  auto sessions = study_.sessions();
+  const VisitKey last{row_.id, felt, sessions.attempts(row_.id, felt)};
+  return sessions.statusOf(last) == VisitStatus::Finished ? before : felt;
+}
+
+void Session::repeatStep(const std::string& reason) {
+  require(
+      row_.state != SessionState::Consented || !isRightAfterConsent(),
+      "Consent was given; that step is not repeated.");
+  require(SessionEvent::RepeatedStep);
+  const int target = stepToRepeat();
+  transact([&] {
+    study_.sessions().markRepeated(row_.id, target, utcNow(), reason);
+    enter(SessionEvent::RepeatedStep, Actor::Operator, reason);
+    moveTo(target);
+  });
+}
+
+void Session::skipStep(const std::string& reason) {
+  require(isOver() || step().kind != StepKind::Consent, "Consent is not skipped.");
+  require(SessionEvent::SkippedStep);
+  transact([&] {
+    const Step skipped = step();
+    auto sessions = study_.sessions();
+    leaveStep(VisitStatus::Skipped, reason);
+    enter(SessionEvent::SkippedStep, Actor::Operator, reason);
+    int target = row_.step + 1;
+    // Nobody is asked about what nobody felt.
+    while (skipped.kind == StepKind::Trial && target < static_cast<int>(plan_.size()) &&
+           plan_[static_cast<std::size_t>(target)].kind == StepKind::Questionnaire) {
+      const VisitKey unasked{row_.id, target, sessions.attempts(row_.id, target) + 1};
+      sessions.openVisit(unasked, utcNow());
+      sessions.closeVisit(unasked, VisitStatus::Skipped, utcNow(), reason);
+      ++target;
+    }
+    moveTo(target);
+  });
+}
+
+void Session::pause(const std::string& reason) {
+  require(SessionEvent::PausedSession);
+  transact([&] { enter(SessionEvent::PausedSession, Actor::Operator, reason); });
+}
+
+void Session::resumeAfterPause() {
+  require(SessionEvent::ResumedSession);
+  transact([&] { enter(SessionEvent::ResumedSession, Actor::Operator); });
+}
+
+void Session::withdraw(const std::string& reason) {
+  require(SessionEvent::Withdrew);
+  transact([&] {
+    if (row_.state == SessionState::InTrial) keepTrial(brokenOff(TrialEnding::Stopped));
+    leaveStep(VisitStatus::BrokenOff, reason);
+    enter(SessionEvent::Withdrew, Actor::Participant, reason);
+    end(SlotState::Released, reason);
+  });
+}
+
+void Session::reject(const std::string& reason) {
+  require(SessionEvent::WasRejected);
+  transact([&] {
+    leaveStep(VisitStatus::BrokenOff, reason);
+    enter(SessionEvent::WasRejected, Actor::Operator, reason);
+    end(SlotState::Released, reason);
+  });
+}
+
+void Session::giveUpOnDevice(const std::string& reason) {
+  require(SessionEvent::GaveUpOnDevice);
+  transact([&] {
+    enter(SessionEvent::GaveUpOnDevice, Actor::Operator, reason);
+    end(SlotState::Released, reason);
+  });
+}
+
+void Session::note(const std::string& text) {
+  transact([&] { say(Actor::Operator, "note", text); });
+}
+
+void Session::setLanguage(const std::string& language) {
+  const auto& languages = protocol_->protocol.languages;
+  require(!isOver(), "This session is over.");
+  require(
+      std::find(languages.begin(), languages.end(), language) != languages.end(),
+      "The protocol has no texts in '" + language + "'.");
+  transact([&] {
+    row_.language = language;
+    say(Actor::Participant, "chose_language", language);
+  });
+}
+
+}  // namespace study

@@ -1,0 +1,180 @@
+#include "study/session/study.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include <sodium.h>
+
+#include "protocols/load_protocol.h"
+#include "protocols/orders/random_stream.h"
+#include "study/model/study_files.h"
+#include "study/storage/ballast.h"
+#include "study/storage/statement.h"
+#include "study/storage/study_schema.h"
+#include "study/storage/transaction.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using storage::Database;
+using storage::StorageError;
+
+void requireFinished(const Database& database) {
+  storage::Statement select(database, "SELECT 1 FROM study WHERE id = 1");
+  if (select.step()) return;
+  throw StorageError(
+      database.path() +
+          " was not finished when it was made. Remove the folder and make the study again.",
+      StorageError::Kind::Damaged);
+}
+
+}  // namespace
+
+std::string_view appVersion() noexcept {
+  return PALPATE_VERSION;
+}
+
+Study::Study(fs::path folder, Clock& clock, Database database, Database traces, Database identities)
+    : folder_(std::move(folder)),
+      clock_(&clock),
+      database_(std::move(database)),
+      traces_(std::move(traces)),
+      identities_(std::move(identities)) {}
+
+Study Study::open(const fs::path& folder, Clock& clock, Database::Access access) {
+  if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
+  if (!fs::is_directory(folder)) {
+    throw StorageError(
+        "There is no study in " + folder.string() +
+        ". Make one with 'palpate study create', or check the folder's name.");
+  }
+  const StudyFiles files{folder};
+  auto database = Database::open(files.study(), storage::studySchema(), access);
+  requireFinished(database);
+  auto traces = Database::open(files.traces(), storage::traceSchema(), access);
+  auto identities = Database::open(files.identity(), storage::identitySchema(), access);
+  Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
+  study.readHead();
+  if (access == Database::Access::ReadWrite) storage::Ballast(folder).take();
+  return study;
+}
+
+void Study::readHead() {
+  storage::Statement select(
+      database_, "SELECT uuid, seed, random_version, created_utc FROM study WHERE id = 1");
+  if (!select.step() || select.number(2) != protocols::kRandomVersion) {
+    throw StorageError(
+        database_.path() +
+            " draws its orders in a way that this version of palpate does not know. "
+            "Install the version that made it.",
+        StorageError::Kind::Newer);
+  }
+  uuid_ = select.text(0);
+  const std::string seed = select.text(1);
+  std::from_chars(seed.data(), seed.data() + seed.size(), seed_);
+  createdUtc_ = select.text(3);
+}
+
+const protocols::LoadedProtocol& Study::protocol() {
+  return protocol(protocols().current().id);
+}
+
+const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
+  auto& loaded = loaded_[id];
+  if (loaded) return *loaded;
+  const auto stored = protocols().load(id);
+  const auto find = [&](const std::string& name) -> std::optional<std::string> {
+    for (const auto& file : stored.files) {
+      if (file.name == name) return file.text;
+    }
+    return std::nullopt;
+  };
+  questionnaires::Problems problems;
+  auto protocol = protocols::loadProtocol(stored.text, find, problems);
+  if (!protocol) {
+    throw StorageError(
+        "The protocol in " + database_.path() + " cannot be read by this version of palpate:\n" +
+            questionnaires::inWords(problems.all()),
+        StorageError::Kind::Damaged);
+  }
+  loaded = std::make_unique<protocols::LoadedProtocol>(std::move(*protocol));
+  return *loaded;
+}
+
+void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& reason) {
+  transact([&] {
+    const auto ids = protocols().all();
+    const bool hasBegun = std::any_of(
+        ids.begin(), ids.end(), [&](auto id) { return protocols().load(id).frozenUtc; });
+    if (hasBegun && reason.empty()) {
+      throw StorageError(
+          "A participant has begun. A change is a new version and needs a reason: add --reason "
+          "\"…\".");
+    }
+    const Moment now = clock_->now();
+    const auto id = protocols().add(
+        protocol, reason.empty() ? "before the first participant" : reason, asUtc(now.wall));
+    events().append(
+        {.when = now,
+         .actor = storage::Actor::Operator,
+         .kind = "amended_protocol",
+         .detail = "version " + std::to_string(static_cast<std::int64_t>(id)) + ": " + reason});
+  });
+}
+
+storage::Database Study::openReader() const {
+  auto reader =
+      Database::open(database_.path(), storage::studySchema(), Database::Access::ReadOnly);
+  reader.execute("PRAGMA cache_size = -256");  // [KiB]: what is read once is not worth keeping
+  return reader;
+}
+
+storage::TraceStore Study::openTraces() const {
+  return storage::TraceStore(Database::open(
+      StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));
+}
+
+void Study::withRoom(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const StorageError& error) {
+    const bool mayHelp = error.kind() == StorageError::Kind::DiskFull;
+    if (!mayHelp || !storage::Ballast(folder_).release()) throw;
+    action();
+  }
+}
+
+bool Study::hasArrived(const std::vector<std::byte>& head) {
+  try {
+    return !head.empty() && events().holds(head);
+  } catch (const StorageError& error) {
+    throw StorageError(
+        std::string("Whether the last step was kept cannot be found out just now. ") + error.what(),
+        StorageError::Kind::Unknown);
+  }
+}
+
+void Study::transact(const std::function<void()>& action) {
+  withRoom([&] {
+    std::vector<std::byte> head;
+    try {
+      storage::Transaction transaction(database_);
+      action();
+      head = events().head();
+      transaction.commit();
+    } catch (const StorageError&) {
+      if (!hasArrived(head)) throw;
+    }
+  });
+}
+
+void Study::note(const std::string& kind, const std::string& detail) {
+  transact([&] {
+    events().append(
+        {.when = clock_->now(), .actor = storage::Actor::Operator, .kind = kind, .detail = detail});
+  });
+}
+
+}  // namespace study

@@ -1,0 +1,121 @@
+// How a study comes to be.
+#include <array>
+#include <utility>
+
+#include <sodium.h>
+
+#include "protocols/orders/random_stream.h"
+#include "study/model/study_files.h"
+#include "study/session/study.h"
+#include "study/storage/statement.h"
+#include "study/storage/study_schema.h"
+#include "study/storage/transaction.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using storage::Database;
+using storage::StorageError;
+
+constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: for a first session
+
+std::uint64_t drawnSeed() {
+  constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
+  std::uint64_t seed = 0;
+  randombytes_buf(&seed, sizeof seed);
+  return seed & kExactInJson;
+}
+
+/// Names a study for good. A study with a given seed and protocol always gets the same name, so
+/// that a simulated one can be made again byte for byte; a drawn seed makes it unique.
+std::string uuidFor(std::uint64_t seed, const std::string& protocolHash) {
+  std::array<unsigned char, 16> bytes{};
+  const std::string content = std::to_string(seed) + protocolHash;
+  crypto_generichash(
+      bytes.data(),
+      bytes.size(),
+      reinterpret_cast<const unsigned char*>(content.data()),
+      content.size(),
+      nullptr,
+      0);
+  std::array<char, 2 * bytes.size() + 1> text{};
+  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  return text.data();
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error)) {
+    throw StorageError(
+        folder.string() + " is there already. Nothing is ever overwritten: choose another folder.");
+  }
+  const auto parent = fs::absolute(folder).parent_path();
+  fs::create_directories(parent, error);
+  if (error || !fs::create_directory(folder, error)) {
+    throw StorageError(
+        folder.string() + " cannot be made (" + error.message() +
+        "). Choose a folder on a disk of this computer that may be written.");
+  }
+  const auto space = fs::space(folder, error);
+  if (!error && space.available < kLeastFreeSpace) {
+    fs::remove(folder, error);
+    throw StorageError(
+        "There is too little room for a study in " + parent.string() + ": " +
+        std::to_string(space.available / (1024 * 1024)) +
+        " MiB are free, 64 are needed. Free some space.");
+  }
+  fs::create_directory(folder / "exports", error);
+}
+
+/// Writes what a new study begins with.
+void begin(
+    const fs::path& folder,
+    const protocols::LoadedProtocol& protocol,
+    Clock& clock,
+    std::uint64_t seed) {
+  const StudyFiles files{folder};
+  Database::create(files.study(), storage::studySchema());
+  Database::create(files.traces(), storage::traceSchema());
+  Database::create(files.identity(), storage::identitySchema());
+  fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
+  Database database =
+      Database::open(files.study(), storage::studySchema(), Database::Access::ReadWrite);
+  storage::Transaction transaction(database);
+  const Moment now = clock.now();
+  storage::ProtocolRepository(database).add(protocol, "the study was made", asUtc(now.wall));
+  storage::Statement insert(
+      database,
+      "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
+      "VALUES (1, ?, ?, ?, ?, ?)");
+  insert.bind(1, uuidFor(seed, storage::sha256(protocol.text, protocol.files)))
+      .bind(2, std::to_string(seed))
+      .bind(3, std::int64_t{protocols::kRandomVersion})
+      .bind(4, appVersion())
+      .bind(5, asUtc(now.wall));
+  insert.run();
+  storage::EventLog(database).append(
+      {.when = now, .kind = "made_study", .detail = protocol.protocol.study.id});
+  transaction.commit();
+}
+
+}  // namespace
+
+Study Study::create(
+    const fs::path& folder,
+    const protocols::LoadedProtocol& protocol,
+    Clock& clock,
+    std::optional<std::uint64_t> seed) {
+  if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
+  makeFolder(folder);
+  try {
+    begin(folder, protocol, clock, seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()));
+  } catch (const StorageError&) {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);  // nothing but a study that was never made is in it
+    throw;
+  }
+  return open(folder, clock);
+}
+
+}  // namespace study

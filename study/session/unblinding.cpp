@@ -1,0 +1,17 @@
+#include "study/session/unblinding.h"
+
+namespace study {
+
+void noteUnblinding(
+    Study& study, RunMode mode, const std::string& what, const std::string& reason) {
+  if (mode != RunMode::Live) return;
+  if (reason.empty()) {
+    throw storage::StorageError(
+        "This names every condition beside the answers of real people, and whoever reads it is no "
+        "longer blind. Say why it is wanted: it goes into the audit trail (--reason \"…\"). "
+        "'palpate export' without --unblind is blinded.");
+  }
+  study.note("unblinded_" + what, reason);
+}
+
+}  // namespace study

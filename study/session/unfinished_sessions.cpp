@@ -1,0 +1,124 @@
+#include "study/session/unfinished_sessions.h"
+
+#include <utility>
+
+#include "study/session/session.h"
+
+namespace study {
+namespace {
+
+/// A step as an operator may read it: the alternative, never what it is.
+std::string placeOf(const Step& step) {
+  const bool hasLabel = step.kind == StepKind::Trial || step.kind == StepKind::Questionnaire;
+  if (!hasLabel) return step.phase;
+  const std::string label = "Alternative " + std::to_string(step.label);
+  return step.phase + (step.kind == StepKind::Trial ? ": " : ": questions on ") + label;
+}
+
+/// What the operator does by an event of @p state; nothing where the participant does it.
+std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
+  const bool isBroken = state == SessionState::Interrupted;
+  switch (event) {
+    case SessionEvent::RepeatedStep:
+      return isBroken
+                 ? "Repeat the trial from its start; what was felt so far is kept as broken off."
+                 : "Go back one step and repeat it.";
+    case SessionEvent::SkippedStep:
+      return isBroken ? "Skip the trial together with its questions."
+                      : "Skip the step that it is in.";
+    case SessionEvent::GaveUpOnDevice:
+      return "Give up on the device: the session ends as aborted_hardware, and its place in the "
+             "design is free again.";
+    case SessionEvent::ResumedSession:
+      return "End the pause and go on.";
+    case SessionEvent::Withdrew:
+      return "End it because the participant wants to: withdrawn, and its place is free again.";
+    case SessionEvent::WasRejected:
+      return "Reject it with a reason; its place is free again.";
+    default:
+      return std::nullopt;
+  }
+}
+
+std::vector<std::string> choicesFor(
+    const UnfinishedSession& session, const std::vector<Step>& plan) {
+  if (session.isOpenElsewhere()) {
+    return {
+        "It is open on " + session.holder->station + " (process " +
+        std::to_string(session.holder->pid) + ", since " + session.holder->since +
+        "): go on there, or close it there first."};
+  }
+  // Whoever goes on with a trial that nobody ended finds it broken off.
+  const auto found =
+      session.state == SessionState::InTrial ? SessionState::Interrupted : session.state;
+  std::vector<std::string> choices;
+  const auto mayHappen = [&](SessionEvent event) {
+    return allows(found, plan, session.step, event);
+  };
+  if (mayHappen(SessionEvent::FinishedStep) || mayHappen(SessionEvent::BeganTrial)) {
+    choices.push_back("Go on in this step; what was answered in it is still there.");
+  }
+  for (const auto& row : kSessionTransitions) {
+    if (row.from != found || !mayHappen(row.event)) continue;
+    const auto choice = choiceFor(found, row.event);
+    if (choice) choices.push_back(*choice);
+  }
+  return choices;
+}
+
+std::string whatHappened(const UnfinishedSession& session) {
+  if (session.isOpenElsewhere()) return "It is open in another window.";
+  switch (session.state) {
+    case SessionState::Enrolled:
+      return "Its place is reserved; consent has not been given.";
+    case SessionState::InTrial:
+      return "The program ended while something was being felt. What was felt until then is kept; "
+             "when you go on, the trial counts as broken off, and nothing is felt before you have "
+             "decided.";
+    case SessionState::Interrupted:
+      return "Its trial broke off, and waits for your decision.";
+    case SessionState::Paused:
+      return "It is paused.";
+    default:
+      return session.holder ? "The program ended while it was open; every answer that was given is "
+                              "kept."
+                            : "Its windows were closed; every answer that was given is kept.";
+  }
+}
+
+}  // namespace
+
+std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
+  std::vector<UnfinishedSession> unfinished;
+  for (const auto& row : study.sessions().all()) {
+    if (isOver(row.state)) continue;
+    const auto& protocol = study.protocol(row.protocol).protocol;
+    const auto plan = sessionPlan(
+        protocol,
+        protocols::scheduleFor(
+            protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+    UnfinishedSession session{
+        .id = row.id,
+        .participant = row.participant,
+        .runMode = row.runMode,
+        .state = row.state,
+        .step = row.step,
+        .steps = static_cast<int>(plan.size()),
+        .place = placeOf(plan.at(static_cast<std::size_t>(row.step))),
+        .startedUtc = row.startedUtc,
+        .holder = storage::Lease::holder(study.database(), row.id),
+        .choices = {}};
+    session.choices = choicesFor(session, plan);
+    unfinished.push_back(std::move(session));
+  }
+  return unfinished;
+}
+
+std::string inWords(const UnfinishedSession& session) {
+  const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
+  return session.participant + " (" + std::string(nameOf(session.runMode)) + "), begun " + begun +
+         " UTC, is in step " + std::to_string(session.step + 1) + " of " +
+         std::to_string(session.steps) + " (" + session.place + "). " + whatHappened(session);
+}
+
+}  // namespace study

@@ -1,0 +1,228 @@
+#include "study/session/verification.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "protocols/orders/schedule.h"
+#include "study/model/session_plan.h"
+#include "study/session/audit_words.h"
+#include "study/storage/coded_answers.h"
+#include "study/storage/content_hash.h"
+#include "study/storage/records.h"
+
+namespace study {
+namespace {
+
+using Problems = std::vector<std::string>;
+
+constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
+constexpr double kShareBeforeTraces =
+    0.2;  // of the time, taken roughly: traces are most of a study
+
+std::string nameOf(const VisitKey& visit) {
+  return "session " + std::to_string(static_cast<std::int64_t>(visit.session)) + ", step " +
+         std::to_string(visit.step + 1) + ", attempt " + std::to_string(visit.attempt);
+}
+
+Problems files(Study& study) {
+  Problems problems;
+  for (auto* database :
+       {&study.database(), &study.traces().database(), &study.identities().database()}) {
+    const auto found = database->integrityProblems();
+    if (!found.empty()) problems.push_back(found);
+  }
+  return problems;
+}
+
+Problems auditTrail(Study& study) {
+  const auto broken = study.events().firstBreak();
+  return broken ? Problems{*broken} : Problems{};
+}
+
+/// What the tables say must be what the last event vouched for. What format 1 wrote vouches for
+/// nothing.
+void checkContent(
+    Study& study,
+    std::optional<SessionId> session,
+    const storage::Hash& found,
+    const std::string& name,
+    Problems& problems) {
+  const auto vouched = study.events().vouchedFor(session);
+  if (!vouched) {
+    problems.push_back("the audit trail knows nothing of " + name);
+  } else if (!vouched->empty() && *vouched != storage::asBytes(found)) {
+    problems.push_back("what is kept of " + name + " is not what the audit trail vouches for");
+  }
+}
+
+Problems contents(Study& study) {
+  Problems problems;
+  auto& database = study.database();
+  checkContent(study, {}, storage::contentHash(database), "the study itself", problems);
+  for (const auto& row : study.sessions().all()) {
+    checkContent(study, row.id, storage::contentHash(database, row.id), row.participant, problems);
+  }
+  return problems;
+}
+
+/// The last thing that the audit trail says about each answer must be what the table says.
+Problems answers(Study& study) {
+  std::map<std::pair<VisitKey, std::string>, std::string> said;
+  for (const auto& event : study.events().read()) {
+    if (event.kind == "retracted" && event.visit) said.erase({*event.visit, event.detail});
+    if (event.kind != "answered" || !event.visit) continue;
+    const std::string item = event.detail.substr(0, event.detail.find(' '));
+    if (event.detail == item + " (kept apart)") continue;
+    said[{*event.visit, item}] = event.detail;
+  }
+  Problems problems;
+  for (const auto& record : storage::Records(study.database()).answers()) {
+    const std::pair key{record.step.visit, record.answer.item};
+    const auto found = said.find(key);
+    if (found == said.end() || found->second != auditWords(record.answer)) {
+      problems.push_back(
+          "the answer to " + record.answer.item + " (" + nameOf(record.step.visit) +
+          ") is not what the audit trail says");
+    }
+    if (found != said.end()) said.erase(found);
+  }
+  for (const auto& [key, words] : said) {
+    problems.push_back("the answer to " + key.second + " (" + nameOf(key.first) + ") is missing");
+  }
+  return problems;
+}
+
+/// What an answer is counted as must follow from where it was given.
+Problems questions(Study& study) {
+  Problems problems;
+  for (const auto& answer : storage::CodedAnswers(study.database()).misplaced()) {
+    problems.push_back("the answer to " + answer + " is counted as one to another question");
+  }
+  return problems;
+}
+
+Problems identities(Study& study) {
+  Problems problems;
+  for (const auto& row : study.identities().damaged()) {
+    problems.push_back(
+        study.identities().database().path() + ": what is kept of " + row +
+        " is not what was written");
+  }
+  return problems;
+}
+
+Problems protocolHashes(Study& study) {
+  Problems problems;
+  for (const auto id : study.protocols().all()) {
+    const auto stored = study.protocols().load(id);
+    if (storage::sha256(stored.text, stored.files) == stored.sha256) continue;
+    problems.push_back(
+        "version " + std::to_string(static_cast<std::int64_t>(id)) +
+        " of the protocol is not what its hash says");
+  }
+  return problems;
+}
+
+Problems orders(Study& study) {
+  Problems problems;
+  for (const auto& row : study.sessions().all()) {
+    const auto& protocol = study.protocol(row.protocol).protocol;
+    const auto plan = sessionPlan(
+        protocol,
+        protocols::scheduleFor(
+            protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+    std::vector<std::pair<int, std::string>> drawn;
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);
+    }
+    if (study.sessions().allocation(row.id) != drawn) {
+      problems.push_back("the order of " + row.participant + " is not the one that was drawn");
+    }
+  }
+  return problems;
+}
+
+/// What the audit trail says of every trial's trace.
+std::map<VisitKey, std::string> keptTraces(Study& study) {
+  std::map<VisitKey, std::string> kept;
+  for (const auto& event : study.events().read()) {
+    if (event.kind == "kept_trace" && event.visit) kept[*event.visit] = event.detail;
+  }
+  return kept;
+}
+
+void checkTrace(
+    Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
+  const auto& visit = trial.step.visit;
+  try {
+    const auto samples = study.traces().read(visit);
+    if (static_cast<std::int64_t>(samples.size()) != trial.traceSamples) {
+      problems.push_back(
+          nameOf(visit) + ": " + std::to_string(samples.size()) + " of " +
+          std::to_string(trial.traceSamples) + " samples are there");
+    }
+    if (!kept.empty() && kept != study.traces().digest(visit)) {
+      problems.push_back(nameOf(visit) + ": the trace is not the one that was recorded");
+    }
+  } catch (const storage::StorageError& error) {
+    problems.push_back(nameOf(visit) + ": " + error.what());
+  }
+}
+
+Problems traces(Study& study, const Progress& progress) {
+  Problems problems;
+  std::set<VisitKey> expected;
+  auto kept = keptTraces(study);
+  const auto trials = storage::Records(study.database()).trials();
+  for (const auto& trial : trials) {
+    const double done = static_cast<double>(expected.size()) / static_cast<double>(trials.size());
+    tell(progress, kShareBeforeTraces + (1.0 - kShareBeforeTraces) * done, kOfTraces);
+    expected.insert(trial.step.visit);
+    checkTrace(study, trial, kept[trial.step.visit], problems);
+  }
+  for (const auto& visit : study.traces().visits()) {
+    if (expected.count(visit) > 0) continue;
+    const auto session = study.sessions().load(visit.session);
+    const bool isUnderWay = session.state == SessionState::InTrial && session.step == visit.step;
+    if (!isUnderWay) problems.push_back(nameOf(visit) + ": a trace without a trial");
+  }
+  return problems;
+}
+
+}  // namespace
+
+bool Verification::isSound() const noexcept {
+  return std::all_of(
+      checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
+}
+
+Verification verify(Study& study, const Progress& progress) {
+  constexpr double kChecksBeforeTraces = 8.0;
+  Verification result;
+  const auto check = [&](const char* what, const std::function<Problems(Study&)>& look) {
+    const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
+    tell(progress, kShareBeforeTraces * done, what);
+    Problems problems;
+    try {
+      problems = look(study);
+    } catch (const storage::StorageError& error) {
+      problems.push_back(error.what());
+    }
+    result.checks.push_back({what, std::move(problems)});
+  };
+  check("the database files are whole, and every row refers to something", files);
+  check("the audit trail is unbroken", auditTrail);
+  check("everything is what the audit trail vouches for", contents);
+  check("every answer is what the audit trail says", answers);
+  check("every answer is counted where it was given", questions);
+  check("whatever names a person is what was written", identities);
+  check("every protocol is what its hash says", protocolHashes);
+  check("every order is the one that was drawn", orders);
+  check(kOfTraces, [&](Study& of) { return traces(of, progress); });
+  return result;
+}
+
+}  // namespace study

@@ -1,0 +1,122 @@
+#include "study/trial/hardware_rig.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "study/model/user_error.h"
+
+namespace study {
+namespace {
+
+using haptics::devices::CheckResult;
+using haptics::devices::Device;
+using haptics::devices::DeviceKind;
+using haptics::devices::Finding;
+using haptics::devices::Lifecycle;
+
+const char* wordFor(DeviceKind kind) noexcept {
+  return kind == DeviceKind::Punch ? "punch" : "reamer";
+}
+
+}  // namespace
+
+HardwareRig::HardwareRig(std::vector<DeviceEntry> entries, SimulatedRig::HandFor handFor)
+    : entries_(std::move(entries)), handFor_(std::move(handFor)) {}
+
+Device& HardwareRig::made(const DeviceEntry& entry) {
+  auto& device = devices_[entry.id];
+  if (device) return *device;
+  if (const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings)) {
+    device = std::make_unique<haptics::devices::PunchDevice>(punch->punch);
+  } else if (const auto* iiwa = std::get_if<haptics::devices::IiwaSettings>(&entry.settings)) {
+    device = std::make_unique<haptics::devices::IiwaDevice>(*iiwa);
+  } else {
+    const bool isPunch = kindOf(entry) == DeviceKind::Punch;
+    auto& hand = hands_[entry.id];
+    hand = handFor_({.id = entry.id, .kind = kindOf(entry)});
+    device = std::make_unique<haptics::devices::SimulatedDevice>(
+        isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
+        isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
+        *hand);
+  }
+  return *device;
+}
+
+Device* HardwareRig::find(const std::string& id) {
+  const auto entry = std::find_if(
+      entries_.begin(), entries_.end(), [&](const auto& candidate) { return candidate.id == id; });
+  return entry == entries_.end() ? nullptr : &made(*entry);
+}
+
+Device& HardwareRig::device(const protocols::DeviceNeed& need) {
+  auto* device = find(need.id);
+  if (device == nullptr) {
+    throw UserError(
+        "The protocol needs a device '" + need.id +
+        "', and the device file has none of that name. Add it, or give it that id.");
+  }
+  if (device->capabilities().kind != need.kind) {
+    throw UserError(fmt::format(
+        "The protocol needs a {} as '{}', and the device file has a {} there. Correct one of them.",
+        wordFor(need.kind),
+        need.id,
+        wordFor(device->capabilities().kind)));
+  }
+  const auto state = device->lifecycle();
+  if (state == Lifecycle::Closed || state == Lifecycle::Faulted) device->open();
+  return *device;
+}
+
+bool HardwareRig::isOpen(const std::string& id) const {
+  const auto found = devices_.find(id);
+  if (found == devices_.end()) return false;
+  const auto state = found->second->lifecycle();
+  return state != Lifecycle::Closed && state != Lifecycle::Faulted;
+}
+
+void HardwareRig::prepare(
+    const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) {
+  for (const auto& entry : entries_) {
+    const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings);
+    if (entry.id != need.id || punch == nullptr || !punch->rendersOnDevice) continue;
+    static_cast<haptics::devices::PunchDevice&>(made(entry)).renderOnDevice(scene, need.maxForce);
+  }
+}
+
+std::unique_ptr<Rig> rigFor(
+    const std::string& deviceFile,
+    const std::filesystem::path& studyFolder,
+    SimulatedRig::HandFor handFor) {
+  const auto own = studyFolder / kDeviceFileName;
+  if (deviceFile.empty() && !std::filesystem::exists(own)) {
+    return std::make_unique<SimulatedRig>(std::move(handFor));
+  }
+  return std::make_unique<HardwareRig>(
+      loadDevices(deviceFile.empty() ? own.string() : deviceFile), std::move(handFor));
+}
+
+std::vector<CheckResult> preflight(
+    Device& device, const protocols::DeviceNeed* need, double seconds) {
+  auto found = device.check(seconds);
+  if (need == nullptr) return found;
+  const auto& can = device.capabilities();
+  const bool isKind = can.kind == need->kind;
+  found.push_back(
+      {isKind ? Finding::Pass : Finding::Fail,
+       "instrument",
+       wordFor(can.kind),
+       isKind ? "" : fmt::format("The protocol needs a {} here.", wordFor(need->kind))});
+  const bool isStrong = can.maxForce >= need->maxForce;
+  found.push_back(
+      {isStrong ? Finding::Pass : Finding::Warn,
+       "force that the protocol asks for",
+       fmt::format("{:g} N of {:g} N", need->maxForce, can.maxForce),
+       isStrong ? ""
+                : "Scenes that ask for more are cut off, the same for every condition, and every "
+                  "trial says so; scale the scenes (force_scale) or lower max_force_n."});
+  return found;
+}
+
+}  // namespace study

@@ -1,0 +1,97 @@
+#include "study/session/unfinished_sessions.h"
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace {
+
+class UnfinishedSessionsTest : public testing::Test {
+ protected:
+  /// Of the only session.
+  UnfinishedSession look() {
+    const auto all = unfinishedSessions(*study_);
+    return all.size() == 1 ? all.front() : UnfinishedSession{};
+  }
+
+  static bool offers(const UnfinishedSession& session, const std::string& words) {
+    for (const auto& choice : session.choices) {
+      if (choice.find(words) != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  tests::MadeStudy study_;
+};
+
+TEST_F(UnfinishedSessionsTest, LeavesOutWhoeverIsDone) {
+  auto done = tests::consenting(*study_, {.cohort = "surgeons"});
+  tests::walkToTheEnd(done);
+  const auto open = Session::enrol(*study_, {.cohort = "surgeons"});
+  const auto found = look();
+  EXPECT_EQ(found.participant, open.participant());
+}
+
+TEST_F(UnfinishedSessionsTest, OffersNothingButToGoThereWhileItIsOpen) {
+  const auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+  const auto found = look();
+  EXPECT_TRUE(found.isOpenElsewhere());
+  ASSERT_EQ(found.choices.size(), 1U);
+  EXPECT_TRUE(offers(found, "go on there"));
+}
+
+TEST_F(UnfinishedSessionsTest, OffersNoSkippingOfConsent) {
+  { const auto session = Session::enrol(*study_, {.cohort = "surgeons"}); }
+  const auto found = look();
+  EXPECT_TRUE(offers(found, "Go on in this step"));
+  EXPECT_TRUE(offers(found, "withdrawn"));
+  EXPECT_FALSE(offers(found, "Skip"));
+  EXPECT_FALSE(offers(found, "repeat"));
+}
+
+TEST_F(UnfinishedSessionsTest, TellsOfATrialThatNobodyEnded) {
+  {
+    auto session = tests::consenting(*study_, {.cohort = "surgeons"});
+    tests::walkTo(session, StepKind::Trial);
+    session.beginTrial();
+  }
+  const auto found = look();
+  EXPECT_EQ(found.state, SessionState::InTrial);
+  EXPECT_NE(inWords(found).find("counts as broken off"), std::string::npos) << inWords(found);
+  EXPECT_TRUE(offers(found, "Repeat the trial"));
+  EXPECT_TRUE(offers(found, "Skip the trial"));
+  EXPECT_TRUE(offers(found, "Give up on the device"));
+  EXPECT_FALSE(offers(found, "Go on in this step"));
+}
+
+TEST_F(UnfinishedSessionsTest, OffersJustWhatASessionThenAllows) {
+  std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
+  while (!session->isOver()) {
+    const auto id = session->id();
+    session.reset();
+    const auto found = look();
+    session.emplace(Session::resume(*study_, id));
+    EXPECT_EQ(offers(found, "Skip"), session->allows(SessionEvent::SkippedStep)) << found.place;
+    EXPECT_EQ(offers(found, "repeat it"), session->allows(SessionEvent::RepeatedStep))
+        << found.place;
+    tests::passStep(*session);
+  }
+}
+
+TEST_F(UnfinishedSessionsTest, NamesNoCondition) {
+  std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
+  while (!session->isOver()) {
+    for (const auto* secret : {"interpolation", "finite", "kalman"}) {
+      EXPECT_EQ(inWords(look()).find(secret), std::string::npos) << inWords(look());
+    }
+    tests::passStep(*session);
+  }
+}
+
+}  // namespace
+}  // namespace study

@@ -1,0 +1,205 @@
+#include "study/trial/device_file.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "study/session/session.h"
+#include "study/trial/hardware_rig.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
+
+namespace study {
+namespace {
+
+using haptics::devices::DeviceKind;
+
+constexpr const char* kBoth = R"({
+  "format": "palpate-devices-1",
+  "devices": [
+    {"id": "punch", "type": "punch-serial", "port": "/dev/serial/by-id/punch", "baud": 1000000,
+     "serial": 17, "firmware": "00112233445566ff", "renders": "device", "travel_per_count": 0.0044,
+     "travel_at_zero": 11.5, "newtons_per_volt": 0.7, "max_voltage_v": 10, "expiry_ms": 8,
+     "damping_n_s_per_travel_unit": 0.06},
+    {"id": "reamer", "type": "iiwa-fri", "robot_address": "172.31.1.147", "port": 30201,
+     "fri_version": "2.7", "model": "iiwa7", "overlay": "torque", "wrench_frame": "base",
+     "tool_m": [0, 0, 0.25], "axis": [0, 1, 0], "zero_joints_deg": [0, 30, 0, -90, 0, 60, 0],
+     "most_travel_m": 0.03, "max_force_n": 120, "damping_n_s_per_m": 40,
+     "margins": {"position_deg": 6, "velocity": 0.5, "torque": 0.4}},
+    {"id": "spare", "type": "simulated-reamer"}
+  ]
+})";
+
+std::string objectionsTo(const std::string& text) {
+  questionnaires::Problems problems;
+  EXPECT_FALSE(readDevices(text, problems));
+  return questionnaires::inWords(problems.all());
+}
+
+void expectIn(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(DeviceFile, SaysHowEveryDeviceIsConnected) {
+  questionnaires::Problems problems;
+  const auto devices = readDevices(kBoth, problems);
+  ASSERT_TRUE(devices) << questionnaires::inWords(problems.all());
+  ASSERT_EQ(devices->size(), 3U);
+  const auto& punch = std::get<SerialPunchSettings>((*devices)[0].settings);
+  EXPECT_EQ(punch.punch.port, "/dev/serial/by-id/punch");
+  EXPECT_EQ(punch.punch.baud, 1'000'000);
+  EXPECT_EQ(punch.punch.serial, 17U);
+  EXPECT_EQ(punch.punch.build, 0x00112233445566ffU);
+  EXPECT_TRUE(punch.rendersOnDevice);
+  EXPECT_EQ(punch.punch.travelPerCount, 0.0044);
+  EXPECT_EQ(punch.punch.expiry, 8);
+  const auto& arm = std::get<haptics::devices::IiwaSettings>((*devices)[1].settings);
+  EXPECT_EQ(arm.robot, "172.31.1.147");
+  EXPECT_EQ(arm.version, haptics::wire::fri::Version::V2_7);
+  EXPECT_EQ(arm.model, haptics::devices::IiwaModel::Iiwa7);
+  EXPECT_EQ(arm.overlay, haptics::devices::IiwaOverlay::JointTorque);
+  EXPECT_EQ(arm.wrenchFrame, haptics::devices::WrenchFrame::Base);
+  EXPECT_EQ(arm.tool.position.z(), 0.25);
+  ASSERT_TRUE(arm.zero);
+  EXPECT_DOUBLE_EQ((*arm.zero)[3], -std::numbers::pi / 2.0);
+  EXPECT_DOUBLE_EQ(arm.margins.position, 6.0 * std::numbers::pi / 180.0);
+  EXPECT_EQ(arm.margins.torque, 0.4);
+  EXPECT_EQ(kindOf((*devices)[2]), DeviceKind::Reamer);
+}
+
+TEST(DeviceFile, ReadsWhatItWrites) {
+  questionnaires::Problems problems;
+  const auto devices = readDevices(kBoth, problems);
+  ASSERT_TRUE(devices);
+  const auto again = readDevices(devicesAsJson(*devices), problems);
+  ASSERT_TRUE(again) << questionnaires::inWords(problems.all());
+  EXPECT_EQ(devicesAsJson(*again), devicesAsJson(*devices));
+  const auto& arm = std::get<haptics::devices::IiwaSettings>((*again)[1].settings);
+  EXPECT_NEAR(arm.margins.position, 6.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_EQ(std::get<SerialPunchSettings>((*again)[0].settings).punch.build, 0x00112233445566ffU);
+}
+
+TEST(DeviceFile, SaysEverythingThatIsWrongAtOnce) {
+  const auto words = objectionsTo(R"({
+    "format": "palpate-devices-2",
+    "devices": [
+      {"id": "punch", "type": "punch-serial", "port": "/dev/ttyACM0", "newtons_per_volt": 0,
+       "expiry_ms": 21, "firmware": "beef", "travel_per_count": -0.01},
+      {"id": "punch", "type": "iiwa-fri", "robot_address": "robot.local", "fri_version": "3.0",
+       "axis": [0, 0], "zero_joints_deg": [1, 2, 3], "margins": {"speed": 1}},
+      {"id": "x", "type": "phantom"},
+      {"id": "y", "type": "simulated-punch", "port": "/dev/null"}
+    ]
+  })");
+  for (const auto* part :
+       {"$.format",
+        "newtons_per_volt",
+        "expiry_ms",
+        "16 hexadecimal digits",
+        "travel_per_count",
+        "another device has it already",
+        "no numeric IPv4 address",
+        "'3.0' is not known",
+        "there are 2 numbers and not 3",
+        "there are 3 numbers and not 7",
+        "speed",
+        "'phantom' is not known",
+        "$.devices[3]"}) {
+    expectIn(words, part);
+  }
+}
+
+TEST(DeviceFile, RefusesASpeedThatNoSerialPortHas) {
+  const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
+        {"id": "p", "type": "punch-serial", "port": "a", "newtons_per_volt": 1, "baud": 9600}]})");
+  expectIn(words, "cannot go at 9600 baud");
+  expectIn(words, "write 0 for USB, or 115200, 230400, 460800, 921600, 1000000 or 2000000");
+}
+
+TEST(DeviceFile, SaysThatAVersionNeedsQuotes) {
+  const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
+        {"id": "r", "type": "iiwa-fri", "robot_address": "127.0.0.1", "fri_version": 1.15}]})");
+  expectIn(words, "fri_version");
+  expectIn(words, R"("1.15")");
+  expectIn(words, "with its quotes");
+}
+
+TEST(DeviceFile, WritesWholeDegreesWithoutNoise) {
+  DeviceEntry reamer{.id = "reamer", .settings = haptics::devices::IiwaSettings{}};
+  auto& arm = std::get<haptics::devices::IiwaSettings>(reamer.settings);
+  arm.zero = haptics::wire::fri::Joints{0.0, std::numbers::pi / 6.0, 0.0, -std::numbers::pi / 2.0};
+  const auto text = devicesAsJson({reamer});
+  expectIn(text, "\"position_deg\": 5.0,");
+  expectIn(text, " 30.0,");
+  expectIn(text, " -90.0,");
+}
+
+TEST(DeviceFile, NamesTheKeyThatWasMeant) {
+  expectIn(
+      objectionsTo(R"({"format": "palpate-devices-1", "devices": [
+        {"id": "p", "type": "punch-serial", "port": "a", "newton_per_volt": 1}]})"),
+      "newtons_per_volt");
+}
+
+TEST(DeviceFile, CanBeCopiedFromTheDocumentation) {
+  const auto page = tests::contentOf((tests::repository() / "docs/devices.md").string());
+  const std::string begin = "```json\n";
+  int files = 0;
+  for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1)) {
+    const auto from = at + begin.size();
+    questionnaires::Problems problems;
+    EXPECT_TRUE(readDevices(page.substr(from, page.find("```", from) - from), problems))
+        << questionnaires::inWords(problems.all());
+    ++files;
+  }
+  EXPECT_EQ(files, 2);
+}
+
+TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
+  const auto page = tests::contentOf((tests::repository() / "docs/devices.md").string());
+  const std::string text = kBoth;
+  int keys = 0;
+  for (auto colon = text.find("\":"); colon != std::string::npos;
+       colon = text.find("\":", colon + 1)) {
+    const auto quote = text.rfind('"', colon - 1);
+    expectIn(page, "`" + text.substr(quote + 1, colon - quote - 1) + "`");
+    ++keys;
+  }
+  EXPECT_GT(keys, 10);
+}
+
+TEST(HardwareRig, RefusesInWordsWhatTheFileDoesNotHave) {
+  questionnaires::Problems problems;
+  HardwareRig rig(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
+    return simulatedHandFor(need, 1, {}, 0);
+  });
+  const auto refusal = [&](const protocols::DeviceNeed& need) {
+    try {
+      rig.device(need);
+    } catch (const std::exception& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  expectIn(refusal({.id = "knife"}), "'knife'");
+  expectIn(refusal({.id = "spare", .kind = DeviceKind::Punch}), "needs a punch as 'spare'");
+  expectIn(refusal({.id = "punch", .kind = DeviceKind::Punch}), "There is no serial port");
+  EXPECT_FALSE(rig.isOpen("punch"));
+  EXPECT_EQ(refusal({.id = "spare", .kind = DeviceKind::Reamer}), "");
+  EXPECT_TRUE(rig.isOpen("spare"));
+}
+
+TEST(Preflight, WarnsWhereTheProtocolAsksForMoreThanTheDeviceGives) {
+  questionnaires::Problems problems;
+  HardwareRig rig(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
+    return simulatedHandFor(need, 1, {}, 0);
+  });
+  const protocols::DeviceNeed need{.id = "spare", .kind = DeviceKind::Reamer, .maxForce = 300.0};
+  const auto found = preflight(*rig.find("spare"), &need, 0.1);
+  EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
+  EXPECT_EQ(found.back().measured, "300 N of 140 N");
+  expectIn(found.back().mend, "force_scale");
+}
+
+}  // namespace
+}  // namespace study

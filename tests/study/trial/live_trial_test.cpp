@@ -1,0 +1,136 @@
+// A trial at the pace of a clock, with its three threads: short, and under the thread sanitizer
+// too.
+#include "study/trial/live_trial.h"
+
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "haptics/devices/simulated_device.h"
+#include "study/trial/rig.h"
+#include "tests/study/faulting_device.h"
+
+namespace study {
+namespace {
+
+using namespace std::chrono_literals;
+using storage::TraceSample;
+
+class LiveTrialTest : public testing::Test {
+ protected:
+  LiveTrialTest()
+      : hand_(simulatedHandFor(need_, 7, "surgeons", 0)),
+        device_(haptics::devices::simulatedPunch(), haptics::devices::punchMechanism(), *hand_),
+        trial_(
+            device_,
+            {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
+             .limits = {.maxForce = 8.0, .maxRate = 500.0},
+             .keep = [this](int, const std::vector<TraceSample>& samples) { keep(samples); }}) {}
+
+  void keep(const std::vector<TraceSample>& samples) {
+    if (isDiskFull_) throw storage::StorageError("the disk is full");
+    kept_.insert(kept_.end(), samples.begin(), samples.end());
+  }
+
+  /// Looks on until @p isThere, five seconds at most.
+  static bool wait(const std::function<bool()>& isThere) {
+    const auto end = std::chrono::steady_clock::now() + 5s;
+    while (!isThere() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
+    return isThere();
+  }
+
+  protocols::DeviceNeed need_{.id = "punch", .maxForce = 8.0, .maxForceRate = 500.0};
+  std::unique_ptr<haptics::devices::Hand> hand_;
+  haptics::devices::SimulatedDevice device_;
+  std::vector<TraceSample> kept_;
+  std::atomic<bool> isDiskFull_{false};
+  Trial trial_;
+};
+
+TEST_F(LiveTrialTest, KeepsEverySampleInOrder) {
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= 300; }));
+  const auto record = live.finish(TrialEnding::Finished);
+  EXPECT_EQ(record.lostSamples, 0);
+  EXPECT_EQ(static_cast<std::int64_t>(kept_.size()), record.ticks);
+  for (std::size_t i = 0; i < kept_.size(); ++i) ASSERT_EQ(kept_[i].tick, i);
+  ASSERT_TRUE(record.achievedRate);
+  ASSERT_TRUE(record.latenessMedian);
+  EXPECT_LE(*record.latenessMedian, *record.latenessP99);
+  EXPECT_LE(*record.latenessP99, *record.latenessLargest);
+}
+
+TEST_F(LiveTrialTest, ShowsWhatIsFeltWhileItIsFelt) {
+  LiveTrial live(trial_);
+  haptics::engine::TickSample sample;
+  ASSERT_TRUE(wait([&] { return live.nextToPlot(sample) && sample.travel > 1.0; }));
+  EXPECT_GT(live.status().travel, 0.0);
+}
+
+TEST_F(LiveTrialTest, LetsGoAtOnceWhenSomebodyPressesStop) {
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
+  live.stop();
+  std::this_thread::sleep_for(5ms);  // one tick may have been under way
+  const auto record = live.finish(TrialEnding::Stopped);
+  EXPECT_EQ(record.ending, TrialEnding::Stopped);
+  EXPECT_EQ(device_.commandedForce(), 0.0);
+  EXPECT_EQ(kept_.back().force, 0.0F);
+}
+
+TEST_F(LiveTrialTest, SaysThatTheDeviceIsGone) {
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= 20; }));
+  device_.unplug();
+  ASSERT_TRUE(wait([&] { return live.status().isDeviceGone; }));
+  EXPECT_EQ(live.finish(TrialEnding::Finished).ending, TrialEnding::DeviceGone);
+}
+
+TEST_F(LiveTrialTest, StopsForADeviceThatSaysItIsFaulty) {
+  tests::FaultingDevice device;
+  Trial trial(
+      device,
+      {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
+       .limits = {.maxForce = 8.0, .maxRate = 500.0},
+       .keep = [](int, const std::vector<TraceSample>&) {}});
+  LiveTrial live(trial);
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= 20; }));
+  device.fail();
+  ASSERT_TRUE(wait([&] { return live.status().isDeviceGone; }));
+  EXPECT_TRUE(trial.isStopped());
+  const auto record = live.finish(TrialEnding::Finished);
+  EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
+  EXPECT_EQ(record.deviceFault, "The encoder has failed.");
+}
+
+TEST_F(LiveTrialTest, LetsGoWhereNothingCanBeKept) {
+  isDiskFull_ = true;
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
+  EXPECT_EQ(live.finish(TrialEnding::Finished).ending, TrialEnding::TraceLost);
+  EXPECT_EQ(device_.commandedForce(), 0.0);
+}
+
+TEST_F(LiveTrialTest, HasNoForceFromTheMomentOnWhereNothingCanBeKept) {
+  LiveTrial live(trial_);
+  ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
+  isDiskFull_ = true;  // for the next chunk, which is due within a second
+  ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
+
+  EXPECT_TRUE(trial_.isStopped()) << "before anybody finishes the trial";
+  const auto stopped = live.status().ticks + 1;  // one may have been under way
+  ASSERT_TRUE(wait([&] { return live.status().ticks >= stopped + 200; }));
+  haptics::engine::TickSample sample;
+  int seen = 0;
+  while (live.nextToPlot(sample)) {
+    if (sample.tick <= stopped) continue;
+    ++seen;
+    ASSERT_EQ(sample.force, 0.0) << "tick " << sample.tick;
+  }
+  EXPECT_GT(seen, 100);
+  EXPECT_EQ(live.status().force, 0.0);
+}
+
+}  // namespace
+}  // namespace study
