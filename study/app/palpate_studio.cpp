@@ -70,7 +70,7 @@ QString folderOf(const QString& path) {
 
 int writeKnee(const QString& path) {
   try {
-    study::writeNewFile(path.toStdString(), study::gui::simulation::kneeAsObj({}));
+    study::writeNewFile(path.toStdString(), study::gui::scene::kneeAsObj({}));
   } catch (const study::storage::StorageError& error) {
     std::fprintf(stderr, "palpate-studio: %s\n", error.what());
     return 1;
@@ -105,20 +105,20 @@ int main(int argc, char** argv) {
   QGuiApplication::setDesktopFileName(QStringLiteral(PALPATE_DESKTOP_ID));
   QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/palpate.svg")));
   study::gui::applyChosenTheme(application);
-  study::gui::home::offerHelp(application);
+  study::gui::offerHelp(application);
   parser.process(application);
   if (parser.isSet(QStringLiteral("bench"))) return study::app::benchStudio(parser);
 
   const QString path = parser.positionalArguments().value(0);
   const std::string devices = parser.value(QStringLiteral("devices")).toStdString();
   if (path.isEmpty()) {
-    study::gui::home::HomeWindow home(devices);
+    study::gui::HomeWindow home(devices);
     home.show();
-    if (study::gui::home::Tour::isNew()) home.showTour();
+    if (study::gui::Tour::isNew()) home.showTour();
     return QApplication::exec();
   }
   if (path.endsWith(QLatin1String(".json"))) {
-    study::gui::home::ProtocolWindow protocol(path);
+    study::gui::ProtocolWindow protocol(path);
     protocol.show();
     return QApplication::exec();
   }
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
     auto study = study::Study::open(folder.toStdString(), clock);
     study::gui::OperatorWindow window(study, devices);
     const auto& title = study.protocol().protocol.study.title;
-    study::gui::home::rememberStudy(folder, QString::fromStdString(title));
+    study::gui::rememberStudy(folder, QString::fromStdString(title));
     window.show();
     status = QApplication::exec();
   });

@@ -26,7 +26,7 @@
 namespace study::app {
 namespace {
 
-namespace simulation = gui::simulation;
+namespace scene = gui::scene;
 using haptics::devices::DeviceKind;
 using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
@@ -39,8 +39,8 @@ struct Settings {
   double seconds = 8.0;
   std::size_t spheres = 201'532;
   QString folder;
-  simulation::RendererChoice renderer = simulation::RendererChoice::Best;
-  simulation::SphereColours colours = simulation::SphereColours::Neutral;
+  scene::RendererChoice renderer = scene::RendererChoice::Best;
+  scene::SphereColours colours = scene::SphereColours::Neutral;
   std::optional<protocols::Anatomy> knee;  ///< in place of ours
 };
 
@@ -49,7 +49,7 @@ struct Subject {
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
-  std::unique_ptr<simulation::SimulatedScene> scene;
+  std::unique_ptr<scene::SimulatedScene> scene;
   double making = 0.0;  ///< of the scene [ms]
 };
 
@@ -79,14 +79,14 @@ bool readKnee(const QString& path, Settings& settings) {
 }
 
 bool readSettings(const QCommandLineParser& parser, Settings& settings) {
-  const std::map<QString, simulation::SphereColours> colours{
-      {QStringLiteral("neutral"), simulation::SphereColours::Neutral},
-      {QStringLiteral("density"), simulation::SphereColours::Density},
-      {QStringLiteral("removal"), simulation::SphereColours::Removal}};
-  const std::map<QString, simulation::RendererChoice> renderers{
-      {QStringLiteral("best"), simulation::RendererChoice::Best},
-      {QStringLiteral("finest"), simulation::RendererChoice::Finest},
-      {QStringLiteral("software"), simulation::RendererChoice::Software}};
+  const std::map<QString, scene::SphereColours> colours{
+      {QStringLiteral("neutral"), scene::SphereColours::Neutral},
+      {QStringLiteral("density"), scene::SphereColours::Density},
+      {QStringLiteral("removal"), scene::SphereColours::Removal}};
+  const std::map<QString, scene::RendererChoice> renderers{
+      {QStringLiteral("best"), scene::RendererChoice::Best},
+      {QStringLiteral("finest"), scene::RendererChoice::Finest},
+      {QStringLiteral("software"), scene::RendererChoice::Software}};
   const auto colour = colours.find(parser.value(QStringLiteral("colours")));
   const auto renderer = renderers.find(parser.value(QStringLiteral("renderer")));
   bool isNumber = false;
@@ -109,8 +109,7 @@ Subject kneeSubject(const Settings& settings) {
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
   QElapsedTimer clock;
   clock.start();
-  subject.scene =
-      std::make_unique<simulation::KneeScene>(settings.knee ? &*settings.knee : nullptr);
+  subject.scene = std::make_unique<scene::KneeScene>(settings.knee ? &*settings.knee : nullptr);
   subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
@@ -141,14 +140,14 @@ Subject hipSubject(const Settings& settings) {
       .damping = 150.0};
   QElapsedTimer clock;
   clock.start();
-  subject.scene = std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
+  subject.scene = std::make_unique<scene::HipScene>(scene::HipScene::Options{
       .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
       .colours = settings.colours});
   subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
 
-simulation::Look lookAt(const LiveTrial& live, const Trial& trial) {
+scene::Look lookAt(const LiveTrial& live, const Trial& trial) {
   const auto status = live.status();
   return {
       .travel = status.travel,
@@ -166,9 +165,9 @@ void wait(double seconds) {
   loop.exec();
 }
 
-void savePicture(simulation::SimulationView& view, const Settings& settings, int number) {
+void savePicture(scene::SimulationView& view, const Settings& settings, int number) {
   if (settings.folder.isEmpty()) return;
-  const bool isKnee = dynamic_cast<simulation::KneeScene*>(&view.scene()) != nullptr;
+  const bool isKnee = dynamic_cast<scene::KneeScene*>(&view.scene()) != nullptr;
   const QString name = QStringLiteral("%1-%2.png")
                            .arg(isKnee ? QStringLiteral("knee") : QStringLiteral("hip"))
                            .arg(number);
@@ -178,9 +177,8 @@ void savePicture(simulation::SimulationView& view, const Settings& settings, int
 
 std::uint64_t bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
   const auto* packing = std::get_if<haptics::engine::PackingSpec>(&spec.model);
-  return packing == nullptr
-             ? 0
-             : packing->bone->packing.spheres.size() * sizeof(simulation::SphereInstance);
+  return packing == nullptr ? 0
+                            : packing->bone->packing.spheres.size() * sizeof(scene::SphereInstance);
 }
 
 Measured measure(Subject subject, const Settings& settings) {
@@ -193,10 +191,10 @@ Measured measure(Subject subject, const Settings& settings) {
   Measured measured{.allBytes = bytesOfAllSpheres(subject.spec), .making = subject.making};
   Trial trial(
       device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
-  simulation::SimulationView view(
+  scene::SimulationView view(
       std::move(subject.scene),
-      simulation::openGraphics(settings.renderer),
-      simulation::SimulationView::Pace::Unbound);
+      scene::openGraphics(settings.renderer),
+      scene::SimulationView::Pace::Unbound);
   measured.remark = view.remark();
   measured.isOnProcessor = view.renderer().isOnProcessor();
   view.resize(kPictureSize);

@@ -9,6 +9,7 @@
 #include "haptics/bench/stability_kernels.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
+#include "study/app/write_document.h"
 #include "study/bench/bench_devices.h"
 #include "study/bench/bench_report.h"
 #include "study/bench/bench_workers.h"

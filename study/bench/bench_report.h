@@ -44,8 +44,4 @@ struct ServoMeasurement {
 report::Document servoReport(const ServoMeasurement& measured);
 std::vector<Target> servoTargets(const ServoMeasurement& measured);
 
-/// Writes @p name.html with everything, a CSV file for each table and an SVG file for each figure,
-/// into a folder that is new or empty. @throws storage::StorageError  in words.
-void writeDocument(const std::string& folder, const std::string& name, report::Document document);
-
 }  // namespace study::app

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/write_document.h"
 #include "study/bench/bench_stats.h"
 
 namespace study::app {

@@ -16,7 +16,7 @@
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/measurements/material_report.h"
-#include "study/bench/bench_report.h"
+#include "study/app/write_document.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"

@@ -19,7 +19,7 @@
 #include "study/app/measurements/body_mesh.h"
 #include "study/app/measurements/packing_inputs.h"
 #include "study/app/measurements/packing_report.h"
-#include "study/bench/bench_report.h"
+#include "study/app/write_document.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"

@@ -6,7 +6,7 @@
 #include "protocols/model/library.h"
 #include "questionnaires/json/document.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using questionnaires::Severity;
@@ -74,4 +74,4 @@ std::vector<std::string> shippedProtocols() {
   return names;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -6,7 +6,7 @@
 
 #include "protocols/model/loaded_protocol.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A protocol file as it is now, and everything that is to be said about it.
 struct CheckedProtocol {
@@ -27,4 +27,4 @@ CheckedProtocol checkProtocol(const std::string& source);
 /// The names of the protocols that ship.
 std::vector<std::string> shippedProtocols();
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr int kSettlesIn = 150;  // [ms]: an editor writes in several goes
@@ -52,4 +52,4 @@ void FileWatch::lookAgain() {
   emit changed();
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

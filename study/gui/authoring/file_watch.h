@@ -9,7 +9,7 @@
 #include <QStringList>
 #include <QTimer>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Tells when one of some files has changed, also where an editor puts a new file in its place.
 class FileWatch final : public QObject {
@@ -37,4 +37,4 @@ class FileWatch final : public QObject {
   QTimer settled_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

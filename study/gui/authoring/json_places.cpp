@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string>
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 /// Walks through JSON and remembers where the longest part of a path stands that it came by.
@@ -151,4 +151,4 @@ int lineOf(std::string_view json, const questionnaires::Problem& problem) {
   return lineOf(json, std::string_view(problem.path));
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

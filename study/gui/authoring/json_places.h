@@ -4,7 +4,7 @@
 
 #include "questionnaires/json/problem.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// The line of @p json, from 0, on which stands what a JSON path means ("$.phases[3].order"); where
 /// that is not there, the line of the nearest thing around it that is. JSON that breaks off is read
@@ -15,4 +15,4 @@ int lineOf(std::string_view json, std::string_view path);
 /// or else that of its path.
 int lineOf(std::string_view json, const questionnaires::Problem& problem);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -11,7 +11,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/results/balance_words.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr int kMostOrders = 200;  // of every cohort; the command line prints more
@@ -117,4 +117,4 @@ void OrdersPage::fill() {
           .trimmed());
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

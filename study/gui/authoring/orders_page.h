@@ -12,7 +12,7 @@
 
 #include "protocols/model/protocol.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Everybody's order before anybody comes, and how balanced it is, as `palpate protocol orders`
 /// tells it.
@@ -37,4 +37,4 @@ class OrdersPage final : public QWidget {
   QTextBrowser* balance_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

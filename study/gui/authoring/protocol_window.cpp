@@ -19,7 +19,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 using questionnaires::Severity;
 
@@ -197,4 +197,4 @@ void ProtocolWindow::mark(int line) {
   text_->centerCursor();
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -9,7 +9,7 @@
 #include "study/gui/authoring/checked_protocol.h"
 #include "study/gui/authoring/file_watch.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 class TimelinePage;
 class OrdersPage;
@@ -61,4 +61,4 @@ class ProtocolWindow final : public QMainWindow {
   int marked_ = -1;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

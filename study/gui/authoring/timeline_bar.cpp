@@ -7,7 +7,7 @@
 
 #include "study/gui/widgets/theme.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr int kBarHeight = 54;  // [px]
@@ -75,4 +75,4 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

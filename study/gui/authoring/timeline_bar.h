@@ -5,7 +5,7 @@
 #include <QString>
 #include <QWidget>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A session as a bar: every phase as long as it lasts. What is felt is filled, what is read and
 /// answered is not; each says so below in words.
@@ -34,4 +34,4 @@ class TimelineBar final : public QWidget {
   double whole_ = 0.0;  ///< [s]
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -10,7 +10,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/session/session_length.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 QString asMinutes(double seconds) {
@@ -101,4 +101,4 @@ void TimelinePage::show(const protocols::LoadedProtocol& loaded) {
   bar_->show(std::move(parts));
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

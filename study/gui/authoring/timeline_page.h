@@ -7,7 +7,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/authoring/timeline_bar.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A protocol as the day of a participant: phases and steps, with the minutes that `palpate plan`
 /// takes for each.
@@ -31,4 +31,4 @@ class TimelinePage final : public QWidget {
   QTreeWidget* steps_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -5,7 +5,7 @@
 #include "study/gui/widgets/background_task.h"
 #include "study/words/counted.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 enum class Audience { Blinded, Unblinded, Public };
@@ -125,4 +125,4 @@ void ExportDialog::work() {
           .arg(target_->path(), QString::fromStdString(words::counted(sessions, "session")), what));
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

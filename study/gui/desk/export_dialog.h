@@ -12,7 +12,7 @@
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Data for others, blinded unless somebody gives a reason. For strangers: who could be found among
 /// whom stands in the window before anything is written.
@@ -40,4 +40,4 @@ class ExportDialog final : public WorkDialog {
   PathField* target_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

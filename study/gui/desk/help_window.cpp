@@ -18,7 +18,7 @@
 
 #include "study/gui/participant/participant_window.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
@@ -234,4 +234,4 @@ void HelpWindow::showTopic(const QString& topic) {
   if (contents_->count() > 0) goTo(contents_->item(0)->data(Qt::UserRole).toInt());
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

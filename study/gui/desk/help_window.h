@@ -5,7 +5,7 @@
 #include <QMainWindow>
 #include <QTextBrowser>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// The documentation as it was when the program was built, beside the windows that it is about.
 class HelpWindow final : public QMainWindow {
@@ -48,4 +48,4 @@ HelpWindow* openHelp() noexcept;
 /// Opens help on a topic, as F1 does in @p beside.
 void showHelp(const QString& topic, const QWidget* beside = nullptr);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -26,7 +26,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme_choice.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A study with its windows, in the order in which they may go.
 struct HomeWindow::OpenStudy {
@@ -294,4 +294,4 @@ void HomeWindow::readProtocol(const QString& source) {
   window->show();
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

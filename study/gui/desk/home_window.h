@@ -10,7 +10,7 @@
 #include "study/gui/desk/study_panel.h"
 #include "study/gui/operator/operator_window.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// The first window: the studies of this computer, a new one, and everything that is done with one
 /// besides running it. Opens the operator's window, and is there again when that is closed.
@@ -64,4 +64,4 @@ class HomeWindow final : public QMainWindow {
   std::unique_ptr<OpenStudy> open_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -8,7 +8,7 @@
 #include "study/gui/desk/measurement_work.h"
 #include "study/gui/widgets/background_task.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr int kMostSpheres = 2'000'000;
@@ -136,4 +136,4 @@ void BuildBoneDialog::work() {
   say(Outcome::Good, tr("%1 holds the spheres.").arg(target_->path()), *said);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

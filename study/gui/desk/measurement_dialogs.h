@@ -6,7 +6,7 @@
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Takes a cut from a recording of the punch, for a protocol.
 class ImportCutDialog final : public WorkDialog {
@@ -56,4 +56,4 @@ class BuildBoneDialog final : public WorkDialog {
   PathField* target_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

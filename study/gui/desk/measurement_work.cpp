@@ -19,7 +19,7 @@
 #include "study/session/import_recording.h"
 #include "study/storage/protocol_repository.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 namespace fs = std::filesystem;
@@ -182,4 +182,4 @@ std::string buildBoneTo(
       out);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -7,7 +7,7 @@
 
 #include "study/model/progress.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 // What the dialogs about measurements do, in any thread. Each writes a new file, overwrites
 // nothing, and says in a few lines what it made. They throw in words, and whatever the progress
@@ -32,4 +32,4 @@ std::string fitMaterialTo(
 std::string buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

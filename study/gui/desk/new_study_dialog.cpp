@@ -9,7 +9,7 @@
 #include "study/gui/widgets/attempt.h"
 #include "study/session/study.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 NewStudyDialog::NewStudyDialog(QWidget* parent)
     : WorkDialog(
@@ -95,4 +95,4 @@ void NewStudyDialog::work() {
   emit created(folder);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -8,7 +8,7 @@
 #include "study/gui/desk/work_dialog.h"
 #include "study/gui/widgets/path_field.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Makes a study from a protocol: one that ships, or a file, which is checked as soon as it is
 /// named and again whenever it changes.
@@ -42,4 +42,4 @@ class NewStudyDialog final : public WorkDialog {
   QPushButton* read_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

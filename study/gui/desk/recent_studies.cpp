@@ -6,7 +6,7 @@
 
 #include "study/gui/widgets/studio_settings.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr const char* kRecentKey = "recent-studies";
@@ -66,4 +66,4 @@ void forgetStudy(const QString& folder) {
   store(without(plainFolder(folder)));
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

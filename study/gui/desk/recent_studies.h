@@ -5,7 +5,7 @@
 #include <QDateTime>
 #include <QString>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A study that was opened on this computer.
 struct RecentStudy {
@@ -25,4 +25,4 @@ void forgetStudy(const QString& folder);
 
 inline constexpr int kMostRecent = 20;
 
-}  // namespace study::gui::home
+}  // namespace study::gui

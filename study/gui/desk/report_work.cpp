@@ -11,7 +11,7 @@
 #include "study/report/pdf_report.h"
 #include "study/session/unblinding.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 /// Before anything is computed: what would be refused at the end.
@@ -57,4 +57,4 @@ void write(const ReportOrder& order, const Progress& progress) {
   writeNewFile(order.out, page);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

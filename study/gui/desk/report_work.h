@@ -5,7 +5,7 @@
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Which report, of what.
 struct ReportOrder {
@@ -20,4 +20,4 @@ struct ReportOrder {
 /// @throws storage::StorageError, UserError  in words.
 void write(const ReportOrder& order, const Progress& progress);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -5,7 +5,7 @@
 #include "study/gui/desk/self_test.h"
 #include "study/gui/scene/graphics.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using haptics::devices::CheckResult;
@@ -38,7 +38,7 @@ CheckResult judgeScreen(const QScreen& screen) {
 
 /// Who would draw a simulation, found by trying.
 CheckResult judgeGraphics() {
-  const auto graphics = simulation::openGraphics();
+  const auto graphics = scene::openGraphics();
   return {
       graphics.remark.isEmpty() ? Finding::Pass : Finding::Warn,
       "simulation",
@@ -64,4 +64,4 @@ std::vector<SelfTestLine> testScreens() {
   return lines;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

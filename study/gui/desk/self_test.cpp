@@ -12,7 +12,7 @@
 #include "study/storage/study_schema.h"
 #include "study/trial/hardware_rig.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using haptics::devices::CheckResult;
@@ -161,4 +161,4 @@ std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progres
   return lines;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -10,7 +10,7 @@
 #include "study/model/progress.h"
 #include "study/storage/disk_check.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// One line of a self-test: of what part, and what was found there.
 struct SelfTestLine {
@@ -36,4 +36,4 @@ SelfTestLine judgeClock(
     const haptics::engine::RealtimeLoop::Report& report, bool isRealtime, double rate);
 SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -11,7 +11,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using haptics::devices::Finding;
@@ -120,4 +120,4 @@ void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
   outcome_->setVisible(true);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

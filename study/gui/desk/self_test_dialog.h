@@ -7,7 +7,7 @@
 
 #include "study/gui/desk/self_test.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Whether this computer is fit for a study day: devices, clock, database, screen; each with what
 /// was measured and what to do about it.
@@ -28,4 +28,4 @@ class SelfTestDialog final : public QDialog {
   QTableWidget* table_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

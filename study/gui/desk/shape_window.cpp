@@ -15,7 +15,7 @@
 #include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/attempt.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 QWidget* boneWindow(const std::string& path, QWidget* parent) {
@@ -30,9 +30,9 @@ QWidget* boneWindow(const std::string& path, QWidget* parent) {
   }
   const haptics::engine::PackingSpec spec{
       .bone = std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone))};
-  auto* window = new simulation::CupWindow(spec, {}, parent);
-  window->leaveOut(simulation::SphereColours::Removal);
-  if (!isFitted) window->leaveOut(simulation::SphereColours::Density);
+  auto* window = new scene::CupWindow(spec, {}, parent);
+  window->leaveOut(scene::SphereColours::Removal);
+  if (!isFitted) window->leaveOut(scene::SphereColours::Density);
   return window;
 }
 
@@ -41,10 +41,10 @@ QWidget* kneeWindow(const std::string& path, QWidget* parent) {
   const auto knee = protocols::readAnatomy(
       questionnaires::readTextFile(path, protocols::kLargestAnatomy), problems);
   if (!knee) throw questionnaires::Error(questionnaires::inWords(problems.all()));
-  auto* view = new simulation::SimulationView(
-      std::make_unique<simulation::KneeScene>(&*knee),
-      simulation::openGraphics(),
-      simulation::SimulationView::Pace::Display,
+  auto* view = new scene::SimulationView(
+      std::make_unique<scene::KneeScene>(&*knee),
+      scene::openGraphics(),
+      scene::SimulationView::Pace::Display,
       parent);
   view->setWindowFlag(Qt::Window);
   view->setAttribute(Qt::WA_DeleteOnClose);
@@ -72,4 +72,4 @@ void askForShape(QWidget* parent) {
   if (!path.isEmpty()) attempt(parent, [&] { openShape(path, parent); });
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

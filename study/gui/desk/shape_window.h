@@ -3,7 +3,7 @@
 #include <QString>
 #include <QWidget>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Opens a window with a bone (a packing, in colours that say how hard it is) or a knee (an anatomy
 /// as OBJ, with the punch in it) as trials show them.
@@ -13,4 +13,4 @@ QWidget* openShape(const QString& path, QWidget* parent);
 /// Asks for such a file, and opens it or says what is wrong with it.
 void askForShape(QWidget* parent);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -13,7 +13,7 @@
 #include "study/session/backup.h"
 #include "study/words/words.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 QString inWords(const Verification& verification) {
   QString words;
@@ -167,4 +167,4 @@ void ReportDialog::work() {
   say(Outcome::Good, tr("%1 holds the report.").arg(target_->path()));
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

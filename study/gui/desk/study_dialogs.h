@@ -12,7 +12,7 @@
 #include "study/gui/widgets/path_field.h"
 #include "study/session/verification.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Copies a study to a new folder and reads the copy again.
 class BackupDialog final : public WorkDialog {
@@ -74,4 +74,4 @@ RunMode chosenMode(const QComboBox& choice);
 /// A name for something new beside a study: "/home/a/my-study-report".
 QString beside(const std::string& folder, const QString& ending);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -5,7 +5,7 @@
 
 #include "study/gui/widgets/labels.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 StudyPanel::StudyPanel(QWidget* parent)
     : QFrame(parent),
@@ -120,4 +120,4 @@ QWidget* StudyPanel::cardOf(const UnfinishedSession& session) {
   return card;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

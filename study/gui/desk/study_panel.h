@@ -7,7 +7,7 @@
 
 #include "study/gui/desk/study_summary.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// One study: what it is, who has taken part, what can be done with it, and what can be done with
 /// every session that nobody has ended.
@@ -47,4 +47,4 @@ class StudyPanel final : public QFrame {
   QVBoxLayout* unfinished_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -4,7 +4,7 @@
 
 #include "study/session/study.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr RunMode kRunModes[]{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
@@ -71,4 +71,4 @@ RunMode likelyRunMode(const StudySummary& summary) {
   return RunMode::Live;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

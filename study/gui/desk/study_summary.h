@@ -7,7 +7,7 @@
 #include "study/model/run_mode.h"
 #include "study/session/unfinished_sessions.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// What stands about a study on the home page. Knows no condition.
 struct StudySummary {
@@ -30,4 +30,4 @@ std::string sessionsInWords(const StudySummary& summary);
 /// The run mode that most likely is meant: live where anybody took part, or else what there is.
 RunMode likelyRunMode(const StudySummary& summary);
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -17,7 +17,7 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/studio_settings.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr const char* kTourSeenKey = "tour-seen";
@@ -239,4 +239,4 @@ void Tour::showRecord() {
   record_->resizeRowsToContents();
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

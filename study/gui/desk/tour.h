@@ -18,7 +18,7 @@ class FeelPage;
 class LivePlot;
 }  // namespace study::gui
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// Three steps for whoever opens the studio for the first time: feel a punch that is not there, see
 /// what a participant sees, see what is kept. Nothing of it is written anywhere.
@@ -63,4 +63,4 @@ class Tour final : public QDialog {
   QPushButton* next_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace study::gui::home {
+namespace study::gui {
 
 VirtualPunch::VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene)
     : need_(std::move(need)),
@@ -45,4 +45,4 @@ TrialRecord VirtualPunch::finish() {
   return record;
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -8,7 +8,7 @@
 #include "study/trial/rig.h"
 #include "study/trial/trial.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A punch that is not there, under somebody's mouse: ticks a thousand times a second as in a
 /// study, and keeps what was felt in memory only.
@@ -41,4 +41,4 @@ class VirtualPunch {
   std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

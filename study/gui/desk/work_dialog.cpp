@@ -4,7 +4,7 @@
 
 #include "study/gui/widgets/labels.h"
 
-namespace study::gui::home {
+namespace study::gui {
 
 WorkDialog::WorkDialog(
     const QString& title, const QString& what, const QString& verb, QWidget* parent)
@@ -79,4 +79,4 @@ void WorkDialog::clear() {
   tellMore(QString());
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

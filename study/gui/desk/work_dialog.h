@@ -7,7 +7,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A few questions, a button that does the work, and what came of it, in one window.
 class WorkDialog : public QDialog {
@@ -43,4 +43,4 @@ class WorkDialog : public QDialog {
   QPushButton* go_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

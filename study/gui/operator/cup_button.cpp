@@ -69,7 +69,7 @@ void CupButton::follow(SessionController* controller) {
   refresh();
 }
 
-simulation::CupWindow::Present CupButton::present() const {
+scene::CupWindow::Present CupButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
   auto* cup = controller_->seenCup();
   if (cup == nullptr || cup->spheres() == nullptr) return {};
@@ -108,7 +108,7 @@ void CupButton::openWindow() {
   if (present().seen == nullptr) return;  // the trial has ended meanwhile
   if (window_.isNull()) {
     const auto setup = setupFor(controller_->session(), {});
-    window_ = new simulation::CupWindow(
+    window_ = new scene::CupWindow(
         std::get<PackingSpec>(setup.scene.model), [this] { return present(); }, window());
   }
   window_->show();

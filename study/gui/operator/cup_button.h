@@ -32,11 +32,11 @@ class CupButton final : public QPushButton {
   /// Asks where a participant would see the window, too; No is what Enter says.
   bool mayShow();
   void openWindow();
-  simulation::CupWindow::Present present() const;
+  scene::CupWindow::Present present() const;
 
   SessionController* controller_ = nullptr;
   bool isAllowed_ = false;
-  QPointer<simulation::CupWindow> window_;
+  QPointer<scene::CupWindow> window_;
 };
 
 }  // namespace study::gui

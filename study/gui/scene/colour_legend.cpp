@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QPainter>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr int kMarks = 5;
@@ -109,4 +109,4 @@ void ColourLegend::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

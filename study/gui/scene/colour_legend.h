@@ -7,7 +7,7 @@
 
 #include "study/gui/scene/shapes/bone_tints.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What the colours of a bone mean: a scale with its numbers and their unit, in words as well for
 /// those who do not see it.
@@ -41,4 +41,4 @@ class ColourLegend final : public QWidget {
   bool hasUntouched_ = false;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -11,7 +11,7 @@
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/software_renderer.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -130,4 +130,4 @@ void CupPainter::showPicture(const QImage& picture) {
       this, [this, picture] { emit painted(picture); }, Qt::QueuedConnection);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

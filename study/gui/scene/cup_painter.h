@@ -15,7 +15,7 @@
 #include "haptics/engine/scene_spec.h"
 #include "study/gui/scene/shapes/bone_tints.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Draws a cup in colours for a researcher, on a thread of its own that stands back where others
 /// want the processor: whoever feels and sees the trial is served first. At most 15 pictures a
@@ -44,7 +44,7 @@ class CupPainter final : public QObject {
  signals:
   void painted(const QImage& picture);
   /// What the ends of the colours of densities mean.
-  void measured(study::gui::simulation::DensityRange range);
+  void measured(study::gui::scene::DensityRange range);
   /// Nothing more will be painted: why, in words.
   void failed(const QString& why);
 
@@ -73,4 +73,4 @@ class CupPainter final : public QObject {
   std::jthread thread_;   // last: joined before what it uses goes
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

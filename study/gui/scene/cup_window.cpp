@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr int kLookAgain = 67;      // [ms]
@@ -117,4 +117,4 @@ void CupWindow::resizeEvent(QResizeEvent* event) {
   painter_->resize(pictureSize());
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

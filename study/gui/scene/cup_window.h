@@ -13,7 +13,7 @@
 #include "study/gui/scene/cup_painter.h"
 #include "study/gui/scene/hip_scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A bone for a researcher: coloured by how hard it is or by what the reamer has taken, with what
 /// the colours mean. Still, or as a participant reams it.
@@ -56,4 +56,4 @@ class CupWindow final : public QWidget {
   QTimer look_;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr double kPerMicrosecond = 1e-3;  // of a nanosecond
@@ -35,4 +35,4 @@ ViewReport FrameStatistics::report() const {
   return report;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -5,7 +5,7 @@
 #include "haptics/timing/lateness_histogram.h"
 #include "study/model/view_report.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Counts frames: how many, how far apart, how old what they show.
 class FrameStatistics {
@@ -30,4 +30,4 @@ class FrameStatistics {
   haptics::timing::LatenessHistogram latencies_;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

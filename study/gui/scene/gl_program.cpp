@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 GlProgram::GlProgram(
     QOpenGLExtraFunctions& gl, const QByteArray& vertexCode, const QByteArray& fragmentCode)
@@ -48,4 +48,4 @@ void GlProgram::set(const char* name, float value) {
   gl_.glUniform1f(at(name), value);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

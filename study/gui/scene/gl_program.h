@@ -4,7 +4,7 @@
 #include <QOpenGLExtraFunctions>
 #include <QString>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What runs on the graphics card. Its context is current whenever it is used, and outlives it.
 class GlProgram {
@@ -29,4 +29,4 @@ class GlProgram {
   GLuint id_ = 0;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

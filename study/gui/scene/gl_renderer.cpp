@@ -5,7 +5,7 @@
 
 #include "study/gui/scene/gl_shaders.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr GLenum kBgra = 0x80E1;         // GL_BGRA
@@ -257,4 +257,4 @@ void GlRenderer::readBack(QSize size) {
   gl_.glReadPixels(0, 0, size.width(), size.height(), kBgra, kWholePixels, picture_.bits());
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -10,7 +10,7 @@
 #include "study/gui/scene/gl_program.h"
 #include "study/gui/scene/renderer.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Draws scenes with OpenGL 3.3, beside the screen, and reads the picture back: the window stays an
 /// ordinary one, and everything is alike whoever draws. What changes is handed on, and nothing
@@ -75,4 +75,4 @@ class GlRenderer final : public Renderer {
   QImage picture_;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// EXACT is defined where a graphics card draws: light and depth are then computed at every pixel,
 /// otherwise light at every vertex, and a sphere's depth once.
@@ -155,4 +155,4 @@ void main() {
 }
 )glsl";
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -8,11 +8,11 @@
 #include "study/gui/scene/gl_renderer.h"
 #include "study/gui/scene/software_renderer.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 QString said(const char* words) {
-  return QCoreApplication::translate("study::gui::simulation", words);
+  return QCoreApplication::translate("study::gui::scene", words);
 }
 
 Graphics onProcessor(const QString& why) {
@@ -54,4 +54,4 @@ Graphics openGraphics(RendererChoice choice) {
   }
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

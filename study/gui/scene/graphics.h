@@ -6,7 +6,7 @@
 
 #include "study/gui/scene/renderer.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Who draws on this computer, and what there is to say about it.
 struct Graphics {
@@ -26,4 +26,4 @@ enum class RendererChoice {
 /// Never fails: the processor draws where nothing else does.
 Graphics openGraphics(RendererChoice choice = RendererChoice::Best);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -7,7 +7,7 @@
 #include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kPerMetre = 1000.0F;
@@ -111,4 +111,4 @@ void HipScene::follow(const Look& look, double seconds) {
   scene_.parts[Shaft].pose = pose;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

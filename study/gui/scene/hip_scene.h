@@ -8,7 +8,7 @@
 #include "haptics/reaming/packing/packed_bone.h"
 #include "study/gui/scene/simulated_scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A cup that is reamed, cut open along its axis so that one sees the reamer at work: the spheres
 /// of the condition's bone, or a plain cup where there are none.
@@ -48,4 +48,4 @@ class HipScene final : public SimulatedScene {
   float spin_ = 0.0F;   ///< [°]
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -6,7 +6,7 @@
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/scene/shapes/punch_shape.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr double kClosed = 10.0;       // [travel units]
@@ -128,4 +128,4 @@ void KneeScene::movePiece(double seconds) {
   pose.translate(-middle);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

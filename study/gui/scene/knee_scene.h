@@ -7,7 +7,7 @@ namespace protocols {
 struct Anatomy;
 }
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A knee as an arthroscope shows it, with a punch at the meniscus; beside it the whole punch, so
 /// that its handles can be seen.
@@ -48,4 +48,4 @@ class KneeScene final : public SimulatedScene {
   float toMoveOn_ = 0.0F;  ///< of the tissue, under the punch [°]
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

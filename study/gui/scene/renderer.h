@@ -8,7 +8,7 @@
 
 #include "study/gui/scene/scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Draws scenes. One scene all along: a renderer may keep copies of its bodies.
 class Renderer {
@@ -31,4 +31,4 @@ class Renderer {
   virtual std::uint64_t sphereBytes() const = 0;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

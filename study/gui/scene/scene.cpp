@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 QRect placeOf(const Shot& shot, QSize size) {
   const QRectF place(
@@ -31,4 +31,4 @@ QMatrix4x4 projectionOf(const Shot& shot, QSize place) {
   return projection;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -10,7 +10,7 @@
 #include "study/gui/scene/shapes/mesh.h"
 #include "study/gui/scene/shapes/sphere_cloud.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A body in a scene, where it is now.
 struct Part {
@@ -56,4 +56,4 @@ QRect placeOf(const Shot& shot, QSize size);
 /// From the eye's frame to the square from −1 to 1, y up.
 QMatrix4x4 projectionOf(const Shot& shot, QSize place);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

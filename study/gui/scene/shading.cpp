@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kBehind = -0.25F;
@@ -59,4 +59,4 @@ float vignette(float radius) {
   return edge * (1.0F - 0.5F * square * square);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

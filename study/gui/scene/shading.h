@@ -2,7 +2,7 @@
 
 #include "study/gui/scene/scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// How bright things are, for the renderer that has no shaders; gl_shaders.h says the same.
 ///
@@ -26,4 +26,4 @@ inline float linear(std::uint8_t channel) {
   return c * c;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

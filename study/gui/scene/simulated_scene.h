@@ -5,7 +5,7 @@
 #include "haptics/engine/compiled_scene.h"
 #include "study/gui/scene/scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What is known of a trial when a picture is drawn.
 struct Look {
@@ -32,4 +32,4 @@ class SimulatedScene {
   virtual const Scene& scene() const noexcept = 0;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

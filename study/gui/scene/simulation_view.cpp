@@ -9,7 +9,7 @@
 
 #include "haptics/timing/monotonic_clock.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 namespace timing = haptics::timing;
@@ -97,4 +97,4 @@ void SimulationView::noteShown() {
   next_.start(static_cast<int>(std::max<std::int64_t>(0, wait) / timing::kMillisecond));
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

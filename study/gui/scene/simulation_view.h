@@ -12,7 +12,7 @@
 #include "study/gui/scene/graphics.h"
 #include "study/gui/scene/simulated_scene.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A simulated scene in a window: asks for the newest that is known just before it draws, again and
 /// again, and counts its frames while a trial runs. Takes no mouse and no key.
@@ -67,4 +67,4 @@ class SimulationView final : public QWidget {
   bool wasRunning_ = false;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

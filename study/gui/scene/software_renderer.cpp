@@ -5,7 +5,7 @@
 
 #include "study/gui/scene/shading.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 QRgb asPixel(float red, float green, float blue) {
@@ -252,4 +252,4 @@ void SoftwareRenderer::darkenRim(const Frame& frame) {
   }
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -4,7 +4,7 @@
 
 #include "study/gui/scene/renderer.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Draws scenes on the processor alone, where there is no OpenGL: light is computed at vertices,
 /// every pixel remembers how near it is.
@@ -45,4 +45,4 @@ class SoftwareRenderer final : public Renderer {
   std::uint64_t sphereBytes_ = 0;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

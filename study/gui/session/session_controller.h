@@ -18,7 +18,7 @@
 
 namespace study::gui {
 
-namespace simulation {
+namespace scene {
 class HipScene;
 }
 
@@ -51,8 +51,8 @@ class SessionController final : public QObject {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
   /// Whom to ask for the cup that the participant sees; nobody where none is seen.
-  void showCupBy(std::function<simulation::HipScene*()> cup) { cup_ = std::move(cup); }
-  simulation::HipScene* seenCup() const { return cup_ ? cup_() : nullptr; }
+  void showCupBy(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
+  scene::HipScene* seenCup() const { return cup_ ? cup_() : nullptr; }
   /// The next sample for a plot.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
@@ -132,7 +132,7 @@ class SessionController final : public QObject {
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
   std::function<std::optional<ViewReport>()> viewReport_;
-  std::function<simulation::HipScene*()> cup_;
+  std::function<scene::HipScene*()> cup_;
   QTimer watch_;
   bool isAllKept_ = true;  ///< of what was handed on since keepAll() was asked
 };

@@ -16,19 +16,19 @@
 namespace study::gui {
 namespace {
 
-using simulation::SimulationView;
+using scene::SimulationView;
 
 /// @param knee  that is seen in place of ours; nothing: ours.
-std::unique_ptr<simulation::SimulatedScene> simulatedSceneOf(
+std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
     const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
   if (spec.device == haptics::devices::DeviceKind::Punch) {
-    return std::make_unique<simulation::KneeScene>(knee);
+    return std::make_unique<scene::KneeScene>(knee);
   }
-  return std::make_unique<simulation::HipScene>(simulation::HipScene::Options{
-      .packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
+  return std::make_unique<scene::HipScene>(
+      scene::HipScene::Options{.packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
 }
 
-simulation::Look lookAt(const SessionController& controller) {
+scene::Look lookAt(const SessionController& controller) {
   const auto status = controller.trialStatus();
   return {
       .travel = status.travel,
@@ -46,7 +46,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
   const auto* condition = session.protocol().protocol.condition(session.step().condition);
   auto* view = new SimulationView(
       simulatedSceneOf(spec, condition->knee.get()),
-      simulation::openGraphics(),
+      scene::openGraphics(),
       SimulationView::Pace::Display,
       &place);
   place.layout()->addWidget(view);
@@ -55,8 +55,8 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
     if (seen.isNull()) return std::nullopt;
     return seen->report();
   });
-  controller.showCupBy([seen = QPointer(view)]() -> simulation::HipScene* {
-    return seen.isNull() ? nullptr : dynamic_cast<simulation::HipScene*>(&seen->scene());
+  controller.showCupBy([seen = QPointer(view)]() -> scene::HipScene* {
+    return seen.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&seen->scene());
   });
 }
 
@@ -101,7 +101,7 @@ bool isAnythingSeen(const protocols::Protocol& protocol) {
 
 QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
   if (!isAnythingSeen(protocol)) return nullptr;
-  const QString remark = simulation::openGraphics().remark;
+  const QString remark = scene::openGraphics().remark;
   if (remark.isEmpty()) return nullptr;
   auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
   line->setToolTip(remark);  // what to do about it as well

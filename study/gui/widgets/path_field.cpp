@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-namespace study::gui::home {
+namespace study::gui {
 
 PathField::PathField(Kind kind, const QString& name, const QString& filter, QWidget* parent)
     : QWidget(parent), kind_(kind), name_(name), filter_(filter), line_(new QLineEdit(this)) {
@@ -44,4 +44,4 @@ void PathField::choose() {
   if (!chosen.isEmpty()) setPath(chosen);
 }
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <QWidget>
 
-namespace study::gui::home {
+namespace study::gui {
 
 /// A path to be written or chosen.
 class PathField final : public QWidget {
@@ -30,4 +30,4 @@ class PathField final : public QWidget {
   QLineEdit* line_;
 };
 
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr Tint kCortical{246, 231, 209, 40};
@@ -89,4 +89,4 @@ Tint removalTint(float share) {
   return along(kInferno, share);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

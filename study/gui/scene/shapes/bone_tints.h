@@ -3,7 +3,7 @@
 #include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/scene/shapes/sphere_cloud.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What the ends of the colours of a density mean.
 struct DensityRange {
@@ -43,4 +43,4 @@ Tint untouchedTint();
 /// bright as well, and nowhere like an untouched one.
 Tint removalTint(float share);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

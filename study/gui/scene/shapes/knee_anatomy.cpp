@@ -6,7 +6,7 @@
 #include "study/gui/scene/shapes/meniscus.h"
 #include "study/gui/scene/shapes/punch_shape.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 using protocols::NamedSurface;
@@ -96,4 +96,4 @@ std::string kneeAsObj(const KneeLayout& layout) {
   return text;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -7,7 +7,7 @@
 #include "study/gui/scene/shapes/knee_layout.h"
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What surrounds the meniscus.
 struct KneeSurfaces {
@@ -24,4 +24,4 @@ KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* ow
 /// anatomies can be fitted to. Meniscus and punch are in it for orientation.
 std::string kneeAsObj(const KneeLayout& layout);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 QVector3D onArc(const KneeLayout& layout, float angle, float radius) {
   constexpr float kDegree = 3.14159265F / 180.0F;
@@ -48,4 +48,4 @@ QMatrix4x4 punchPose(const KneeLayout& layout) {
       1.0F};
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -3,7 +3,7 @@
 #include <QMatrix4x4>
 #include <QVector3D>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Where things lie in the knee that we draw: x to the right, y up, the shin's plateau below, the
 /// meniscus as a crescent behind, its horns towards the eye [mm].
@@ -28,4 +28,4 @@ QVector3D punchMouth(const KneeLayout& layout);
 /// Where the punch is: from its own frame to the knee's.
 QMatrix4x4 punchPose(const KneeLayout& layout);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

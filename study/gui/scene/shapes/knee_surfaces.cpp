@@ -5,7 +5,7 @@
 
 #include "study/gui/scene/shapes/solids.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr Tint kCartilageShade{229, 214, 194, 190};
@@ -136,4 +136,4 @@ Mesh capsuleSurface(const KneeLayout& layout) {
       });
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -3,7 +3,7 @@
 #include "study/gui/scene/shapes/knee_layout.h"
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// How cartilage and a joint's capsule look where they are not painted more finely.
 inline constexpr Tint kCartilage{238, 231, 216, 205};
@@ -15,4 +15,4 @@ Mesh plateauSurface(const KneeLayout& layout);
 Mesh condyleSurface();
 Mesh capsuleSurface(const KneeLayout& layout);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -6,7 +6,7 @@
 
 #include "study/gui/scene/shapes/punch_shape.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kDegrees = 180.0F / 3.14159265F;
@@ -190,4 +190,4 @@ void Meniscus::squeeze(const Squeeze& squeeze) {
   shape(piece_, middle - half, middle + half, true, squeeze);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

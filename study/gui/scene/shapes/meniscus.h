@@ -6,7 +6,7 @@
 #include "study/gui/scene/shapes/knee_layout.h"
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// The meniscus that is drawn: a wedge bent to a crescent, thin at its free edge. It gives way as
 /// the finite-element mesh does, keeps clear of the jaws, and parts where it is cut: a bite is then
@@ -61,4 +61,4 @@ class Meniscus {
   Mesh piece_;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

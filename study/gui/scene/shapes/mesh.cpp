@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 using PlaceKey = std::array<std::int64_t, 3>;
@@ -140,4 +140,4 @@ double volumeOf(const Mesh& mesh) {
   return sixfold / 6.0;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

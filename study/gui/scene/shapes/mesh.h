@@ -6,7 +6,7 @@
 #include <QMatrix4x4>
 #include <QVector3D>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// A colour as it is drawn; gloss says how wet or polished a surface looks (0 dull, 255 mirror).
 struct Tint {
@@ -61,4 +61,4 @@ std::size_t openEdges(const Mesh& mesh);
 /// What a closed surface holds [mm³]; below 0 where it is inside out.
 double volumeOf(const Mesh& mesh);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

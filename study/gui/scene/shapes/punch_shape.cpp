@@ -4,7 +4,7 @@
 
 #include "study/gui/scene/shapes/solids.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr Tint kSteel{186, 190, 196, 242};
@@ -170,4 +170,4 @@ float jawHeight(float openness, float x) {
   return kPivotHeight + x * std::tan(angle) - kBelowThePivot / std::cos(angle);
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -2,7 +2,7 @@
 
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// An arthroscopic punch of our own making, in a frame of its own: the jaw's hinge at the origin,
 /// its tip along x, its upper jaw along y [mm].
@@ -28,4 +28,4 @@ inline constexpr float kJawHalfWidth = 1.45F;
 /// The height of the upper jaw's edge above the lower jaw at @p x from the hinge [mm].
 float jawHeight(float openness, float x);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -5,7 +5,7 @@
 
 #include "study/gui/scene/shapes/solids.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -114,4 +114,4 @@ ReamerShape reamerShape(float radius) {
   return shape;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

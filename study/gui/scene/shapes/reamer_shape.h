@@ -2,7 +2,7 @@
 
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// An acetabular reamer of our own making: half a sphere of @p radius [mm] around the origin with
 /// its teeth towards +z, on a shaft along −z.
@@ -13,4 +13,4 @@ struct ReamerShape {
 
 ReamerShape reamerShape(float radius);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

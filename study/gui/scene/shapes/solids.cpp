@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
@@ -157,4 +157,4 @@ Mesh sheet(const std::vector<QVector3D>& places, int columns) {
   return mesh;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -6,7 +6,7 @@
 
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// Places around something, in order, the last followed by the first.
 using Ring = std::vector<QVector3D>;
@@ -43,4 +43,4 @@ Mesh turned(const std::vector<QVector2D>& profile, int corners = 64);
 /// row. Not closed. Seen from where columns run to the right and rows run up, it is in front.
 Mesh sheet(const std::vector<QVector3D>& places, int columns);
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

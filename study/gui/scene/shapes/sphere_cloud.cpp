@@ -5,7 +5,7 @@
 
 #include "study/gui/scene/shapes/bone_tints.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr float kPerMetre = 1000.0F;
@@ -282,4 +282,4 @@ std::size_t SphereCloud::uploadChanges(const Upload& upload) {
   return sent;
 }
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

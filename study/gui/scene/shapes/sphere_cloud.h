@@ -12,7 +12,7 @@
 #include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/scene/shapes/mesh.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 
 /// What the colour of a sphere says.
 enum class SphereColours {
@@ -109,4 +109,4 @@ class SphereCloud {
   bool isAllNew_ = true;
 };
 
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 constexpr std::string_view kJson = R"({
@@ -68,4 +68,4 @@ TEST(JsonPlaces, ShowsWhereAnotherFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -15,7 +15,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 std::string shipped(std::string_view name) {
@@ -136,4 +136,4 @@ TEST_F(ProtocolWindowTest, SaysThatAFileIsGone) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -12,7 +12,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using haptics::devices::Finding;
@@ -119,4 +119,4 @@ TEST_F(SelfTestOfAStudy, ShowsALineForEverythingInItsWindow) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -18,7 +18,7 @@
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 class ShapeWindow : public testing::Test {
@@ -35,9 +35,8 @@ class ShapeWindow : public testing::Test {
 TEST_F(ShapeWindow, ShowsABoneByHowHardItIs) {
   const auto& bone = *haptics::engine::parametricBone();
   auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
-  const auto* legend = window->findChild<simulation::ColourLegend*>();
-  const QSignalSpy painted(
-      window->findChild<simulation::CupPainter*>(), &simulation::CupPainter::painted);
+  const auto* legend = window->findChild<scene::ColourLegend*>();
+  const QSignalSpy painted(window->findChild<scene::CupPainter*>(), &scene::CupPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 0; }, 20'000));
   EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
   EXPECT_EQ(window->findChild<QComboBox*>()->count(), 2);  // nothing is removed here
@@ -52,14 +51,14 @@ TEST_F(ShapeWindow, OffersNoColoursOfABoneThatHasNoDensities) {
   bone.maximum.clear();
   auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
   EXPECT_EQ(window->findChild<QComboBox*>()->count(), 1);
-  EXPECT_TRUE(window->findChild<simulation::ColourLegend*>()->marks().empty());
+  EXPECT_TRUE(window->findChild<scene::ColourLegend*>()->marks().empty());
 }
 
 TEST_F(ShapeWindow, ShowsAKneeAsATrialDoes) {
-  auto* window = open(folder_.write("knee.obj", simulation::kneeAsObj({})));
-  auto* view = dynamic_cast<simulation::SimulationView*>(window);
+  auto* window = open(folder_.write("knee.obj", scene::kneeAsObj({})));
+  auto* view = dynamic_cast<scene::SimulationView*>(window);
   ASSERT_NE(view, nullptr);
-  EXPECT_NE(dynamic_cast<simulation::KneeScene*>(&view->scene()), nullptr);
+  EXPECT_NE(dynamic_cast<scene::KneeScene*>(&view->scene()), nullptr);
 }
 
 TEST_F(ShapeWindow, SaysWhatIsWrongWithAFile) {
@@ -69,4 +68,4 @@ TEST_F(ShapeWindow, SaysWhatIsWrongWithAFile) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

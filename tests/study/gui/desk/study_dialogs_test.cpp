@@ -20,7 +20,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 /// A study in which eight people who do not exist took part, once for all tests.
@@ -157,4 +157,4 @@ TEST_F(StudyDialogsTest, ExportShowsWhoCouldBeFoundBeforeAnythingIsWritten) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -10,7 +10,7 @@
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using tests::buttonSaying;
@@ -81,4 +81,4 @@ TEST_F(TourTest, NamesNoConditionWhereAParticipantWouldLook) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -21,7 +21,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 class HelpTest : public testing::Test {
@@ -142,4 +142,4 @@ TEST_F(HelpTest, ShowsItsPicturesAndTheOtherPages) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

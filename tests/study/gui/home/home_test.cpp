@@ -17,7 +17,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 using tests::buttonSaying;
@@ -184,4 +184,4 @@ TEST_F(HomeTest, OffersWhatCanBeDoneAfterACrashAndGoesOnThere) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

@@ -17,7 +17,7 @@
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 
-namespace study::gui::home {
+namespace study::gui {
 namespace {
 
 class MeasurementTest : public testing::Test {
@@ -100,4 +100,4 @@ TEST_F(MeasurementTest, NothingIsOverwritten) {
 }
 
 }  // namespace
-}  // namespace study::gui::home
+}  // namespace study::gui

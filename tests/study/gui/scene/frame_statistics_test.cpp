@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
@@ -47,4 +47,4 @@ TEST(ViewReport, IsSaidInNumbersAndWithWhoDrew) {
 }
 
 }  // namespace
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

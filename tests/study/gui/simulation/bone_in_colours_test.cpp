@@ -25,8 +25,8 @@ class BoneInColours : public tests::VisualisedTrial {
     }
     return nullptr;
   }
-  simulation::HipScene* seen() const { return window_->controller()->seenCup(); }
-  static bool isNeutral(const simulation::SphereCloud& cloud) {
+  scene::HipScene* seen() const { return window_->controller()->seenCup(); }
+  static bool isNeutral(const scene::SphereCloud& cloud) {
     const auto& all = cloud.instances();
     return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
       return sphere.radius == 0.0F || sphere.tint.red >= sphere.tint.blue;
@@ -51,13 +51,13 @@ TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
   reamALittle();
   EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
   EXPECT_EQ(colours(), nullptr);  // nobody has asked
-  EXPECT_EQ(window_->findChild<simulation::CupPainter*>(), nullptr);
+  EXPECT_EQ(window_->findChild<scene::CupPainter*>(), nullptr);
 
   button()->click();
   ASSERT_NE(colours(), nullptr);
-  auto* painter = colours()->findChild<simulation::CupPainter*>();
-  auto* legend = colours()->findChild<simulation::ColourLegend*>();
-  const QSignalSpy painted(painter, &simulation::CupPainter::painted);
+  auto* painter = colours()->findChild<scene::CupPainter*>();
+  auto* legend = colours()->findChild<scene::ColourLegend*>();
+  const QSignalSpy painted(painter, &scene::CupPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 1; }, 20'000));
   EXPECT_EQ(legend->marks().size(), 5U);
   EXPECT_TRUE(legend->marks().front().startsWith(QStringLiteral("≤ ")));

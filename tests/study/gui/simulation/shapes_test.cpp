@@ -8,7 +8,7 @@
 #include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 using haptics::engine::MeshView;
@@ -149,4 +149,4 @@ TEST_F(MeniscusTest, IsWholeUnderThePunchWhenItHasMovedOn) {
 }
 
 }  // namespace
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

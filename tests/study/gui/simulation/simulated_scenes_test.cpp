@@ -9,7 +9,7 @@
 #include "study/gui/scene/software_renderer.h"
 #include "tests/study/gui/pictures.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr QSize kSize(640, 400);
@@ -190,4 +190,4 @@ TEST(PlainCup, IsShownWhereTheForceComesFromACurve) {
 }
 
 }  // namespace
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

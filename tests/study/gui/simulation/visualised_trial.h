@@ -23,7 +23,7 @@ using study::StepKind;
 using study::Study;
 using study::SystemClock;
 using study::gui::OperatorWindow;
-using study::gui::simulation::SimulationView;
+using study::gui::scene::SimulationView;
 
 class VisualisedTrial : public testing::Test {
  protected:

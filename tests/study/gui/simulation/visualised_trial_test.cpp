@@ -64,7 +64,7 @@ TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
   folder_.write("knee.obj", "o femur\n");
   beginWith(*loaded);
   ASSERT_NE(view(), nullptr);
-  const auto* scene = dynamic_cast<simulation::KneeScene*>(&view()->scene());
+  const auto* scene = dynamic_cast<scene::KneeScene*>(&view()->scene());
   ASSERT_NE(scene, nullptr);
   EXPECT_EQ(scene->scene().parts[1].mesh.vertices.size(), 3U);
   window_.reset();
@@ -80,7 +80,7 @@ TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
 TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
   beginWith(reamingThatIsSeen());
   ASSERT_NE(view(), nullptr);
-  auto* hip = dynamic_cast<simulation::HipScene*>(&view()->scene());
+  auto* hip = dynamic_cast<scene::HipScene*>(&view()->scene());
   ASSERT_NE(hip, nullptr);
   ASSERT_NE(hip->spheres(), nullptr);
   const std::size_t whole = hip->spheres()->shown();

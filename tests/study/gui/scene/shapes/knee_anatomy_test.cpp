@@ -7,7 +7,7 @@
 #include "study/gui/scene/software_renderer.h"
 #include "tests/study/gui/pictures.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 constexpr QSize kSize(640, 400);
@@ -91,4 +91,4 @@ TEST(KneeAnatomy, LeavesTheMeniscusToTheFiniteElements) {
 }
 
 }  // namespace
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene

@@ -9,7 +9,7 @@
 #include "haptics/engine/parametric_bone.h"
 #include "study/gui/scene/shapes/bone_tints.h"
 
-namespace study::gui::simulation {
+namespace study::gui::scene {
 namespace {
 
 using haptics::engine::SphereChange;
@@ -188,4 +188,4 @@ TEST_F(SphereCloudTest, TellsAnotherWhatHasBecomeOfIt) {
 }
 
 }  // namespace
-}  // namespace study::gui::simulation
+}  // namespace study::gui::scene
