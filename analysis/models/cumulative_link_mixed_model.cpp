@@ -20,9 +20,9 @@ namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr double kSingular = 1e-4;        // standard deviation [logits]
+constexpr double kSingularLogits = 1e-4;  // standard deviation [logits]
 constexpr double kInfiniteEffect = 50.0;  // standard error of an effect of standardised columns
-constexpr double kStarts[] = {1.0, 0.3};
+constexpr double kStartingLogits[] = {1.0, 0.3};
 
 /// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1.
 struct Standardised {
@@ -125,7 +125,7 @@ bool hasSingular(const Minimum& minimum, std::size_t deviations) {
   return std::any_of(
       minimum.at.end() - static_cast<std::ptrdiff_t>(deviations),
       minimum.at.end(),
-      [](double deviation) { return std::abs(deviation) < kSingular; });
+      [](double deviation) { return std::abs(deviation) < kSingularLogits; });
 }
 
 /// Without random intercepts first; from there with them, again from a second start where the
@@ -140,7 +140,7 @@ std::optional<Minimum> bestFit(
   if (random.empty()) return marginal;
 
   std::optional<Minimum> best;
-  for (const double deviation : kStarts) {
+  for (const double deviation : kStartingLogits) {
     LaplaceLikelihood likelihood(answers.indices, answers.levels.size(), x.columns, random);
     start = marginal.at;
     start.resize(likelihood.parameters(), deviation);
@@ -213,7 +213,7 @@ CumulativeLinkFit fitOf(
          .levels = random[k].levels.size(),
          .variance = deviation * deviation,
          .standardDeviation = deviation,
-         .isSingular = deviation < kSingular});
+         .isSingular = deviation < kSingularLogits});
   }
   return fit;
 }

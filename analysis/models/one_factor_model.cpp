@@ -8,10 +8,10 @@
 namespace analysis {
 namespace {
 
-using Matrix = std::span<const std::vector<double>>;
-using Vector = std::vector<double>;
+using Correlations = std::span<const std::vector<double>>;
+using Loadings = std::vector<double>;
 
-void check(Matrix correlations) {
+void check(Correlations correlations) {
   constexpr std::size_t kFewest = 3;
   if (correlations.size() < kFewest) {
     throw std::invalid_argument("one factor needs three items to be determined");
@@ -24,20 +24,20 @@ void check(Matrix correlations) {
   }
 }
 
-double product(const Vector& a, const Vector& b) {
+double product(const Loadings& a, const Loadings& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 /// The first principal component, roughly: a place to begin.
-Vector principalComponent(Matrix correlations) {
+Loadings principalComponent(Correlations correlations) {
   constexpr int kSteps = 200;
-  Vector component(correlations.size());
+  Loadings component(correlations.size());
   for (std::size_t i = 0; i < component.size(); ++i) {
     component[i] = 1.0 + 0.01 * static_cast<double>(i);  // at right angles to nothing in particular
   }
   double length = 0.0;
   for (int step = 0; step < kSteps; ++step) {
-    Vector next;
+    Loadings next;
     for (const auto& row : correlations) next.push_back(product(row, component));
     length = std::sqrt(product(next, next));
     if (length == 0.0) break;
@@ -49,7 +49,7 @@ Vector principalComponent(Matrix correlations) {
 }
 
 /// The best value of one loading, the others being as they are.
-double bestLoading(Matrix correlations, const Vector& loadings, std::size_t i) {
+double bestLoading(Correlations correlations, const Loadings& loadings, std::size_t i) {
   const double squares = product(loadings, loadings) - loadings[i] * loadings[i];
   if (!(squares > 0.0)) return loadings[i];
   const double explained = product(correlations[i], loadings) - correlations[i][i] * loadings[i];

@@ -8,10 +8,10 @@
 #include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
+#include "analysis/numerics/tail_probabilities.h"
+
 namespace analysis {
 namespace {
-
-constexpr double kSmallestExactP = 1e-300;
 
 bool isPositive(double number) {
   return number > 0.0 && std::isfinite(number);

@@ -11,10 +11,11 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/tools/fraction.hpp>
 
+#include "analysis/numerics/tail_probabilities.h"
+
 namespace analysis {
 namespace {
 
-constexpr double kSmallestExactP = 1e-300;
 constexpr double kLargeT = 1e100;  // its square is still a double
 constexpr double kSmallT = 0.6;    // the centre holds less than half of any Student's law
 

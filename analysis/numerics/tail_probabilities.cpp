@@ -4,14 +4,12 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 
 namespace analysis {
 namespace {
 
-constexpr double kSmallestExactP = 1e-300;
 constexpr double kFarOut = 30.0;  // standard deviations
 
 /// ln P(Z ≥ x) for x far out: Laplace's asymptotic series, Σ (−1)ⁿ (2n − 1)!! / x²ⁿ.
@@ -36,30 +34,9 @@ double logFarGammaTail(double a, double x) {
   return -x + a * std::log(x) - boost::math::lgamma(a) - std::log(fraction);
 }
 
-/// ln I_x(a, b) for a small one: the hypergeometric series, whose terms are all positive.
-double logSmallBeta(double a, double b, double logX, double x, double logY) {
-  double sum = 1.0;
-  double term = 1.0;
-  for (double n = 0.0; term > 1e-17 * sum; ++n) {
-    term *= (a + b + n) / (a + 1.0 + n) * x;
-    sum += term;
-  }
-  const double logBeta = std::log(boost::math::beta(a, b));
-  const double logOfBeta =
-      std::isfinite(logBeta)
-          ? logBeta
-          : boost::math::lgamma(a) + boost::math::lgamma(b) - boost::math::lgamma(a + b);
-  return a * logX + b * logY - std::log(a) - logOfBeta + std::log(sum);
-}
-
 void requireChiSquared(double x, double degreesOfFreedom) {
   if (!(x >= 0.0) || !std::isfinite(x)) throw std::invalid_argument("chi-squared is not negative");
   if (!(degreesOfFreedom > 0.0)) throw std::invalid_argument("degrees of freedom are positive");
-}
-
-void requireF(double f, double df1, double df2) {
-  if (!(f >= 0.0) || !std::isfinite(f)) throw std::invalid_argument("F is not negative");
-  if (!(df1 > 0.0 && df2 > 0.0)) throw std::invalid_argument("degrees of freedom are positive");
 }
 
 }  // namespace
@@ -100,23 +77,6 @@ double log10ChiSquaredP(double x, double degreesOfFreedom) {
   const double p = chiSquaredP(x, degreesOfFreedom);
   if (p > kSmallestExactP) return std::log10(p);
   return logFarGammaTail(0.5 * degreesOfFreedom, 0.5 * x) / std::numbers::ln10;
-}
-
-double fP(double f, double df1, double df2) {
-  requireF(f, df1, df2);
-  const double y = df1 * f / (df2 + df1 * f);
-  if (y < 0.5) return boost::math::ibetac(0.5 * df1, 0.5 * df2, y);
-  return boost::math::ibeta(0.5 * df2, 0.5 * df1, df2 / (df2 + df1 * f));
-}
-
-double log10FP(double f, double df1, double df2) {
-  const double p = fP(f, df1, df2);
-  if (p > kSmallestExactP) return std::log10(p);
-  const double ratio = df1 * f / df2;
-  const double logX = -std::log1p(ratio);
-  const double logY = -std::log1p(1.0 / ratio);
-  const double x = 1.0 / (1.0 + ratio);
-  return logSmallBeta(0.5 * df2, 0.5 * df1, logX, x, logY) / std::numbers::ln10;
 }
 
 }  // namespace analysis

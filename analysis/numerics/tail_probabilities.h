@@ -2,6 +2,9 @@
 
 namespace analysis {
 
+/// Below this a probability is better taken from its logarithm: doubles lose digits soon after.
+inline constexpr double kSmallestExactP = 1e-300;
+
 // Tails of the laws that test statistics follow when groups are large. Each comes with its
 // logarithm, which holds where the probability itself is too small for a double.
 
@@ -20,10 +23,5 @@ double normalTwoSidedQuantile(double level);
 /// @throws std::invalid_argument  for a negative x or degrees of freedom that are not positive.
 double chiSquaredP(double x, double degreesOfFreedom);
 double log10ChiSquaredP(double x, double degreesOfFreedom);
-
-/// P(X ≥ f) of the F law with @p df1 and @p df2 degrees of freedom, for f ≥ 0.
-/// @throws std::invalid_argument  for a negative f or degrees of freedom that are not positive.
-double fP(double f, double df1, double df2);
-double log10FP(double f, double df1, double df2);
 
 }  // namespace analysis

@@ -10,17 +10,18 @@
 namespace analysis {
 namespace {
 
-constexpr std::size_t kWord = 64;
+constexpr std::size_t kWordBits = 64;
 using Bits = std::vector<std::uint64_t>;
 
 Bits allOf(std::size_t count) {
-  Bits bits((count + kWord - 1) / kWord, 0);
-  for (std::size_t i = 0; i < count; ++i) bits[i / kWord] |= std::uint64_t{1} << (i % kWord);
+  Bits bits((count + kWordBits - 1) / kWordBits, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    bits[i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
   return bits;
 }
 
 bool isSet(const Bits& bits, std::size_t i) {
-  return ((bits[i / kWord] >> (i % kWord)) & 1U) != 0;
+  return ((bits[i / kWordBits] >> (i % kWordBits)) & 1U) != 0;
 }
 
 /// What is in both; whether anything is left.
@@ -86,13 +87,14 @@ class SizeSearch {
       const std::vector<LatticePoint>& points2,
       const TWindow& window) {
     Agreement agreement;
-    agreement.forward.assign(points1.size(), Bits((points2.size() + kWord - 1) / kWord, 0));
-    agreement.backward.assign(points2.size(), Bits((points1.size() + kWord - 1) / kWord, 0));
+    agreement.forward.assign(points1.size(), Bits((points2.size() + kWordBits - 1) / kWordBits, 0));
+    agreement.backward.assign(
+        points2.size(), Bits((points1.size() + kWordBits - 1) / kWordBits, 0));
     for (std::size_t i = 0; i < points1.size(); ++i) {
       for (std::size_t j = 0; j < points2.size(); ++j) {
         if (!window.holds(points1[i], points2[j])) continue;
-        agreement.forward[i][j / kWord] |= std::uint64_t{1} << (j % kWord);
-        agreement.backward[j][i / kWord] |= std::uint64_t{1} << (i % kWord);
+        agreement.forward[i][j / kWordBits] |= std::uint64_t{1} << (j % kWordBits);
+        agreement.backward[j][i / kWordBits] |= std::uint64_t{1} << (i % kWordBits);
         agreement.isEmpty = false;
       }
     }

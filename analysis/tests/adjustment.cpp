@@ -11,9 +11,9 @@ namespace {
 using Sorted = std::vector<double>;  // from the smallest to the largest
 
 /// What the i-th smallest of m p values becomes, before it is compared with its neighbours.
-using Step = std::function<double(double p, double i, double m)>;
+using StepFormula = std::function<double(double p, double i, double m)>;
 
-Sorted stepDown(Sorted p, const Step& step) {
+Sorted stepDown(Sorted p, const StepFormula& step) {
   double largest = 0.0;
   for (std::size_t j = 0; j < p.size(); ++j) {
     const double own = step(p[j], static_cast<double>(j + 1), static_cast<double>(p.size()));
@@ -23,7 +23,7 @@ Sorted stepDown(Sorted p, const Step& step) {
   return p;
 }
 
-Sorted stepUp(Sorted p, const Step& step) {
+Sorted stepUp(Sorted p, const StepFormula& step) {
   double smallest = 1.0;
   for (std::size_t j = p.size(); j-- > 0;) {
     const double own = step(p[j], static_cast<double>(j + 1), static_cast<double>(p.size()));

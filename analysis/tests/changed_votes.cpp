@@ -13,12 +13,12 @@
 namespace analysis {
 namespace {
 
-using Table = std::span<const std::vector<std::uint64_t>>;
+using ChangeTable = std::span<const std::vector<std::uint64_t>>;
 
-void requireSquare(Table table) {
-  constexpr std::size_t kMostOptions = 100;
+void requireSquare(ChangeTable table) {
+  constexpr std::size_t kMostChoices = 100;
   constexpr std::uint64_t kMostCount = (std::uint64_t{1} << 32) - 1;
-  if (table.size() < 2 || table.size() > kMostOptions) {
+  if (table.size() < 2 || table.size() > kMostChoices) {
     throw std::invalid_argument("a table of changes has 2 to 100 options");
   }
   for (const auto& row : table) {
@@ -28,7 +28,7 @@ void requireSquare(Table table) {
 }
 
 /// Options that changes connect, directly or through others, have the same number.
-std::vector<std::size_t> partsOf(Table table) {
+std::vector<std::size_t> partsOf(ChangeTable table) {
   std::vector<std::size_t> parts(table.size());
   std::iota(parts.begin(), parts.end(), std::size_t{0});
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<std::size_t> partsOf(Table table) {
 }
 
 /// The options without the first of each part.
-std::vector<std::size_t> keptOptions(Table table) {
+std::vector<std::size_t> keptOptions(ChangeTable table) {
   const auto parts = partsOf(table);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -53,7 +53,7 @@ std::vector<std::size_t> keptOptions(Table table) {
 /// S, with d as a last column.
 using Equations = std::vector<std::vector<DoubleDouble>>;
 
-Equations equationsOf(Table table, const std::vector<std::size_t>& kept) {
+Equations equationsOf(ChangeTable table, const std::vector<std::size_t>& kept) {
   Equations equations;
   for (const std::size_t i : kept) {
     double difference = 0.0;
@@ -128,7 +128,7 @@ McNemarResult mcNemarTestOfPairs(const std::vector<bool>& before, const std::vec
   return mcNemarTest(toYes, toNo);
 }
 
-StuartMaxwellResult stuartMaxwellTest(Table table) {
+StuartMaxwellResult stuartMaxwellTest(ChangeTable table) {
   requireSquare(table);
   StuartMaxwellResult result;
   for (std::size_t i = 0; i < table.size(); ++i) {

@@ -17,9 +17,9 @@ constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
 constexpr double kAlike = 1e-20;
 
 /// Pascal's triangle in doubles of 31 digits.
-class Binomials {
+class LongBinomials {
  public:
-  Binomials() {
+  LongBinomials() {
     for (std::size_t n = 0; n <= kMostCounts; ++n) {
       rows_.emplace_back(n + 1, 1.0);
       for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
@@ -31,8 +31,8 @@ class Binomials {
   std::vector<std::vector<DoubleDouble>> rows_;
 };
 
-const Binomials& binomials() {
-  static const Binomials table;
+const LongBinomials& longBinomials() {
+  static const LongBinomials table;
   return table;
 }
 
@@ -79,8 +79,8 @@ class Tables {
           i + 1,
           wanted - part,
           others,
-          p * binomials()(here, part) * binomials()(others, wanted - part) /
-              binomials()(below, wanted));
+          p * longBinomials()(here, part) * longBinomials()(others, wanted - part) /
+              longBinomials()(below, wanted));
     }
     rows_[i] = here;
   }
@@ -128,10 +128,10 @@ DoubleDouble probabilityOf(std::span<const Counts> table, const Margins& margins
   std::uint64_t all = margins.total;
   DoubleDouble p = 1.0;
   for (std::size_t j = 0; j < margins.columns.size(); ++j) {
-    p = p / binomials()(all, margins.columns[j]);
+    p = p / longBinomials()(all, margins.columns[j]);
     all -= margins.columns[j];
     for (std::size_t i = 0; i < left.size(); ++i) {
-      p = p * binomials()(left[i], table[i][j]);
+      p = p * longBinomials()(left[i], table[i][j]);
       left[i] -= table[i][j];
     }
   }

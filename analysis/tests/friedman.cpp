@@ -6,6 +6,7 @@
 
 #include "analysis/data/midranks.h"
 #include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/fisher_distribution.h"
 #include "analysis/numerics/student_distribution.h"
 #include "analysis/numerics/studentized_range.h"
 #include "analysis/numerics/tail_probabilities.h"
@@ -72,8 +73,9 @@ void addImanDavenport(FriedmanResult& result, const Ranking& ranking) {
   const double f = exactQuotient(above, under).high;
   const auto df = static_cast<double>(ranking.k - 1);
   result.imanDavenportF = f;
-  result.imanDavenportP = fP(f, df, df * static_cast<double>(ranking.b - 1));
-  result.imanDavenportLog10P = log10FP(f, df, df * static_cast<double>(ranking.b - 1));
+  const FisherDistribution fisher(df, df * static_cast<double>(ranking.b - 1));
+  result.imanDavenportP = fisher.upperP(f);
+  result.imanDavenportLog10P = fisher.log10UpperP(f);
 }
 
 RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t second) {

@@ -9,8 +9,8 @@ namespace analysis {
 namespace {
 
 using Block = std::vector<std::uint64_t>;
-constexpr std::size_t kMostSteps = 60'000'000;
-constexpr Wide kMostOutcomes = Wide{1} << 126;  // what exactQuotient() can divide by
+constexpr std::size_t kMostMoves = 60'000'000;
+constexpr Wide kMostPermutations = Wide{1} << 126;  // what exactQuotient() can divide by
 
 /// Where each doubled rank sum, less two per block, can lie: a grid with an axis per treatment but
 /// the last, whose sum follows.
@@ -23,7 +23,7 @@ struct Grid {
 std::optional<Grid> gridOf(std::size_t blocks, std::size_t treatments) {
   Grid grid{.axes = treatments - 1, .width = 2 * (treatments - 1) * blocks + 1, .cells = 1};
   for (std::size_t axis = 0; axis < grid.axes; ++axis) {
-    if (grid.cells > kMostSteps / grid.width) return std::nullopt;
+    if (grid.cells > kMostMoves / grid.width) return std::nullopt;
     grid.cells *= grid.width;
   }
   return grid;
@@ -86,13 +86,13 @@ std::optional<double> friedmanPermutationP(std::span<const Block> doubledRanks) 
   const auto grid = gridOf(doubledRanks.size(), doubledRanks.front().size());
   if (!grid) return std::nullopt;
 
-  const std::size_t mostMoves = kMostSteps / grid->cells / doubledRanks.size();
+  const std::size_t mostMoves = kMostMoves / grid->cells / doubledRanks.size();
   std::vector<Wide> ways(grid->cells, 0);
   ways[0] = 1;
   Wide all = 1;
   for (const auto& block : doubledRanks) {
     const auto moves = movesOf(block, *grid, mostMoves);
-    if (!moves || all > kMostOutcomes / static_cast<Wide>(moves->size())) return std::nullopt;
+    if (!moves || all > kMostPermutations / static_cast<Wide>(moves->size())) return std::nullopt;
     all *= static_cast<Wide>(moves->size());
     ways = moved(ways, *moves);
   }

@@ -9,7 +9,7 @@
 namespace analysis {
 namespace {
 
-std::string whyUndefined(const TiedGroups& groups) {
+std::string whyNotRanked(const TiedGroups& groups) {
   if (groups.n1 == 0) return "group 1 has no values";
   if (groups.n2 == 0) return "group 2 has no values";
   if (groups.areTooLarge()) return "the groups are too large to be ranked in whole numbers";
@@ -63,7 +63,7 @@ MannWhitneyResult mannWhitneyTest(const TiedGroups& groups) {
   MannWhitneyResult result;
   result.n1 = groups.n1;
   result.n2 = groups.n2;
-  result.reason = whyUndefined(groups);
+  result.reason = whyNotRanked(groups);
   if (!result.reason.empty()) return result;
 
   const Placements places = placementsOf(groups);

@@ -12,13 +12,13 @@
 namespace analysis {
 namespace {
 
-bool isFinite(double value) {
+bool isNumber(double value) {
   return std::isfinite(value);
 }
 
 std::vector<double> differencesOf(std::span<const double> x, std::span<const double> y) {
   if (x.size() != y.size()) throw std::invalid_argument("a pair has two values");
-  if (!std::ranges::all_of(x, isFinite) || !std::ranges::all_of(y, isFinite)) {
+  if (!std::ranges::all_of(x, isNumber) || !std::ranges::all_of(y, isNumber)) {
     throw std::invalid_argument("a value is infinite or no number: it has no place in a mean");
   }
   std::vector<double> differences;
@@ -67,7 +67,7 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
   const std::vector<double> values = differencesOf(x, y);
   PairedTResult result;
   result.n = values.size();
-  if (!std::ranges::all_of(values, isFinite)) {
+  if (!std::ranges::all_of(values, isNumber)) {
     result.reason = "a difference is beyond what a double can hold";
     return result;
   }

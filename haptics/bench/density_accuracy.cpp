@@ -18,7 +18,7 @@ namespace {
 using reaming::ContactMatrix;
 using reaming::DensityFit;
 
-constexpr const char* kFamily = "density";
+constexpr const char* kDensityFamily = "density";
 constexpr std::size_t kDepths = 400;
 constexpr int kSeeds = 20;
 
@@ -62,7 +62,7 @@ void measure(
   const double time =
       std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
   report(
-      {.family = kFamily,
+      {.family = kDensityFamily,
        .setting = setting,
        .method = method,
        .parameter = parameter,
@@ -114,7 +114,7 @@ void measureSwarms(
   std::sort(errors.begin(), errors.end());
   std::sort(times.begin(), times.end());
   report(
-      {.family = kFamily,
+      {.family = kDensityFamily,
        .setting = setting,
        .method = "swarm, median of 20 seeds",
        .parameter = parameter,
@@ -132,7 +132,7 @@ void measureDensity(const Report& report) {
     measure(all, "palpate, bounded least squares", weight, report, [&] {
       auto fit = reaming::fitNonNegative(matrix, forces, uniform, weight);
       report(
-          {.family = kFamily,
+          {.family = kDensityFamily,
            .setting = "above the optimum, at most",
            .method = "palpate, bounded least squares",
            .parameter = weight,

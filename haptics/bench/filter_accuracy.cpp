@@ -16,7 +16,7 @@ namespace {
 using reaming::CutoffRule;
 using reaming::NodeRule;
 
-constexpr const char* kFamily = "filter";
+constexpr const char* kFilterFamily = "filter";
 
 template <typename Work>
 double nanoseconds(Work work) {
@@ -54,7 +54,7 @@ void measureCutoffs(const Report& report) {
   const auto samples = static_cast<double>(series.force.size());
   const auto add = [&](const char* method, double error, double time) {
     report(
-        {.family = kFamily,
+        {.family = kFilterFamily,
          .setting = "cut-off and low-pass, RMS from the noiseless curve [N]",
          .method = method,
          .parameter = samples,
@@ -94,7 +94,7 @@ void measurePreparation(const Report& report) {
     return reaming::chooseNodes(curve, 0.05, 10.0, NodeRule::Greedy).nodes.size();
   });
   report(
-      {.family = kFamily,
+      {.family = kFilterFamily,
        .setting = "199,999 samples: cut-off, filter, nodes",
        .method = "palpate",
        .parameter = 199'999,
@@ -125,7 +125,7 @@ void measureNodes(const Report& report) {
   for (const double wanted : {0.41, 0.14, 0.05, 0.01}) {
     const auto add = [&](const char* method, std::size_t nodes, double time) {
       report(
-          {.family = kFamily,
+          {.family = kFilterFamily,
            .setting = "nodes for an error",
            .method = method,
            .parameter = wanted,

@@ -10,7 +10,7 @@
 namespace haptics::bench {
 namespace {
 
-constexpr const char* kFamily = "finite elements";
+constexpr const char* kFiniteElementFamily = "finite elements";
 
 /// Ours, behind the peers' face: force alone, or with the mesh.
 template <typename Scalar>
@@ -107,7 +107,7 @@ void raceAt(int elements, const Report& report) {
   const auto timings = race(contestants);
   for (std::size_t i = 0; i < all.size(); ++i) {
     report(
-        {.family = kFamily,
+        {.family = kFiniteElementFamily,
          .setting = "elements alike",
          .method = all[i]->name(),
          .parameter = static_cast<double>(elements),
@@ -120,7 +120,7 @@ void raceAt(int elements, const Report& report) {
   const auto cold = raceCold(contestants, kColdRounds);
   for (std::size_t i = 0; i < all.size(); ++i) {
     report(
-        {.family = kFamily,
+        {.family = kFiniteElementFamily,
          .setting = "elements alike, cold",
          .method = all[i]->name(),
          .parameter = static_cast<double>(elements),
@@ -152,7 +152,7 @@ void contrast(int elements, int decades, const Report& report) {
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     report(
-        {.family = kFamily,
+        {.family = kFiniteElementFamily,
          .setting = "elements that differ, N = " + std::to_string(elements),
          .method = names[i],
          .parameter = static_cast<double>(decades),

@@ -12,7 +12,7 @@
 namespace haptics::bench {
 namespace {
 
-constexpr const char* kFamily = "Kalman filter";
+constexpr const char* kKalmanFamily = "Kalman filter";
 using models::KalmanScheme;
 using peers::KalmanNumbers;
 
@@ -113,7 +113,7 @@ void raceSteps(const Report& report) {
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     for (const bool isCold : {false, true}) {
       report(
-          {.family = kFamily,
+          {.family = kKalmanFamily,
            .setting = isCold ? "a step, cold" : "a step",
            .method = contestants[i].method,
            .parameter = 1.0,
@@ -196,13 +196,13 @@ void attack(double decades, const Report& report) {
     const double p99 =
         errors[static_cast<std::size_t>(0.99 * static_cast<double>(errors.size() - 1))];
     report(
-        {.family = kFamily,
+        {.family = kKalmanFamily,
          .setting = "Q = 0, relative error",
          .method = names[i],
          .parameter = decades,
          .error = p99});
     report(
-        {.family = kFamily,
+        {.family = kKalmanFamily,
          .setting = "Q = 0, negative variances of 100 steps",
          .method = names[i],
          .parameter = decades,

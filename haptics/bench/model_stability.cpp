@@ -140,21 +140,21 @@ void sweepFiniteElements(double effort, StabilityResult& result) {
 
 namespace {
 
-struct Tally {
+struct StateTally {
   long steps = 0;
   long negative = 0;
   long notFinite = 0;
 };
 
 /// Random noise and steps over 10^±decades, correlated up to 0.999, in all four schemes.
-Tally attackAll(
+StateTally attackAll(
     const StabilityKernels& way, double decades, bool hasProcess, bool isFloat, int filters) {
   std::mt19937_64 random(20261121);
   std::uniform_real_distribution<double> exponent(-decades, decades);
   std::uniform_real_distribution<double> correlation(-0.999, 0.999);
   const auto magnitude = [&] { return std::pow(10.0, exponent(random)); };
   std::array<double, 200> travelled{};
-  Tally tally;
+  StateTally tally;
   for (int i = 0; i < filters; ++i) {
     FilterAttack a{.rElastic = magnitude(), .rRecorded = magnitude(), .scheme = i % 4};
     a.q11 = hasProcess ? magnitude() : 0.0;

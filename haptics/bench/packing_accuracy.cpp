@@ -22,7 +22,7 @@ using reaming::Packing;
 using reaming::Plunge;
 using reaming::SphereField;
 
-constexpr const char* kFamily = "packing";
+constexpr const char* kPackingFamily = "packing";
 constexpr double kRadius = 0.026;  // of the reamer [m]
 constexpr double kDensity = 2e5;   // [N/m²]
 
@@ -91,7 +91,7 @@ void raceContacts(const Packing& packing, bool isCold, const Report& report) {
   const double error = ripple(field, plunge);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     report(
-        {.family = kFamily,
+        {.family = kPackingFamily,
          .setting = isCold ? "contact, cold" : "contact",
          .method = contestants[i].method,
          .parameter = static_cast<double>(count),
@@ -134,7 +134,7 @@ void timeRemoval(
   sink = sum;
   std::sort(times.begin(), times.end());
   report(
-      {.family = kFamily,
+      {.family = kPackingFamily,
        .setting = setting,
        .method = "palpate",
        .parameter = static_cast<double>(packing.spheres.size()),

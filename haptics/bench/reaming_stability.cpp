@@ -18,7 +18,7 @@ using reaming::Plunge;
 using reaming::Vec3;
 
 constexpr double kTick = 0.001;
-constexpr double kRadius = 0.026;  // of the reamer [m]
+constexpr double kReamerRadius = 0.026;  // of the reamer [m]
 
 class Sweep {
  public:
@@ -42,7 +42,7 @@ class Sweep {
 struct Run {
   Run(const Packing& packing, const std::vector<double>& densities, BoneOptions options)
       : bone(packing, densities, withCoverage(options, packing)),
-        plunge(reaming::plungeInto(bone.field(), kRadius)),
+        plunge(reaming::plungeInto(bone.field(), kReamerRadius)),
         whole(bone.remainingMass()),
         coupling(options.coupling) {
     for (int i = 0; i < 50; ++i) bone.step(plunge.at(-0.0005), kTick);
@@ -143,8 +143,8 @@ void misused(const Packing& packing, Sweep& sweep) {
     Run run(packing, alike(packing, 2e5), {});
     run.go(0.0, 0.006, 500);
     for (int i = 0; i < 100; ++i) {
-      run.step({kRadius, {nan, 0.0, 0.0}, {0.0, 0.0, 1.0}});
-      run.step({kRadius, run.plunge.at(0.006).centre, {nan, nan, nan}});
+      run.step({kReamerRadius, {nan, 0.0, 0.0}, {0.0, 0.0, 1.0}});
+      run.step({kReamerRadius, run.plunge.at(0.006).centre, {nan, nan, nan}});
       run.step(run.plunge.at(0.006));
     }
     judge(sweep, run, "pose that is no number", 0.0);

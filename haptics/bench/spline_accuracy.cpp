@@ -13,7 +13,7 @@
 namespace haptics::bench {
 namespace {
 
-constexpr const char* kFamily = "splines";
+constexpr const char* kSplineFamily = "splines";
 constexpr double kEnd = 20.0;  // [mm]
 
 /// A curve of reaming's shape, all derivatives continuous: no force, a lamella that breaks, a rise.
@@ -198,7 +198,7 @@ void raceAll(
   const auto timings = isCold ? raceCold(contestants, kColdRounds) : race(contestants);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Measurement m{
-        .family = kFamily,
+        .family = kSplineFamily,
         .setting = setting,
         .method = all[i]->name(),
         .parameter = static_cast<double>(nodes),

@@ -7,7 +7,7 @@
 
 #include "analysis/models/cumulative_link_mixed_model.h"
 
-namespace {
+namespace cumulative_link_undefined_test {
 
 using analysis::Factor;
 using analysis::FixedEffects;
@@ -100,4 +100,4 @@ TEST(CumulativeLink, ThrowsForAProgrammersMistake) {
   EXPECT_THROW(analysis::confidenceInterval(analysis::WaldEstimate{}, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace cumulative_link_undefined_test

@@ -17,7 +17,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace golden_anova_test {
 
 using Table = std::vector<std::vector<double>>;
 
@@ -155,4 +155,4 @@ TEST(StudyReliability, IsCronbachsAlphaOfR) {
   }
 }
 
-}  // namespace
+}  // namespace golden_anova_test

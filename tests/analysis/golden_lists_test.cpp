@@ -15,7 +15,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace golden_lists_test {
 
 std::vector<double> nistValues(const std::string& dataSet) {
   const auto table = tests::statsTable("nist/univariate/" + dataSet + ".csv");
@@ -124,4 +124,4 @@ TEST(GoldenVotes, GiveTheExactMultinomialP) {
   EXPECT_EQ(visited, 4);
 }
 
-}  // namespace
+}  // namespace golden_lists_test

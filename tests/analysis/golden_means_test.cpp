@@ -19,7 +19,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace golden_means_test {
 
 using analysis::Interval;
 using tests::Quantities;
@@ -155,4 +155,4 @@ TEST(GoldenPairs, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 7 * 15 - 12 - 3);
 }
 
-}  // namespace
+}  // namespace golden_means_test

@@ -23,7 +23,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace golden_ranks_test {
 
 using Quantities = std::map<std::string, std::optional<double>>;
 
@@ -224,4 +224,4 @@ TEST(GoldenVotes, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 4 * (4 + 3 * 5));
 }
 
-}  // namespace
+}  // namespace golden_ranks_test

@@ -18,7 +18,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace golden_test {
 
 using analysis::Interval;
 
@@ -204,4 +204,4 @@ TEST(GoldenMillion, IsReachedFromCountsAndFromValues) {
   EXPECT_EQ(worst.count(), 2 * 11);
 }
 
-}  // namespace
+}  // namespace golden_test

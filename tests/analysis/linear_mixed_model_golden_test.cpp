@@ -14,7 +14,7 @@
 #include "tests/analysis/study_answers.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace linear_mixed_model_golden_test {
 
 using analysis::Factor;
 using analysis::FixedEffects;
@@ -174,4 +174,4 @@ TEST(LinearMixedModelOfTheStudy, GivesMarginalMeansAndIntervals) {
   EXPECT_THROW(contrast(model.fit, "", std::vector<double>{1.0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace linear_mixed_model_golden_test

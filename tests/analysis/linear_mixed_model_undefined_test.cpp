@@ -8,7 +8,7 @@
 
 #include "analysis/models/linear_mixed_model.h"
 
-namespace {
+namespace linear_mixed_model_undefined_test {
 
 using analysis::Factor;
 using analysis::FixedEffects;
@@ -115,4 +115,4 @@ TEST(LinearMixedModelUndefined, ThrowsForAProgrammersMistake) {
       std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace linear_mixed_model_undefined_test

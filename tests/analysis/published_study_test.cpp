@@ -15,7 +15,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace published_study_test {
 
 using analysis::LikertCounts;
 
@@ -169,4 +169,4 @@ TEST(PublishedStudy, VotesAsInTable4) {
   EXPECT_EQ(missing, 1);
 }
 
-}  // namespace
+}  // namespace published_study_test

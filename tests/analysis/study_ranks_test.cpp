@@ -17,7 +17,7 @@
 #include "tests/analysis/golden_file.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace study_ranks_test {
 
 /// Mean score by cohort and method, a value per participant in the order of the file.
 std::map<std::string, std::vector<double>> participantMeans() {
@@ -86,4 +86,4 @@ TEST(StudyWithinParticipants, HasTheFriedmanTestOfR) {
   }
 }
 
-}  // namespace
+}  // namespace study_ranks_test

@@ -5,7 +5,7 @@
 
 #include "analysis/tests/welch.h"
 
-namespace {
+namespace welch_undefined_test {
 
 using analysis::confidenceInterval;
 using analysis::welchTTest;
@@ -102,4 +102,4 @@ TEST(WelchTest, KeepsItsDigitsWhereAConstantGroupIsFarAway) {
   EXPECT_NEAR(result.p.value() * result.t.value() * result.t.value(), 1.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace welch_undefined_test

@@ -13,7 +13,7 @@
 #include "tests/support/test_data.h"
 
 namespace protocols {
-namespace {
+namespace format_page_test {
 
 std::string page() {
   return tests::contentOf((tests::repository() / "docs/protocol-format.md").string());
@@ -164,5 +164,5 @@ TEST(ProtocolFormatPage, ExplainsEveryWord) {
   }
 }
 
-}  // namespace
+}  // namespace format_page_test
 }  // namespace protocols

@@ -8,7 +8,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace protocol_keys_test {
 
 namespace engine = haptics::engine;
 namespace models = haptics::models;
@@ -215,5 +215,5 @@ TEST(ProtocolKeys, LeaveModelsAsAreSound) {
   EXPECT_EQ(bone.nodes.size(), engine::parametricMaterial().size());
 }
 
-}  // namespace
+}  // namespace protocol_keys_test
 }  // namespace protocols

@@ -13,7 +13,7 @@
 #include "tests/support/test_data.h"
 
 namespace questionnaires {
-namespace {
+namespace format_page_test {
 
 const std::string kPage =
     tests::contentOf((tests::repository() / "docs/questionnaire-format.md").string());
@@ -113,5 +113,5 @@ TEST(QuestionnaireFormatPage, ListsTheWholeLibrary) {
   }
 }
 
-}  // namespace
+}  // namespace format_page_test
 }  // namespace questionnaires

@@ -8,7 +8,7 @@
 #include "tests/support/test_data.h"
 
 namespace questionnaires {
-namespace {
+namespace instrument_damage_test {
 
 const std::string kWhole =
     readTextFile((tests::repository() / "tests/questionnaires/data/good/scores.json").string());
@@ -52,5 +52,5 @@ TEST(InstrumentFile, AsksNoMoreThanAThousandItems) {
       "error   $.items: this list has more than 1000 entries; shorten it\n");
 }
 
-}  // namespace
+}  // namespace instrument_damage_test
 }  // namespace questionnaires

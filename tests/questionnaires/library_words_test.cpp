@@ -12,7 +12,7 @@
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {
-namespace {
+namespace library_words_test {
 
 using tests::isInstrument;
 using tests::shipped;
@@ -83,5 +83,5 @@ TEST(Library, NamesNoCondition) {
   }
 }
 
-}  // namespace
+}  // namespace library_words_test
 }  // namespace questionnaires

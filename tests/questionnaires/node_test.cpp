@@ -7,7 +7,7 @@
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {
-namespace {
+namespace node_test {
 
 class NodeTest : public testing::Test {
  protected:
@@ -128,5 +128,5 @@ TEST_F(NodeTest, OffersTheNearestOfSeveralNames) {
   EXPECT_EQ(said(), "error   $.a: unknown word 'means'; did you mean 'mean'? one of: mean, sum\n");
 }
 
-}  // namespace
+}  // namespace node_test
 }  // namespace questionnaires

@@ -7,7 +7,7 @@
 #include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
-namespace {
+namespace problems_of_test {
 
 LocalizedText english(const std::string& words) {
   return LocalizedText({{"en", words}});
@@ -130,5 +130,5 @@ TEST(ProblemsOf, ASharedScaleAreToldOnce) {
   EXPECT_EQ(problems.all()[0].path, "$.scale.point_labels");
 }
 
-}  // namespace
+}  // namespace problems_of_test
 }  // namespace questionnaires

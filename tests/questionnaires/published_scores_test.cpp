@@ -11,7 +11,7 @@
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {
-namespace {
+namespace published_scores_test {
 
 /// The points of @p points, item by item.
 std::vector<Answer> given(const Instrument& instrument, const std::vector<std::int64_t>& points) {
@@ -290,5 +290,5 @@ TEST(Ssq, IsScoredAsAChange) {
   EXPECT_DOUBLE_EQ(change.change.value(), 4 * 3.74);
 }
 
-}  // namespace
+}  // namespace published_scores_test
 }  // namespace questionnaires

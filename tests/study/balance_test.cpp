@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace balance_test {
 
 using Order = std::vector<std::string>;
 
@@ -101,5 +101,5 @@ TEST(Balance, FillsTheHolesFirstWhenSeveralAreInTheRoomAtOnce) {
   }
 }
 
-}  // namespace
+}  // namespace balance_test
 }  // namespace study

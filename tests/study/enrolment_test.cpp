@@ -6,7 +6,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace enrolment_test {
 
 using storage::StorageError;
 using tests::MadeStudy;
@@ -189,5 +189,5 @@ TEST(Enrolment, MakesUpNoCodeThatSomebodyHas) {
       "SIM-002");
 }
 
-}  // namespace
+}  // namespace enrolment_test
 }  // namespace study

@@ -21,7 +21,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study {
-namespace {
+namespace export_columns_test {
 
 namespace fs = std::filesystem;
 
@@ -517,5 +517,5 @@ TEST_F(BlindedExport, LacksCutsStatisticsVotesAndConditions) {
   EXPECT_EQ(tables, blindedTables());
 }
 
-}  // namespace
+}  // namespace export_columns_test
 }  // namespace study

@@ -28,7 +28,7 @@
 #include "tests/support/test_data.h"
 
 namespace study {
-namespace {
+namespace export_layout_test {
 
 namespace fs = std::filesystem;
 
@@ -501,5 +501,5 @@ TEST_F(ComputedAgainTest, SaysHowToGetSciPyWhereItIsMissing) {
   EXPECT_EQ(finished.error.find("Traceback"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace export_layout_test
 }  // namespace study

@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace identity_test {
 
 const std::string kName = "Zaphod Beeblebrox-Sentinel";
 
@@ -82,5 +82,5 @@ TEST_F(IdentityTest, IsForItsOwnerAlone) {
       std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-}  // namespace
+}  // namespace identity_test
 }  // namespace study

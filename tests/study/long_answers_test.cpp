@@ -11,7 +11,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace long_answers_test {
 
 constexpr std::size_t kMost = 100'000;  // characters of a long text
 
@@ -113,5 +113,5 @@ INSTANTIATE_TEST_SUITE_P(Of, LongAnswersTest, testing::ValuesIn(texts()), [](con
   return text.param.name;
 });
 
-}  // namespace
+}  // namespace long_answers_test
 }  // namespace study

@@ -17,7 +17,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study {
-namespace {
+namespace public_export_test {
 
 namespace fs = std::filesystem;
 
@@ -240,5 +240,5 @@ TEST_F(PublicExportTest, ExplainsItsColumns) {
   }
 }
 
-}  // namespace
+}  // namespace public_export_test
 }  // namespace study

@@ -18,7 +18,7 @@
 #include "tests/support/test_data.h"
 
 namespace study {
-namespace {
+namespace published_study_test {
 
 constexpr const char* kAnswers = "stats/study/study_answers.csv";
 
@@ -291,5 +291,5 @@ TEST_F(PublishedStudyTest, IsFlaggedForWhatIsSaidAgainstIt) {
   }
 }
 
-}  // namespace
+}  // namespace published_study_test
 }  // namespace study

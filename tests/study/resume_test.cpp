@@ -7,7 +7,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace resume_test {
 
 using storage::StorageError;
 using tests::MadeStudy;
@@ -135,5 +135,5 @@ TEST_F(ResumeTest, RefusesASessionThatDoesNotExist) {
   EXPECT_THROW(Session::resume(*study_, SessionId{77}), StorageError);
 }
 
-}  // namespace
+}  // namespace resume_test
 }  // namespace study

@@ -7,7 +7,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace texts_test {
 
 class TextsTest : public testing::Test {
  protected:
@@ -94,5 +94,5 @@ TEST_F(TextsTest, AreKeptUpToAMillionCharactersByTheTableItself) {
   EXPECT_THROW(keep("1000001"), storage::StorageError);
 }
 
-}  // namespace
+}  // namespace texts_test
 }  // namespace study

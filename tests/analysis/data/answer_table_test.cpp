@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace answer_table_test {
 
 using analysis::AnswerTable;
 
@@ -43,4 +43,4 @@ TEST(AnswerTable, LeavesOutWhoLacksAMethod) {
   EXPECT_EQ(complete.of(1), (std::vector<double>{5.0 / 3.0, 3.0}));
 }
 
-}  // namespace
+}  // namespace answer_table_test

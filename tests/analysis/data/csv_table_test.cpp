@@ -4,7 +4,7 @@
 
 #include "analysis/data/error.h"
 
-namespace {
+namespace csv_table_test {
 
 using analysis::readCsv;
 using Cells = std::vector<std::string>;
@@ -148,4 +148,4 @@ TEST(CsvTable, KnowsItsColumns) {
       "mean 'score'?");
 }
 
-}  // namespace
+}  // namespace csv_table_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace decimal_number_test {
 
 using analysis::DecimalMark;
 using analysis::decimalNumber;
@@ -71,4 +71,4 @@ TEST(DecimalNumber, DoesNotDependOnTheLocale) {
   EXPECT_EQ(number, 1234.5);
 }
 
-}  // namespace
+}  // namespace decimal_number_test

@@ -4,7 +4,7 @@
 
 #include "analysis/data/error.h"
 
-namespace {
+namespace grouped_values_test {
 
 using analysis::readGroupedValues;
 using Values = std::vector<double>;
@@ -107,4 +107,4 @@ TEST(GroupedValues, PassOnWhatIsWrongWithTheTable) {
   EXPECT_EQ(errorOf("g,x\na\n"), "line 2 has 1 cell, and the header has 2 columns");
 }
 
-}  // namespace
+}  // namespace grouped_values_test

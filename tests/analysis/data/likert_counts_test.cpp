@@ -7,7 +7,7 @@
 
 #include "analysis/data/summary.h"
 
-namespace {
+namespace likert_counts_test {
 
 using analysis::LikertCounts;
 using Counts = std::vector<std::uint64_t>;
@@ -141,4 +141,4 @@ TEST(LikertCounts, AgreeWithTheirAnswersOneByOne) {
   EXPECT_EQ(fromCounts.variance, fromValues.variance);
 }
 
-}  // namespace
+}  // namespace likert_counts_test

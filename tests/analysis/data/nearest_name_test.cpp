@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace nearest_name_test {
 
 using analysis::enumerated;
 using analysis::nearestName;
@@ -37,4 +37,4 @@ TEST(Enumerated, StopsAfterEight) {
   EXPECT_EQ(enumerated(Names(10, "n")), "'n', 'n', 'n', 'n', 'n', 'n', 'n', 'n' and 2 more");
 }
 
-}  // namespace
+}  // namespace nearest_name_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace summary_test {
 
 using analysis::summarise;
 using Values = std::vector<double>;
@@ -81,4 +81,4 @@ TEST(Summary, RefusesWhatIsNoNumber) {
   EXPECT_THROW(summarise(Values{1.0, INFINITY}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace summary_test

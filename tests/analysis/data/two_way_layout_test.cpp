@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace two_way_layout_test {
 
 using analysis::twoWayLayout;
 using Table = std::vector<std::vector<double>>;
@@ -39,4 +39,4 @@ TEST(TwoWayLayout, RefusesATableWithHoles) {
   EXPECT_THROW(twoWayLayout(Table{{1, 2}, {1, 2, 3}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace two_way_layout_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace vote_counts_test {
 
 using analysis::VoteCounts;
 
@@ -40,4 +40,4 @@ TEST(VoteCounts, RefuseWhatIsNoChoice) {
   EXPECT_THROW(VoteCounts({"a", "a"}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace vote_counts_test

@@ -8,7 +8,7 @@
 
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace bayes_factor_test {
 
 using analysis::jzsBayesFactor;
 using Values = std::vector<double>;
@@ -92,4 +92,4 @@ TEST(BayesFactor, RefusesWhatHasNone) {
   EXPECT_THROW(jzsBayesFactor(1.0, 18.0, 5.0, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace bayes_factor_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace effect_size_test {
 
 using analysis::effectSizes;
 using analysis::hedgesCorrection;
@@ -130,4 +130,4 @@ TEST(PairedEffects, SayWhatTheyLack) {
   EXPECT_FALSE(constant.reason.empty());
 }
 
-}  // namespace
+}  // namespace effect_size_test

@@ -13,7 +13,7 @@
 #include "tests/analysis/study_answers.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace cluster_robust_test {
 
 using analysis::FixedEffects;
 
@@ -75,4 +75,4 @@ TEST(ClusterRobust, IsNotDefinedForOneParticipantOrConstantAnswers) {
       analysis::clusterRobust(std::vector<double>{1, 2}, fixed, two), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace cluster_robust_test

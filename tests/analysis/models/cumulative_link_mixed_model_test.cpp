@@ -13,7 +13,7 @@
 #include "tests/analysis/study_answers.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace cumulative_link_mixed_model_test {
 
 using analysis::CumulativeLinkFit;
 using analysis::Factor;
@@ -99,4 +99,4 @@ INSTANTIATE_TEST_SUITE_P(
     StudyOrdinal,
     testing::Values(std::pair("professional", "prof"), std::pair("non-professional", "non")));
 
-}  // namespace
+}  // namespace cumulative_link_mixed_model_test

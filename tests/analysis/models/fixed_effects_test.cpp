@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace fixed_effects_test {
 
 using analysis::FixedEffects;
 using Numbers = std::vector<double>;
@@ -81,4 +81,4 @@ TEST(FixedEffects, RefuseWhatDoesNotFit) {
   EXPECT_THROW(fixed.marginalMean("method", "other"), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace fixed_effects_test

@@ -10,7 +10,7 @@
 #include "analysis/data/factor.h"
 #include "analysis/models/cumulative_logit.h"
 
-namespace {
+namespace laplace_likelihood_test {
 
 using analysis::Factor;
 using analysis::LaplaceLikelihood;
@@ -113,4 +113,4 @@ TEST(LaplaceLikelihood, IsNotDefinedForThresholdsOutOfOrder) {
   EXPECT_FALSE(likelihood.gradient(std::vector<double>{0.1, 0.1, 1.4, 0.6}).has_value());
 }
 
-}  // namespace
+}  // namespace laplace_likelihood_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace linear_mixed_model_test {
 
 using analysis::Factor;
 using analysis::FixedEffects;
@@ -217,4 +217,4 @@ TEST(LinearMixedModel, FitsAStudyOfHundredParticipants) {
   EXPECT_NEAR(fit.fixedEffects[1].degreesOfFreedom.value(), 198.0, 0.01);
 }
 
-}  // namespace
+}  // namespace linear_mixed_model_test

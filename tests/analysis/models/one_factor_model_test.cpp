@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace one_factor_model_test {
 
 using analysis::fitOneFactor;
 using Matrix = std::vector<std::vector<double>>;
@@ -82,4 +82,4 @@ TEST(OneFactorModel, RefusesWhatIsNoMatrixOfCorrelations) {
   EXPECT_THROW(fitOneFactor(correlationsOf({2.0, 0.9, 0.9})), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace one_factor_model_test

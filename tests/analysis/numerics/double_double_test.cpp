@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace double_double_test {
 
 using analysis::DoubleDouble;
 using analysis::heldByDouble;
@@ -47,4 +47,4 @@ TEST(DoubleDouble, IsHeldByADoubleWithinItsRangeOnly) {
   EXPECT_FALSE(heldByDouble(0.5, 1025).has_value());
 }
 
-}  // namespace
+}  // namespace double_double_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace exact_quotient_test {
 
 using analysis::exactQuotient;
 using analysis::Wide;
@@ -48,4 +48,4 @@ TEST(ExactQuotient, RoundsJustAboveTheMiddleUpwards) {
   EXPECT_EQ(exactQuotient(middle + 1, 1).high, 0x1p113 + 0x1p61);
 }
 
-}  // namespace
+}  // namespace exact_quotient_test

@@ -8,7 +8,7 @@
 #include "analysis/numerics/student_distribution.h"
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace noncentral_t_test {
 
 using analysis::noncentralityInterval;
 using analysis::noncentralTProbability;
@@ -101,4 +101,4 @@ TEST(NoncentralityInterval, RefusesWhatHasNone) {
   EXPECT_THROW(noncentralityInterval(1.0, 5.0, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace noncentral_t_test

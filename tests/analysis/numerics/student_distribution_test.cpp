@@ -8,7 +8,7 @@
 
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace student_distribution_test {
 
 using analysis::StudentDistribution;
 using tests::correctDigits;
@@ -129,4 +129,4 @@ TEST(StudentDistribution, RefusesWhatMakesNoSense) {
   EXPECT_THROW(StudentDistribution(5.0).twoSidedQuantile(1.5), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace student_distribution_test

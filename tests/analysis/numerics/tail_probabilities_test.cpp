@@ -9,7 +9,7 @@
 #include "analysis/numerics/studentized_range.h"
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace tail_probabilities_test {
 
 using tests::correctDigits;
 
@@ -46,17 +46,6 @@ TEST(ChiSquaredTail, IsReachedNearAndFar) {
   EXPECT_THROW(analysis::chiSquaredP(1.0, 0.0), std::invalid_argument);
 }
 
-TEST(FTail, IsReachedNearAndFar) {
-  using analysis::fP;
-  EXPECT_GE(correctDigits(fP(3.0, 2.0, 10.0), "0.095367431640625"), 14.0);
-  EXPECT_GE(correctDigits(fP(1e-4, 2.0, 10.0), "0.99990000599972001119"), 14.0);
-  EXPECT_GE(correctDigits(fP(40.0, 2.0, 1998.0), "9.2681003646375218727e-18"), 12.0);
-  EXPECT_GE(correctDigits(fP(500.0, 3.0, 3000.0), "1.8426764088813597925e-263"), 12.0);
-  EXPECT_GE(correctDigits(fP(3.0, 4.0, 2000.0), "0.017574842121596416643"), 12.0);
-  EXPECT_GE(correctDigits(analysis::log10FP(1e6, 2.0, 200.0), "-400.00434272768626696"), 13.0);
-  EXPECT_THROW(fP(-1.0, 2.0, 3.0), std::invalid_argument);
-}
-
 TEST(StudentizedRange, IsReachedNearAndFar) {
   using analysis::log10StudentizedRangeP;
   using analysis::studentizedRangeP;
@@ -91,4 +80,4 @@ TEST(StudentizedRange, HoldsAtItsEdges) {
   EXPECT_THROW(analysis::studentizedRangeP(1.0, 1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace tail_probabilities_test

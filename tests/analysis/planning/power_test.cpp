@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace power_test {
 
 using analysis::pairedTPower;
 using analysis::participantsForPower;
@@ -73,4 +73,4 @@ TEST(Power, RefusesWhatCannotBe) {
   EXPECT_THROW(participantsForPower(1.0, 0.05, 0.01), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace power_test

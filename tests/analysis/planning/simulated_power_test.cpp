@@ -7,7 +7,7 @@
 
 #include "analysis/planning/power.h"
 
-namespace {
+namespace simulated_power_test {
 
 using analysis::LikertModel;
 using analysis::PowerSimulation;
@@ -103,4 +103,4 @@ TEST(SimulatedPower, RefusesWhatCannotBe) {
   EXPECT_THROW(simulatePower(simulation), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace simulated_power_test

@@ -10,7 +10,7 @@
 #include "analysis/published/attainable_interval.h"
 #include "analysis/tests/welch.h"
 
-namespace {
+namespace published_check_test {
 
 using namespace analysis;  // NOLINT: one test of many small types
 
@@ -179,4 +179,4 @@ TEST(PublishedCheck, HoldsWhereVariancesMayBeZero) {
   EXPECT_THROW(checkAt(table, {5, 5}, kWelch), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace published_check_test

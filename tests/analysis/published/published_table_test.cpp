@@ -4,7 +4,7 @@
 
 #include "analysis/data/error.h"
 
-namespace {
+namespace published_table_test {
 
 using analysis::PublishedP;
 using analysis::Reading;
@@ -68,4 +68,4 @@ TEST(PublishedTable, NeedsItsColumnsAndRows) {
   EXPECT_NE(none.find("1 to 28 comparisons"), std::string::npos) << none;
 }
 
-}  // namespace
+}  // namespace published_table_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace reported_number_test {
 
 using analysis::Reading;
 using analysis::reportedNumber;
@@ -62,4 +62,4 @@ TEST(ReportedNumber, DecidesRootsInWholeNumbers) {
   EXPECT_TRUE(reportedNumber("0.0")->printsRootOf(0, 1, Reading::Rounded));
 }
 
-}  // namespace
+}  // namespace reported_number_test

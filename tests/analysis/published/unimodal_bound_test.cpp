@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace unimodal_bound_test {
 
 using analysis::isBeyondUnimodal;
 using analysis::largestUnimodalVariance;
@@ -96,4 +96,4 @@ TEST(UnimodalBound, RefusesWhatMakesNoSense) {
   EXPECT_THROW(largestUnimodalVariance(1, 5, std::nan("")), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace unimodal_bound_test

@@ -8,7 +8,7 @@
 
 #include "analysis/summary/answer_dependence.h"
 
-namespace {
+namespace flags_test {
 
 using analysis::AnswerTable;
 using analysis::StudyFacts;
@@ -223,4 +223,4 @@ TEST(AnswerDependence, IsNotThereWhereNobodyDiffers) {
   EXPECT_EQ(analysis::dependenceOf(table).intraclassCorrelation, std::nullopt);
 }
 
-}  // namespace
+}  // namespace flags_test

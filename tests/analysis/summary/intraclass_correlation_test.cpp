@@ -7,7 +7,7 @@
 
 #include "analysis/summary/reliability.h"
 
-namespace {
+namespace intraclass_correlation_test {
 
 using analysis::designEffect;
 using analysis::IntraclassCorrelation;
@@ -116,4 +116,4 @@ TEST(DesignEffect, GrowsWithTheCluster) {
   EXPECT_THROW(designEffect(0.5, 0.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace intraclass_correlation_test

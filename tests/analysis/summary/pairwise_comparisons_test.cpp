@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pairwise_comparisons_test {
 
 using analysis::comparePairwise;
 using analysis::DeclaredPair;
@@ -117,4 +117,4 @@ TEST(PairwiseComparisons, RefuseAFamilyThatIsNotOne) {
       std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace pairwise_comparisons_test

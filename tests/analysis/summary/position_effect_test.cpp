@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace analysis {
-namespace {
+namespace position_effect_test {
 
 /// Everybody judges both methods; the scores stand by participant: of A, then of B.
 AnswerTable table(const std::vector<std::pair<int, int>>& scores, bool isCrossed) {
@@ -56,5 +56,5 @@ TEST(PositionEffect, SaysNothingAboutNobody) {
   EXPECT_FALSE(effect.slopeInterval);
 }
 
-}  // namespace
+}  // namespace position_effect_test
 }  // namespace analysis

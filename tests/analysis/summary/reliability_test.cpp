@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace reliability_test {
 
 using analysis::cronbachAlpha;
 using analysis::omegaTotal;
@@ -124,4 +124,4 @@ TEST(OmegaTotal, SaysWhyItIsUndefined) {
   EXPECT_THROW(omegaTotal(Table{{1, 2, 3}, {1, 2}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace reliability_test

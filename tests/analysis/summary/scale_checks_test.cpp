@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace analysis {
-namespace {
+namespace scale_checks_test {
 
 AnswerTable threeStatements() {
   // Five people, three statements about one method.
@@ -54,5 +54,5 @@ TEST(ScaleChecks, SaysWhyNothingIsKnownOfAMethodWithoutAnswers) {
   EXPECT_FALSE(checks.spread.p);
 }
 
-}  // namespace
+}  // namespace scale_checks_test
 }  // namespace analysis

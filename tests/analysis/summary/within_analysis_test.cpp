@@ -5,7 +5,7 @@
 
 #include "tests/analysis/study_answers.h"
 
-namespace {
+namespace within_analysis_test {
 
 /// The answers of the synthetic study's professionals: 36 to each method, with the means 146/36
 /// (interpolation), 95/36 (fem) and 115/36 (kalman).
@@ -58,4 +58,4 @@ TEST(WithinAnalysis, TakesTheSecondMethodFromTheFirstInEveryTest) {
   expectDifference(result.rows[3], 20.0 / 36.0);
 }
 
-}  // namespace
+}  // namespace within_analysis_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace adjustment_test {
 
 using analysis::adjust;
 using analysis::Adjustment;
@@ -112,4 +112,4 @@ TEST(Adjustment, SharesAlphaAmongTheTests) {
   EXPECT_THROW(analysis::alphaPerTest(std::nan(""), 3), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace adjustment_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace attainable_p_test {
 
 using namespace analysis;  // NOLINT: free functions only
 
@@ -63,4 +63,4 @@ TEST(AttainableP, SaysHowManyVotesDecide) {
   EXPECT_FALSE(fewestVotesToWin(0, 3, 0.05));
 }
 
-}  // namespace
+}  // namespace attainable_p_test

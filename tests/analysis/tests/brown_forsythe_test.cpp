@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace brown_forsythe_test {
 
 using analysis::brownForsytheTest;
 using Groups = std::vector<std::vector<double>>;
@@ -59,4 +59,4 @@ TEST(BrownForsythe, SaysWhyItIsUndefined) {
   EXPECT_THROW(brownForsytheTest(Groups{{1, INFINITY}, {1, 2}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace brown_forsythe_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace equal_shares_test {
 
 using analysis::equalSharesP;
 using analysis::VoteCounts;
@@ -104,4 +104,4 @@ TEST(EqualShares, MayHaveManyOptions) {
   EXPECT_EQ(equalSharesP(votes(counts)), 0.01);
 }
 
-}  // namespace
+}  // namespace equal_shares_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace equivalence_test {
 
 using analysis::equivalenceTest;
 using Values = std::vector<double>;
@@ -71,4 +71,4 @@ TEST(Equivalence, RefusesBoundsThatAreNone) {
   EXPECT_THROW(equivalenceTest(welch, {.lower = NAN, .upper = 1.0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace equivalence_test

@@ -11,7 +11,7 @@
 
 #include "analysis/tests/attainable_p.h"
 
-namespace {
+namespace friedman_test {
 
 using analysis::friedmanTest;
 using analysis::smallestFriedmanP;
@@ -144,4 +144,4 @@ TEST(FriedmanTest, RefusesRowsThatAreNoBlocks) {
   EXPECT_THROW(friedmanTest(Blocks{{1, std::nan("")}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace friedman_test

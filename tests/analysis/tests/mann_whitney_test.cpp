@@ -11,7 +11,7 @@
 #include "analysis/effects/cliff_delta.h"
 #include "analysis/tests/brunner_munzel.h"
 
-namespace {
+namespace mann_whitney_test {
 
 using analysis::brunnerMunzelTest;
 using analysis::cliffDelta;
@@ -229,4 +229,4 @@ TEST(CliffDelta, KeepsAnIntervalWhereAllValuesAreEqual) {
   EXPECT_GT(result.interval.value().high, 0.0);  // the variance is held at 1/(n₁n₂ − 1)
 }
 
-}  // namespace
+}  // namespace mann_whitney_test

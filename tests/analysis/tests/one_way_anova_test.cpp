@@ -7,7 +7,7 @@
 
 #include "analysis/tests/student.h"
 
-namespace {
+namespace one_way_anova_test {
 
 using analysis::oneWayAnova;
 using Groups = std::vector<std::vector<double>>;
@@ -81,4 +81,4 @@ TEST(OneWayAnova, SaysWhyItIsUndefined) {
   EXPECT_THROW(oneWayAnova(Groups{{1, NAN}, {2, 3}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace one_way_anova_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace paired_t_test {
 
 using analysis::pairedTTest;
 using Values = std::vector<double>;
@@ -91,4 +91,4 @@ TEST(PairedT, RefusesWhatAreNoPairs) {
   EXPECT_THROW(confidenceInterval(pairedTTest(kSleep1, kSleep2), 1.0), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace paired_t_test

@@ -7,7 +7,7 @@
 
 #include "analysis/tests/paired_t.h"
 
-namespace {
+namespace repeated_measures_anova_test {
 
 using analysis::repeatedMeasuresAnova;
 using Table = std::vector<std::vector<double>>;
@@ -67,4 +67,4 @@ TEST(RepeatedMeasuresAnova, RefusesATableWithHoles) {
   EXPECT_THROW(repeatedMeasuresAnova(Table{{1, 2}, {1, NAN}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace repeated_measures_anova_test

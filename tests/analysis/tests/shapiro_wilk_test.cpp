@@ -9,7 +9,7 @@
 
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace shapiro_wilk_test {
 
 using analysis::shapiroWilkTest;
 using tests::correctDigits;
@@ -106,4 +106,4 @@ TEST(ShapiroWilk, IsUndefinedOutsideItsRange) {
   EXPECT_THROW(shapiroWilkTest(Values{1, 2, NAN}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace shapiro_wilk_test

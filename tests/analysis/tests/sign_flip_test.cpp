@@ -8,7 +8,7 @@
 
 #include "analysis/numerics/common_unit.h"
 
-namespace {
+namespace sign_flip_test {
 
 using analysis::commonUnitOf;
 using analysis::signFlipTest;
@@ -110,4 +110,4 @@ TEST(CommonUnit, MakesEqualWhatShouldBe) {
   EXPECT_EQ(analysis::withoutRoundingNoise(measured), measured);
 }
 
-}  // namespace
+}  // namespace sign_flip_test

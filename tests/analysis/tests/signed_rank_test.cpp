@@ -11,7 +11,7 @@
 #include "analysis/effects/hodges_lehmann.h"
 #include "analysis/tests/sign_test.h"
 
-namespace {
+namespace signed_rank_test {
 
 using analysis::hodgesLehmann;
 using analysis::signedRankTest;
@@ -186,4 +186,4 @@ TEST(SignTest, SaysWhyWhereThereIsNoSign) {
   EXPECT_FALSE(signTest(Values{0.0}).p.has_value());
 }
 
-}  // namespace
+}  // namespace signed_rank_test

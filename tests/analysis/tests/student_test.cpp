@@ -6,7 +6,7 @@
 
 #include "analysis/tests/welch.h"
 
-namespace {
+namespace student_test {
 
 using analysis::LikertCounts;
 using analysis::studentTTest;
@@ -62,4 +62,4 @@ TEST(StudentTest, IsUndefinedWithoutSpread) {
   EXPECT_FALSE(differing.p.has_value());
 }
 
-}  // namespace
+}  // namespace student_test

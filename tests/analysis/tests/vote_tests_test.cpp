@@ -11,7 +11,7 @@
 #include "analysis/tests/fisher_exact.h"
 #include "analysis/tests/friedman.h"
 
-namespace {
+namespace vote_tests_test {
 
 using analysis::clopperPearsonInterval;
 using analysis::cochranQTest;
@@ -248,4 +248,4 @@ TEST(FisherExactTest, SaysWhyWhereItGivesNoP) {
   EXPECT_TRUE(fisherExactTest(Table{{150, 10}, {90, 50}}).p.has_value());
 }
 
-}  // namespace
+}  // namespace vote_tests_test

@@ -7,7 +7,7 @@
 
 #include "tests/analysis/digits.h"
 
-namespace {
+namespace welch_test {
 
 using analysis::confidenceInterval;
 using analysis::LikertCounts;
@@ -195,4 +195,4 @@ TEST(ConfidenceInterval, RefusesLevelsThatAreNone) {
   }
 }
 
-}  // namespace
+}  // namespace welch_test

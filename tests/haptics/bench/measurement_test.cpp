@@ -8,7 +8,7 @@
 #include "haptics/bench/string_reference.h"
 
 namespace haptics::bench {
-namespace {
+namespace measurement_test {
 
 TEST(MeasurementText, ComesBackAsItWas) {
   const Measurement m{
@@ -83,5 +83,5 @@ TEST(Encoders, DisturbWhatTheyShould) {
   EXPECT_LT(at("RMS chatter", "filter, space-domain", 0.0), 0.01);
 }
 
-}  // namespace
+}  // namespace measurement_test
 }  // namespace haptics::bench

@@ -6,7 +6,7 @@
 #include "haptics/bench/stability_kernels.h"
 
 namespace haptics::bench {
-namespace {
+namespace stability_test {
 
 constexpr double kShort = 0.05;
 
@@ -70,5 +70,5 @@ TEST(Stability, IsTriedInTwoKindsOfArithmetic) {
   EXPECT_GT(different, 10);
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace haptics::bench

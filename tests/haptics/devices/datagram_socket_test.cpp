@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::devices {
-namespace {
+namespace datagram_socket_test {
 
 TEST(DatagramSocket, ReadsAndWritesAddresses) {
   EXPECT_EQ(endpointFrom("127.0.0.1:30200")->text(), "127.0.0.1:30200");
@@ -19,5 +19,5 @@ TEST(DatagramSocket, SaysWhichPortCannotBeHad) {
   EXPECT_THROW(DatagramSocket{first.local()}, NetworkError);
 }
 
-}  // namespace
+}  // namespace datagram_socket_test
 }  // namespace haptics::devices

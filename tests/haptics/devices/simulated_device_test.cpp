@@ -8,7 +8,7 @@
 #include "haptics/devices/pointer_hand.h"
 
 namespace haptics::devices {
-namespace {
+namespace simulated_device_test {
 
 constexpr double kDt = 0.001;
 
@@ -95,5 +95,5 @@ TEST(PointerHand, FollowsThePointerNoFasterThanAHand) {
   EXPECT_NEAR(hand.push(0.0, 0.0, kDt), 2.0 * 10.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace simulated_device_test
 }  // namespace haptics::devices

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::devices {
-namespace {
+namespace simulated_hand_test {
 
 constexpr double kDt = 0.001;
 
@@ -78,5 +78,5 @@ TEST(SimulatedHand, RefusesAPersonWhoMakesNoSense) {
   EXPECT_THROW(SimulatedHand({.closed = std::nan("")}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace simulated_hand_test
 }  // namespace haptics::devices

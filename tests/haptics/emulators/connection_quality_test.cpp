@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::emulators {
-namespace {
+namespace connection_quality_test {
 
 using Level = ConnectionQuality::Level;
 
@@ -114,5 +114,5 @@ TEST(ConnectionQuality, ForgetsOnRequest) {
   EXPECT_EQ(quality.measures().share, 0.0);
 }
 
-}  // namespace
+}  // namespace connection_quality_test
 }  // namespace haptics::emulators

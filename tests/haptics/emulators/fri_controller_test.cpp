@@ -14,7 +14,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::emulators {
-namespace {
+namespace fri_controller_test {
 
 using tests::kPatience;
 using tests::quick;
@@ -314,5 +314,5 @@ TEST(FriController, RefusesOptionsThatMakeNoSense) {
   EXPECT_NO_THROW(FriController{elsewhere});
 }
 
-}  // namespace
+}  // namespace fri_controller_test
 }  // namespace haptics::emulators

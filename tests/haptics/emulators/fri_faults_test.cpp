@@ -10,7 +10,7 @@
 #include "tests/haptics/emulators/stepped_session.h"
 
 namespace haptics::emulators {
-namespace {
+namespace fri_faults_test {
 
 using tests::quick;
 using tests::SteppedSession;
@@ -321,5 +321,5 @@ TEST_P(FriFaultsByChance, AreCountedExactly) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FriFaultsByChance, testing::Range<std::uint64_t>(1, 6));
 
-}  // namespace
+}  // namespace fri_faults_test
 }  // namespace haptics::emulators

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::emulators {
-namespace {
+namespace iiwa_arm_test {
 
 using devices::JointVector;
 using devices::Wrench;
@@ -297,5 +297,5 @@ TEST(IiwaArm, RefusesWhatMakesNoSense) {
       std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace iiwa_arm_test
 }  // namespace haptics::emulators

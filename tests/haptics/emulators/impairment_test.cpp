@@ -14,7 +14,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::emulators {
-namespace {
+namespace impairment_test {
 
 constexpr std::size_t kSize = 16;  // of a frame; garbage has another size
 constexpr std::size_t kGarbage = 24;
@@ -286,5 +286,5 @@ TEST(Impairment, RefusesOptionsThatMakeNoSense) {
   EXPECT_THROW(Impairment({.garbage = 0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace impairment_test
 }  // namespace haptics::emulators

@@ -13,7 +13,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::emulators {
-namespace {
+namespace surgeon_hand_test {
 
 using devices::JointVector;
 using devices::Wrench;
@@ -153,5 +153,5 @@ TEST(SurgeonHand, DoesNotPoisonAnArm) {
   EXPECT_EQ(arm.position(), arm.commandedPosition());
 }
 
-}  // namespace
+}  // namespace surgeon_hand_test
 }  // namespace haptics::emulators

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace bucket_table_test {
 
 std::size_t bySearching(const std::vector<double>& knots, double position) {
   const auto above = std::upper_bound(knots.begin(), knots.end() - 1, position);
@@ -81,5 +81,5 @@ TEST(BucketTable, DoesWithoutWhereTheSpanDefiesOne) {
   expectAgreement(huge, BucketTable(huge));
 }
 
-}  // namespace
+}  // namespace bucket_table_test
 }  // namespace haptics::engine

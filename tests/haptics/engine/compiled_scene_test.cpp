@@ -10,7 +10,7 @@
 #include "haptics/reaming/material/monotone_slopes.h"
 
 namespace haptics::engine {
-namespace {
+namespace compiled_scene_test {
 
 bool isIn(const CompiledScene& scene, const std::string& name) {
   for (const auto& pass : scene.passes()) {
@@ -155,5 +155,5 @@ TEST(MonotoneSlopes, EqualThoseOfAnIndependentImplementation) {
   EXPECT_NEAR(slopes[0], (4.0 * 2.0 - 0.5) / 3.0, 1e-14);
 }
 
-}  // namespace
+}  // namespace compiled_scene_test
 }  // namespace haptics::engine

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace energy_observer_test {
 
 constexpr double kDt = 0.001;
 
@@ -82,5 +82,5 @@ TEST(EnergyObserver, IsNotPoisonedByWhatIsNoNumber) {
   }
 }
 
-}  // namespace
+}  // namespace energy_observer_test
 }  // namespace haptics::engine

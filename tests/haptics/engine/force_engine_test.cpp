@@ -10,7 +10,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::engine {
-namespace {
+namespace force_engine_test {
 
 constexpr double kDt = 0.001;
 
@@ -368,5 +368,5 @@ TEST(SimulatedReamer, IsPushedByASimulatedHandThroughTheEngine) {
   EXPECT_LT(peak, 140.0);
 }
 
-}  // namespace
+}  // namespace force_engine_test
 }  // namespace haptics::engine

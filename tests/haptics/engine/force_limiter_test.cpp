@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace force_limiter_test {
 
 constexpr double kDt = 0.001;
 
@@ -53,5 +53,5 @@ TEST(ForceLimiter, RefusesLimitsThatAreNone) {
   EXPECT_THROW(ForceLimiter({.maxRate = std::nan("")}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace force_limiter_test
 }  // namespace haptics::engine

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace jitter_noise_test {
 
 constexpr reaming::Jitter kJitter{.rms = 1.5, .rate = 100.0};
 
@@ -44,5 +44,5 @@ TEST(JitterNoise, IsNothingWhereThereIsNoForceAndNeverPulls) {
   EXPECT_EQ(none.step(100.0, 0.001), 0.0);
 }
 
-}  // namespace
+}  // namespace jitter_noise_test
 }  // namespace haptics::engine

@@ -11,7 +11,7 @@
 #include "haptics/engine/parametric_bone.h"
 
 namespace haptics::engine {
-namespace {
+namespace packing_model_test {
 
 PackingSpec spec(bool isRemoved) {
   return {.bone = parametricBone(), .hardness = 0.5, .forceScale = 0.15, .isRemoved = isRemoved};
@@ -132,5 +132,5 @@ TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
   EXPECT_FALSE(problemsOf({.device = reamer, .model = hard}).empty());
 }
 
-}  // namespace
+}  // namespace packing_model_test
 }  // namespace haptics::engine

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace passivity_test {
 
 // The numbers that the punch paper prints below its eq. (25): K = 4.39 N/deg at 57 deg/s.
 constexpr double kSpeed = 57.0;
@@ -38,5 +38,5 @@ TEST(Passivity, AllowsTheStiffnessThatNeedsTheDampingThatThereIs) {
   EXPECT_NEAR(loop.allowedStiffness(loop.neededDamping()), loop.stiffness, 1e-12);
 }
 
-}  // namespace
+}  // namespace passivity_test
 }  // namespace haptics::engine

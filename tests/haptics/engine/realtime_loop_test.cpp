@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace realtime_loop_test {
 
 TEST(RealtimeLoop, TicksAndReportsWhatItDid) {
   std::atomic<int> calls{0};
@@ -135,5 +135,5 @@ TEST(RealtimeLoop, RefusesAnImpossibleRate) {
   EXPECT_THROW(RealtimeLoop({.rate = 1e6}, nothing), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace realtime_loop_test
 }  // namespace haptics::engine

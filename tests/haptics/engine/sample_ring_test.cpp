@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::engine {
-namespace {
+namespace sample_ring_test {
 
 TEST(SampleRing, HandsOverInOrder) {
   SampleRing<int, 8> ring;
@@ -50,5 +50,5 @@ TEST(SampleRing, LosesNothingBetweenTwoThreads) {
   }
 }
 
-}  // namespace
+}  // namespace sample_ring_test
 }  // namespace haptics::engine

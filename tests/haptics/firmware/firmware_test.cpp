@@ -19,7 +19,7 @@
 #include "tests/support/child_process.h"
 
 namespace haptics::firmware {
-namespace {
+namespace firmware_test {
 
 constexpr const char* kProgram = PALPATE_FIRMWARE;
 constexpr const char* kEmulator = PALPATE_ARM_EMULATOR;
@@ -149,5 +149,5 @@ TEST(FirmwareModels, HaveTheCutOfOurOwnMaking) {
   }
 }
 
-}  // namespace
+}  // namespace firmware_test
 }  // namespace haptics::firmware

@@ -14,7 +14,7 @@
 #include "haptics/recordings/parametric_cut.h"
 
 namespace haptics::firmware {
-namespace {
+namespace punch_program_test {
 
 using namespace wire::punch;
 using Bytes = std::vector<std::uint8_t>;
@@ -872,5 +872,5 @@ INSTANTIATE_TEST_SUITE_P(
                                                            : "FiniteElements";
     });
 
-}  // namespace
+}  // namespace punch_program_test
 }  // namespace haptics::firmware

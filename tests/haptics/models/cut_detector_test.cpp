@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::models {
-namespace {
+namespace cut_detector_test {
 
 using Detector = CutDetector<double>;
 using Event = Detector::Event;
@@ -362,5 +362,5 @@ static_assert(std::is_trivially_copyable_v<Detector>);
 static_assert(noexcept(std::declval<Detector&>().feed(0.0, 0.0)));
 static_assert(sizeof(CutDetector<float>) <= 256);
 
-}  // namespace
+}  // namespace cut_detector_test
 }  // namespace haptics::models

@@ -10,7 +10,7 @@
 #include "haptics/models/finite_elements.h"
 
 namespace haptics::models {
-namespace {
+namespace finite_elements_contrast_test {
 
 using Real = boost::multiprecision::cpp_bin_float_100;
 
@@ -173,5 +173,5 @@ TEST(FiniteElementContrast, YieldsAtOnceWhereTheTissueIsRigid) {
   EXPECT_EQ(rigid.at(4.0 + 1e-12, state).force, 7.0);
 }
 
-}  // namespace
+}  // namespace finite_elements_contrast_test
 }  // namespace haptics::models

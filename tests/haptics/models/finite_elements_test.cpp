@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::models {
-namespace {
+namespace finite_elements_test {
 
 using Elements = FiniteElements<double>;
 
@@ -199,5 +199,5 @@ TEST(FiniteElements, KnowUnsoundParameters) {
   EXPECT_FALSE(Elements::isSound(inTheLast));
 }
 
-}  // namespace
+}  // namespace finite_elements_test
 }  // namespace haptics::models

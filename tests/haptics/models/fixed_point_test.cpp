@@ -10,7 +10,7 @@
 #include "haptics/models/uniform_curve.h"
 
 namespace haptics::models {
-namespace {
+namespace fixed_point_test {
 
 constexpr double kStep = 1.0 / 65536.0;
 
@@ -89,5 +89,5 @@ TEST(SteadyFilter, IsTheFilterItselfOnAHandThatRests) {
   EXPECT_NEAR(difference, 0.0, 1e-6);
 }
 
-}  // namespace
+}  // namespace fixed_point_test
 }  // namespace haptics::models

@@ -8,7 +8,7 @@
 #include "haptics/engine/bucket_table.h"
 
 namespace haptics::models {
-namespace {
+namespace hermite_curve_test {
 
 using Curve = HermiteCurve<double>;
 
@@ -84,5 +84,5 @@ TEST(HermiteCurve, KnowsUnsoundPieces) {
   EXPECT_FALSE(Curve::isSound(crowded.data(), crowded.size()));
 }
 
-}  // namespace
+}  // namespace hermite_curve_test
 }  // namespace haptics::models

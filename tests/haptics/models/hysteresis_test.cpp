@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::models {
-namespace {
+namespace hysteresis_test {
 
 using Curve = Interpolation<double>;
 const std::vector<CurveNode<double>> kClosing{{2.0, 0.0}, {6.0, 4.0}, {7.0, 3.0}, {10.0, 5.0}};
@@ -115,5 +115,5 @@ TEST(Hysteresis, HasNoForceForWhatIsNoNumber) {
   EXPECT_TRUE(model.at(5.0, state).isDefined);
 }
 
-}  // namespace
+}  // namespace hysteresis_test
 }  // namespace haptics::models

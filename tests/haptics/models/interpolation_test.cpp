@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::models {
-namespace {
+namespace interpolation_test {
 
 using Curve = Interpolation<double>;
 const std::vector<CurveNode<double>> kNodes{{2.0, 0.0}, {4.0, 1.0}, {5.0, 4.0}, {9.0, 2.0}};
@@ -76,5 +76,5 @@ TEST(Interpolation, IsUnsoundWithPointsThatDoNotAdvanceOrAreNoNumbers) {
   EXPECT_FALSE(isSound({{1.0, 0.0}, {INFINITY, 2.0}}));
 }
 
-}  // namespace
+}  // namespace interpolation_test
 }  // namespace haptics::models

@@ -10,7 +10,7 @@
 #include "haptics/models/kalman_noise.h"
 
 namespace haptics::models {
-namespace {
+namespace kalman_filter_test {
 
 using Filter = KalmanFilter<double>;
 using Noise = KalmanNoise<double>;
@@ -231,5 +231,5 @@ TEST(KalmanNoise, HasEveryReadingOfThePaperSound) {
   }
 }
 
-}  // namespace
+}  // namespace kalman_filter_test
 }  // namespace haptics::models

@@ -12,7 +12,7 @@
 #include "haptics/models/kalman_noise.h"
 
 namespace haptics::models {
-namespace {
+namespace kalman_stability_test {
 
 using Real = boost::multiprecision::cpp_bin_float_100;
 
@@ -185,5 +185,5 @@ TEST_F(KalmanStability, SurvivesStepsThatAreHardlyAny) {
   }
 }
 
-}  // namespace
+}  // namespace kalman_stability_test
 }  // namespace haptics::models

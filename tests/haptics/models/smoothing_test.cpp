@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::models {
-namespace {
+namespace smoothing_test {
 
 TEST(MovingAverage, ChangesNothingWhereThereIsNone) {
   MovingAverage<double> average(Smoothing::None);
@@ -32,5 +32,5 @@ TEST(MovingAverage, BeginsAnewAfterAReset) {
   EXPECT_DOUBLE_EQ(average.feed(2.0), 2.0);
 }
 
-}  // namespace
+}  // namespace smoothing_test
 }  // namespace haptics::models

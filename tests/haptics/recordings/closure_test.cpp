@@ -9,7 +9,7 @@
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {
-namespace {
+namespace closure_test {
 
 RecordingSurvey surveyOf(const tests::MadeRecording& made) {
   const Recording recording = readRecording(tests::textOf(made));
@@ -100,5 +100,5 @@ TEST(Sampling, IsNothingForARecordingWithoutTime) {
   EXPECT_EQ(samplingOf(readRecording("1 0.7 450 0.5 100\n1 0.7 450 0.5 100")).rate, 0.0);
 }
 
-}  // namespace
+}  // namespace closure_test
 }  // namespace haptics::recordings

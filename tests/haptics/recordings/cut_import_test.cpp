@@ -14,7 +14,7 @@
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {
-namespace {
+namespace cut_import_test {
 
 Recording made(const tests::MadeRecording& recording = {}) {
   return readRecording(tests::textOf(recording), "made.txt");
@@ -201,5 +201,5 @@ TEST(CutImport, IsTheSameEveryTime) {
   EXPECT_EQ(importCut(recording).cut.curve, importCut(recording).cut.curve);
 }
 
-}  // namespace
+}  // namespace cut_import_test
 }  // namespace haptics::recordings

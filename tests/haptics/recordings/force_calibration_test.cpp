@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace force_calibration_test {
 
 TEST(ForceCalibration, IsEquationOneOfThePaper) {
   EXPECT_EQ(forceOf(0.0, ForceCalibration::PaperEq1), 0.0);
@@ -26,5 +26,5 @@ TEST(ForceCalibration, IsCalledAsResearchersCallIt) {
   EXPECT_FALSE(forceCalibrationNamed("Paper-Eq1"));
 }
 
-}  // namespace
+}  // namespace force_calibration_test
 }  // namespace haptics::recordings

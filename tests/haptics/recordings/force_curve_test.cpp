@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace force_curve_test {
 
 TEST(ForceCurve, IsStraightBetweenItsNodesAndHoldsItsEnds) {
   const ForceCurve curve({{2.0, 0.0}, {4.0, 1.0}, {5.0, 4.0}});
@@ -33,5 +33,5 @@ TEST(ForceCurve, CannotBeBuiltFromWhatIsNone) {
   EXPECT_THROW(ForceCurve({{1.0, 1.0}, {2.0, kNan}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace force_curve_test
 }  // namespace haptics::recordings

@@ -16,7 +16,7 @@
 // never puts a number into a curve that is none.
 
 namespace haptics::recordings {
-namespace {
+namespace garbage_test {
 
 void expectFinite(const Cut& cut) {
   for (const CurvePoint& node : cut.curve.nodes()) {
@@ -104,5 +104,5 @@ TEST(Garbage, OfARealRecordingIsReadOrRefused) {
   for (int i = 0; i < 40; ++i) survives(flipped(whole, random, 1 + i));
 }
 
-}  // namespace
+}  // namespace garbage_test
 }  // namespace haptics::recordings

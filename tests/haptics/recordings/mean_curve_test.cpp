@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace mean_curve_test {
 
 using Curves = std::vector<ForceCurve>;
 
@@ -42,5 +42,5 @@ TEST(MeanCurve, KnowsItsNearestCurve) {
   EXPECT_EQ(mostTypical(Curves{line(0.0, 9.0, 1.0), line(0.0, 9.0, 1.0)}), 0U);
 }
 
-}  // namespace
+}  // namespace mean_curve_test
 }  // namespace haptics::recordings

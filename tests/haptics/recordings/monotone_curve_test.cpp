@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace monotone_curve_test {
 
 using Points = std::vector<CurvePoint>;
 
@@ -55,5 +55,5 @@ TEST(MonotoneCurve, RefusesAHandThatDidNotClose) {
   EXPECT_THROW(monotoneCurve(Points{{3.0, 1.0}, {2.0, 2.0}, {1.0, 2.0}}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace monotone_curve_test
 }  // namespace haptics::recordings

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace parametric_cut_test {
 
 TEST(ParametricCut, PassesThroughItsLandmarks) {
   const ForceCurve curve = parametricCut().curve;
@@ -94,5 +94,5 @@ TEST(ParametricCut, RefusesAShapeThatIsNoCut) {
   EXPECT_THROW(parametricCut({.maxSlope = 0.0}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace parametric_cut_test
 }  // namespace haptics::recordings

@@ -19,7 +19,7 @@
 // punch/measured.json of the fetched data, which a separate script found in them.
 
 namespace haptics::recordings {
-namespace {
+namespace published_recordings_test {
 
 /// A recording of the data set and what it is known to hold.
 struct Published {
@@ -199,5 +199,5 @@ INSTANTIATE_TEST_SUITE_P(
       return stem.substr(stem.rfind('_') + 1);  // the time of day
     });
 
-}  // namespace
+}  // namespace published_recordings_test
 }  // namespace haptics::recordings

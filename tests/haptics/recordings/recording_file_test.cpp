@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace haptics::recordings {
-namespace {
+namespace recording_file_test {
 
 std::string complaintAbout(const std::filesystem::path& path) {
   try {
@@ -80,5 +80,5 @@ TEST(RecordingFile, CallsAnEmptyFileByItsName) {
       "'empty.txt' is empty: copy or record it again.");
 }
 
-}  // namespace
+}  // namespace recording_file_test
 }  // namespace haptics::recordings

@@ -9,7 +9,7 @@
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {
-namespace {
+namespace recording_text_test {
 
 const std::string kRow = "144\t99.23\t451.00\t0.25\t192037.00\t";  // from the data set's README
 const std::string kNextRow = "145\t99.90\t452.00\t0.51\t192040.00\t";
@@ -189,5 +189,5 @@ TEST(RecordingText, TellsWhereTimeRunsBackwards) {
       "that line and import the parts.");
 }
 
-}  // namespace
+}  // namespace recording_text_test
 }  // namespace haptics::recordings

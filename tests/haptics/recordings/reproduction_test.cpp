@@ -17,7 +17,7 @@
 // their sketch and found in their files, say so.
 
 namespace haptics::recordings {
-namespace {
+namespace reproduction_test {
 
 const char* const kCopy = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
 const char* const kWhole = "punch/part-2/meniscus/fast/MENISK_FAST_1_14042021_1826.txt";
@@ -217,5 +217,5 @@ TEST(Reproduction, MovesTheReferenceCutLittleToLimitItsSlope) {
   EXPECT_LT(imported.report.largestChange, 0.15);
 }
 
-}  // namespace
+}  // namespace reproduction_test
 }  // namespace haptics::recordings

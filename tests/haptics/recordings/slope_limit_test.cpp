@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::recordings {
-namespace {
+namespace slope_limit_test {
 
 /// The envelopes by their definition, every node against every other.
 double meanOfEnvelopesAt(const ForceCurve& curve, double x, double maxSlope) {
@@ -90,5 +90,5 @@ TEST(SlopeLimit, RefusesALimitThatIsNone) {
   EXPECT_THROW(limitSlope(curve, std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace slope_limit_test
 }  // namespace haptics::recordings

@@ -10,7 +10,7 @@
 #include "haptics/recordings/kaiser_low_pass.h"
 
 namespace haptics::recordings {
-namespace {
+namespace travel_filter_test {
 
 /// The gain of a symmetric filter at a frequency [Hz].
 double gainAt(const KaiserLowPass& filter, double frequency, double sampleRate) {
@@ -89,5 +89,5 @@ TEST(TravelFilter, StatesEveryParameterThatItUses) {
   EXPECT_DOUBLE_EQ(design.cutoff, 17.69075);
 }
 
-}  // namespace
+}  // namespace travel_filter_test
 }  // namespace haptics::recordings

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::timing {
-namespace {
+namespace clock_drift_test {
 
 TEST(ClockDrift, IsFoundUnderDelaysThatAreOftenLong) {
   for (const double ppm : {-200.0, -20.0, 0.0, 3.0, 150.0}) {
@@ -41,5 +41,5 @@ TEST(ClockDrift, OutlivesAPause) {
   EXPECT_NEAR(*drift.partsPerMillion(), 100.0, 0.1);
 }
 
-}  // namespace
+}  // namespace clock_drift_test
 }  // namespace haptics::timing

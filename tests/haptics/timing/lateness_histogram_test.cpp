@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::timing {
-namespace {
+namespace lateness_histogram_test {
 
 TEST(LatenessHistogram, FindsQuantilesToASixteenth) {
   LatenessHistogram histogram;
@@ -37,5 +37,5 @@ TEST(LatenessHistogram, SaysNothingOfNothing) {
   EXPECT_EQ(LatenessHistogram().quantile(0.99), 0.0);
 }
 
-}  // namespace
+}  // namespace lateness_histogram_test
 }  // namespace haptics::timing

@@ -8,7 +8,7 @@
 #include "haptics/wire/crc32.h"
 
 namespace haptics::wire {
-namespace {
+namespace cobs_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -69,5 +69,5 @@ TEST(Cobs, RefusesRunsThatLeaveTheFrame) {
   EXPECT_TRUE(plainOf({0x00}).empty());
 }
 
-}  // namespace
+}  // namespace cobs_test
 }  // namespace haptics::wire

@@ -17,7 +17,7 @@
 #include "tests/support/test_data.h"
 
 namespace haptics::wire::fri {
-namespace {
+namespace fri_codec_test {
 
 using nlohmann::json;
 using Bytes = std::vector<std::uint8_t>;
@@ -688,5 +688,5 @@ TEST(FriCodec, AllocatesNothing) {
   EXPECT_EQ(allocations.count(), 0U);
 }
 
-}  // namespace
+}  // namespace fri_codec_test
 }  // namespace haptics::wire::fri

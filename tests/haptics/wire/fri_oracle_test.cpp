@@ -22,7 +22,7 @@
 // bytes, and of what was damaged both say the same.
 
 namespace haptics::wire::fri {
-namespace {
+namespace fri_oracle_test {
 
 namespace pb = palpate::fri;
 using google::protobuf::FieldDescriptor;
@@ -573,5 +573,5 @@ TEST(FriOracle, SaysTheSameOfDamagedDatagramsAsProtobufDoes) {
   }
 }
 
-}  // namespace
+}  // namespace fri_oracle_test
 }  // namespace haptics::wire::fri

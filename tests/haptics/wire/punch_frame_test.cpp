@@ -6,7 +6,7 @@
 #include "haptics/wire/punch_codec.h"
 
 namespace haptics::wire::punch {
-namespace {
+namespace punch_frame_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -160,5 +160,5 @@ TEST(FrameDecoder, SeesEverySingleDamagedBit) {
   }
 }
 
-}  // namespace
+}  // namespace punch_frame_test
 }  // namespace haptics::wire::punch

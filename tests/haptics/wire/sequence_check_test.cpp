@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::wire {
-namespace {
+namespace sequence_check_test {
 
 using Check = SequenceCheck<std::uint16_t>;
 using Verdict = Check::Verdict;
@@ -62,5 +62,5 @@ TEST(SequenceCheck, LosesUpToAThousandAtATime) {
   EXPECT_EQ(check.lost(), 999U);
 }
 
-}  // namespace
+}  // namespace sequence_check_test
 }  // namespace haptics::wire

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::wire {
-namespace {
+namespace sketch_line_test {
 
 SketchMesh meshIn(std::string_view line) {
   const auto read = parseSketchLine(line);
@@ -116,5 +116,5 @@ TEST(SketchLine, SurvivesGarbage) {
   }
 }
 
-}  // namespace
+}  // namespace sketch_line_test
 }  // namespace haptics::wire

@@ -6,7 +6,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace blanks_test {
 
 std::vector<Blank> blanksIn(const std::string& json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
@@ -56,5 +56,5 @@ TEST(Blanks, AreFoundInWhatIsChosenFromAsWell) {
   EXPECT_EQ(blanks[1].words, "[[first ward]]");
 }
 
-}  // namespace
+}  // namespace blanks_test
 }  // namespace protocols

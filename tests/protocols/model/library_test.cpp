@@ -16,7 +16,7 @@
 #include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {
-namespace {
+namespace library_test {
 
 using Words = std::vector<std::string>;
 
@@ -232,5 +232,5 @@ TEST(ProtocolLibrary, UsesTemplatesThatHaveTheSameBlanksInEveryLanguage) {
   }
 }
 
-}  // namespace
+}  // namespace library_test
 }  // namespace protocols

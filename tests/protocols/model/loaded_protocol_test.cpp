@@ -20,7 +20,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace protocols {
-namespace {
+namespace loaded_protocol_test {
 
 namespace fs = std::filesystem;
 namespace engine = haptics::engine;
@@ -391,5 +391,5 @@ TEST(LoadedProtocol, IsToldOfAnInstrumentThatIsAskedOnceAndMeasuresAChange) {
       once.inWords().find("'ssq' is asked once, and its result is the change"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace loaded_protocol_test
 }  // namespace protocols

@@ -11,7 +11,7 @@
 #include "protocols/orders/random_stream.h"
 
 namespace protocols {
-namespace {
+namespace order_test {
 
 bool isPermutation(Row row) {
   std::sort(row.begin(), row.end());
@@ -241,5 +241,5 @@ TEST(Orders, AreThoseThatTheirDescriptionGives) {
       (std::vector<Row>{{2, 4, 1, 0, 3}, {0, 4, 2, 1, 3}, {1, 3, 2, 4, 0}, {0, 1, 4, 3, 2}}));
 }
 
-}  // namespace
+}  // namespace order_test
 }  // namespace protocols

@@ -14,7 +14,7 @@
 #include "tests/protocols/reference_generators.h"
 
 namespace protocols {
-namespace {
+namespace random_stream_test {
 
 /// What a stream of version 1 begins with. The values come from the description in the header,
 /// written out in another language (Python 3, whole numbers of any size) by somebody who had not
@@ -292,5 +292,5 @@ TEST(RandomStream, ShufflesNothingAndOneThingToo) {
   EXPECT_EQ(one, std::vector<int>{7});
 }
 
-}  // namespace
+}  // namespace random_stream_test
 }  // namespace protocols

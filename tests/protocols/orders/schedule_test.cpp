@@ -13,7 +13,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace schedule_test {
 
 Protocol libraryProtocol(const char* name) {
   questionnaires::Problems problems;
@@ -271,5 +271,5 @@ TEST(Balance, OfPositionsIsExactInAPlainSquareAndThatOfNeighboursIsNot) {
   EXPECT_EQ(balance.after, (std::vector<std::vector<int>>{{0, 0, 6}, {6, 0, 0}, {0, 6, 0}}));
 }
 
-}  // namespace
+}  // namespace schedule_test
 }  // namespace protocols

@@ -9,7 +9,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace protocols {
-namespace {
+namespace anatomy_file_test {
 
 /// An object with a square of @p size that lies @p below the origin.
 /// @param first  the number of its first corner.
@@ -213,5 +213,5 @@ TEST(AnatomyOfAProtocol, IsFoundBesideAFile) {
   EXPECT_NE(loaded->protocol.conditions[0].knee->find(kFemur), nullptr);
 }
 
-}  // namespace
+}  // namespace anatomy_file_test
 }  // namespace protocols

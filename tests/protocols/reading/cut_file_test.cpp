@@ -16,7 +16,7 @@
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace protocols {
-namespace {
+namespace cut_file_test {
 
 using nlohmann::json;
 
@@ -270,5 +270,5 @@ TEST(CutFile, RefusesWhatIsNoJson) {
   }
 }
 
-}  // namespace
+}  // namespace cut_file_test
 }  // namespace protocols

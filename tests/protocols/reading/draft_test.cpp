@@ -9,7 +9,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace draft_test {
 
 using Words = std::vector<std::string>;
 
@@ -95,5 +95,5 @@ TEST(Draft, MissesNoConditionOrDeviceThatHasNoReadableName) {
   EXPECT_EQ(saidAbout(other), Words{"$.devices[0].kind: unknown word 'pnch'"});
 }
 
-}  // namespace
+}  // namespace draft_test
 }  // namespace protocols

@@ -8,7 +8,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace material_file_test {
 
 namespace reaming = haptics::reaming;
 
@@ -170,5 +170,5 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
       std::string::npos);
 }
 
-}  // namespace
+}  // namespace material_file_test
 }  // namespace protocols

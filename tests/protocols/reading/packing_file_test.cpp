@@ -7,7 +7,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace packing_file_test {
 
 namespace reaming = haptics::reaming;
 
@@ -118,5 +118,5 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   has(refusalOf(R"({"packing": "cup.packing"})"), "hardness");
 }
 
-}  // namespace
+}  // namespace packing_file_test
 }  // namespace protocols

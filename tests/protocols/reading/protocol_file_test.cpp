@@ -15,7 +15,7 @@
 #include "tests/support/test_data.h"
 
 namespace protocols {
-namespace {
+namespace protocol_file_test {
 
 using questionnaires::Problem;
 using questionnaires::Problems;
@@ -200,5 +200,5 @@ TEST(ProtocolFile, ReturnsNoProtocolThatHasErrors) {
   EXPECT_FALSE(readDraft("[]", problems).has_value());
 }
 
-}  // namespace
+}  // namespace protocol_file_test
 }  // namespace protocols

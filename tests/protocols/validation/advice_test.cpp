@@ -9,7 +9,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace advice_test {
 
 using questionnaires::Severity;
 
@@ -193,5 +193,5 @@ TEST(Advice, IsSilentAboutWhatIsUnwiseWhileSomethingIsWrong) {
   EXPECT_EQ(loading.problems[0].severity, Severity::Error);
 }
 
-}  // namespace
+}  // namespace advice_test
 }  // namespace protocols

@@ -9,7 +9,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace {
+namespace block_advice_test {
 
 using Words = std::vector<std::string>;
 
@@ -167,5 +167,5 @@ TEST(BlockAdvice, MissesAPlanOfAnalysis) {
   EXPECT_EQ(adviceOn(text), Words{"$.analysis: no family of comparisons is declared"});
 }
 
-}  // namespace
+}  // namespace block_advice_test
 }  // namespace protocols

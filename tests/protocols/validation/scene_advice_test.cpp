@@ -8,7 +8,7 @@
 #include "protocols/reading/cut_file.h"
 
 namespace protocols {
-namespace {
+namespace scene_advice_test {
 
 using haptics::engine::InterpolationSpec;
 using haptics::engine::KalmanSpec;
@@ -67,5 +67,5 @@ TEST(SceneAdvice, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
   EXPECT_TRUE(adviceOn(spec).empty());
 }
 
-}  // namespace
+}  // namespace scene_advice_test
 }  // namespace protocols

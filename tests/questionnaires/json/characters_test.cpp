@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace characters_test {
 
 TEST(CharactersIn, CountsCodePoints) {
   EXPECT_EQ(charactersIn(""), 0U);
@@ -51,5 +51,5 @@ TEST(CharactersIn, KnowsWhatIsNoUnicode) {
   }
 }
 
-}  // namespace
+}  // namespace characters_test
 }  // namespace questionnaires

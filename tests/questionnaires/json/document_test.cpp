@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace document_test {
 
 struct Reading {
   std::optional<Value> value;
@@ -171,5 +171,5 @@ TEST(ParseJson, TakesEveryKindOfText) {
   EXPECT_EQ(std::get<std::string>(reading.value->data), "a\tb\n\"\\ é 😀 مرحبا");
 }
 
-}  // namespace
+}  // namespace document_test
 }  // namespace questionnaires

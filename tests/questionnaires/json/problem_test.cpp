@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace problem_test {
 
 TEST(Problems, AreToldOnePerLine) {
   Problems problems;
@@ -48,5 +48,5 @@ TEST(Problems, CanBeWalkedThroughAtOnce) {
   for (const auto& problem : found().all()) EXPECT_EQ(problem.what, "this is odd");
 }
 
-}  // namespace
+}  // namespace problem_test
 }  // namespace questionnaires

@@ -9,7 +9,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace questionnaires {
-namespace {
+namespace text_file_test {
 
 std::string complaintAbout(const std::string& path) {
   try {
@@ -60,5 +60,5 @@ TEST(ReadTextFile, SaysThatItIsTooLarge) {
       path + " is larger than 5 MB. No researcher's file needs that; is it the right file?");
 }
 
-}  // namespace
+}  // namespace text_file_test
 }  // namespace questionnaires

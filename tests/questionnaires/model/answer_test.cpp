@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace answer_test {
 
 using Texts = std::vector<std::string>;
 
@@ -106,5 +106,5 @@ TEST_F(UnansweredTest, TakesZeroForAnAnswer) {
   EXPECT_TRUE(unanswered({{.id = "n", .type = ItemType::Number}}, {{"n", 0.0}}).empty());
 }
 
-}  // namespace
+}  // namespace answer_test
 }  // namespace questionnaires

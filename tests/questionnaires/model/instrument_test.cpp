@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace instrument_test {
 
 const Instrument kInstrument{
     .items = {{.id = "1.1", .set = "1"}, {.id = "2.1", .set = "2"}, {.id = "1.2", .set = "1"}}};
@@ -33,5 +33,5 @@ TEST(Instrument, GivesNoItemsOfAnUnknownSet) {
   EXPECT_TRUE(kInstrument.itemsOf("9").empty());
 }
 
-}  // namespace
+}  // namespace instrument_test
 }  // namespace questionnaires

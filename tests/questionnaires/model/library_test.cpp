@@ -17,7 +17,7 @@
 #include "tests/support/test_data.h"
 
 namespace questionnaires {
-namespace {
+namespace library_test {
 
 const std::filesystem::path kFolder = tests::repository() / "questionnaires/library";
 
@@ -204,5 +204,5 @@ TEST(Library, TellsAndDoesNotAskInInformation) {
   }
 }
 
-}  // namespace
+}  // namespace library_test
 }  // namespace questionnaires

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace localized_text_test {
 
 const LocalizedText kThanks({{"en", "Thank you"}, {"de", "Danke"}});
 
@@ -24,5 +24,5 @@ TEST(LocalizedText, IsSilentWhereItHasNeither) {
   EXPECT_EQ(LocalizedText(german).in("nb"), "");
 }
 
-}  // namespace
+}  // namespace localized_text_test
 }  // namespace questionnaires

@@ -7,7 +7,7 @@
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {
-namespace {
+namespace names_test {
 
 TEST(IsSoundId, TakesWhatFilesAndColumnsTake) {
   for (const auto* id : {"a", "1.1", "realism-common", "A_b", "9"})
@@ -59,5 +59,5 @@ TEST(NumberInWords, HasNoNeedlessDigits) {
   EXPECT_EQ(inWords(1e300), "any size");
 }
 
-}  // namespace
+}  // namespace names_test
 }  // namespace questionnaires

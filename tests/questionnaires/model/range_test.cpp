@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace range_test {
 
 TEST(RangeOf, IsThatOfThePoints) {
   EXPECT_EQ(rangeOf({.type = ItemType::Likert}), (Range{1.0, 5.0}));
@@ -28,5 +28,5 @@ TEST(RangeOf, IsNoneWhereAnswersAreNoNumbers) {
   }
 }
 
-}  // namespace
+}  // namespace range_test
 }  // namespace questionnaires

@@ -13,7 +13,7 @@
 #include "tests/support/test_data.h"
 
 namespace questionnaires {
-namespace {
+namespace instrument_file_test {
 
 std::filesystem::path corpus(const std::string& kind) {
   return tests::repository() / "tests/questionnaires/data" / kind;
@@ -231,5 +231,5 @@ TEST(InstrumentFile, ThrowsEverythingThatIsWrong) {
   }
 }
 
-}  // namespace
+}  // namespace instrument_file_test
 }  // namespace questionnaires

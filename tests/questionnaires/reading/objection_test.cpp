@@ -8,7 +8,7 @@
 #include "questionnaires/model/answer.h"
 
 namespace questionnaires {
-namespace {
+namespace objection_test {
 
 using Texts = std::vector<std::string>;
 
@@ -142,5 +142,5 @@ TEST(Objection, KeepsAShortTextOnOneLine) {
   EXPECT_EQ(reason(kLong, "a\r\nb\tc"), "none");
 }
 
-}  // namespace
+}  // namespace objection_test
 }  // namespace questionnaires

@@ -10,7 +10,7 @@
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {
-namespace {
+namespace wording_test {
 
 using Files = std::map<std::string, std::string>;
 
@@ -175,5 +175,5 @@ TEST(Wording, LeavesTheInstrumentAloneWhereItIsRefused) {
   EXPECT_TRUE(instrument.items[0].text.isEmpty());
 }
 
-}  // namespace
+}  // namespace wording_test
 }  // namespace questionnaires

@@ -8,7 +8,7 @@
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {
-namespace {
+namespace acceptability_test {
 
 /// 1…5 each; the second is worded against realism.
 const Instrument kTwo{
@@ -68,5 +68,5 @@ TEST(Acceptability, AsksTheShippedScaleItemByItem) {
   EXPECT_FALSE(items[4].share.has_value());
 }
 
-}  // namespace
+}  // namespace acceptability_test
 }  // namespace questionnaires

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace questionnaires {
-namespace {
+namespace consistency_test {
 
 /// 1…7; b is turned round.
 Instrument twoScales() {
@@ -56,5 +56,5 @@ TEST(Consistency, ContradictsNothingWithFewerThanTwoAnswers) {
   EXPECT_TRUE(consistencyOf(twoScales(), {})->contradictory.empty());
 }
 
-}  // namespace
+}  // namespace consistency_test
 }  // namespace questionnaires

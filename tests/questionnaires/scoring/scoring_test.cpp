@@ -9,7 +9,7 @@
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {
-namespace {
+namespace scoring_test {
 
 /// The same answer to every item.
 std::vector<Answer> all(const Instrument& instrument, const Response& response) {
@@ -238,5 +238,5 @@ TEST(Scored, NeverYieldsNan) {
   EXPECT_FALSE(scored(instrument, {.items = {}}, {}).has_value());
 }
 
-}  // namespace
+}  // namespace scoring_test
 }  // namespace questionnaires

@@ -12,7 +12,7 @@
 #include "tests/support/child_process.h"
 
 namespace study {
-namespace {
+namespace acknowledgement_test {
 
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
@@ -189,5 +189,5 @@ INSTANTIATE_TEST_SUITE_P(
         Mishap{"AProgramKilledTidyingUp", "unlink,ftruncate", ":signal=KILL:when=", "", 1, 3}),
     [](const auto& mishap) { return mishap.param.name; });
 
-}  // namespace
+}  // namespace acknowledgement_test
 }  // namespace study

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
-namespace {
+namespace command_line_test {
 
 using nlohmann::json;
 using tests::Finished;
@@ -501,4 +501,4 @@ TEST_F(CommandLineTest, WritesAReportThatNeedsNothingElse) {
   EXPECT_NE(html.find("Simulated"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace command_line_test

@@ -13,7 +13,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace command_reference_test {
 
 using study::app::CommandDescription;
 
@@ -186,4 +186,4 @@ TEST(CommandReference, CompletesTheStudio) {
   EXPECT_EQ(offered(study::app::describeStudio(), {"palpate-studio", "--renderer", "b"}), expected);
 }
 
-}  // namespace
+}  // namespace command_reference_test

@@ -12,7 +12,7 @@
 #include "tests/support/programs.h"
 
 namespace study {
-namespace {
+namespace disk_test {
 
 namespace fs = std::filesystem;
 
@@ -124,5 +124,5 @@ TEST_F(DiskTest, ThatIsOnlyReadIsRefusedBeforeAnybodyTakesPart) {
   EXPECT_NE(unmade.error.find("cannot be made"), std::string::npos) << unmade.error;
 }
 
-}  // namespace
+}  // namespace disk_test
 }  // namespace study

@@ -8,7 +8,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace instrument_commands_test {
 
 using Words = std::vector<std::string>;
 
@@ -87,4 +87,4 @@ TEST(InstrumentCommands, PrintATemplateOrSayThatThereIsNothingToWrite) {
   EXPECT_EQ(instrument({"wording", "nothing-of-the-kind"}).status, 1);
 }
 
-}  // namespace
+}  // namespace instrument_commands_test

@@ -15,7 +15,7 @@
 #include "tests/support/test_data.h"
 
 namespace study {
-namespace {
+namespace kill_in_between_test {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
@@ -158,5 +158,5 @@ TEST_F(KilledInBetweenTest, LeavesNoHalfExportUnderItsName) {
   EXPECT_GE(points, 15);
 }
 
-}  // namespace
+}  // namespace kill_in_between_test
 }  // namespace study

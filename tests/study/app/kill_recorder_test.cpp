@@ -15,7 +15,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study {
-namespace {
+namespace kill_recorder_test {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
@@ -67,5 +67,5 @@ TEST(KilledRecorder, LosesAtMostTheSecondUnderWay) {
   EXPECT_EQ(static_cast<std::int64_t>(samples.size()), store.sampleCount(visit));
 }
 
-}  // namespace
+}  // namespace kill_recorder_test
 }  // namespace study

@@ -16,7 +16,7 @@
 #include "tests/support/child_process.h"
 
 namespace study {
-namespace {
+namespace kill_test {
 
 namespace fs = std::filesystem;
 
@@ -106,5 +106,5 @@ TEST_F(KillTest, NoticesWhatIsLost) {
   EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "lost: " + acknowledged.back() + "\n");
 }
 
-}  // namespace
+}  // namespace kill_test
 }  // namespace study

@@ -7,7 +7,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace reaming_commands_test {
 
 class ReamingCommands : public testing::Test {
  protected:
@@ -231,4 +231,4 @@ TEST_F(ReamingCommands, ShareTheSeedsOfASwarmAndMissNone) {
       "is no shard");
 }
 
-}  // namespace
+}  // namespace reaming_commands_test

@@ -10,7 +10,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 
-namespace {
+namespace reproducible_test {
 
 namespace fs = std::filesystem;
 
@@ -97,4 +97,4 @@ TEST_F(ReproducibleTest, TellsItOnRequestAndRemembersThatItDid) {
   EXPECT_EQ(last.detail, "the analysis is written");
 }
 
-}  // namespace
+}  // namespace reproducible_test

@@ -11,7 +11,7 @@
 #include "tests/study/made_study.h"
 
 namespace study {
-namespace {
+namespace statistics_json_test {
 
 using nlohmann::json;
 
@@ -178,5 +178,5 @@ TEST_F(StatisticsJson, GoesOnWithoutADamagedTraceAndSaysWhy) {
   EXPECT_GT(rows_.size(), 20U);
 }
 
-}  // namespace
+}  // namespace statistics_json_test
 }  // namespace study

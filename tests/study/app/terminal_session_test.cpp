@@ -7,7 +7,7 @@
 #include "tests/support/programs.h"
 
 namespace study {
-namespace {
+namespace terminal_session_test {
 
 class TerminalSessionTest : public testing::Test {
  protected:
@@ -71,5 +71,5 @@ TEST_F(TerminalSessionTest, IsForWhatTheRunModeSays) {
   EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 2U) << "the pilot goes on";
 }
 
-}  // namespace
+}  // namespace terminal_session_test
 }  // namespace study

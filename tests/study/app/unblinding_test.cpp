@@ -12,7 +12,7 @@
 #include "tests/support/programs.h"
 
 namespace study {
-namespace {
+namespace unblinding_test {
 
 /// One live participant who finished.
 class UnblindingTest : public testing::Test {
@@ -73,5 +73,5 @@ TEST_F(UnblindingTest, ReportsAndStatisticsAskForOneAsExportsDo) {
   EXPECT_EQ(reasonsOf("unblinded_results"), std::vector<std::string>{"a second look"});
 }
 
-}  // namespace
+}  // namespace unblinding_test
 }  // namespace study

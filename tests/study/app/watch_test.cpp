@@ -7,7 +7,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace watch_test {
 
 /// The lines up to and with the next one that warns of looking at interim numbers.
 std::string nextTables(tests::ChildProcess& watching) {
@@ -61,4 +61,4 @@ TEST(StatsWatch, FollowsWhatAnotherProcessWrites) {
   EXPECT_EQ(watching.finish().status, -SIGINT);
 }
 
-}  // namespace
+}  // namespace watch_test

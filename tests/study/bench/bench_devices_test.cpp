@@ -10,7 +10,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace bench_devices_test {
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -62,4 +62,4 @@ TEST_F(BenchDevices, TimesBothDevicesAtOnce) {
   EXPECT_EQ(rowsOf(out_ + "/devices-times.csv").size(), 6U);
 }
 
-}  // namespace
+}  // namespace bench_devices_test

@@ -16,7 +16,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::app {
-namespace {
+namespace bench_stats_test {
 
 TEST(SyntheticStudy, GivesTheSameCountsByItsRowsAndByItsNumbers) {
   constexpr std::int64_t kAnswers = 500;
@@ -115,5 +115,5 @@ TEST(BenchStats, ComparesTablesWhicheverWayRoundTheirRowsAre) {
   EXPECT_EQ(quantileOf({3.0, 1.0, 2.0}, 0.99), 3.0);
 }
 
-}  // namespace
+}  // namespace bench_stats_test
 }  // namespace study::app

@@ -11,7 +11,7 @@
 #include "study/export/coarsening.h"
 
 namespace study {
-namespace {
+namespace k_anonymity_test {
 
 QuasiIdentifier asIs(const std::string& name, const Values& values) {
   return {.name = name, .exact = values, .levels = {values}};
@@ -167,5 +167,5 @@ TEST(Coarsening, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
   EXPECT_EQ(coarsening.told(0, std::string("of old")), "");
 }
 
-}  // namespace
+}  // namespace k_anonymity_test
 }  // namespace study

@@ -15,7 +15,7 @@
 #include "tests/study/made_study.h"
 
 namespace study {
-namespace {
+namespace statistics_table_test {
 
 using Row = std::map<std::string, std::string>;
 using Values = std::vector<double>;
@@ -162,5 +162,5 @@ TEST_F(StatisticsTableTest, HasEveryIntervalAroundItsEstimateAndTheAdjustedOneWi
   EXPECT_EQ(checked, 12);
 }
 
-}  // namespace
+}  // namespace statistics_table_test
 }  // namespace study

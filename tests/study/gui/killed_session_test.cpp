@@ -14,7 +14,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace killed_session_test {
 
 constexpr const char* kFolder = "PALPATE_TEST_STUDY";
 
@@ -74,5 +74,5 @@ TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
   EXPECT_TRUE(verify(study).isSound());
 }
 
-}  // namespace
+}  // namespace killed_session_test
 }  // namespace study::gui

@@ -17,7 +17,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace leak_search_test {
 
 /// What was logged while it lives.
 class Log {
@@ -150,5 +150,5 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("punch-face-validity", "reaming-hardness"),
     [](const auto& example) { return example.param == "reaming-hardness" ? "Reaming" : "Punch"; });
 
-}  // namespace
+}  // namespace leak_search_test
 }  // namespace study::gui

@@ -11,7 +11,7 @@
 #include "study/gui/session/servo_health.h"
 
 namespace study::gui {
-namespace {
+namespace live_trial_views_test {
 
 using haptics::engine::ForceLimiter;
 using haptics::engine::TickSample;
@@ -143,5 +143,5 @@ TEST(CutTable, FillsARowWithEachCutAsItHappens) {
   EXPECT_EQ(table.rowCount(), 0);
 }
 
-}  // namespace
+}  // namespace live_trial_views_test
 }  // namespace study::gui

@@ -18,7 +18,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace operator_layout_test {
 
 constexpr QSize kLowScreen(1280, 720);  // 1280×800 under a desktop's bars
 constexpr QSize kLargePrint(960, 540);  // 1920×1080 at twice the size
@@ -124,5 +124,5 @@ TEST_F(OperatorLayout, OffersPauseOrItsEndInOnePlace) {
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Consented);
 }
 
-}  // namespace
+}  // namespace operator_layout_test
 }  // namespace study::gui

@@ -24,7 +24,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace operator_session_test {
 
 using tests::buttonSaying;
 
@@ -281,5 +281,5 @@ TEST_F(OperatorSession, MessagesWaitUntilTheScreenIsTheOperatorsAgain) {
   EXPECT_EQ(told, QStringLiteral("The disk is full.\n\nIt still is."));
 }
 
-}  // namespace
+}  // namespace operator_session_test
 }  // namespace study::gui

@@ -24,7 +24,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace punch_on_wire_test {
 
 namespace timing = haptics::timing;
 using haptics::emulators::PunchEmulator;
@@ -194,5 +194,5 @@ TEST_F(PunchOnItsWire, IsAskedAboutBeforeASessionThatItIsNotFitFor) {
   EXPECT_NE(window.controller(), nullptr);
 }
 
-}  // namespace
+}  // namespace punch_on_wire_test
 }  // namespace study::gui

@@ -20,7 +20,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace punch_session_test {
 
 using tests::buttonSaying;
 
@@ -194,5 +194,5 @@ TEST_F(PunchSession, GoesOnWhereItWasAfterTheWindowsWereClosed) {
   EXPECT_EQ(window_.controller()->session().stepIndex(), step);
 }
 
-}  // namespace
+}  // namespace punch_session_test
 }  // namespace study::gui

@@ -4,7 +4,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 
-namespace {
+namespace studio_test {
 
 tests::Finished studioWithoutAScreen(const std::string& argument) {
   return tests::run(
@@ -32,4 +32,4 @@ TEST(Studio, HelpsWithoutAScreen) {
   EXPECT_NE(finished.out.find("DIR"), std::string::npos) << finished.out;
 }
 
-}  // namespace
+}  // namespace studio_test

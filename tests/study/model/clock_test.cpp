@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace clock_test {
 
 TEST(Clock, WritesTimesOfTheWholeCalendar) {
   EXPECT_EQ(asUtc(0), "1970-01-01T00:00:00.000Z");
@@ -99,5 +99,5 @@ TEST_F(SteppedClockTest, BridgesTheTimeBetweenTwoRunsOfTheProgram) {
   EXPECT_EQ(std::get<double>(events.rows.back()[5]), 1812.0);  // 10 s + 1800 s + 2 s
 }
 
-}  // namespace
+}  // namespace clock_test
 }  // namespace study

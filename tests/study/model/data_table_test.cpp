@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace study {
-namespace {
+namespace data_table_test {
 
 using Lines = std::vector<std::vector<std::string>>;
 
@@ -120,5 +120,5 @@ TEST(DataTable, IsQuotedAsRfc4180Asks) {
       "written,coded,last\n\"a \"\"b\"\"\",\"c,d\",\"e\rf\"\n");
 }
 
-}  // namespace
+}  // namespace data_table_test
 }  // namespace study

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace study {
-namespace {
+namespace session_state_test {
 
 constexpr std::array kEvents{
     SessionEvent::FinishedStep,
@@ -123,5 +123,5 @@ TEST(SessionState, SaysHowASessionEndedOrThatItHasNot) {
   EXPECT_EQ(statusOf(SessionState::AbortedHardware), "aborted_hardware");
 }
 
-}  // namespace
+}  // namespace session_state_test
 }  // namespace study

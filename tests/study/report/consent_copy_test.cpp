@@ -6,7 +6,7 @@
 #include "tests/study/walk.h"
 
 namespace study::report {
-namespace {
+namespace consent_copy_test {
 
 bool has(const std::string& page, const std::string& words) {
   return page.find(words) != std::string::npos;
@@ -64,5 +64,5 @@ TEST_F(ConsentCopy, IsRefusedForWhoeverHasNotDecidedYet) {
   EXPECT_THROW(consentCopy(study_, "nobody"), UserError);
 }
 
-}  // namespace
+}  // namespace consent_copy_test
 }  // namespace study::report

@@ -6,7 +6,7 @@
 #include "tests/study/report/section.h"
 
 namespace study::report {
-namespace {
+namespace html_report_test {
 
 bool has(const std::string& page, const std::string& words) {
   return page.find(words) != std::string::npos;
@@ -200,5 +200,5 @@ TEST(HtmlReport, HoldsFeltBoneAgainstItsMaterial) {
   EXPECT_TRUE(has(page, "<td>3.00</td>"));
 }
 
-}  // namespace
+}  // namespace html_report_test
 }  // namespace study::report

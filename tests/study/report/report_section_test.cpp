@@ -12,7 +12,7 @@
 #include "tests/study/walk.h"
 
 namespace study::report {
-namespace {
+namespace report_section_test {
 
 TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.offersAgain = true})));
@@ -73,5 +73,5 @@ TEST(ReportSection, SaysOneOfWhatThereIsOneOf) {
   EXPECT_EQ(oneOfMany("at least 1 cuts each"), " 1 cuts ") << "or this test sees nothing";
 }
 
-}  // namespace
+}  // namespace report_section_test
 }  // namespace study::report

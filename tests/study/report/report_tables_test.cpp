@@ -13,7 +13,7 @@
 #include "tests/study/report/numbered_section.h"
 
 namespace study::report {
-namespace {
+namespace report_tables_test {
 
 using Cells = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
@@ -323,5 +323,5 @@ TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesWithinPeople) {
       profile, "U = 703.5, exact p = .704, Cliff's δ = 0.71 [0.73, 0.74]; Brunner–Munzel p = .708");
 }
 
-}  // namespace
+}  // namespace report_tables_test
 }  // namespace study::report

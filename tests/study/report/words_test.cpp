@@ -15,7 +15,7 @@
 #include "tests/support/test_data.h"
 
 namespace study::words {
-namespace {
+namespace words_test {
 
 /// The places in a sentence where something is put in: "{}", "{:.2f}".
 std::multiset<std::string> placesIn(const std::string& text) {
@@ -242,5 +242,5 @@ TEST(Words, AreEnglishWhereNothingElseIsSaid) {
   EXPECT_THROW(wordsIn("tlh"), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace study::words

@@ -7,7 +7,7 @@
 #include "protocols/load_protocol.h"
 
 namespace study {
-namespace {
+namespace instrument_scores_test {
 
 /// Two people of one cohort who answer forms about two conditions.
 class InstrumentScoresTest : public testing::Test {
@@ -117,5 +117,5 @@ TEST_F(InstrumentScoresTest, SayWhatIsAcceptableToHowMany) {
   EXPECT_NEAR(found.acceptable[0].interval->high, 0.9054687943, 1e-9);
 }
 
-}  // namespace
+}  // namespace instrument_scores_test
 }  // namespace study

@@ -13,7 +13,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace pooled_answers_test {
 
 using Counts = std::vector<std::vector<analysis::LikertCounts>>;
 
@@ -246,5 +246,5 @@ TEST(CountedSessions, GiveBackWhatTheyWereGiven) {
   EXPECT_EQ(sessions.take(SessionId{5}), Places{});
 }
 
-}  // namespace
+}  // namespace pooled_answers_test
 }  // namespace study

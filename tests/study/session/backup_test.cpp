@@ -12,7 +12,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace backup_test {
 
 class BackupTest : public testing::Test {
  protected:
@@ -119,5 +119,5 @@ TEST_F(BackupTest, LeavesNothingBehindWhenItIsCancelled) {
   EXPECT_EQ(neighbours(), before);
 }
 
-}  // namespace
+}  // namespace backup_test
 }  // namespace study

@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace plan_history_test {
 
 using tests::MadeStudy;
 
@@ -141,5 +141,5 @@ TEST(PlanHistory, AsksForAReasonForEveryVersionOnceSomebodyHasBegun) {
   }
 }
 
-}  // namespace
+}  // namespace plan_history_test
 }  // namespace study

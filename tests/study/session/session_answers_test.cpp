@@ -10,7 +10,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace session_answers_test {
 
 using questionnaires::Response;
 using storage::StorageError;
@@ -201,5 +201,5 @@ TEST_F(SessionAnswersTest, OffersTheAlternativesThatWereFelt) {
   give("preferred", std::string("3"));
 }
 
-}  // namespace
+}  // namespace session_answers_test
 }  // namespace study

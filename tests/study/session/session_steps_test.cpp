@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace session_steps_test {
 
 using namespace std::string_literals;
 
@@ -341,5 +341,5 @@ TEST_F(OfferedAgain, IsFeltByWhoeverWantsToAndDeclinedByOthers) {
   EXPECT_TRUE(verify(*study_).isSound());
 }
 
-}  // namespace
+}  // namespace session_steps_test
 }  // namespace study

@@ -9,7 +9,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace unfinished_sessions_test {
 
 class UnfinishedSessionsTest : public testing::Test {
  protected:
@@ -93,5 +93,5 @@ TEST_F(UnfinishedSessionsTest, NamesNoCondition) {
   }
 }
 
-}  // namespace
+}  // namespace unfinished_sessions_test
 }  // namespace study

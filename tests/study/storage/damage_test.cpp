@@ -17,7 +17,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace damage_test {
 
 namespace fs = std::filesystem;
 
@@ -195,5 +195,5 @@ TEST_F(DamageTest, IsSeenByThisTestWhereTheProgramDoesNotLook) {
   EXPECT_NE(everythingIn(study), whole_);
 }
 
-}  // namespace
+}  // namespace damage_test
 }  // namespace study

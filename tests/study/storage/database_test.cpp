@@ -14,7 +14,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace database_test {
 
 namespace fs = std::filesystem;
 using Access = Database::Access;
@@ -216,5 +216,5 @@ TEST(Study, KeepsItsProtocolWholeWhateverBecomesOfTheFiles) {
   EXPECT_EQ(study->protocol().instruments.size(), protocol.instruments.size());
 }
 
-}  // namespace
+}  // namespace database_test
 }  // namespace study::storage

@@ -7,7 +7,7 @@
 #include "tests/study/storage/sql.h"
 
 namespace study::storage {
-namespace {
+namespace disk_check_test {
 
 TEST(DiskCheck, MeasuresEveryCommitAndLeavesNothingBehind) {
   const tests::ScratchFolder folder;
@@ -27,5 +27,5 @@ TEST(DiskCheck, FindsNothingWrongWithASoundFile) {
   EXPECT_EQ(study->database().quickProblems(), "");
 }
 
-}  // namespace
+}  // namespace disk_check_test
 }  // namespace study::storage

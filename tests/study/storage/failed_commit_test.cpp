@@ -10,7 +10,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace failed_commit_test {
 
 class FailedCommitTest : public testing::Test {
  protected:
@@ -68,5 +68,5 @@ TEST_F(FailedCommitTest, LeavesTheSessionWhereItWas) {
   EXPECT_TRUE(report.isSound());
 }
 
-}  // namespace
+}  // namespace failed_commit_test
 }  // namespace study::storage

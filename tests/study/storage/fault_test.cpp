@@ -10,7 +10,7 @@
 #include "tests/study/storage/scripted_session.h"
 
 namespace study {
-namespace {
+namespace fault_test {
 
 using tests::Arm;
 using tests::Fault;
@@ -130,5 +130,5 @@ TEST(Faults, AreFoundByThisTestWhereSomethingIsLost) {
   EXPECT_NE(tests::whatIsWrongAfter(study, folder, outcome, false), "");
 }
 
-}  // namespace
+}  // namespace fault_test
 }  // namespace study

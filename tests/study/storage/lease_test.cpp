@@ -12,7 +12,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace lease_test {
 
 using Kind = StorageError::Kind;
 
@@ -159,5 +159,5 @@ TEST_F(LeaseTest, OfSomebodyElseIsNotGivenBackByAnEarlierHolder) {
       "the-other-laboratory");
 }
 
-}  // namespace
+}  // namespace lease_test
 }  // namespace study::storage

@@ -10,7 +10,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace locked_test {
 
 using Kind = StorageError::Kind;
 using Seconds = std::chrono::duration<double>;
@@ -86,5 +86,5 @@ TEST(Locked, IdentitiesKeepTheAnswerOnTheScreen) {
   session.record(tests::answerTo(session, signature));
 }
 
-}  // namespace
+}  // namespace locked_test
 }  // namespace study::storage

@@ -17,7 +17,7 @@
 #include "tests/support/test_data.h"
 
 namespace study::storage {
-namespace {
+namespace migration_test {
 
 using Access = Database::Access;
 
@@ -174,5 +174,5 @@ TEST(Identities, OfFormatOneAreKeptAndThoseWrittenSinceVouchForThemselves) {
   EXPECT_EQ(store.damaged(), std::vector<std::string>{"P002, name"});
 }
 
-}  // namespace
+}  // namespace migration_test
 }  // namespace study::storage

@@ -6,7 +6,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace schema_test {
 
 class SchemaTest : public testing::Test {
  protected:
@@ -138,5 +138,5 @@ TEST_F(SchemaTest, RefusesAnEmptyChunkOfATrace) {
   EXPECT_FALSE(traces.refuses("INSERT INTO chunk VALUES (1, 1, 1, 0, 1, 1, x'', zeroblob(32))"));
 }
 
-}  // namespace
+}  // namespace schema_test
 }  // namespace study

@@ -13,7 +13,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace sealed_test {
 
 namespace fs = std::filesystem;
 using Access = Database::Access;
@@ -89,5 +89,5 @@ TEST_F(SealedTest, IsNotWrittenTo) {
   tests::expectClear(refusal, "may not be written");
 }
 
-}  // namespace
+}  // namespace sealed_test
 }  // namespace study::storage

@@ -13,7 +13,7 @@
 #include "tests/study/walk.h"
 
 namespace study {
-namespace {
+namespace stations_test {
 
 constexpr int kStations = 3;
 constexpr int kSessions = 12;  // at each of them
@@ -64,5 +64,5 @@ TEST(Stations, ShareAStudyAndTakeNobodysPlaceOrName) {
   EXPECT_TRUE(verify(*study).isSound());
 }
 
-}  // namespace
+}  // namespace stations_test
 }  // namespace study

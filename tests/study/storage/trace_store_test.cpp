@@ -16,7 +16,7 @@
 #include "tests/study/walk.h"
 
 namespace study::storage {
-namespace {
+namespace trace_store_test {
 
 using Samples = std::vector<TraceSample>;
 
@@ -182,5 +182,5 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   EXPECT_TRUE(verify(*study_).isSound());
 }
 
-}  // namespace
+}  // namespace trace_store_test
 }  // namespace study::storage

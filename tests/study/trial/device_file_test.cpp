@@ -10,7 +10,7 @@
 #include "tests/support/test_data.h"
 
 namespace study {
-namespace {
+namespace device_file_test {
 
 using haptics::devices::DeviceKind;
 
@@ -201,5 +201,5 @@ TEST(Preflight, WarnsWhereTheProtocolAsksForMoreThanTheDeviceGives) {
   expectIn(found.back().mend, "force_scale");
 }
 
-}  // namespace
+}  // namespace device_file_test
 }  // namespace study

@@ -12,7 +12,7 @@
 #include "tests/study/faulting_device.h"
 
 namespace study {
-namespace {
+namespace live_trial_test {
 
 using namespace std::chrono_literals;
 using storage::TraceSample;
@@ -132,5 +132,5 @@ TEST_F(LiveTrialTest, HasNoForceFromTheMomentOnWhereNothingCanBeKept) {
   EXPECT_EQ(live.status().force, 0.0);
 }
 
-}  // namespace
+}  // namespace live_trial_test
 }  // namespace study

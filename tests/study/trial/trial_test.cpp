@@ -11,7 +11,7 @@
 #include "tests/study/made_study.h"
 
 namespace study {
-namespace {
+namespace trial_test {
 
 using storage::TraceSample;
 
@@ -213,5 +213,5 @@ TEST(TrialJudgement, GivesEveryReasonAndTheWorstVerdict) {
   EXPECT_NE(judgement.reason.find("2 samples were lost"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace trial_test
 }  // namespace study

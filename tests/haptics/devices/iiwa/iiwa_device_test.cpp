@@ -22,7 +22,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::devices {
-namespace {
+namespace iiwa_device_test {
 
 using namespace haptics::wire::fri;
 using emulators::FriController;
@@ -969,5 +969,5 @@ TEST_F(MadeRobotTest, IsTakenOverByTheNewestWhereWeWereLate) {
   EXPECT_EQ(device_->link().lost, 0U);
 }
 
-}  // namespace
+}  // namespace iiwa_device_test
 }  // namespace haptics::devices

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::devices {
-namespace {
+namespace iiwa_guard_test {
 
 constexpr IiwaGuard::Margins kMargins{.position = 0.1, .velocity = 0.5, .torque = 0.25};
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -118,5 +118,5 @@ TEST_P(IiwaGuardTest, AllowsNothingOfWhatIsNotFinite) {
   }
 }
 
-}  // namespace
+}  // namespace iiwa_guard_test
 }  // namespace haptics::devices

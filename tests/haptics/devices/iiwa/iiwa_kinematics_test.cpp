@@ -11,7 +11,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::devices {
-namespace {
+namespace iiwa_kinematics_test {
 
 constexpr double kQuarter = 1.57079632679489661923;
 constexpr IiwaModel kModels[] = {IiwaModel::Iiwa7, IiwaModel::Iiwa14};
@@ -239,5 +239,5 @@ TEST(IiwaKinematics, AllocatesNothing) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-}  // namespace
+}  // namespace iiwa_kinematics_test
 }  // namespace haptics::devices

@@ -26,7 +26,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace haptics::devices {
-namespace {
+namespace punch_device_test {
 
 using emulators::Fault;
 using emulators::PunchEmulator;
@@ -724,5 +724,5 @@ TEST_F(PunchDeviceTest, IsFoundUnfitWhereItsLineLosesFrames) {
   EXPECT_TRUE(says(lost->mend, "cable"));
 }
 
-}  // namespace
+}  // namespace punch_device_test
 }  // namespace haptics::devices

@@ -13,7 +13,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::reaming {
-namespace {
+namespace bone_test {
 
 constexpr double kTick = 0.001;
 constexpr double kDensity = 1e5;
@@ -247,5 +247,5 @@ TEST(Bone, RefusesOptionsThatMakeNoSense) {
   }
 }
 
-}  // namespace
+}  // namespace bone_test
 }  // namespace haptics::reaming

@@ -14,7 +14,7 @@
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::reaming {
-namespace {
+namespace sphere_field_test {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -178,5 +178,5 @@ TEST(Plunge, BeginsWhereTheReamerTouchesFirst) {
   EXPECT_THROW(plungeInto(aside, 0.026), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace sphere_field_test
 }  // namespace haptics::reaming

@@ -8,7 +8,7 @@
 #include "haptics/reaming/material/synthetic_series.h"
 
 namespace haptics::reaming {
-namespace {
+namespace exclusion_test {
 
 TEST(Exclusion, FindsThePapersTenOfSeventyTwoAndNoOther) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -74,5 +74,5 @@ TEST(SyntheticSeries, AreTheSameEveryTime) {
   EXPECT_NE(syntheticSeries({.seed = 9}).force, syntheticSeries({.seed = 8}).force);
 }
 
-}  // namespace
+}  // namespace exclusion_test
 }  // namespace haptics::reaming

@@ -9,7 +9,7 @@
 #include "haptics/reaming/material/synthetic_series.h"
 
 namespace haptics::reaming {
-namespace {
+namespace low_pass_test {
 
 constexpr double kRate = 100.0;
 
@@ -100,5 +100,5 @@ TEST(Cutoff, LeavesOutNoiseAndKeepsTheCurve) {
   }
 }
 
-}  // namespace
+}  // namespace low_pass_test
 }  // namespace haptics::reaming

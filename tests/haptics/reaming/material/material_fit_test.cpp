@@ -9,7 +9,7 @@
 #include "haptics/reaming/material/synthetic_series.h"
 
 namespace haptics::reaming {
-namespace {
+namespace material_fit_test {
 
 TEST(MaterialFit, MakesThreeTestSetsOfAStudy) {
   const auto study = syntheticStudy(1);
@@ -124,5 +124,5 @@ TEST(MaterialFit, LeavesASetOutOfWhichNothingIsLeft) {
   EXPECT_TRUE(fit.series[0].exclusion.isExcluded());
 }
 
-}  // namespace
+}  // namespace material_fit_test
 }  // namespace haptics::reaming

@@ -7,7 +7,7 @@
 #include "haptics/reaming/material/synthetic_series.h"
 
 namespace haptics::reaming {
-namespace {
+namespace node_choice_test {
 
 constexpr double kFloor = 10.0;  // [N]
 
@@ -73,5 +73,5 @@ TEST(NodeChoice, TakesTwoNodesForAStraightLine) {
   EXPECT_EQ(chooseNodes(line, 0.01, 1.0, NodeRule::Optimal).nodes.size(), 2U);
 }
 
-}  // namespace
+}  // namespace node_choice_test
 }  // namespace haptics::reaming

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::reaming {
-namespace {
+namespace piecewise_test {
 
 SampledCurve sampled(double (*f)(double), double end, int count) {
   SampledCurve curve;
@@ -126,5 +126,5 @@ TEST(ApproximationError, TellsThePapersErrorFromOneThatIsDefinedWhereTheForceIsN
   EXPECT_LT(error.rSquared, 1.0);
 }
 
-}  // namespace
+}  // namespace piecewise_test
 }  // namespace haptics::reaming

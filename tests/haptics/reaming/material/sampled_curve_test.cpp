@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace haptics::reaming {
-namespace {
+namespace sampled_curve_test {
 
 SampledCurve curve(const std::vector<double>& y) {
   return {.x = {0.0, 0.5, 1.0}, .y = y};
@@ -46,5 +46,5 @@ TEST(Envelope, OfOneSampleIsThatSample) {
   }
 }
 
-}  // namespace
+}  // namespace sampled_curve_test
 }  // namespace haptics::reaming

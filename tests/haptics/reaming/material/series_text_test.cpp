@@ -6,7 +6,7 @@
 #include "haptics/recordings/error.h"
 
 namespace haptics::reaming {
-namespace {
+namespace series_text_test {
 
 std::string complaintAbout(const std::string& text, const SeriesMapping& mapping = {}) {
   try {
@@ -90,5 +90,5 @@ TEST(SeriesText, SaysInASentenceWhatIsWrong) {
   expectMentions(complaintAbout(head + "0,0,1\n0,1,2\n0,2,3\n"), "the time does not go on");
 }
 
-}  // namespace
+}  // namespace series_text_test
 }  // namespace haptics::reaming

@@ -13,7 +13,7 @@
 #include "haptics/reaming/packing/virtual_experiment.h"
 
 namespace haptics::reaming {
-namespace {
+namespace density_fit_test {
 
 struct Problem {
   Packing packing;
@@ -217,5 +217,5 @@ TEST(VirtualExperiment, ReamsTheCurveThatWasFitted) {
   EXPECT_NEAR(hard.force.back(), 800.0, 20.0);
 }
 
-}  // namespace
+}  // namespace density_fit_test
 }  // namespace haptics::reaming

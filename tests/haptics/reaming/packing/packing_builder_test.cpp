@@ -9,7 +9,7 @@
 #include "haptics/reaming/packing/acetabulum.h"
 
 namespace haptics::reaming {
-namespace {
+namespace packing_builder_test {
 
 TEST(PackingBuilder, FillsTheCupWithoutOverlap) {
   const Acetabulum cup;
@@ -108,5 +108,5 @@ TEST(Acetabulum, KnowsItsBoundary) {
   EXPECT_LT(cup.nearest({0.0, 0.0, -0.03}).distance, 0.0);
 }
 
-}  // namespace
+}  // namespace packing_builder_test
 }  // namespace haptics::reaming

@@ -11,7 +11,7 @@
 #include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::reaming {
-namespace {
+namespace triangle_mesh_test {
 
 /// A box from a corner to the opposite one: 12 triangles, right side out.
 TriangleMesh box(Vec3 low, Vec3 high) {
@@ -167,5 +167,5 @@ TEST(MeshSolid, CanBeFilled) {
   EXPECT_GT(packing.coverage(), 0.6);
 }
 
-}  // namespace
+}  // namespace triangle_mesh_test
 }  // namespace haptics::reaming

@@ -18,7 +18,7 @@
 #include "tests/study/app/emulated_devices.h"
 #include "tests/support/programs.h"
 
-namespace {
+namespace device_commands_test {
 
 using tests::EmulatedLaboratory;
 using tests::Emulator;
@@ -433,4 +433,4 @@ TEST(DeviceListen, WritesDownWhatThePublishedSketchPrints) {
   EXPECT_NE(heard.error.find("2 lines of the published sketch, 1 others"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace device_commands_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace study::app {
-namespace {
+namespace packing_report_test {
 
 haptics::reaming::BoneFitReport fitWith(double gap, double error) {
   haptics::reaming::BoneFitReport report;
@@ -36,5 +36,5 @@ TEST(PackingReport, WarnsOfACurveThatTheSpheresCannotGive) {
   EXPECT_NE(missed.find("30 %"), std::string::npos) << missed;
 }
 
-}  // namespace
+}  // namespace packing_report_test
 }  // namespace study::app

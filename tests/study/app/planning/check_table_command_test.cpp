@@ -6,7 +6,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace check_table_command_test {
 
 using nlohmann::json;
 using tests::Finished;
@@ -78,4 +78,4 @@ TEST_F(CheckTableCommandTest, SaysWhatIsMissingOrWrong) {
   refused({}, "there is no group 'K'");
 }
 
-}  // namespace
+}  // namespace check_table_command_test

@@ -6,7 +6,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace plan_command_test {
 
 using nlohmann::json;
 using tests::Finished;
@@ -141,4 +141,4 @@ TEST(PlanCommand, SaysWhatIsWrong) {
   expectPhrases(bad.error, {"'conditions'"});
 }
 
-}  // namespace
+}  // namespace plan_command_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace study::gui {
-namespace {
+namespace json_places_test {
 
 constexpr std::string_view kJson = R"({
   "study": {
@@ -67,5 +67,5 @@ TEST(JsonPlaces, ShowsWhereAnotherFileIsNamed) {
   EXPECT_EQ(lineOf(kJson, problem), 8);
 }
 
-}  // namespace
+}  // namespace json_places_test
 }  // namespace study::gui

@@ -16,7 +16,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace protocol_window_test {
 
 std::string shipped(std::string_view name) {
   for (const auto& file : protocols::libraryFiles()) {
@@ -135,5 +135,5 @@ TEST_F(ProtocolWindowTest, SaysThatAFileIsGone) {
   EXPECT_NE(window.checked().problems[0].what.find("mine.json"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace protocol_window_test
 }  // namespace study::gui

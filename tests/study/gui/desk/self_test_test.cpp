@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace self_test_test {
 
 using haptics::devices::Finding;
 
@@ -118,5 +118,5 @@ TEST_F(SelfTestOfAStudy, ShowsALineForEverythingInItsWindow) {
   tests::photographInAllThemes(dialog, QStringLiteral("self-test"));
 }
 
-}  // namespace
+}  // namespace self_test_test
 }  // namespace study::gui

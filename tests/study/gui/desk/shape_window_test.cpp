@@ -19,7 +19,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace shape_window_test {
 
 class ShapeWindow : public testing::Test {
  protected:
@@ -67,5 +67,5 @@ TEST_F(ShapeWindow, SaysWhatIsWrongWithAFile) {
   EXPECT_THROW(open(folder_ / "none.obj"), questionnaires::Error);
 }
 
-}  // namespace
+}  // namespace shape_window_test
 }  // namespace study::gui

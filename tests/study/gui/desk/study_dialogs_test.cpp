@@ -21,7 +21,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace study_dialogs_test {
 
 /// A study in which eight people who do not exist took part, once for all tests.
 class StudyDialogsTest : public testing::Test {
@@ -156,5 +156,5 @@ TEST_F(StudyDialogsTest, ExportShowsWhoCouldBeFoundBeforeAnythingIsWritten) {
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕")));
 }
 
-}  // namespace
+}  // namespace study_dialogs_test
 }  // namespace study::gui

@@ -11,7 +11,7 @@
 #include "tests/study/gui/pictures.h"
 
 namespace study::gui {
-namespace {
+namespace tour_test {
 
 using tests::buttonSaying;
 
@@ -80,5 +80,5 @@ TEST_F(TourTest, NamesNoConditionWhereAParticipantWouldLook) {
   }
 }
 
-}  // namespace
+}  // namespace tour_test
 }  // namespace study::gui

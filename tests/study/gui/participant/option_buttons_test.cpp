@@ -7,7 +7,7 @@
 #include <QTest>
 
 namespace study::gui {
-namespace {
+namespace option_buttons_test {
 
 class OptionButtonsTest : public testing::Test {
  protected:
@@ -75,5 +75,5 @@ TEST_F(OptionButtonsTest, IsChosenByAScreenReaderToo) {
   EXPECT_EQ(accessible->text(QAccessible::Name), QStringLiteral("three of five"));
 }
 
-}  // namespace
+}  // namespace option_buttons_test
 }  // namespace study::gui

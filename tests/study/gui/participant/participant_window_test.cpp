@@ -20,7 +20,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace participant_window_test {
 
 /// The published study of the punch in its own languages and in Arabic; whatever has no text in it
 /// is shown in the first language.
@@ -217,5 +217,5 @@ TEST_F(OfferedPages, WriteACopyOfTheConsentOnRequest) {
   EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "nothing overwritten";
 }
 
-}  // namespace
+}  // namespace participant_window_test
 }  // namespace study::gui

@@ -14,7 +14,7 @@
 #include "study/gui/participant/option_buttons.h"
 
 namespace study::gui {
-namespace {
+namespace questionnaire_page_test {
 
 std::vector<questionnaires::Item> itemsOf(const std::string& name) {
   for (const auto& file : questionnaires::libraryFiles()) {
@@ -138,5 +138,5 @@ TEST(QuestionnairePage, HandsOnNumbersInRangeOnly) {
   EXPECT_EQ(shown.answers[0].response, questionnaires::Response(12.0));
 }
 
-}  // namespace
+}  // namespace questionnaire_page_test
 }  // namespace study::gui

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace study::gui::scene {
-namespace {
+namespace frame_statistics_test {
 
 constexpr std::int64_t kMs = 1'000'000;
 
@@ -46,5 +46,5 @@ TEST(ViewReport, IsSaidInNumbersAndWithWhoDrew) {
   EXPECT_NE(words.find("drawn by a card"), std::string::npos) << words;
 }
 
-}  // namespace
+}  // namespace frame_statistics_test
 }  // namespace study::gui::scene

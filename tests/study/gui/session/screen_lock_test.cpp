@@ -14,7 +14,7 @@
 #include "tests/study/gui/participant.h"
 
 namespace study::gui {
-namespace {
+namespace screen_lock_test {
 
 TEST(OperatorPin, IsFourToTwelveDigits) {
   for (const auto* words : {"1234", "000000000000"}) {
@@ -113,5 +113,5 @@ TEST(StopKey, IsHeardInFrontOfAnyDialogWhileArmed) {
   EXPECT_FALSE(dialog.isVisible());
 }
 
-}  // namespace
+}  // namespace screen_lock_test
 }  // namespace study::gui

@@ -13,7 +13,7 @@
 #include "tests/study/gui/participant.h"
 
 namespace study::gui {
-namespace {
+namespace background_task_test {
 
 using Cancelling = BackgroundTask::Cancelling;
 
@@ -102,5 +102,5 @@ TEST(BackgroundTask, TellsTheSentenceThatWasThrown) {
   EXPECT_EQ(told, QStringLiteral("The disk is full. Free some space."));
 }
 
-}  // namespace
+}  // namespace background_task_test
 }  // namespace study::gui

@@ -17,7 +17,7 @@
 #include "study/gui/widgets/theme_choice.h"
 
 namespace study::gui {
-namespace {
+namespace theme_test {
 
 constexpr double kForGraphics = 3.0;  // WCAG 1.4.11
 
@@ -214,5 +214,5 @@ TEST(ThemeChoice, LeavesAWindowThatWearsItsOwnAlone) {
   applyTheme(application);
 }
 
-}  // namespace
+}  // namespace theme_test
 }  // namespace study::gui

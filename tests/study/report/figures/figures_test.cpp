@@ -16,7 +16,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::report {
-namespace {
+namespace figures_test {
 
 /// Every text in an SVG, with a space after each.
 std::string textsIn(const std::string& svg) {
@@ -216,5 +216,5 @@ TEST(Figures, SurviveAStudyWithoutAnyAnswer) {
   }
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace study::report

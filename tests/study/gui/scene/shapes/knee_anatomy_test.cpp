@@ -8,7 +8,7 @@
 #include "tests/study/gui/pictures.h"
 
 namespace study::gui::scene {
-namespace {
+namespace knee_anatomy_test {
 
 constexpr QSize kSize(640, 400);
 
@@ -90,5 +90,5 @@ TEST(KneeAnatomy, LeavesTheMeniscusToTheFiniteElements) {
   EXPECT_EQ(knee.meniscus().body().vertices.size(), KneeScene().meniscus().body().vertices.size());
 }
 
-}  // namespace
+}  // namespace knee_anatomy_test
 }  // namespace study::gui::scene

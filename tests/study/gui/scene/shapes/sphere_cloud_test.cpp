@@ -10,7 +10,7 @@
 #include "study/gui/scene/shapes/bone_tints.h"
 
 namespace study::gui::scene {
-namespace {
+namespace sphere_cloud_test {
 
 using haptics::engine::SphereChange;
 
@@ -187,5 +187,5 @@ TEST_F(SphereCloudTest, TellsAnotherWhatHasBecomeOfIt) {
   EXPECT_TRUE(cloud.changesSoFar().empty());
 }
 
-}  // namespace
+}  // namespace sphere_cloud_test
 }  // namespace study::gui::scene

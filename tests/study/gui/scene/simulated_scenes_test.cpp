@@ -10,7 +10,7 @@
 #include "tests/study/gui/pictures.h"
 
 namespace study::gui::scene {
-namespace {
+namespace simulated_scenes_test {
 
 constexpr QSize kSize(640, 400);
 
@@ -189,5 +189,5 @@ TEST(PlainCup, IsShownWhereTheForceComesFromACurve) {
   EXPECT_GT(countWhere(pictureOf(hip), isBone), 5000);
 }
 
-}  // namespace
+}  // namespace simulated_scenes_test
 }  // namespace study::gui::scene

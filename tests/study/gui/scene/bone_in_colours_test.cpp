@@ -8,10 +8,10 @@
 #include "study/gui/operator/cup_button.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/participant/feel_page.h"
-#include "tests/study/gui/simulation/visualised_trial.h"
+#include "tests/study/gui/scene/visualised_trial.h"
 
 namespace study::gui {
-namespace {
+namespace bone_in_colours_test {
 
 using tests::reamingThatIsSeen;
 
@@ -115,5 +115,5 @@ TEST_F(BoneInColours, AreNotOfferedWhereNoBoneIsSeen) {
   EXPECT_TRUE(whyNoColours(window_->controller()->session()).isEmpty());  // labels are fixed
 }
 
-}  // namespace
+}  // namespace bone_in_colours_test
 }  // namespace study::gui

@@ -8,7 +8,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
 
-namespace {
+namespace studio_bench_test {
 
 class StudioBench : public testing::Test {
  protected:
@@ -87,4 +87,4 @@ TEST_F(StudioBench, RefusesWhatMakesNoSense) {
   EXPECT_NE(knee.error.find("likely metres"), std::string::npos) << knee.error;
 }
 
-}  // namespace
+}  // namespace studio_bench_test

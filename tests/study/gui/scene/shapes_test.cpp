@@ -9,7 +9,7 @@
 #include "study/gui/scene/shapes/solids.h"
 
 namespace study::gui::scene {
-namespace {
+namespace shapes_test {
 
 using haptics::engine::MeshView;
 
@@ -148,5 +148,5 @@ TEST_F(MeniscusTest, IsWholeUnderThePunchWhenItHasMovedOn) {
   EXPECT_NEAR(volumeOf(meniscus_.body()) + 2.0 * volumeOf(meniscus_.piece()), whole, 0.01 * whole);
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace study::gui::scene

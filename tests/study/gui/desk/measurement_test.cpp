@@ -18,7 +18,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace measurement_test {
 
 class MeasurementTest : public testing::Test {
  protected:
@@ -99,5 +99,5 @@ TEST_F(MeasurementTest, NothingIsOverwritten) {
   EXPECT_EQ(tests::contentOf(mine), "mine");
 }
 
-}  // namespace
+}  // namespace measurement_test
 }  // namespace study::gui

@@ -22,7 +22,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace help_test {
 
 class HelpTest : public testing::Test {
  protected:
@@ -141,5 +141,5 @@ TEST_F(HelpTest, ShowsItsPicturesAndTheOtherPages) {
   tests::photographInAllThemes(help, QStringLiteral("help"));
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace study::gui

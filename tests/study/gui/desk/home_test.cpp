@@ -18,7 +18,7 @@
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
-namespace {
+namespace home_test {
 
 using tests::buttonSaying;
 
@@ -183,5 +183,5 @@ TEST_F(HomeTest, OffersWhatCanBeDoneAfterACrashAndGoesOnThere) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return home.operatorWindow() == nullptr; }));
 }
 
-}  // namespace
+}  // namespace home_test
 }  // namespace study::gui

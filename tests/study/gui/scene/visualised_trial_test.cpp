@@ -1,5 +1,5 @@
 // Trials that are seen, and trials that are not, in the windows of a session.
-#include "tests/study/gui/simulation/visualised_trial.h"
+#include "tests/study/gui/scene/visualised_trial.h"
 
 #include <QLabel>
 
@@ -12,7 +12,7 @@
 #include "study/gui/session/trial_view.h"
 
 namespace study::gui {
-namespace {
+namespace visualised_trial_test {
 
 using tests::reamingThatIsSeen;
 using tests::VisualisedTrial;
@@ -133,5 +133,5 @@ TEST_F(VisualisedTrial, TellsTheOperatorWhereNoCardDraws) {
   }
 }
 
-}  // namespace
+}  // namespace visualised_trial_test
 }  // namespace study::gui
