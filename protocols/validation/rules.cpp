@@ -20,7 +20,7 @@ using questionnaires::OptionSource;
 using questionnaires::Problems;
 using questionnaires::shown;
 
-std::string at(const char* list, std::size_t index) {
+std::string pathTo(const char* list, std::size_t index) {
   return "$." + std::string(list) + "[" + std::to_string(index) + "]";
 }
 
@@ -31,7 +31,7 @@ void checkUnique(
   for (std::size_t i = 0; i < things.size(); ++i) {
     if (!things[i].id.empty() && !seen.insert(things[i].id).second) {
       problems.add(
-          at(list, i) + ".id",
+          pathTo(list, i) + ".id",
           std::string("two ") + what + " share the id '" + shown(things[i].id) + "'",
           "give each its own");
     }
@@ -77,7 +77,7 @@ void checkParameters(
 
 void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
   const auto& condition = draft.loaded.protocol.conditions[index];
-  const std::string path = at("conditions", index) + ".scene";
+  const std::string path = pathTo("conditions", index) + ".scene";
   const bool isRead =
       !isToldAbout(path + ".model", problems) && !isToldAbout(path + ".parameters", problems);
   if (draft.lacksDevice(condition.device)) {
@@ -168,7 +168,7 @@ void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
     if (phase.type == PhaseType::Consent || phase.id.empty()) return;
     if (phase.type == PhaseType::Block || phase.type == PhaseType::Benchmark) {
       problems.add(
-          at("phases", i),
+          pathTo("phases", i),
           "something is felt here before anybody has agreed to take part",
           "put a phase of type 'consent' before it");
       return;

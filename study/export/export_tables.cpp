@@ -16,11 +16,11 @@ using storage::SessionRecord;
 using storage::StepRecord;
 
 template <typename T>
-Cell cellOf(const std::optional<T>& value) {
+Cell exportCell(const std::optional<T>& value) {
   return value ? Cell(*value) : Cell();
 }
 
-Cell cellOf(const std::string& text) {
+Cell exportCell(const std::string& text) {
   return text.empty() ? Cell() : Cell(text);
 }
 
@@ -89,12 +89,12 @@ class Tables {
            s.cohort,
            s.runMode,
            s.status,
-           cellOf(s.endReason),
+           exportCell(s.endReason),
            s.status == "completed",
            s.language,
            s.slot + 1,
            s.startedUtc,
-           cellOf(s.endedUtc),
+           exportCell(s.endedUtc),
            s.protocolHash,
            s.appVersion});
     }
@@ -166,7 +166,7 @@ class Tables {
           trial.device,
           trial.ending,
           trial.verdict,
-          cellOf(trial.verdictReason),
+          exportCell(trial.verdictReason),
           trial.duration,
           trial.cuts,
           trial.contact,
@@ -175,11 +175,11 @@ class Tables {
           trial.undefined,
           trial.ticks,
           trial.nominalRate,
-          cellOf(trial.achievedRate),
-          cellOf(trial.latenessMedian),
-          cellOf(trial.latenessP99),
-          cellOf(trial.latenessLargest),
-          cellOf(trial.lateTicks),
+          exportCell(trial.achievedRate),
+          exportCell(trial.latenessMedian),
+          exportCell(trial.latenessP99),
+          exportCell(trial.latenessLargest),
+          exportCell(trial.lateTicks),
           trial.lostSamples,
           trial.invalidTicks,
           trial.traceSamples};
@@ -221,7 +221,7 @@ class Tables {
            onsets.of(event),
            std::string(storage::nameOf(event.actor)),
            event.kind,
-           cellOf(isAnswer ? event.detail.substr(0, event.detail.find(' ')) : event.detail)});
+           exportCell(isAnswer ? event.detail.substr(0, event.detail.find(' ')) : event.detail)});
     }
     return table;
   }
@@ -255,14 +255,14 @@ class Tables {
            std::int64_t{cut.visit.step} + 1,
            std::int64_t{cut.visit.attempt},
            std::int64_t{cut.number},
-           cellOf(cut.interceptionTravel),
-           cellOf(cut.interceptionForce),
-           cellOf(cut.yieldTravel),
-           cellOf(cut.yieldForce),
-           cellOf(cut.bottomOutTravel),
-           cellOf(cut.bottomOutForce),
-           cellOf(cut.openingTravel),
-           cellOf(cut.openingForce),
+           exportCell(cut.interceptionTravel),
+           exportCell(cut.interceptionForce),
+           exportCell(cut.yieldTravel),
+           exportCell(cut.yieldForce),
+           exportCell(cut.bottomOutTravel),
+           exportCell(cut.bottomOutForce),
+           exportCell(cut.openingTravel),
+           exportCell(cut.openingForce),
            cut.peakForce});
     }
     return table;
@@ -304,8 +304,8 @@ class Tables {
         step.phase,
         isFelt && step.position > 0 ? Cell(std::int64_t{step.position}) : Cell(),
         isFelt ? Cell(std::int64_t{step.label}) : Cell(),
-        isFelt ? cellOf(codeOf(step.condition)) : Cell()};
-    if (!options_.isBlinded) row.push_back(cellOf(step.condition));
+        isFelt ? exportCell(codeOf(step.condition)) : Cell()};
+    if (!options_.isBlinded) row.push_back(exportCell(step.condition));
     return row;
   }
 
@@ -325,21 +325,22 @@ class Tables {
                                  : record.step.visitStatus != "finished" ? record.step.visitStatus
                                                                          : "";
     const std::vector<Cell> more{
-        cellOf(record.step.instrument),
+        exportCell(record.step.instrument),
         answer.item,
         std::int64_t{answer.itemOrder},
         item == nullptr ? Cell() : Cell(std::string(questionnaires::nameOf(item->type))),
         item == nullptr ? Cell() : Cell(std::int64_t{item->key}),
         response,
         keyed,
-        item == nullptr ? Cell()
-                        : cellOf(questionnaires::labelOf(*item, answer.response, answer.language)),
+        item == nullptr
+            ? Cell()
+            : exportCell(questionnaires::labelOf(*item, answer.response, answer.language)),
         answer.firstTouch,
         answer.responseTime,
         std::int64_t{answer.changes},
         answer.language,
         excluded.empty(),
-        cellOf(excluded),
+        exportCell(excluded),
         record.savedUtc};
     row.insert(row.end(), more.begin(), more.end());
     return row;

@@ -18,6 +18,11 @@ std::string studio() {
   return STUDIO_OF_THIS_BUILD;
 }
 
+std::string releaseStudio() {
+  const auto beside = std::filesystem::path(releaseProgram()).parent_path() / "palpate-studio";
+  return std::filesystem::exists(beside) ? beside.string() : studio();
+}
+
 std::string punchFirmware() {
   return PUNCH_FIRMWARE;
 }

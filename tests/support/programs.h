@@ -14,6 +14,9 @@ std::string releaseProgram();
 /// The windows, 'palpate-studio', of this build.
 std::string studio();
 
+/// The windows as they are shipped, beside releaseProgram(); for tests that draw for seconds.
+std::string releaseStudio();
+
 /// The punch's own program for its microcontroller; empty where it was not built.
 std::string punchFirmware();
 

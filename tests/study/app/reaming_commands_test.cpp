@@ -12,7 +12,7 @@ namespace reaming_commands_test {
 class ReamingCommands : public testing::Test {
  protected:
   tests::Finished palpate(std::vector<std::string> call) const {
-    call.insert(call.begin(), tests::program());
+    call.insert(call.begin(), tests::releaseProgram());
     return tests::run(call);
   }
   std::string output(const std::vector<std::string>& call) const {

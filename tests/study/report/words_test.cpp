@@ -91,16 +91,16 @@ TEST_P(WordsTest, KnowEveryReasonOfTheKernels) {
   const auto words = wordsIn(GetParam());
   std::size_t seen = 0;
   for (const auto* kernel :
-       {"friedman",
-        "paired_t",
-        "sign_flip",
-        "signed_rank",
-        "equivalence",
-        "linear_mixed_model",
-        "cumulative_link_mixed_model",
-        "repeated_measures_anova",
-        "position_effect",
-        "within_analysis"}) {
+       {"tests/friedman",
+        "tests/paired_t",
+        "tests/sign_flip",
+        "tests/signed_rank",
+        "tests/equivalence",
+        "models/linear_mixed_model",
+        "models/cumulative_link_mixed_model",
+        "tests/repeated_measures_anova",
+        "summary/position_effect",
+        "summary/within_analysis"}) {
     for (const auto& reason : reasonsIn("analysis/" + std::string(kernel) + ".cpp")) {
       EXPECT_NE(words.known(reason), reason) << kernel;
       ++seen;

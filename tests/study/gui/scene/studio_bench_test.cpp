@@ -13,7 +13,8 @@ namespace studio_bench_test {
 class StudioBench : public testing::Test {
  protected:
   tests::Finished run(std::vector<std::string> how, const std::vector<std::string>& more = {}) {
-    how.insert(how.end(), {tests::studio(), "--bench", "--seconds", "0.5", "--spheres", "2000"});
+    how.insert(
+        how.end(), {tests::releaseStudio(), "--bench", "--seconds", "0.5", "--spheres", "2000"});
     how.insert(how.end(), {"--out", folder_ / "pictures"});
     how.insert(how.end(), more.begin(), more.end());
     return tests::run(how);
@@ -50,7 +51,7 @@ TEST_F(StudioBench, DrawsWithOpenGlOnADisplay) {
     GTEST_SKIP() << "no xvfb-run";
   }
   const auto knee = folder_ / "knee.obj";
-  ASSERT_EQ(tests::run({tests::studio(), "--write-knee", knee}).status, 0);
+  ASSERT_EQ(tests::run({tests::releaseStudio(), "--write-knee", knee}).status, 0);
   for (const char* renderer : {"best", "finest"}) {
     const auto finished =
         run({"env", "QT_QPA_PLATFORM=xcb", "xvfb-run", "-a", "-s", "-screen 0 1400x900x24"},
@@ -65,9 +66,9 @@ TEST_F(StudioBench, DrawsWithOpenGlOnADisplay) {
 }
 
 TEST_F(StudioBench, DrawsAKneeThatItWroteItself) {
-  const auto written = tests::run({tests::studio(), "--write-knee", folder_ / "knee.obj"});
+  const auto written = tests::run({tests::releaseStudio(), "--write-knee", folder_ / "knee.obj"});
   ASSERT_EQ(written.status, 0) << written.error;
-  EXPECT_EQ(tests::run({tests::studio(), "--write-knee", folder_ / "knee.obj"}).status, 1)
+  EXPECT_EQ(tests::run({tests::releaseStudio(), "--write-knee", folder_ / "knee.obj"}).status, 1)
       << "nothing is ever overwritten";
   const auto finished =
       run({"env", "QT_QPA_PLATFORM=offscreen"}, {"--anatomy", folder_ / "knee.obj"});
@@ -77,7 +78,7 @@ TEST_F(StudioBench, DrawsAKneeThatItWroteItself) {
 
 TEST_F(StudioBench, RefusesWhatMakesNoSense) {
   const auto finished = tests::run(
-      {"env", "QT_QPA_PLATFORM=offscreen", tests::studio(), "--bench", "--seconds", "no"});
+      {"env", "QT_QPA_PLATFORM=offscreen", tests::releaseStudio(), "--bench", "--seconds", "no"});
   EXPECT_EQ(finished.status, 2);
   EXPECT_NE(finished.error.find("--seconds"), std::string::npos) << finished.error;
   const auto metres =
