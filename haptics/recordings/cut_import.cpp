@@ -8,11 +8,11 @@
 
 #include "haptics/recordings/cut_choice.h"
 #include "haptics/recordings/decimal.h"
-#include "haptics/recordings/error.h"
-#include "haptics/recordings/mean_curve.h"
-#include "haptics/recordings/slope_limit.h"
+#include "haptics/recordings/force_curve.h"
+#include "haptics/recordings/recording.h"
 
 namespace haptics::recordings {
+
 namespace {
 
 std::string inWords(std::span<const RowRange> ranges) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/recordings/decimal.h"
-#include "haptics/recordings/slope_limit.h"
+#include "haptics/recordings/force_curve.h"
 
 namespace haptics::recordings {
 namespace {

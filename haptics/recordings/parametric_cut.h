@@ -1,7 +1,7 @@
 #pragma once
 
-#include "haptics/recordings/curve_point.h"
 #include "haptics/recordings/cut.h"
+#include "haptics/recordings/force_curve.h"
 
 namespace haptics::recordings {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "haptics/recordings/error.h"
+#include "haptics/recordings/recording.h"
 
 namespace haptics::recordings {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "haptics/recordings/row_range.h"
+#include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
 
 namespace haptics::recordings {

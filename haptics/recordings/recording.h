@@ -1,10 +1,26 @@
 #pragma once
 
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace haptics::recordings {
+
+/// A recording that cannot be read, or holds no cut of the kind that was asked for; in words for
+/// the person at the desk: what, to what, what to do.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Rows of a recording, numbered from 1, both ends included. Lines that are no rows do not count.
+struct RowRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  friend bool operator==(const RowRange&, const RowRange&) = default;
+};
 
 /// What a recorder wrote while somebody cut, row by row and unchanged, and what could not be read.
 struct Recording {
@@ -43,5 +59,19 @@ struct Recording {
 
   static constexpr std::size_t kMaxRefusedLines = 20;
 };
+
+/// How evenly a recorder wrote, by its own clock. All is zero for a single row, or if no time
+/// passed.
+///
+/// The rate is (rows − 1)/(last − first). It is not the published 333 Hz, which is the mean step
+/// rounded to whole milliseconds, inverted.
+struct Sampling {
+  double rate = 0.0;      ///< [Hz]
+  double stepMin = 0.0;   ///< [s]
+  double stepMax = 0.0;   ///< [s]
+  double stepMean = 0.0;  ///< [s]
+};
+
+Sampling samplingOf(const Recording& recording);
 
 }  // namespace haptics::recordings

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "haptics/engine/parametric_bone.h"
+#include "haptics/recordings/force_curve.h"
 #include "haptics/recordings/parametric_cut.h"
-#include "haptics/recordings/slope_limit.h"
 #include "protocols/model/instrument_use.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/material_file.h"

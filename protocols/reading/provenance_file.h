@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/recordings/provenance.h"
+#include "haptics/recordings/cut.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

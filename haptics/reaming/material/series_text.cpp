@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "haptics/recordings/decimal.h"
-#include "haptics/recordings/error.h"
+#include "haptics/recordings/recording.h"
 
 namespace haptics::reaming {
 namespace {

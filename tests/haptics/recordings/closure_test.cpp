@@ -1,11 +1,9 @@
-#include "haptics/recordings/closure.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/recording_survey.h"
-#include "haptics/recordings/recording_text.h"
+#include "haptics/recordings/cut_choice.h"
+#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {

@@ -1,6 +1,6 @@
-#include "haptics/recordings/force_calibration.h"
-
 #include <gtest/gtest.h>
+
+#include "haptics/recordings/trace.h"
 
 namespace haptics::recordings {
 namespace force_calibration_test {

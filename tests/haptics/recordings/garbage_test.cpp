@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recordings/cut_import.h"
-#include "haptics/recordings/error.h"
-#include "haptics/recordings/recording_text.h"
+#include "haptics/recordings/recording.h"
+#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"

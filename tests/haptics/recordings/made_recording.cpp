@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "haptics/recordings/decimal.h"
-#include "haptics/recordings/force_calibration.h"
 #include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/trace.h"
 
 namespace tests {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/recordings/curve_point.h"
+#include "haptics/recordings/force_curve.h"
 
 namespace tests {
 

@@ -1,9 +1,9 @@
-#include "haptics/recordings/mean_curve.h"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/recordings/force_curve.h"
 
 namespace haptics::recordings {
 namespace mean_curve_test {

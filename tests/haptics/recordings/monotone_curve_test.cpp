@@ -1,10 +1,10 @@
-#include "haptics/recordings/monotone_curve.h"
-
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/recordings/force_curve.h"
 
 namespace haptics::recordings {
 namespace monotone_curve_test {

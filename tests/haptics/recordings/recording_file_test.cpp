@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/error.h"
-#include "haptics/recordings/recording_text.h"
+#include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/support/scratch_folder.h"
 

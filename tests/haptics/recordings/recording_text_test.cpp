@@ -1,11 +1,10 @@
-#include "haptics/recordings/recording_text.h"
-
 #include <locale>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/error.h"
+#include "haptics/recordings/recording.h"
+#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {

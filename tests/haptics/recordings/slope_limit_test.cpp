@@ -1,5 +1,3 @@
-#include "haptics/recordings/slope_limit.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/recordings/force_curve.h"
 
 namespace haptics::recordings {
 namespace slope_limit_test {

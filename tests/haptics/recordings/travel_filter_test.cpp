@@ -1,5 +1,3 @@
-#include "haptics/recordings/travel_filter.h"
-
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recordings/kaiser_low_pass.h"
+#include "haptics/recordings/trace.h"
 
 namespace haptics::recordings {
 namespace travel_filter_test {

@@ -12,7 +12,7 @@
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/parametric_cut.h"
-#include "haptics/recordings/recording_text.h"
+#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace protocols {

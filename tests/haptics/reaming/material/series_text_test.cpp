@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/material/synthetic_series.h"
-#include "haptics/recordings/error.h"
+#include "haptics/recordings/recording.h"
 
 namespace haptics::reaming {
 namespace series_text_test {

@@ -1,4 +1,4 @@
-#include "haptics/recordings/cut_landmarks.h"
+#include "haptics/recordings/cut.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,6 +6,7 @@
 #include "haptics/models/cut_detector.h"
 
 namespace haptics::recordings {
+
 namespace {
 
 using Detector = models::CutDetector<double>;

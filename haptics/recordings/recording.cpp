@@ -1,4 +1,4 @@
-#include "haptics/recordings/sampling.h"
+#include "haptics/recordings/recording.h"
 
 #include <algorithm>
 #include <cstddef>
