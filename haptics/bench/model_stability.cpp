@@ -8,7 +8,7 @@
 #include "haptics/bench/stability.h"
 #include "haptics/bench/stability_kernels.h"
 #include "haptics/bench/string_reference.h"
-#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/material/piecewise.h"
 
 namespace haptics::bench {
 namespace plain {

@@ -8,7 +8,7 @@
 #include "haptics/engine/bucket_table.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/models/interpolation.h"
-#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/material/piecewise.h"
 
 namespace haptics::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/material/piecewise.h"
 
 namespace haptics::engine {
 namespace {

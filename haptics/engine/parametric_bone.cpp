@@ -1,7 +1,7 @@
 #include "haptics/engine/parametric_bone.h"
 
 #include "haptics/engine/parametric_material.h"
-#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
 

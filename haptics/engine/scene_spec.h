@@ -13,7 +13,7 @@
 #include "haptics/models/kalman_filter.h"
 #include "haptics/models/kalman_noise.h"
 #include "haptics/models/smoothing.h"
-#include "haptics/reaming/bone/bone_options.h"
+#include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/material/material.h"
 
 namespace haptics::reaming {

@@ -5,6 +5,27 @@
 
 namespace questionnaires {
 
+std::optional<Range> rangeOf(const Item& item) noexcept {
+  switch (item.type) {
+    case ItemType::Likert:
+    case ItemType::SemanticDifferential:
+      return Range{
+          static_cast<double>(item.scale.lowest), static_cast<double>(item.scale.highest())};
+    case ItemType::Slider:
+    case ItemType::Number:
+      return Range{item.least, item.most};
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string_view nameOf(ItemType type) noexcept {
+  for (const auto& known : kItemTypes) {
+    if (known.value == type) return known.name;
+  }
+  return {};
+}
+
 bool Item::withholds(WordingField field) const noexcept {
   return std::find(withheld.begin(), withheld.end(), field) != withheld.end();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "questionnaires/json/document.h"
 #include "questionnaires/json/problem.h"
 #include "questionnaires/model/localized_text.h"
 
@@ -24,6 +26,21 @@ enum class ItemType {
   LongText,        ///< several lines
   PairwiseChoice,  ///< one of two
 };
+
+/// The words for the types of items, in files and exports.
+inline constexpr std::array kItemTypes{
+    Choice<ItemType>{"likert", ItemType::Likert},
+    Choice<ItemType>{"semantic_differential", ItemType::SemanticDifferential},
+    Choice<ItemType>{"slider", ItemType::Slider},
+    Choice<ItemType>{"single_choice", ItemType::SingleChoice},
+    Choice<ItemType>{"multiple_choice", ItemType::MultipleChoice},
+    Choice<ItemType>{"number", ItemType::Number},
+    Choice<ItemType>{"short_text", ItemType::ShortText},
+    Choice<ItemType>{"long_text", ItemType::LongText},
+    Choice<ItemType>{"pairwise_choice", ItemType::PairwiseChoice},
+};
+
+std::string_view nameOf(ItemType type) noexcept;
 
 /// Points to choose from, from `lowest` up, one apart.
 struct Scale {
@@ -181,5 +198,16 @@ struct Instrument {
 /// that compare with the previous, placeholders "[[…]]" still to be filled in. Types and the
 /// spelling of keys are the reader's business; whether withheld texts are there is wording.h's.
 Problems problemsOf(const Instrument& instrument);
+
+/// From the lowest answer to the highest, both included.
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+
+  bool operator==(const Range& other) const = default;
+};
+
+/// Where the answers to @p item lie; nothing where they are no numbers.
+std::optional<Range> rangeOf(const Item& item) noexcept;
 
 }  // namespace questionnaires

@@ -8,7 +8,6 @@
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/item_reader.h"
-#include "questionnaires/reading/scale_reader.h"
 #include "questionnaires/reading/score_reader.h"
 #include "questionnaires/reading/text_reader.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/range.h"
+#include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
 namespace {

@@ -13,6 +13,13 @@
 
 namespace questionnaires {
 
+/// The scale that @p node describes. Where only the points are labelled, the first and the last of
+/// their labels are those of the ends.
+Scale readScale(const Node& node, const TextReader& texts);
+
+/// A scale that is none, in the place of one that could not be read.
+Scale standInScale(const TextReader& texts);
+
 /// What stands for a number that could not be read.
 inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/range.h"
+#include "questionnaires/model/instrument.h"
 #include "questionnaires/reading/text_problems.h"
 
 namespace questionnaires {

@@ -5,6 +5,97 @@
 
 namespace questionnaires {
 
+namespace {
+
+/// Collects the places of one instrument.
+class Places {
+ public:
+  explicit Places(Instrument& instrument) : instrument_(instrument) {}
+
+  std::vector<TextPlace> all() {
+    add("title", {&instrument_.title}, false);
+    add("introduction", {&instrument_.introduction}, false);
+    if (instrument_.scale) addCommonScale();
+    for (auto& item : instrument_.items) addItem(item);
+    return std::move(places_);
+  }
+
+ private:
+  void add(std::string name, std::vector<LocalizedText*> texts, bool isWithheld) {
+    if (texts.front()->isEmpty() && !isWithheld) return;
+    places_.push_back({std::move(name), std::move(texts)});
+  }
+
+  bool usesCommonScale(const Item& item) const {
+    const bool hasScale =
+        item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential;
+    const bool bringsLabels =
+        item.withholds(WordingField::LowLabel) || item.withholds(WordingField::HighLabel);
+    return hasScale && !bringsLabels && instrument_.scale && item.scale == *instrument_.scale;
+  }
+
+  void addCommonScale() {
+    std::vector<Scale*> scales{&*instrument_.scale};
+    for (auto& item : instrument_.items) {
+      if (usesCommonScale(item)) scales.push_back(&item.scale);
+    }
+    addScale("scale", scales, false, false);
+  }
+
+  /// @p scales are alike: one, and its copies.
+  void addScale(
+      const std::string& name, const std::vector<Scale*>& scales, bool needsLow, bool needsHigh) {
+    const std::size_t labels = scales.front()->pointLabels.size();
+    const auto collect = [&](auto textOf) {
+      std::vector<LocalizedText*> texts;
+      for (Scale* scale : scales) texts.push_back(textOf(*scale));
+      return texts;
+    };
+    for (std::size_t i = 0; i < labels; ++i) {
+      auto texts = collect([i](Scale& scale) { return &scale.pointLabels[i]; });
+      if (i == 0) addEnds(texts, scales, &Scale::lowLabel);
+      if (i + 1 == labels) addEnds(texts, scales, &Scale::highLabel);
+      add(name + "/point_labels/" + std::to_string(i + 1), std::move(texts), false);
+    }
+    if (labels > 0) return;
+    add(name + "/low_label", collect([](Scale& s) { return &s.lowLabel; }), needsLow);
+    add(name + "/high_label", collect([](Scale& s) { return &s.highLabel; }), needsHigh);
+  }
+
+  static void addEnds(
+      std::vector<LocalizedText*>& texts,
+      const std::vector<Scale*>& scales,
+      LocalizedText Scale::*end) {
+    for (Scale* scale : scales) texts.push_back(&(scale->*end));
+  }
+
+  void addItem(Item& item) {
+    const std::string name = "items/" + item.id;
+    add(name + "/text", {&item.text}, item.withholds(WordingField::Text));
+    add(name + "/left_label", {&item.leftText}, item.withholds(WordingField::LeftLabel));
+    add(name + "/right_label", {&item.rightText}, item.withholds(WordingField::RightLabel));
+    if (item.type == ItemType::Likert && !usesCommonScale(item)) {
+      addScale(
+          name,
+          {&item.scale},
+          item.withholds(WordingField::LowLabel),
+          item.withholds(WordingField::HighLabel));
+    }
+    for (auto& option : item.options) {
+      add(name + "/options/" + option.id, {&option.text}, false);
+    }
+  }
+
+  Instrument& instrument_;
+  std::vector<TextPlace> places_;
+};
+
+}  // namespace
+
+std::vector<TextPlace> textPlacesOf(Instrument& instrument) {
+  return Places(instrument).all();
+}
+
 bool isBlank(const std::string& text) {
   return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/reading/text_places.h"
 #include "questionnaires/reading/text_problems.h"
 
 namespace questionnaires {

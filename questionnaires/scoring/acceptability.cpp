@@ -1,6 +1,6 @@
 #include "questionnaires/scoring/acceptability.h"
 
-#include "questionnaires/model/keyed_answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace questionnaires {
 namespace {

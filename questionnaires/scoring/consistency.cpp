@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/keyed_answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace questionnaires {
 namespace {

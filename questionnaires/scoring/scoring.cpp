@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "questionnaires/model/keyed_answer.h"
+#include "questionnaires/model/answer.h"
 
 namespace questionnaires {
 namespace {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/model/range.h"
+#include "questionnaires/model/instrument.h"
 
 namespace study::app {
 namespace {

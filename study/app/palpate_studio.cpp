@@ -19,7 +19,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/widgets/attempt.h"
-#include "study/gui/widgets/theme_choice.h"
+#include "study/gui/widgets/theme.h"
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
 #include "study/session/study.h"

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "questionnaires/model/answer.h"
-#include "questionnaires/model/item_types.h"
+#include "questionnaires/model/instrument.h"
 
 namespace study {
 namespace {

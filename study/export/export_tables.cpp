@@ -3,7 +3,7 @@
 
 #include "protocols/orders/random_stream.h"
 #include "questionnaires/model/answer.h"
-#include "questionnaires/model/item_types.h"
+#include "questionnaires/model/instrument.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"
 #include "study/storage/answer_repository.h"

@@ -7,7 +7,7 @@
 
 #include <sodium.h>
 
-#include "questionnaires/model/item_types.h"
+#include "questionnaires/model/instrument.h"
 #include "study/export/codebook.h"
 #include "study/export/public_people.h"
 #include "study/storage/answer_repository.h"

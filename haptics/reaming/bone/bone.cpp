@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 namespace haptics::reaming {
+
 namespace {
 
 constexpr std::size_t kMostChanges = 4096;     // told in a step

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/bone/bone_options.h"
+#include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/packing/packed_bone.h"
 
 namespace haptics::reaming {

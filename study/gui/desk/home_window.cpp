@@ -24,7 +24,7 @@
 #include "study/gui/desk/tour.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
-#include "study/gui/widgets/theme_choice.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 

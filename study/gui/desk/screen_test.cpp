@@ -3,7 +3,7 @@
 #include <QScreen>
 
 #include "study/gui/desk/self_test.h"
-#include "study/gui/scene/graphics.h"
+#include "study/gui/scene/renderer.h"
 
 namespace study::gui {
 namespace {

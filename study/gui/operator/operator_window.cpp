@@ -19,12 +19,11 @@
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/participant/questionnaire_page.h"
-#include "study/gui/session/pin_dialog.h"
+#include "study/gui/session/operator_pin.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
-#include "study/gui/widgets/theme_choice.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_rig.h"
 

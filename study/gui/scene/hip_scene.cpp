@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "haptics/reaming/bone/plunge.h"
-#include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
+#include "study/gui/scene/shapes/tool_shapes.h"
 
 namespace study::gui::scene {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "study/gui/scene/shapes/knee_anatomy.h"
-#include "study/gui/scene/shapes/punch_shape.h"
+#include "study/gui/scene/shapes/tool_shapes.h"
 
 namespace study::gui::scene {
 namespace {

@@ -9,7 +9,7 @@
 #include <QWidget>
 
 #include "study/gui/scene/frame_statistics.h"
-#include "study/gui/scene/graphics.h"
+#include "study/gui/scene/renderer.h"
 #include "study/gui/scene/simulated_scene.h"
 
 namespace study::gui::scene {

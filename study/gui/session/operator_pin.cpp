@@ -3,6 +3,14 @@
 #include <algorithm>
 
 #include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/labels.h"
 
 namespace study::gui {
 
@@ -34,6 +42,57 @@ bool OperatorPin::opensWith(const QString& digits) {
 
 int OperatorPin::waitLeft() const {
   return static_cast<int>((wait_.remainingTime() + 999) / 1000);
+}
+
+namespace {
+
+QLineEdit* pinLine(QWidget* parent) {
+  auto* line = new QLineEdit(parent);
+  line->setEchoMode(QLineEdit::Password);
+  line->setMaxLength(OperatorPin::kMostDigits);
+  return line;
+}
+
+/// What still keeps two entries from being a PIN; empty where nothing does.
+QString whyNot(const QString& first, const QString& second) {
+  if (const auto objection = OperatorPin::objection(first)) return *objection;
+  return first == second ? QString() : QDialog::tr("The two are not the same yet.");
+}
+
+}  // namespace
+
+std::optional<QString> askForNewPin(QWidget* parent) {
+  QDialog dialog(parent);
+  dialog.setWindowTitle(QDialog::tr("A PIN for this screen"));
+  auto* layout = new QVBoxLayout(&dialog);
+  layout->addWidget(bodyLabel(
+      QDialog::tr("The participant gets the whole screen. This PIN brings you back; it is kept "
+                  "until palpate-studio ends, and nowhere written down."),
+      &dialog));
+  auto* form = new QFormLayout;
+  auto* first = pinLine(&dialog);
+  auto* second = pinLine(&dialog);
+  form->addRow(QDialog::tr("PIN"), first);
+  form->addRow(QDialog::tr("Once more"), second);
+  layout->addLayout(form);
+  auto* objection = quietLabel({}, &dialog);
+  layout->addWidget(objection);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+  buttons->button(QDialogButtonBox::Ok)->setText(QDialog::tr("Hand over"));
+  layout->addWidget(buttons);
+  const auto judge = [&] {
+    const QString why = whyNot(first->text(), second->text());
+    objection->setText(why);
+    buttons->button(QDialogButtonBox::Ok)->setEnabled(why.isEmpty());
+  };
+  for (auto* line : {first, second}) {
+    QObject::connect(line, &QLineEdit::textChanged, &dialog, judge);
+  }
+  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  judge();
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  return first->text();
 }
 
 }  // namespace study::gui

@@ -4,6 +4,7 @@
 
 #include <QDeadlineTimer>
 #include <QString>
+#include <QWidget>
 
 namespace study::gui {
 
@@ -34,5 +35,8 @@ class OperatorPin {
   int wrong_ = 0;
   QDeadlineTimer wait_{0};
 };
+
+/// Asks the operator for a new PIN, twice; nothing where they think better of it.
+std::optional<QString> askForNewPin(QWidget* parent);
 
 }  // namespace study::gui

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QColor>
+#include <QMenu>
 #include <QString>
 #include <QWidget>
 
@@ -68,5 +69,13 @@ double contrast(const QColor& one, const QColor& other) noexcept;
 /// The name by which a choice is stored: "light", "dark", "high-contrast".
 QString nameOf(ThemeName name);
 std::optional<ThemeName> themeCalled(const QString& name);
+
+/// Puts on what was chosen last; until somebody chooses, light or dark as the desktop is. To be
+/// called before any theme is worn, since afterwards the desktop's colours cannot be seen.
+void applyChosenTheme(QApplication& application);
+
+/// A menu to choose from: as the desktop, light, dark, high contrast. A choice is worn at once and
+/// remembered.
+void addThemesTo(QMenu& menu);
 
 }  // namespace study::gui

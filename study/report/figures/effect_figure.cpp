@@ -1,8 +1,7 @@
-#include "study/report/figures/effect_figure.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
 #include "study/results/apa_text.h"

@@ -1,11 +1,10 @@
-#include "study/report/figures/felt_figure.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <QPainterPath>
 
 #include "study/report/figures/axis_scale.h"
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/svg_canvas.h"
 

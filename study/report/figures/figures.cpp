@@ -4,13 +4,7 @@
 #include <map>
 
 #include "study/report/figures/chart_painter.h"
-#include "study/report/figures/effect_figure.h"
-#include "study/report/figures/felt_figure.h"
-#include "study/report/figures/likert_figure.h"
-#include "study/report/figures/position_figure.h"
-#include "study/report/figures/raincloud_figure.h"
 #include "study/report/figures/svg_canvas.h"
-#include "study/report/figures/vote_figure.h"
 
 namespace study::report {
 namespace {

@@ -1,8 +1,7 @@
-#include "study/report/figures/likert_figure.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/svg_canvas.h"
 #include "study/results/results_text.h"

@@ -1,7 +1,6 @@
-#include "study/report/figures/position_figure.h"
-
 #include <algorithm>
 
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
 #include "study/results/apa_text.h"

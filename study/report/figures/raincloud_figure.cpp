@@ -1,11 +1,10 @@
-#include "study/report/figures/raincloud_figure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include <QPainterPath>
 
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
 #include "study/results/apa_text.h"

@@ -1,5 +1,4 @@
-#include "study/report/figures/vote_figure.h"
-
+#include "study/report/figures/figures.h"
 #include "study/report/figures/palette.h"
 #include "study/report/figures/rows_canvas.h"
 

@@ -7,7 +7,7 @@
 
 #include "haptics/engine/material_model.h"
 #include "haptics/engine/parametric_material.h"
-#include "haptics/reaming/material/monotone_slopes.h"
+#include "haptics/reaming/material/piecewise.h"
 
 namespace haptics::engine {
 namespace compiled_scene_test {

@@ -1,6 +1,6 @@
-#include "questionnaires/model/range.h"
-
 #include <gtest/gtest.h>
+
+#include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
 namespace range_test {

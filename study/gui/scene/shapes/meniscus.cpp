@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "study/gui/scene/shapes/punch_shape.h"
+#include "study/gui/scene/shapes/tool_shapes.h"
 
 namespace study::gui::scene {
 namespace {

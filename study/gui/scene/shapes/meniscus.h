@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "haptics/engine/compiled_scene.h"
-#include "study/gui/scene/shapes/knee_layout.h"
+#include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/scene/shapes/mesh.h"
 
 namespace study::gui::scene {

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "study/gui/scene/shapes/meniscus.h"
-#include "study/gui/scene/shapes/punch_shape.h"
-#include "study/gui/scene/shapes/reamer_shape.h"
 #include "study/gui/scene/shapes/solids.h"
+#include "study/gui/scene/shapes/tool_shapes.h"
 
 namespace study::gui::scene {
 namespace shapes_test {

@@ -14,7 +14,6 @@
 #include <QRegularExpression>
 
 #include "study/gui/widgets/studio_settings.h"
-#include "study/gui/widgets/theme_choice.h"
 
 namespace study::gui {
 namespace theme_test {

@@ -28,4 +28,13 @@ inline constexpr float kJawHalfWidth = 1.45F;
 /// The height of the upper jaw's edge above the lower jaw at @p x from the hinge [mm].
 float jawHeight(float openness, float x);
 
+/// An acetabular reamer of our own making: half a sphere of @p radius [mm] around the origin with
+/// its teeth towards +z, on a shaft along −z.
+struct ReamerShape {
+  Mesh cap;    ///< spins; closed but for its teeth, which are closed each
+  Mesh shaft;  ///< spins
+};
+
+ReamerShape reamerShape(float radius);
+
 }  // namespace study::gui::scene

@@ -1,4 +1,4 @@
-#include "study/gui/scene/graphics.h"
+#include "study/gui/scene/renderer.h"
 
 #include <exception>
 
@@ -9,6 +9,7 @@
 #include "study/gui/scene/software_renderer.h"
 
 namespace study::gui::scene {
+
 namespace {
 
 QString said(const char* words) {
