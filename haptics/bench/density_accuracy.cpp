@@ -8,9 +8,10 @@
 #include <Eigen/SparseCore>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/tiled_bone.h"
 #include "haptics/reaming/material/synthetic_series.h"
+#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/density_fit.h"
+#include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::bench {
 namespace {
@@ -19,8 +20,9 @@ using reaming::ContactMatrix;
 using reaming::DensityFit;
 
 constexpr const char* kDensityFamily = "density";
+constexpr const char* kBounded = "palpate, bounded least squares";
 constexpr std::size_t kDepths = 400;
-constexpr int kSeeds = 20;
+constexpr int kSeeds = 5;
 
 struct Problem {
   ContactMatrix matrix;
@@ -30,7 +32,7 @@ struct Problem {
 
 /// The paper's count of spheres against a synthetic dynamic curve.
 Problem problemOf(std::size_t count) {
-  const auto packing = tiledBone(count);
+  const auto packing = *reaming::pack(reaming::Acetabulum(), {.count = count});
   const std::vector<double> ones(packing.spheres.size(), 1.0);
   const auto plunge = reaming::plungeInto(reaming::SphereField(packing, ones), 0.026);
   const auto series = reaming::noiselessSeries({.hardness = 0.5});
@@ -51,17 +53,17 @@ Problem problemOf(std::size_t count) {
 }
 
 template <typename Fit>
-void measure(
+void timeFit(
     const std::string& setting,
     const std::string& method,
     double parameter,
-    const Report& report,
+    const AccuracyRun& run,
     Fit fit) {
   const auto start = std::chrono::steady_clock::now();
   const DensityFit result = fit();
   const double time =
       std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-  report(
+  run.report(
       {.family = kDensityFamily,
        .setting = setting,
        .method = method,
@@ -93,18 +95,18 @@ DensityFit leastSquares(const Problem& problem, int iterations) {
   return fit;
 }
 
-/// Seeds of a swarm: the median error and time, and the slowest.
-void measureSwarms(
+/// The median error and time of several seeds, and the slowest.
+void timeSwarms(
     const std::string& setting,
     const ContactMatrix& matrix,
     const std::vector<double>& forces,
-    reaming::SwarmOptions options,
-    int seeds,
+    int iterations,
     double parameter,
-    const Report& report) {
+    const AccuracyRun& run) {
   std::vector<double> errors;
   std::vector<double> times;
-  for (int seed = 1; seed <= seeds; ++seed) {
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    reaming::SwarmOptions options{.iterations = iterations};
     options.seed = static_cast<std::uint64_t>(seed);
     const auto start = std::chrono::steady_clock::now();
     errors.push_back(reaming::fitSwarm(matrix, forces, options).error);
@@ -113,56 +115,60 @@ void measureSwarms(
   }
   std::sort(errors.begin(), errors.end());
   std::sort(times.begin(), times.end());
-  report(
+  run.report(
       {.family = kDensityFamily,
        .setting = setting,
-       .method = "swarm, median of 20 seeds",
+       .method = "swarm, median of " + std::to_string(kSeeds) + " seeds",
        .parameter = parameter,
        .error = errors[errors.size() / 2],
        .time = Timing{times[times.size() / 2], times.back()}});
 }
 
+/// One density for each depth at which spheres are first touched.
+void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& run) {
+  const auto few =
+      reaming::layered(problem.matrix, reaming::layersOf(problem.matrix, layers), layers);
+  const std::vector<double> prior(layers, problem.uniform.front());
+  const auto parameter = static_cast<double>(layers);
+  timeFit("layers", kBounded, parameter, run, [&] {
+    return reaming::fitNonNegative(few, problem.forces, prior, 1e-9);
+  });
+  if (!run.isShort) timeSwarms("layers", few, problem.forces, 500, parameter, run);
+}
+
 }  // namespace
 
-void measureDensity(const Report& report) {
-  const Problem problem = problemOf(201'532);
+void measureDensity(const AccuracyRun& run) {
+  const Problem problem = problemOf(run.isShort ? 5000 : 201'532);
   const auto& [matrix, forces, uniform] = problem;
   const std::string all = "all spheres";
   for (const double weight : {1e-2, 1e-4, 1e-6}) {
-    measure(all, "palpate, bounded least squares", weight, report, [&] {
+    double gap = 0.0;
+    timeFit(all, kBounded, weight, run, [&] {
       auto fit = reaming::fitNonNegative(matrix, forces, uniform, weight);
-      report(
-          {.family = kDensityFamily,
-           .setting = "above the optimum, at most",
-           .method = "palpate, bounded least squares",
-           .parameter = weight,
-           .error = std::max(fit.gap, 0.0),
-           .time = std::nullopt});
+      gap = std::max(fit.gap, 0.0);
       return fit;
     });
+    run.report(
+        {.family = kDensityFamily,
+         .setting = "above the optimum, at most",
+         .method = kBounded,
+         .parameter = weight,
+         .error = gap,
+         .bound = 0.01});
   }
-  for (const int iterations : {5, 20, 100}) {
-    measure(all, "multiplicative (MLEM)", iterations, report, [&, n = iterations] {
+  for (const std::size_t layers : {12, 50}) fitLayers(problem, layers, run);
+  if (run.isShort) return;
+  for (const int iterations : {20, 100}) {
+    timeFit(all, "multiplicative (MLEM)", iterations, run, [&, n = iterations] {
       return reaming::fitMultiplicative(matrix, forces, uniform, n);
     });
-  }
-  for (const int iterations : {20, 100}) {
-    measure(all, "Eigen LSCG, cut off at 0", iterations, report, [&, n = iterations] {
+    timeFit(all, "Eigen LSCG, cut off at 0", iterations, run, [&, n = iterations] {
       return leastSquares(problem, n);
     });
   }
-  for (const int iterations : {1, 8}) {
-    measureSwarms(all, matrix, forces, {.iterations = iterations}, kSeeds, iterations, report);
-  }
-  for (const std::size_t layers : {12, 50}) {
-    const auto few = reaming::layered(matrix, reaming::layersOf(matrix, layers), layers);
-    const std::vector<double> prior(layers, uniform.front());
-    const auto parameter = static_cast<double>(layers);
-    measure("layers", "palpate, bounded least squares", parameter, report, [&] {
-      return reaming::fitNonNegative(few, forces, prior, 1e-9);
-    });
-    measureSwarms("layers", few, forces, {.iterations = 500}, kSeeds, parameter, report);
-  }
+  constexpr int kSwarmIterations = 8;
+  timeSwarms(all, matrix, forces, kSwarmIterations, kSwarmIterations, run);
 }
 
 }  // namespace haptics::bench

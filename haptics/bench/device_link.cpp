@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "haptics/bench/punch_conditions.h"
 #include "haptics/engine/parametric_material.h"
+#include "haptics/engine/published_punch.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::bench {
@@ -29,7 +29,8 @@ double processorTime() noexcept {
 }  // namespace
 
 engine::SceneSpec sceneForLink(devices::DeviceKind kind) {
-  if (kind == devices::DeviceKind::Punch) return {.device = kind, .model = publishedElements(5)};
+  if (kind == devices::DeviceKind::Punch)
+    return {.device = kind, .model = engine::publishedElements(5)};
   engine::MaterialSpec material;
   material.nodes = engine::parametricMaterial();
   material.hardness = 1.0;

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/punch_conditions.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/published_punch.h"
 
 namespace haptics::bench {
 namespace {
@@ -44,28 +44,29 @@ double rmsChatter(const std::vector<double>& forces) {
 
 }  // namespace
 
-void measureEncoders(const Report& report) {
+void measureEncoders(const AccuracyRun& run) {
   using models::KalmanScheme;
   const std::pair<const char*, engine::SceneSpec> scenes[]{
-      {"interpolation", {.model = publishedInterpolation()}},
-      {"finite elements", {.model = publishedElements(5)}},
-      {"filter, paper-text", {.model = publishedFilter(KalmanScheme::PaperText, 5)}},
-      {"filter, authors-firmware", {.model = publishedFilter(KalmanScheme::AuthorsFirmware, 5)}},
-      {"filter, sequential", {.model = publishedFilter(KalmanScheme::Sequential, 5)}},
-      {"filter, space-domain", {.model = publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
+      {"interpolation", {.model = engine::publishedInterpolation()}},
+      {"finite elements", {.model = engine::publishedElements(5)}},
+      {"filter, paper-text", {.model = engine::publishedFilter(KalmanScheme::PaperText, 5)}},
+      {"filter, authors-firmware",
+       {.model = engine::publishedFilter(KalmanScheme::AuthorsFirmware, 5)}},
+      {"filter, sequential", {.model = engine::publishedFilter(KalmanScheme::Sequential, 5)}},
+      {"filter, space-domain", {.model = engine::publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
   for (const auto& [name, spec] : scenes) {
     for (const double speed : {1.0, 10.0, 57.0}) {
       const auto ideal = Closing{.speed = speed}.forcesOf(spec);
       for (const double quantum : {0.0, 0.0439, 0.176}) {
         const auto felt = Closing{.speed = speed, .quantum = quantum}.forcesOf(spec);
         const std::string at = std::to_string(static_cast<int>(speed)) + " travel units/s";
-        report(
+        run.report(
             {.family = "encoder",
              .setting = "RMS difference from an ideal encoder [N], " + at,
              .method = name,
              .parameter = quantum,
              .error = rmsDifference(felt, ideal)});
-        report(
+        run.report(
             {.family = "encoder",
              .setting = "RMS chatter [N], " + at,
              .method = name,

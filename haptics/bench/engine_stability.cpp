@@ -5,12 +5,12 @@
 #include <random>
 #include <utility>
 
-#include "haptics/bench/punch_conditions.h"
 #include "haptics/bench/stability.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/passivity.h"
+#include "haptics/engine/published_punch.h"
 #include "haptics/recordings/parametric_cut.h"
 
 namespace haptics::bench {
@@ -20,22 +20,23 @@ using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
 
 Scenes allScenes() {
   using models::KalmanScheme;
-  auto hysteresis = publishedInterpolation();
+  auto hysteresis = engine::publishedInterpolation();
   hysteresis.branches = engine::Branches::Hysteresis;
   const auto cut = recordings::parametricCut();
   for (const auto& node : cut.opening->nodes()) {
     hysteresis.opening.push_back({node.travel, node.force});
   }
-  auto plastic = publishedElements(5);
+  auto plastic = engine::publishedElements(5);
   plastic.parameters.yielding = models::Yielding::ReturnMap;
   return {
-      {"interpolation", {.model = publishedInterpolation()}},
+      {"interpolation", {.model = engine::publishedInterpolation()}},
       {"interpolation, hysteresis", {.model = hysteresis}},
-      {"finite elements", {.model = publishedElements(5)}},
+      {"finite elements", {.model = engine::publishedElements(5)}},
       {"finite elements, return-map", {.model = plastic}},
-      {"filter, paper-text", {.model = publishedFilter(KalmanScheme::PaperText, 5)}},
-      {"filter, authors-firmware", {.model = publishedFilter(KalmanScheme::AuthorsFirmware, 5)}},
-      {"filter, space-domain", {.model = publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
+      {"filter, paper-text", {.model = engine::publishedFilter(KalmanScheme::PaperText, 5)}},
+      {"filter, authors-firmware",
+       {.model = engine::publishedFilter(KalmanScheme::AuthorsFirmware, 5)}},
+      {"filter, space-domain", {.model = engine::publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
 }
 
 /// A device that says what it is told to say.
@@ -57,8 +58,8 @@ class Mouthpiece final : public devices::Device {
 double forceErrorAgainstEquation(double rate) {
   constexpr double kSpeed = 57.0;
   constexpr int kInside = 200;
-  engine::CompiledScene held({.model = publishedElements(5)});
-  engine::CompiledScene moving({.model = publishedElements(5)});
+  engine::CompiledScene held({.model = engine::publishedElements(5)});
+  engine::CompiledScene moving({.model = engine::publishedElements(5)});
   const double period = 1.0 / rate;
   const auto ticks = std::max(1, static_cast<int>(3.5 / (kSpeed * period)));  // from 4.1 to 7.6
   double sum = 0.0;
@@ -76,7 +77,8 @@ double forceErrorAgainstEquation(double rate) {
 
 /// What the space-domain filter has come to at 6 travel units, closing at 10 a second.
 double settledAtSix(double rate) {
-  engine::CompiledScene scene({.model = publishedFilter(models::KalmanScheme::SpaceDomain, 5)});
+  engine::CompiledScene scene(
+      {.model = engine::publishedFilter(models::KalmanScheme::SpaceDomain, 5)});
   double force = 0.0;
   const auto steps = static_cast<long>(std::lround(0.6 * rate));
   for (long i = 0; i <= steps; ++i) {

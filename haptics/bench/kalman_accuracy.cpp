@@ -27,7 +27,7 @@ models::KalmanNoise<Scalar> noiseOf(const KalmanNumbers& n) {
       .wandering = Scalar(n.q22)};
 }
 
-/// Ours in a scheme, with the face of the others.
+/// Our filter in a scheme, with the interface of its peers.
 template <typename Scalar>
 struct OurFilter {
   models::KalmanFilter<Scalar> filter;
@@ -39,7 +39,7 @@ struct OurFilter {
   }
 };
 
-/// Its covariance, begun where the others begin.
+/// Its covariance alone, from the same start as its peers.
 template <typename Scalar>
 struct OurCovariance {
   models::FactoredCovariance<Scalar> p;
@@ -84,7 +84,7 @@ Contestant contestant(std::string name, Filter filter) {
           }};
 }
 
-void raceSteps(const Report& report) {
+void timeSteps(const AccuracyRun& run) {
   const KalmanNumbers n;
   std::vector<Contestant> contestants;
   contestants.push_back(
@@ -108,11 +108,11 @@ void raceSteps(const Report& report) {
         contestant<OurFilter<double>, double>(name, OurFilter<double>(n, scheme)));
   }
   constexpr int kColdRounds = 31;
-  const auto warm = race(contestants);
-  const auto cold = raceCold(contestants, kColdRounds);
+  const auto warm = run.times(contestants);
+  const auto cold = run.coldTimes(contestants, kColdRounds);
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     for (const bool isCold : {false, true}) {
-      report(
+      run.report(
           {.family = kKalmanFamily,
            .setting = isCold ? "a step, cold" : "a step",
            .method = contestants[i].method,
@@ -122,7 +122,7 @@ void raceSteps(const Report& report) {
   }
 }
 
-/// What an adversary would choose: numbers all over the decades.
+/// Draws numbers over 10^±decades.
 struct Adversary {
   std::mt19937_64 random;
   double decades;
@@ -161,7 +161,7 @@ void follow(
 }
 
 /// p99 of the relative error of the force, and how often a variance was negative.
-void attack(double decades, const Report& report) {
+void attack(double decades, const AccuracyRun& run) {
   constexpr int kFilters = 60;
   constexpr int kSteps = 40;
   Adversary adversary{std::mt19937_64(7), decades};
@@ -195,27 +195,28 @@ void attack(double decades, const Report& report) {
     std::sort(errors.begin(), errors.end());
     const double p99 =
         errors[static_cast<std::size_t>(0.99 * static_cast<double>(errors.size() - 1))];
-    report(
+    run.report(
         {.family = kKalmanFamily,
          .setting = "Q = 0, relative error",
          .method = names[i],
          .parameter = decades,
          .error = p99});
-    report(
+    run.report(
         {.family = kKalmanFamily,
          .setting = "Q = 0, negative variances of 100 steps",
          .method = names[i],
          .parameter = decades,
          .error = 100.0 * static_cast<double>(tallies[i].negative) /
-                  static_cast<double>(tallies[i].steps)});
+                  static_cast<double>(tallies[i].steps),
+         .bound = names[i].starts_with("palpate") ? std::optional(0.0) : std::nullopt});
   }
 }
 
 }  // namespace
 
-void measureKalmanFilter(const Report& report) {
-  raceSteps(report);
-  for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0}) attack(decades, report);
+void measureKalmanFilter(const AccuracyRun& run) {
+  if (!run.isShort) timeSteps(run);
+  for (const double decades : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 12.0}) attack(decades, run);
 }
 
 }  // namespace haptics::bench

@@ -8,7 +8,6 @@
 
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/peers/sphere_peers.h"
-#include "haptics/bench/tiled_bone.h"
 #include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/plunge.h"
 #include "haptics/reaming/bone/sphere_kernel.h"
@@ -23,15 +22,15 @@ using reaming::Plunge;
 using reaming::SphereField;
 
 constexpr const char* kPackingFamily = "packing";
-constexpr double kRadius = 0.026;  // of the reamer [m]
-constexpr double kDensity = 2e5;   // [N/m²]
+constexpr double kReachOfReamer = 0.026;  // its radius [m]
+constexpr double kDensity = 2e5;          // [N/m²]
 
 /// Where a step is: to and fro between 6 and 12 mm, a little further each time.
 double depthOf(std::size_t step) {
   return 0.009 - 0.003 * std::cos(0.01 * static_cast<double>(step));
 }
 
-/// Over all groups there are, with the same inner loop: what the cells are worth.
+/// A loop over all groups of spheres with the same kernel, without the search by cells.
 double overAll(const SphereField& field, const reaming::Reamer& reamer) {
   const reaming::Stretch all{0, static_cast<std::uint32_t>(field.groups().size())};
   const reaming::KernelReamer tool{
@@ -41,7 +40,7 @@ double overAll(const SphereField& field, const reaming::Reamer& reamer) {
   return std::numbers::pi * reamer.radius * sums.of[reaming::KernelSums::Pressing];
 }
 
-/// How much the area departs from its mean while the reamer goes through [%].
+/// The largest departure of the area from its mean while the reamer goes through [%].
 double ripple(const SphereField& field, const Plunge& plunge) {
   std::vector<double> areas;
   double mean = 0.0;
@@ -66,17 +65,33 @@ Contestant contestant(
           }};
 }
 
-/// A packing of its own where that is there soon, copies of a small one where it is not.
-Packing boneOf(std::size_t count) {
-  const bool isSoon = count <= 250'000;
-  return isSoon ? *reaming::pack(reaming::Acetabulum(), {.count = count}) : tiledBone(count);
+Packing boneOf(std::size_t spheres) {
+  return *reaming::pack(reaming::Acetabulum(), {.count = spheres});
 }
 
-void raceContacts(const Packing& packing, bool isCold, const Report& report) {
-  const std::size_t count = packing.spheres.size();
+/// The largest difference of the pressure from that of a loop over all spheres, relative.
+double largestDifference(const SphereField& field, const Plunge& plunge) {
+  double largest = 0.0;
+  for (std::size_t step = 0; step < 300; ++step) {
+    const auto reamer = plunge.at(depthOf(step));
+    const double all = overAll(field, reamer);
+    largest = std::max(largest, std::abs(field.touch(reamer, false).pressing / all - 1.0));
+  }
+  return largest;
+}
+
+void compareContacts(const Packing& packing, const AccuracyRun& run) {
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   const SphereField field(packing, densities);
-  const Plunge plunge = reaming::plungeInto(field, kRadius);
+  const Plunge plunge = reaming::plungeInto(field, kReachOfReamer);
+  const auto count = static_cast<double>(packing.spheres.size());
+  run.report(
+      {.family = kPackingFamily,
+       .setting = "pressure, relative to a loop over all spheres",
+       .method = "palpate",
+       .parameter = count,
+       .error = largestDifference(field, plunge),
+       .bound = 1e-5});
   std::vector<Contestant> contestants{
       contestant("palpate", plunge, [&](const auto& r) { return field.touch(r, false).pressing; }),
       contestant(
@@ -86,45 +101,45 @@ void raceContacts(const Packing& packing, bool isCold, const Report& report) {
     contestants.push_back(
         contestant(peer->name(), plunge, [&](const auto& r) { return peer->pressing(r); }));
   }
-  constexpr int kRounds = 41;
-  const auto timings = isCold ? raceCold(contestants, kRounds) : race(contestants);
+  constexpr int kColdRounds = 41;
   const double error = ripple(field, plunge);
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    report(
-        {.family = kPackingFamily,
-         .setting = isCold ? "contact, cold" : "contact",
-         .method = contestants[i].method,
-         .parameter = static_cast<double>(count),
-         .error = error,
-         .time = timings[i]});
+  const std::pair<const char*, std::vector<std::optional<Timing>>> settings[]{
+      {"contact", run.times(contestants)},
+      {"contact, cold", run.coldTimes(contestants, kColdRounds)}};
+  for (const auto& [setting, times] : settings) {
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      run.report(
+          {.family = kPackingFamily,
+           .setting = setting,
+           .method = contestants[i].method,
+           .parameter = count,
+           .error = error,
+           .time = times[i]});
+    }
   }
 }
 
-/// Single steps of a bone that is reamed at a feed, each timed for itself.
-void timeRemoval(
-    const Packing& packing,
-    double feed,
-    bool isCold,
-    const std::string& setting,
-    const Report& report) {
+/// Single steps of a bone that is reamed at 2 mm/s, each timed for itself.
+void timeRemoval(const Packing& packing, bool isCold, const AccuracyRun& run) {
   using Clock = std::chrono::steady_clock;
-  constexpr double kTick = 0.001;
+  constexpr double kFeed = 0.002;  // [m/s]
+  constexpr double kTick = 0.001;  // [s]
   const std::vector<double> densities(packing.spheres.size(), kDensity);
   reaming::Bone bone(packing, densities, {.coverage = packing.coverage(), .cuttingDamping = 100.0});
-  const Plunge plunge = reaming::plungeInto(bone.field(), kRadius);
+  const Plunge plunge = reaming::plungeInto(bone.field(), kReachOfReamer);
   double depth = -0.0005;
   while (bone.tool().centre.z < plunge.start + 0.006) {  // in, as fast as it goes
     bone.step(plunge.at(depth), kTick);
     depth = std::min(depth + 2e-5, 0.016);
   }
-  // Then at the feed: the coupling is wound up already, so the tool goes as the device does.
+  // Then at the feed: the coupling is under tension already, so the tool follows the device.
   std::vector<std::uint64_t> other(isCold ? std::size_t{10} << 20U : 0, 1);
   std::uint64_t sum = 0;
   std::vector<double> times;
   const int steps = isCold ? 300 : 1500;
   for (int i = 0; i < steps; ++i) {
     for (auto& word : other) sum += word++;
-    depth += feed * kTick;
+    depth += kFeed * kTick;
     const auto start = Clock::now();
     const auto felt = bone.step(plunge.at(depth), kTick);
     times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
@@ -133,28 +148,23 @@ void timeRemoval(
   [[maybe_unused]] static volatile std::uint64_t sink = 0;
   sink = sum;
   std::sort(times.begin(), times.end());
-  report(
+  run.report(
       {.family = kPackingFamily,
-       .setting = setting,
+       .setting = isCold ? "removal at 2 mm/s, cold" : "removal at 2 mm/s",
        .method = "palpate",
        .parameter = static_cast<double>(packing.spheres.size()),
-       .error = std::nullopt,
        .time = Timing{times[times.size() / 2], times[times.size() * 99 / 100]}});
 }
 
 }  // namespace
 
-void measurePacking(const Report& report) {
-  raceContacts(boneOf(50'000), false, report);
-  const Packing published = boneOf(201'532);
-  raceContacts(published, false, report);
-  raceContacts(published, true, report);
-  timeRemoval(published, 0.002, false, "removal at 2 mm/s", report);
-  timeRemoval(published, 0.002, true, "removal at 2 mm/s, cold", report);
-  raceContacts(boneOf(1'000'000), false, report);
-  for (const std::size_t count : {1'000'000, 3'100'000, 4'100'000}) {
-    timeRemoval(boneOf(count), 0.0005, false, "removal at 0.5 mm/s", report);
-  }
+void measurePacking(const AccuracyRun& run) {
+  if (run.isShort) return compareContacts(boneOf(5000), run);
+  compareContacts(boneOf(50'000), run);
+  const Packing published = boneOf(201'532);  // the reaming paper's number
+  compareContacts(published, run);
+  timeRemoval(published, false, run);
+  timeRemoval(published, true, run);
 }
 
 }  // namespace haptics::bench

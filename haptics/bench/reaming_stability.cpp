@@ -4,9 +4,10 @@
 #include <limits>
 
 #include "haptics/bench/stability.h"
-#include "haptics/bench/tiled_bone.h"
 #include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
 
 namespace haptics::bench {
 namespace {
@@ -200,7 +201,7 @@ void enduring(const Packing& packing, double effort, Sweep& sweep) {
 }  // namespace
 
 void sweepReaming(double effort, StabilityResult& result) {
-  const Packing packing = tiledBone(4000);
+  const Packing packing = *reaming::pack(reaming::Acetabulum(), {.count = 4000});
   Sweep sweep(result);
   stiff(packing, sweep);
   uneven(packing, sweep);

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/punch_conditions.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/published_punch.h"
 
 namespace haptics::bench {
 namespace {
@@ -15,7 +15,7 @@ class Felt {
   Felt(const char* name, engine::SceneSpec spec, int elements)
       : name_(name),
         scene_(spec),
-        elements_(publishedElements(elements).parameters),
+        elements_(engine::publishedElements(elements).parameters),
         shape_(static_cast<std::size_t>(elements)),
         mesh_(shape_.size()) {
     elements_.writeMeshShape(shape_.data());
@@ -46,22 +46,24 @@ class Felt {
 
 }  // namespace
 
-void measureRefresh(const Report& report) {
+void measureRefresh(const AccuracyRun& run) {
+  if (run.isShort) return;
   for (const int elements : {5, 10, 15, 100, 1000}) {
-    Felt interpolation("interpolation", {.model = publishedInterpolation()}, elements);
-    Felt finiteElements("finite elements", {.model = publishedElements(elements)}, elements);
+    Felt interpolation("interpolation", {.model = engine::publishedInterpolation()}, elements);
+    Felt finiteElements(
+        "finite elements", {.model = engine::publishedElements(elements)}, elements);
     Felt kalman(
         "Kalman filter",
-        {.model = publishedFilter(models::KalmanScheme::AuthorsFirmware, elements)},
+        {.model = engine::publishedFilter(models::KalmanScheme::AuthorsFirmware, elements)},
         elements);
     std::vector<Contestant> contestants;
     for (auto* felt : {&interpolation, &finiteElements, &kalman}) {
       contestants.push_back(felt->contestant(true));
       contestants.push_back(felt->contestant(false));
     }
-    const auto timings = race(contestants);
+    const auto timings = run.times(contestants);
     for (std::size_t i = 0; i < contestants.size(); ++i) {
-      report(
+      run.report(
           {.family = "refresh",
            .setting = "a step",
            .method = contestants[i].method,

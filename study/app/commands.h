@@ -24,14 +24,13 @@ void addRecordingCommands(CLI::App& program, Action& action);
 void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);
-void addBenchCommands(CLI::App& program, Action& action);
+void addBenchCommand(CLI::App& program, Action& action);
 void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);
 
 /// Adds to a noun instead of to the program.
 void addSwarmCommands(CLI::App& packing, Action& action);
-void addStatsBench(CLI::App& bench, Action& action);
 void addCheckTableCommand(CLI::App& stats, Action& action);
 
 }  // namespace study::app

@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QIcon>
 
-#include "study/app/studio_bench.h"
 #include "study/app/studio_options.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/desk/help_window.h"
@@ -107,7 +106,6 @@ int main(int argc, char** argv) {
   study::gui::applyChosenTheme(application);
   study::gui::offerHelp(application);
   parser.process(application);
-  if (parser.isSet(QStringLiteral("bench"))) return study::app::benchStudio(parser);
 
   const QString path = parser.positionalArguments().value(0);
   const std::string devices = parser.value(QStringLiteral("devices")).toStdString();

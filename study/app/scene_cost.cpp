@@ -4,15 +4,15 @@
 #include <functional>
 #include <memory>
 
-#include "haptics/bench/punch_conditions.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/parametric_bone.h"
 #include "haptics/engine/parametric_material.h"
+#include "haptics/engine/published_punch.h"
 
 namespace study::app {
 namespace {
 
-namespace bench = haptics::bench;
+namespace timing = haptics::timing;
 namespace engine = haptics::engine;
 
 constexpr int kTicksAPicture = 17;  // a display of 60 Hz in a loop of 1 kHz
@@ -20,7 +20,7 @@ constexpr int kTicksAPicture = 17;  // a display of 60 Hz in a loop of 1 kHz
 /// What is done besides, in every tick: a force in, anything out.
 using Besides = std::function<double(double travel, double force, int tick)>;
 
-bench::Contestant contestant(
+timing::Contestant contestant(
     const std::string& what, const engine::SceneSpec& spec, double middle, Besides besides) {
   auto scene = std::make_shared<engine::CompiledScene>(spec);
   return {what, [scene, middle, besides = std::move(besides)](int steps) {
@@ -58,7 +58,7 @@ Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-void addPunch(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+void addPunch(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
   constexpr double kMiddle = 5.5;  // [travel units]
   const auto add = [&](const char* what, Besides besides) {
     contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
@@ -67,16 +67,16 @@ void addPunch(const engine::SceneSpec& spec, std::vector<bench::Contestant>& con
   const auto* kalman = std::get_if<engine::KalmanSpec>(&spec.model);
   const auto shown = elements != nullptr ? *elements
                      : kalman != nullptr ? kalman->finiteElements
-                                         : bench::publishedElements(5);
+                                         : engine::publishedElements(5);
   add("as it is", nullptr);
   if (elements != nullptr) {
-    add("… and the recorded cut", alsoFelt({.model = bench::publishedInterpolation()}));
+    add("… and the recorded cut", alsoFelt({.model = engine::publishedInterpolation()}));
   }
   if (elements == nullptr && kalman == nullptr) {
-    add("… and finite elements", alsoFelt({.model = bench::publishedElements(5)}));
+    add("… and finite elements", alsoFelt({.model = engine::publishedElements(5)}));
   }
   if (kalman == nullptr) {
-    const auto filter = bench::publishedFilter(haptics::models::KalmanScheme::SpaceDomain, 5);
+    const auto filter = engine::publishedFilter(haptics::models::KalmanScheme::SpaceDomain, 5);
     add("… and both forces and the filter", alsoFelt({.model = filter}));
   }
   add("… and the mesh at 60 Hz", alsoDrawn(shown, kTicksAPicture));
@@ -86,7 +86,7 @@ void addPunch(const engine::SceneSpec& spec, std::vector<bench::Contestant>& con
 constexpr double kMiddle = 0.01;  // of a reamer's travel [m]
 
 /// A curve alone, and what spheres would cost besides.
-void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+void addMaterial(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, Besides besides) {
     contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
   };
@@ -107,7 +107,7 @@ void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& 
 }
 
 /// Spheres, and what it would be without some of it.
-void addPacking(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+void addPacking(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
   const auto& packing = std::get<engine::PackingSpec>(spec.model);
   const auto add = [&](const char* what, const auto& model) {
     contestants.push_back(
@@ -120,7 +120,7 @@ void addPacking(const engine::SceneSpec& spec, std::vector<bench::Contestant>& c
   add("the curve alone", engine::MaterialSpec{.nodes = engine::parametricMaterial()});
 }
 
-void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
+void addReamer(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
   if (std::holds_alternative<engine::PackingSpec>(spec.model)) {
     addPacking(spec, contestants);
   } else {
@@ -131,13 +131,13 @@ void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& co
 }  // namespace
 
 std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
-  std::vector<bench::Contestant> contestants;
+  std::vector<timing::Contestant> contestants;
   if (spec.device == haptics::devices::DeviceKind::Punch) {
     addPunch(spec, contestants);
   } else {
     addReamer(spec, contestants);
   }
-  const auto timings = bench::race(contestants);
+  const auto timings = timing::race(contestants);
   std::vector<SceneCost> costs;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
     costs.push_back({contestants[i].method, timings[i]});

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "haptics/bench/stopwatch.h"
 #include "haptics/engine/scene_spec.h"
+#include "haptics/timing/stopwatch.h"
 
 namespace study::app {
 
 /// What a tick of a scene takes, alone or with something that it leaves out.
 struct SceneCost {
   std::string what;
-  haptics::bench::Timing time;  ///< [ns]
+  haptics::timing::Timing time;  ///< [ns]
 };
 
 /// A tick of @p spec as it is, and then with each thing put in that this scene does without –

@@ -19,31 +19,7 @@ CommandDescription describeStudio() {
            .text = "The laboratory's device file (default: devices.json in the study's folder)."},
           {.names = {"--write-knee"},
            .value = "FILE",
-           .text = "Write the knee that is shown as OBJ, to fit an anatomy to, and end."},
-          {.names = {"--bench"},
-           .text = "Measure how fast the simulations are drawn here, and end."},
-          {.names = {"--seconds"},
-           .value = "S",
-           .text = "With --bench: of each simulation, 0.5 to 600.",
-           .initial = "8"},
-          {.names = {"--spheres"},
-           .value = "N",
-           .text = "With --bench: of the cup, at least 1000.",
-           .initial = "201532"},
-          {.names = {"--colours"},
-           .value = "WHAT",
-           .text = "With --bench: neutral, density or removal.",
-           .choices = {"neutral", "density", "removal"},
-           .initial = "neutral"},
-          {.names = {"--anatomy"},
-           .value = "FILE",
-           .text = "With --bench: a knee of your own, as OBJ."},
-          {.names = {"--renderer"},
-           .value = "WHO",
-           .text = "With --bench: best, finest (as on a graphics card) or software.",
-           .choices = {"best", "finest", "software"},
-           .initial = "best"},
-          {.names = {"--out"}, .value = "DIR", .text = "With --bench: a folder for pictures."}}};
+           .text = "Write the knee that is shown as OBJ, to fit an anatomy to, and end."}}};
 }
 
 std::string nameOf(const OptionDescription& option) {

@@ -7,9 +7,6 @@
 #ifdef PALPATE_HAS_NANOFLANN
 #include <nanoflann.hpp>
 #endif
-#ifdef PALPATE_HAS_EMBREE
-#include <embree3/rtcore.h>
-#endif
 
 namespace haptics::bench::peers {
 namespace {
@@ -18,7 +15,7 @@ using reaming::Packing;
 using reaming::Reamer;
 using reaming::Vec3;
 
-#if defined(PALPATE_HAS_NANOFLANN) || defined(PALPATE_HAS_EMBREE)
+#ifdef PALPATE_HAS_NANOFLANN
 /// What a sphere adds to Σ a ρ.
 double partOf(const Packing& packing, const double* densities, std::size_t i, const Reamer& r) {
   const auto& s = packing.spheres[i];
@@ -29,9 +26,7 @@ double partOf(const Packing& packing, const double* densities, std::size_t i, co
   if (lens <= 0.0 || dot(away, r.axis) < 0.0) return 0.0;
   return std::numbers::pi * r.radius * lens / d * densities[i];
 }
-#endif
 
-#ifdef PALPATE_HAS_NANOFLANN
 double largestRadius(const Packing& packing) {
   double largest = 0.0;
   for (const auto& s : packing.spheres) largest = std::max(largest, double{s.radius});
@@ -88,71 +83,6 @@ class Nanoflann final : public SpherePeer {
 };
 #endif
 
-#ifdef PALPATE_HAS_EMBREE
-class Embree final : public SpherePeer {
- public:
-  Embree(const Packing& packing, const std::vector<double>& densities)
-      : packing_(packing), densities_(densities), device_(rtcNewDevice("threads=1")) {
-    scene_ = rtcNewScene(device_);
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(packing_.spheres.size()));
-    rtcSetGeometryUserData(geometry, this);
-    rtcSetGeometryBoundsFunction(geometry, &Embree::bound, nullptr);
-    rtcSetGeometryPointQueryFunction(geometry, &Embree::visit);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene_);
-  }
-  ~Embree() override {
-    rtcReleaseScene(scene_);
-    rtcReleaseDevice(device_);
-  }
-  Embree(const Embree&) = delete;
-  Embree& operator=(const Embree&) = delete;
-
-  std::string name() const override { return "Embree"; }
-  double pressing(const Reamer& reamer) override {
-    reamer_ = reamer;
-    sum_ = 0.0;
-    RTCPointQuery query{};
-    query.x = static_cast<float>(reamer.centre.x);
-    query.y = static_cast<float>(reamer.centre.y);
-    query.z = static_cast<float>(reamer.centre.z);
-    query.radius = static_cast<float>(reamer.radius);
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(scene_, &query, &context, nullptr, this);
-    return sum_;
-  }
-
- private:
-  static void bound(const RTCBoundsFunctionArguments* arguments) {
-    const auto& self = *static_cast<const Embree*>(arguments->geometryUserPtr);
-    const auto& s = self.packing_.spheres[arguments->primID];
-    RTCBounds& box = *arguments->bounds_o;
-    box.lower_x = s.x - s.radius;
-    box.lower_y = s.y - s.radius;
-    box.lower_z = s.z - s.radius;
-    box.upper_x = s.x + s.radius;
-    box.upper_y = s.y + s.radius;
-    box.upper_z = s.z + s.radius;
-  }
-  static bool visit(RTCPointQueryFunctionArguments* arguments) {
-    auto& self = *static_cast<Embree*>(arguments->userPtr);
-    self.sum_ += partOf(self.packing_, self.densities_.data(), arguments->primID, self.reamer_);
-    return false;  // the radius of the query stays
-  }
-
-  const Packing& packing_;
-  const std::vector<double>& densities_;
-  RTCDevice device_;
-  RTCScene scene_ = nullptr;
-  Reamer reamer_;
-  double sum_ = 0.0;
-};
-#endif
-
 }  // namespace
 
 std::vector<std::unique_ptr<SpherePeer>> spherePeers(
@@ -161,9 +91,6 @@ std::vector<std::unique_ptr<SpherePeer>> spherePeers(
   std::vector<std::unique_ptr<SpherePeer>> peers;
 #ifdef PALPATE_HAS_NANOFLANN
   peers.push_back(std::make_unique<Nanoflann>(packing, densities));
-#endif
-#ifdef PALPATE_HAS_EMBREE
-  peers.push_back(std::make_unique<Embree>(packing, densities));
 #endif
   return peers;
 }

@@ -8,8 +8,8 @@
 
 namespace haptics::bench::peers {
 
-/// Somebody who finds the spheres that a reamer's surface cuts in his own way, and adds up the same
-/// areas one by one.
+/// Another way to find the spheres that a reamer's surface cuts; it adds up the same areas one by
+/// one.
 class SpherePeer {
  public:
   virtual ~SpherePeer() = default;
@@ -19,8 +19,7 @@ class SpherePeer {
   virtual double pressing(const reaming::Reamer& reamer) = 0;
 };
 
-/// nanoflann (a k-d tree of centres) and Embree (point queries in its bounding volumes), where
-/// they were found when this was built.
+/// nanoflann, a k-d tree of centres, where it was installed when this was built.
 std::vector<std::unique_ptr<SpherePeer>> spherePeers(
     const reaming::Packing& packing, const std::vector<double>& densities);
 

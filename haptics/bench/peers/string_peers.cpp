@@ -1,6 +1,7 @@
 #include "haptics/bench/peers/string_peers.h"
 
 #include <cmath>
+#include <memory>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -56,94 +57,62 @@ struct System {
 };
 
 /// Force and mesh from a solution of K u = c.
-class Peer : public StringPeer {
- public:
-  Peer(std::string name, System system) : system_(std::move(system)), name_(std::move(name)) {}
-  std::string name() const override { return name_; }
-  const double* mesh() const override { return mesh_.data(); }
+/// @param solve  writes u for c, without allocating where it can.
+template <typename Solve>
+StringSolver solverOf(std::string name, const Eigen::VectorXd& tool, Solve solve) {
+  return {std::move(name), [tool, solve, mesh = Eigen::VectorXd()](double y) mutable {
+            solve(tool, mesh);
+            const double force = y / tool.dot(mesh);
+            mesh *= force;
+            return force;
+          }};
+}
 
-  double solve(double y) override {
-    solveForTool(mesh_);
-    const double force = y / system_.tool.dot(mesh_);
-    mesh_ *= force;
-    return force;
-  }
+/// Thomas' algorithm for a matrix of three diagonals.
+struct Thomas {
+  System system;
+  Eigen::VectorXd reduced{system.size()};
 
- protected:
-  virtual void solveForTool(Eigen::VectorXd& solution) = 0;
-  System system_;
-
- private:
-  std::string name_;
-  Eigen::VectorXd mesh_;
-};
-
-class LuEachStep final : public Peer {
- public:
-  explicit LuEachStep(const System& system) : Peer("Eigen dense LU, each step", system) {}
-
- private:
-  void solveForTool(Eigen::VectorXd& solution) override {
-    solution = system_.dense().partialPivLu().solve(system_.tool);
-  }
-};
-
-class LuOnce final : public Peer {
- public:
-  explicit LuOnce(const System& system)
-      : Peer("Eigen dense LU, once", system), lu_(system_.dense()) {}
-
- private:
-  void solveForTool(Eigen::VectorXd& solution) override { solution = lu_.solve(system_.tool); }
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-};
-
-class LdltOnce final : public Peer {
- public:
-  explicit LdltOnce(const System& system)
-      : Peer("Eigen sparse LDLᵀ, once", system), ldlt_(system_.sparse()) {}
-
- private:
-  void solveForTool(Eigen::VectorXd& solution) override { solution = ldlt_.solve(system_.tool); }
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt_;
-};
-
-class ThomasEachStep final : public Peer {
- public:
-  explicit ThomasEachStep(const System& system)
-      : Peer("Thomas, each step", system), reduced_(system.size()) {}
-
- private:
-  void solveForTool(Eigen::VectorXd& solution) override {
-    const auto n = system_.size();
-    solution = system_.tool;
-    reduced_[0] = system_.diagonal[0];
+  void operator()(const Eigen::VectorXd& tool, Eigen::VectorXd& solution) {
+    const auto n = system.size();
+    solution = tool;
+    reduced[0] = system.diagonal[0];
     for (Eigen::Index i = 1; i < n; ++i) {
-      const double factor = system_.beside[i - 1] / reduced_[i - 1];
-      reduced_[i] = system_.diagonal[i] - factor * system_.beside[i - 1];
+      const double factor = system.beside[i - 1] / reduced[i - 1];
+      reduced[i] = system.diagonal[i] - factor * system.beside[i - 1];
       solution[i] -= factor * solution[i - 1];
     }
-    solution[n - 1] /= reduced_[n - 1];
+    solution[n - 1] /= reduced[n - 1];
     for (Eigen::Index i = n - 1; i-- > 0;) {
-      solution[i] = (solution[i] - system_.beside[i] * solution[i + 1]) / reduced_[i];
+      solution[i] = (solution[i] - system.beside[i] * solution[i + 1]) / reduced[i];
     }
   }
-  Eigen::VectorXd reduced_;
 };
 
 }  // namespace
 
-std::vector<std::unique_ptr<StringPeer>> stringPeers(
+std::vector<StringSolver> stringPeers(
     const std::vector<double>& elementStiffnesses, double toolPosition) {
+  using Vector = Eigen::VectorXd;
+  using Lu = Eigen::PartialPivLU<Eigen::MatrixXd>;
+  using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
   const System system(elementStiffnesses, toolPosition);
+  std::vector<StringSolver> peers;
   constexpr Eigen::Index kDenseIsFeasible = 1000;
-  std::vector<std::unique_ptr<StringPeer>> peers;
   if (system.size() <= kDenseIsFeasible) {
-    peers.push_back(std::make_unique<LuEachStep>(system));
-    peers.push_back(std::make_unique<LuOnce>(system));
+    const auto luEachStep = [system](const Vector& tool, Vector& solution) {
+      solution = system.dense().partialPivLu().solve(tool);
+    };
+    const auto luOnce = [lu = Lu(system.dense())](const Vector& tool, Vector& solution) {
+      solution = lu.solve(tool);
+    };
+    peers.push_back(solverOf("Eigen dense LU, each step", system.tool, luEachStep));
+    peers.push_back(solverOf("Eigen dense LU, once", system.tool, luOnce));
   }
-  peers.push_back(std::make_unique<LdltOnce>(system));
-  peers.push_back(std::make_unique<ThomasEachStep>(system));
+  const auto ldltOnce = [ldlt = std::make_shared<const Ldlt>(system.sparse())](
+                            const Vector& tool, Vector& solution) { solution = ldlt->solve(tool); };
+  peers.push_back(solverOf("Eigen sparse LDLᵀ, once", system.tool, ldltOnce));
+  peers.push_back(solverOf("Thomas, each step", system.tool, Thomas{system}));
   return peers;
 }
 

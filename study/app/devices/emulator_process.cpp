@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "study/app/sibling_program.h"
 #include "study/model/user_error.h"
 
 extern char** environ;
@@ -59,7 +60,8 @@ void EmulatorProcess::start(const std::vector<std::string>& arguments) {
   std::vector<char*> words;
   for (auto& text : texts) words.push_back(text.data());
   words.push_back(nullptr);
-  const int error = posix_spawn(&id_, "/proc/self/exe", &actions, nullptr, words.data(), environ);
+  const auto program = siblingProgram(texts.front());
+  const int error = posix_spawn(&id_, program.c_str(), &actions, nullptr, words.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(in[0]);
   ::close(out[1]);

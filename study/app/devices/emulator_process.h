@@ -7,8 +7,8 @@
 
 namespace study::app {
 
-/// An emulator as a process of its own: this program again, called "device emulate …". Gone with
-/// this object, and with this process, however that ends.
+/// An emulator as a process of its own: `palpate device emulate …`, of the palpate beside this
+/// program. It ends with this object, and with this process, however that ends.
 class EmulatorProcess {
  public:
   /// @param arguments  after "device emulate". Waits until it says that it is ready.

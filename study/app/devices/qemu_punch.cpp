@@ -19,7 +19,7 @@ namespace study::app {
 namespace {
 
 constexpr const char* kEmulator = "qemu-system-arm";
-constexpr int kLongestWait = 5000;  // [ms]
+constexpr int kLongestStart = 5000;  // [ms]
 
 pid_t start(const std::string& firmware, int out) {
   std::vector<std::string> texts{
@@ -55,7 +55,7 @@ pid_t start(const std::string& firmware, int out) {
 std::string portSaid(int from) {
   std::string said;
   pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
-  while (poll(&watched, 1, kLongestWait) > 0) {
+  while (poll(&watched, 1, kLongestStart) > 0) {
     std::array<char, 512> bytes{};
     const ssize_t count = read(from, bytes.data(), bytes.size());
     if (count <= 0) break;

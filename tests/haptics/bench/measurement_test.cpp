@@ -1,10 +1,11 @@
 // What is deterministic about the benchmarks: errors, lines, medians over processes.
+#include "haptics/bench/measurement.h"
+
 #include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
 
-#include "haptics/bench/measurement_text.h"
 #include "haptics/bench/string_reference.h"
 
 namespace haptics::bench {
@@ -17,6 +18,7 @@ TEST(MeasurementText, ComesBackAsItWas) {
       .method = "palpate Hermite",
       .parameter = 10'000,
       .error = 1.0 / 3.0,
+      .bound = 0.5,
       .time = Timing{7.25, 9.5}};
   const auto back = fromLine(asLine(m));
   ASSERT_TRUE(back);
@@ -25,18 +27,20 @@ TEST(MeasurementText, ComesBackAsItWas) {
   EXPECT_EQ(back->method, m.method);
   EXPECT_EQ(back->parameter, m.parameter);
   EXPECT_EQ(back->error, m.error);
+  EXPECT_EQ(back->bound, m.bound);
   EXPECT_EQ(back->time->median, 7.25);
   EXPECT_EQ(back->time->p99, 9.5);
   const auto bare = fromLine(asLine({.family = "a", .setting = "b", .method = "c"}));
   ASSERT_TRUE(bare);
   EXPECT_FALSE(bare->error);
+  EXPECT_FALSE(bare->bound);
   EXPECT_FALSE(bare->time);
   const auto endless = fromLine(asLine({.family = "a", .error = INFINITY}));
   EXPECT_EQ(endless->error, INFINITY);
 }
 
 TEST(MeasurementText, TakesNothingElseForAMeasurement) {
-  for (const char* line : {"", "splines", "a\tb\tc\td\t-\t-\t-", "a\tb\tc\t1\t-\t-"}) {
+  for (const char* line : {"", "splines", "a\tb\tc\td\t-\t-\t-\t-", "a\tb\tc\t1\t-\t-\t-"}) {
     EXPECT_FALSE(fromLine(line)) << line;
   }
 }
@@ -63,11 +67,22 @@ TEST(StringReference, IsThePublishedStiffness) {
   EXPECT_NEAR(static_cast<double>(reference.stiffness) / 0.3, 1.714, 5e-4);
 }
 
+TEST(Measurement, IsWithinItsBoundOnlyWithAnErrorThatIsANumber) {
+  const auto isWithin = [](std::optional<double> error, std::optional<double> bound) {
+    return Measurement{.error = error, .bound = bound}.isWithinBound();
+  };
+  EXPECT_TRUE(isWithin(1.0, 1.0));
+  EXPECT_TRUE(isWithin(1.0, std::nullopt));
+  EXPECT_FALSE(isWithin(1.1, 1.0));
+  EXPECT_FALSE(isWithin(NAN, 1.0));
+  EXPECT_FALSE(isWithin(std::nullopt, 1.0));
+}
+
 TEST(Encoders, DisturbWhatTheyShould) {
   std::map<std::string, double> found;
-  measureEncoders([&](const Measurement& m) {
+  measureEncoders({.report = [&](const Measurement& m) {
     found[m.setting + "/" + m.method + "/" + std::to_string(m.parameter)] = *m.error;
-  });
+  }});
   const auto at = [&](const std::string& what, const std::string& method, double grain) {
     return found.at(what + " [N], 10 travel units/s/" + method + "/" + std::to_string(grain));
   };

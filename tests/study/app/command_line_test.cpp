@@ -397,6 +397,19 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
   EXPECT_EQ(palpate(call).status, kTheWorldSaidNo);  // nothing is overwritten
 }
 
+TEST_F(CommandLineTest, HandsBenchmarksOverWithAllOptions) {
+  const auto help = palpate({"bench", "accuracy", "--help"});
+  EXPECT_EQ(help.status, 0) << help.error;
+  EXPECT_NE(help.out.find("--family"), std::string::npos) << help.out;
+  const auto wrong = palpate({"bench", "accuracy", "--processes=0"});
+  EXPECT_EQ(wrong.status, kTheCallIsWrong);
+  EXPECT_NE(wrong.error.find("palpate-bench: --processes"), std::string::npos) << wrong.error;
+  const auto unknown = palpate({"bench", "study"});
+  EXPECT_EQ(unknown.status, kTheCallIsWrong);
+  EXPECT_NE(unknown.error.find("There are: accuracy, stability"), std::string::npos)
+      << unknown.error;
+}
+
 TEST_F(CommandLineTest, WritesBenchmarksAsAPageTablesAndFigures) {
   const std::string folder = folder_ / "bench";
   const auto accuracy =
@@ -432,7 +445,7 @@ TEST_F(CommandLineTest, MeasuresTheClockAndTheRecorder) {
        "--disk",
        folder_.path().string()});
   ASSERT_EQ(servo.status, 0) << servo.error;
-  EXPECT_NE(servo.out.find("recorder        bytes a sample"), std::string::npos) << servo.out;
+  EXPECT_NE(servo.out.find("palpate: chunks of a second"), std::string::npos) << servo.out;
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // nothing is left behind
 }
 

@@ -10,6 +10,7 @@
 
 #include "study/app/program.h"
 #include "study/app/studio_options.h"
+#include "study/bench/bench_program.h"
 #include "tests/support/child_process.h"
 #include "tests/support/scratch_folder.h"
 
@@ -26,6 +27,11 @@ const CLI::App& program() {
 const CommandDescription& palpate() {
   static const auto described = study::app::describe(program());
   return described;
+}
+
+CommandDescription benchmarks() {
+  study::app::Action action;
+  return study::app::describe(*study::bench::makeBenchProgram(action));
 }
 
 /// The page as a reader sees it: requests and escapes of troff undone.
@@ -112,6 +118,7 @@ TEST(CommandReference, ManualPagesHaveNoWarnings) {
   const auto file = (folder.path() / "page.1").string();
   for (const auto& page :
        {palpatePage(),
+        study::app::manPage(benchmarks(), {.version = "1", .summary = "s"}),
         study::app::manPage(study::app::describeStudio(), {.version = "1", .summary = "s"})}) {
     std::ofstream(file) << page;
     const auto finished = tests::run({"groff", "-man", "-ww", "-Kutf8", "-Tutf8", "-z", file});
@@ -181,9 +188,11 @@ TEST(CommandReference, CompletionLeavesOtherWordsToFileNames) {
   EXPECT_TRUE(offered(palpate(), {"palpate", "export", "my-study", "--out", ""}).empty());
 }
 
-TEST(CommandReference, CompletesTheStudio) {
-  const std::vector<std::string> expected{"best"};
-  EXPECT_EQ(offered(study::app::describeStudio(), {"palpate-studio", "--renderer", "b"}), expected);
+TEST(CommandReference, CompletesTheOtherPrograms) {
+  const std::vector<std::string> kalman{"kalman"};
+  EXPECT_EQ(offered(benchmarks(), {"palpate-bench", "accuracy", "--family", "k"}), kalman);
+  const std::vector<std::string> devices{"--devices"};
+  EXPECT_EQ(offered(study::app::describeStudio(), {"palpate-studio", "--d"}), devices);
 }
 
 }  // namespace command_reference_test

@@ -1,0 +1,124 @@
+#include "haptics/bench/measurement.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+namespace haptics::bench {
+namespace {
+
+constexpr char kBetween = '\t';
+constexpr const char* kNothing = "-";
+
+std::string inText(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+std::string orNothing(const std::optional<double>& value) {
+  return value ? inText(*value) : kNothing;
+}
+
+std::optional<double> number(const std::string& text) {
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields{""};
+  for (const char c : line) {
+    if (c == kBetween) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+double medianOf(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+std::vector<std::optional<Timing>> optional(const std::vector<Timing>& timings) {
+  return {timings.begin(), timings.end()};
+}
+
+}  // namespace
+
+std::vector<std::optional<Timing>> AccuracyRun::times(
+    const std::vector<Contestant>& contestants) const {
+  if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
+  return optional(timing::race(contestants));
+}
+
+std::vector<std::optional<Timing>> AccuracyRun::coldTimes(
+    const std::vector<Contestant>& contestants, int rounds) const {
+  if (isShort) return std::vector<std::optional<Timing>>(contestants.size());
+  return optional(timing::raceCold(contestants, rounds));
+}
+
+std::string asLine(const Measurement& m) {
+  std::string line = m.family + kBetween + m.setting + kBetween + m.method + kBetween +
+                     inText(m.parameter) + kBetween;
+  line += orNothing(m.error) + kBetween + orNothing(m.bound) + kBetween;
+  line += m.time ? inText(m.time->median) + kBetween + inText(m.time->p99)
+                 : std::string(kNothing) + kBetween + kNothing;
+  return line;
+}
+
+std::optional<Measurement> fromLine(const std::string& line) {
+  constexpr std::size_t kFields = 8;
+  const auto fields = fieldsOf(line);
+  if (fields.size() != kFields) return std::nullopt;
+  const auto parameter = number(fields[3]);
+  if (!parameter) return std::nullopt;
+  Measurement m{
+      .family = fields[0],
+      .setting = fields[1],
+      .method = fields[2],
+      .parameter = *parameter,
+      .error = number(fields[4]),
+      .bound = number(fields[5])};
+  const auto median = number(fields[6]);
+  const auto p99 = number(fields[7]);
+  if (median && p99) m.time = Timing{*median, *p99};
+  return m;
+}
+
+std::vector<Repeated> gathered(const std::vector<Measurement>& measurements) {
+  struct Times {
+    std::vector<double> medians;
+    std::vector<double> p99s;
+  };
+  std::map<std::string, std::size_t> places;
+  std::vector<Repeated> all;
+  std::vector<Times> times;
+  for (const auto& m : measurements) {
+    const std::string key =
+        m.family + kBetween + m.setting + kBetween + m.method + kBetween + inText(m.parameter);
+    const auto [place, isNew] = places.emplace(key, all.size());
+    if (isNew) {
+      all.push_back({.measurement = m});
+      times.emplace_back();
+    }
+    ++all[place->second].processes;
+    if (!m.time) continue;
+    times[place->second].medians.push_back(m.time->median);
+    times[place->second].p99s.push_back(m.time->p99);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& medians = times[i].medians;
+    if (medians.empty()) continue;
+    all[i].measurement.time = Timing{medianOf(medians), medianOf(times[i].p99s)};
+    all[i].fastest = *std::min_element(medians.begin(), medians.end());
+    all[i].slowest = *std::max_element(medians.begin(), medians.end());
+  }
+  return all;
+}
+
+}  // namespace haptics::bench

@@ -1,0 +1,72 @@
+#include "study/app/run_program.h"
+
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace study::app {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kWrongCall = 2;
+
+/// The command that was called, as far as it is one: "palpate study status".
+const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
+  const CLI::App* command = &program;
+  name = program.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  return *command;
+}
+
+/// What is wrong with a call, in words.
+std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
+  std::string name;
+  const auto& command = commandCalled(program, name);
+  const std::string explains = "'" + name + " --help' explains it.\n";
+  const auto unknown = program.remaining(true);
+  if (unknown.empty()) {
+    return program.get_name() + ": " + error.what() + ". " + explains;
+  }
+  std::string known;
+  for (const auto* verb : command.get_subcommands({})) {
+    known += (known.empty() ? "" : ", ") + verb->get_name();
+  }
+  return program.get_name() + ": '" + unknown.front() + "' means nothing to '" + name + "'. " +
+         (known.empty() ? "" : "There are: " + known + ". ") + explains;
+}
+
+/// Whether everything that was printed has been written: a table on a full disk is half a table.
+bool isPrinted(const CLI::App& program) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
+  std::fprintf(
+      stderr,
+      "%s: what was to be printed could not be written. Free some space, or print elsewhere.\n",
+      program.get_name().c_str());
+  return false;
+}
+
+}  // namespace
+
+int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // help, version
+    std::fputs(whatIsWrong(program, error).c_str(), stderr);
+    return kWrongCall;
+  }
+  try {
+    const int status = action ? action() : 0;
+    return isPrinted(program) ? status : kFailed;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", program.get_name().c_str(), error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace study::app

@@ -1,0 +1,348 @@
+// palpate-bench accuracy: errors of the models and of other libraries, beside their run times.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "haptics/bench/measurement.h"
+#include "study/bench/commands.h"
+#include "study/bench/result.h"
+#include "study/model/user_error.h"
+
+namespace study::bench {
+namespace {
+
+using haptics::bench::AccuracyRun;
+using haptics::bench::Measurement;
+using haptics::bench::Repeated;
+using report::Chart;
+using report::ChartSeries;
+
+/// A figure of one setting of a family: a line for each method.
+struct Figure {
+  enum class Shows { ErrorOverTime, ErrorOverParameter, TimeOverParameter };
+
+  const char* name;
+  const char* setting;
+  const char* unit;  ///< of the error
+  Shows shows = Shows::ErrorOverParameter;
+  bool isLogarithmic = false;  ///< the axis of errors
+};
+
+struct Family {
+  const char* option;  ///< on the command line, and of its files
+  const char* name;    ///< in measurements
+  const char* heading;
+  const char* parameter;  ///< what is swept
+  void (*measure)(const AccuracyRun&);
+  bool isOnce;  ///< takes long, and one process is enough
+  std::vector<Figure> figures;
+};
+
+const std::vector<Family>& families() {
+  using enum Figure::Shows;
+  static const std::vector<Family> kFamilies{
+      {"splines",
+       "splines",
+       "Splines: force over displacement",
+       "Nodes",
+       haptics::bench::measureSplines,
+       false,
+       {{"splines", "random", "largest error [N]", ErrorOverTime, true}}},
+      {"finite-elements",
+       "finite elements",
+       "Finite elements: force and mesh",
+       "N or d",
+       haptics::bench::measureFiniteElements,
+       false,
+       {{"finite-elements", "elements alike", "relative error of the force", ErrorOverTime, true},
+        {"contrast",
+         "elements that differ, N = 15",
+         "relative error of the force",
+         ErrorOverParameter,
+         true}}},
+      {"kalman",
+       "Kalman filter",
+       "Kalman filter",
+       "d",
+       haptics::bench::measureKalmanFilter,
+       false,
+       {{"kalman-error",
+         "Q = 0, relative error",
+         "relative error of the force, p99",
+         ErrorOverParameter,
+         true},
+        {"kalman-negative", "Q = 0, negative variances of 100 steps", "steps of 100"}}},
+      {"encoders",
+       "encoder",
+       "Encoders",
+       "Resolution [travel units]",
+       haptics::bench::measureEncoders,
+       false,
+       {{"encoder-difference",
+         "RMS difference from an ideal encoder [N], 10 travel units/s",
+         "RMS difference [N]"},
+        {"encoder-chatter", "RMS chatter [N], 10 travel units/s", "RMS chatter [N]"}}},
+      {"refresh",
+       "refresh",
+       "Three renderings of the punch with their mesh (Fig. 12 of the punch paper)",
+       "N",
+       haptics::bench::measureRefresh,
+       false,
+       {{"refresh", "a step", "", TimeOverParameter}}},
+      {"filter",
+       "filter",
+       "From a measured series to nodes",
+       "Samples or error",
+       haptics::bench::measureFilter,
+       true,
+       {{"nodes", "nodes for an error", "nodes"}}},
+      {"packing",
+       "packing",
+       "Bone of spheres",
+       "Spheres",
+       haptics::bench::measurePacking,
+       true,
+       {{"packing", "contact", "area ripple [%]", ErrorOverTime, true}}},
+      {"density",
+       "density",
+       "Densities of the spheres",
+       "λ, iterations or layers",
+       haptics::bench::measureDensity,
+       true,
+       {{"density", "all spheres", "|Aρ − F| / |F|", ErrorOverTime, true}}}};
+  return kFamilies;
+}
+
+struct AccuracyOptions {
+  std::string out;
+  int processes = 5;
+  std::vector<std::string> families;
+  bool isShort = false;
+  bool isWorker = false;
+
+  bool wants(const Family& family) const {
+    return families.empty() ||
+           std::find(families.begin(), families.end(), family.option) != families.end();
+  }
+};
+
+using Measured = std::vector<Repeated>;
+
+/// The point of a measurement in a figure, where it has one.
+std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& figure) {
+  using enum Figure::Shows;
+  const auto parameter = m.parameter >= 1000 ? fmt::format("{:g}k", m.parameter / 1000)
+                                             : fmt::format("{:g}", m.parameter);
+  if (figure.shows == TimeOverParameter) {
+    if (!m.time) return std::nullopt;
+    return report::ChartPoint{m.parameter, m.time->median};
+  }
+  if (!m.error) return std::nullopt;
+  // Drawn at the ends of a logarithmic axis: what is exact to the last bit, and what is no number.
+  const double error = figure.isLogarithmic ? std::clamp(*m.error, 1e-18, 1e6) : *m.error;
+  if (figure.shows == ErrorOverParameter) return report::ChartPoint{m.parameter, error};
+  if (!m.time) return std::nullopt;
+  return report::ChartPoint{m.time->median, error, m.time->p99, parameter};
+}
+
+Chart chartOf(const Measured& all, const Family& family, const Figure& figure) {
+  const bool isOverTime = figure.shows == Figure::Shows::ErrorOverTime;
+  const bool isTime = figure.shows == Figure::Shows::TimeOverParameter;
+  constexpr const char* kTime = "time of a step [ns], median; bars to p99";
+  Chart chart{
+      .x = {.title = isOverTime ? kTime : family.parameter, .isLogarithmic = isOverTime || isTime},
+      .y = {
+          .title = isTime ? "time of a step [ns], median" : figure.unit,
+          .isLogarithmic = isTime || figure.isLogarithmic}};
+  for (const auto& r : all) {
+    const auto& m = r.measurement;
+    if (m.family != family.name || m.setting != figure.setting) continue;
+    const auto point = pointOf(m, figure);
+    if (!point) continue;
+    auto series = std::find_if(chart.series.begin(), chart.series.end(), [&](const auto& s) {
+      return s.title == m.method;
+    });
+    if (series == chart.series.end()) {
+      chart.series.push_back({.title = m.method, .style = ChartSeries::Style::LineAndMarkers});
+      series = chart.series.end() - 1;
+    }
+    series->points.push_back(*point);
+  }
+  return chart;
+}
+
+Cell numberOrNothing(const std::optional<double>& value) {
+  if (value && !std::isfinite(*value)) return std::string("no number");
+  return cellOf(value);
+}
+
+DataTable tableOf(const Measured& all, const Family& family) {
+  DataTable table{
+      .name = family.option,
+      .description = family.heading,
+      .columns = {
+          {"setting", "Setting"},
+          {"method", "Method"},
+          {"parameter", family.parameter},
+          {"error", "Error"},
+          {"bound", "At most"},
+          {"median_ns", "Median [ns]"},
+          {"p99_ns", "p99 [ns]"},
+          {"fastest_process_ns", "Fastest process [ns]"},
+          {"slowest_process_ns", "Slowest process [ns]"}}};
+  for (const auto& r : all) {
+    const auto& m = r.measurement;
+    if (m.family != family.name) continue;
+    std::vector<Cell> row{
+        m.setting, m.method, m.parameter, numberOrNothing(m.error), numberOrNothing(m.bound)};
+    if (m.time) row.insert(row.end(), {m.time->median, m.time->p99, r.fastest, r.slowest});
+    row.resize(table.columns.size());
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+report::Document reportOf(const Measured& all, int processes) {
+  report::Document document{
+      .title = "Error against run time",
+      .lead = {fmt::format(
+          "Errors are deterministic. Times are medians of {} processes' medians; all methods of a "
+          "family are timed in turn, in the same process. docs/benchmarks.md explains the "
+          "settings.",
+          processes)}};
+  for (const auto& family : families()) {
+    auto table = tableOf(all, family);
+    if (table.rows.empty()) continue;
+    report::DocumentPart part{.heading = family.heading};
+    for (const auto& figure : family.figures) {
+      auto chart = chartOf(all, family, figure);
+      if (chart.series.empty()) continue;
+      part.figures.push_back(
+          {.name = figure.name, .caption = figure.setting, .chart = std::move(chart)});
+    }
+    part.tables.push_back(std::move(table));
+    document.parts.push_back(std::move(part));
+  }
+  return document;
+}
+
+/// Measures the families whose names are options of this process.
+void measureHere(const AccuracyOptions& options, const AccuracyRun& run) {
+  for (const auto& family : families()) {
+    if (options.wants(family)) family.measure(run);
+  }
+}
+
+/// Starts this program once more, and reports what it measures.
+/// @throws UserError  if it cannot be started or ends before its time.
+void measureInProcess(
+    const AccuracyOptions& options,
+    const std::vector<const Family*>& wanted,
+    const AccuracyRun& run) {
+  // The shell takes the path from the environment, whatever characters it has.
+  setenv("PALPATE_BENCH", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
+  std::string call = "exec \"$PALPATE_BENCH\" accuracy --worker";
+  if (options.isShort) call += " --short";
+  for (const auto* family : wanted) call += std::string(" --family ") + family->option;
+  FILE* output = popen(call.c_str(), "r");
+  if (output == nullptr) throw UserError("A second process cannot be started.");
+  char* text = nullptr;
+  std::size_t size = 0;
+  for (ssize_t length = 0; (length = getline(&text, &size, output)) > 0;) {
+    const std::string line(text, static_cast<std::size_t>(length - 1));
+    if (const auto measurement = haptics::bench::fromLine(line)) run.report(*measurement);
+  }
+  free(text);
+  if (pclose(output) != 0) {
+    throw UserError("A process that measured ended before its time: its results are incomplete.");
+  }
+}
+
+Measured measure(const AccuracyOptions& options) {
+  std::vector<Measurement> all;
+  for (int process = 1; process <= options.processes; ++process) {
+    std::vector<const Family*> wanted;
+    for (const auto& family : families()) {
+      if (options.wants(family) && (!family.isOnce || process == 1)) wanted.push_back(&family);
+    }
+    if (wanted.empty()) break;
+    std::string family;
+    const auto keep = [&](const Measurement& m) {
+      if (m.family != family) {
+        family = m.family;
+        std::fprintf(stderr, "process %d of %d: %s\n", process, options.processes, family.c_str());
+      }
+      all.push_back(m);
+      if (options.isShort) all.back().time.reset();
+    };
+    const AccuracyRun run{.report = keep, .isShort = options.isShort};
+    options.processes == 1 ? measureHere(options, run) : measureInProcess(options, wanted, run);
+  }
+  return haptics::bench::gathered(all);
+}
+
+/// Prints the errors that exceed their bounds; whether there is none.
+bool areWithinBounds(const Measured& all) {
+  int bounded = 0;
+  int failed = 0;
+  for (const auto& r : all) {
+    const auto& m = r.measurement;
+    if (!m.bound) continue;
+    ++bounded;
+    if (m.isWithinBound()) continue;
+    ++failed;
+    fmt::print(
+        "FAIL  {}, {}, {} at {:g}: error {:g}, at most {:g}\n",
+        m.family,
+        m.setting,
+        m.method,
+        m.parameter,
+        m.error.value_or(NAN),
+        *m.bound);
+  }
+  fmt::print("\n{} errors have a bound, {} exceed it.\n", bounded, failed);
+  return failed == 0;
+}
+
+int accuracy(AccuracyOptions options) {
+  if (options.isWorker) {
+    const auto print = [](const Measurement& m) {
+      std::fputs((haptics::bench::asLine(m) + "\n").c_str(), stdout);
+      std::fflush(stdout);
+    };
+    measureHere(options, {.report = print, .isShort = options.isShort});
+    return 0;
+  }
+  if (options.isShort) options.processes = 1;  // errors are the same in each
+  const auto measured = measure(options);
+  present(options.out, "accuracy", reportOf(measured, options.processes));
+  return areWithinBounds(measured) ? 0 : 1;
+}
+
+}  // namespace
+
+void addAccuracyCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<AccuracyOptions>();
+  auto* command = program.add_subcommand(
+      "accuracy", "Errors of the models beside their run times, and those of other libraries");
+  command->add_option("--out", options->out, "A folder for tables (CSV), figures (SVG) and a page");
+  command->add_option("--processes", options->processes, "How many processes measure, one by one")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  std::vector<std::string> names;
+  for (const auto& family : families()) names.emplace_back(family.option);
+  command->add_option("--family", options->families, "Only these families (default: all)")
+      ->check(CLI::IsMember(names));
+  command->add_flag("--short", options->isShort, "Errors of small models only, no times");
+  command->add_flag("--worker", options->isWorker)->group("");  // for measureInProcess()
+  command->callback([&action, options] { action = [options] { return accuracy(*options); }; });
+}
+
+}  // namespace study::bench

@@ -1,0 +1,30 @@
+#include "study/bench/bench_program.h"
+
+#include <CLI/CLI.hpp>
+
+#include "study/bench/commands.h"
+#include "study/session/study.h"
+
+namespace study::bench {
+
+std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action) {
+  auto program = std::make_unique<CLI::App>(
+      "Benchmarks of Palpate: how exact, stable, fast and punctual it is on this computer.\nErrors "
+      "and counts have bounds, and the exit status is 1 where one is exceeded; times have none. "
+      "docs/benchmarks.md explains what each measures.",
+      "palpate-bench");
+  program->set_version_flag("--version", "palpate-bench " + std::string(appVersion()));
+  program->require_subcommand(1);
+  program->get_formatter()->column_width(34);
+  addAccuracyCommand(*program, action);
+  addStabilityCommand(*program, action);
+  addServoCommand(*program, action);
+  addDevicesCommand(*program, action);
+  addStatsCommand(*program, action);
+#ifdef PALPATE_HAS_WINDOWS
+  addWindowsCommand(*program, action);
+#endif
+  return program;
+}
+
+}  // namespace study::bench

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "study/app/commands.h"
+
+namespace study::bench {
+
+using app::Action;
+
+// Each adds its command to palpate-bench; the command that was called sets the action, which
+// returns the exit status: 1 where an error or a count exceeds its bound.
+void addAccuracyCommand(CLI::App& program, Action& action);
+void addStabilityCommand(CLI::App& program, Action& action);
+void addServoCommand(CLI::App& program, Action& action);
+void addDevicesCommand(CLI::App& program, Action& action);
+void addStatsCommand(CLI::App& program, Action& action);
+void addWindowsCommand(CLI::App& program, Action& action);  // in builds with windows
+
+}  // namespace study::bench

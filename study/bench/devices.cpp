@@ -1,0 +1,427 @@
+// What `palpate bench devices` measures: a loop of ours against stand-ins in processes of their
+// own.
+#include "study/bench/devices.h"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "haptics/devices/datagram_socket.h"
+#include "haptics/devices/device_error.h"
+#include "haptics/devices/iiwa/iiwa_device.h"
+#include "haptics/devices/punch/punch_device.h"
+#include "haptics/emulators/fri_arm.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+#include "study/app/devices/emulator_process.h"
+#include "study/model/user_error.h"
+
+namespace study::bench {
+namespace {
+
+namespace devices = haptics::devices;
+using app::EmulatorProcess;
+namespace timing = haptics::timing;
+using haptics::bench::LinkLoop;
+using haptics::bench::LinkRun;
+
+void pauseFor(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+std::uint16_t freePort() {
+  return devices::DatagramSocket(devices::Endpoint{}).local().port;
+}
+
+/// Real-time priority for all threads of a process, where that is granted: a board does not wait
+/// for a processor either.
+void makeUrgent(const EmulatorProcess& process) {
+  const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
+  for (const auto& entry : std::filesystem::directory_iterator(threads)) {
+    const auto thread = static_cast<pid_t>(std::stoi(entry.path().filename().string()));
+    timing::makeUrgent(timing::kStandInUrgency, thread);
+  }
+}
+
+/// This thread looks on in time, where that is granted, as long as this lives.
+class Watcher {
+ public:
+  Watcher() { timing::makeUrgent(timing::kWatcherUrgency); }
+  ~Watcher() {
+    const sched_param none{};
+    sched_setscheduler(0, SCHED_OTHER, &none);
+  }
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
+};
+
+/// An emulator, and the device that speaks to it.
+class Stand {
+ public:
+  static Stand punch(int rate) {
+    auto emulator = std::make_unique<EmulatorProcess>(
+        std::vector<std::string>{"punch", "--rate", std::to_string(rate)});
+    devices::PunchSettings settings;
+    settings.port = valueIn(emulator->ready(), "port");
+    Stand stand("punch", rate, std::move(emulator));
+    stand.device_ = std::make_unique<devices::PunchDevice>(settings);
+    return stand;
+  }
+
+  /// @param period  between messages [ms].
+  static Stand arm(int period, const std::string& version = "1.15") {
+    const haptics::emulators::FriArm::Options arm;
+    devices::IiwaSettings settings;
+    settings.port = freePort();
+    settings.version = haptics::wire::fri::versionNamed(version).value_or(settings.version);
+    settings.model = arm.model;
+    settings.tool.position.z() = arm.toolLength;
+    settings.zero = arm.start;
+    Stand stand(
+        "arm",
+        1000.0 / period,
+        std::make_unique<EmulatorProcess>(std::vector<std::string>{
+            "iiwa",
+            "--client",
+            "127.0.0.1:" + std::to_string(settings.port),
+            "--period",
+            std::to_string(period),
+            "--fri-version",
+            version}));
+    stand.device_ = std::make_unique<devices::IiwaDevice>(settings);
+    return stand;
+  }
+
+  const std::string& name() const noexcept { return name_; }
+  double rate() const noexcept { return rate_; }  ///< [Hz]
+  devices::Device& device() noexcept { return *device_; }
+
+  void order(const std::string& line) {
+    if (!emulator_->ask(line).starts_with("ok"))
+      throw UserError("An emulator does not obey: " + line);
+  }
+
+  /// As it stands at this moment.
+  struct Standing {
+    bool hasForce = false;
+    double force = 0.0;  ///< [N]
+    bool isArmed = false;
+    std::uint64_t sent = 0;
+    FrameFaults injected;
+  };
+  Standing ask() {
+    const std::string status = emulator_->ask("status");
+    if (status.empty())
+      throw UserError("The emulator of the " + name_ + " does not answer any more.");
+    Standing now;
+    const bool isPunch = name_ == "punch";
+    now.hasForce =
+        isPunch ? valueIn(status, "voltage_mv") != "0" : valueIn(status, "overlay") == "on";
+    now.force = std::abs(std::stod(valueIn(status, "force_n")));
+    now.isArmed =
+        isPunch ? valueIn(status, "armed") == "1" : valueIn(status, "state") == "commanding-active";
+    now.sent = std::stoull(valueIn(status, isPunch ? "steps" : "sent"));
+    for (std::size_t i = 0; i < now.injected.of.size(); ++i) {
+      const std::string key = (isPunch ? "" : "injected_") + std::string(FrameFaults::kNames[i]);
+      now.injected.of[i] = std::stoll(valueIn(status, key));
+    }
+    return now;
+  }
+
+ private:
+  Stand(std::string name, double rate, std::unique_ptr<EmulatorProcess> emulator)
+      : name_(std::move(name)), rate_(rate), emulator_(std::move(emulator)) {
+    makeUrgent(*emulator_);
+  }
+
+  /// Of "key=value" among words.
+  static std::string valueIn(const std::string& words, const std::string& key) {
+    const std::string all = " " + words + " ";
+    const auto at = all.find(" " + key + "=");
+    if (at == std::string::npos) throw UserError("An emulator says nothing of its " + key + ".");
+    const auto begin = at + key.size() + 2;
+    return all.substr(begin, all.find(' ', begin) - begin);
+  }
+
+  std::string name_;
+  double rate_;
+  std::unique_ptr<EmulatorProcess> emulator_;
+  std::unique_ptr<devices::Device> device_;
+};
+
+FrameFaults operator-(const FrameFaults& a, const FrameFaults& b) {
+  FrameFaults difference;
+  for (std::size_t i = 0; i < a.of.size(); ++i) difference.of[i] = a.of[i] - b.of[i];
+  return difference;
+}
+
+FrameFaults& operator+=(FrameFaults& a, const FrameFaults& b) {
+  for (std::size_t i = 0; i < a.of.size(); ++i) a.of[i] += b.of[i];
+  return a;
+}
+
+/// A frame that is damaged is lost as well.
+FrameFaults foundBy(const devices::LinkReport& link) {
+  const auto number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
+  return {
+      {number(link.lost) - number(link.damaged),
+       number(link.doubled),
+       number(link.late),
+       number(link.damaged)}};
+}
+
+/// Waits until samples come; those that are lost before the first do not count.
+void settle(const Stand& stand) {
+  pauseFor(20.0 / stand.rate());
+}
+
+/// Ticks at a device; where it fails, connects it again, as an operator would.
+class Tended {
+ public:
+  enum class Start {
+    AsStudies,  ///< by a thread as any other, which a loaded machine may keep waiting
+    Urgent,     ///< at once, where that is granted
+  };
+
+  explicit Tended(Stand& stand, Start start = Start::AsStudies) : stand_(stand), start_(start) {
+    series_ = {.device = stand.name(), .rate = stand.rate()};
+    stand_.device().open();
+    begin();
+  }
+
+  LinkLoop& loop() noexcept { return *loop_; }
+
+  /// To be called every so often. True if it had failed.
+  bool tend() {
+    if (!loop_->isOver()) return false;
+    endRun();
+    constexpr int kTries = 3;
+    for (int i = 1; !loop_; ++i) {
+      try {
+        stand_.device().open();
+        begin();
+      } catch (const devices::DeviceError&) {
+        if (i == kTries) throw;
+      }
+    }
+    return true;
+  }
+
+  LinkSeries finish() {
+    endRun();
+    return std::move(series_);
+  }
+
+ private:
+  void begin() {
+    std::optional<Watcher> urgent;
+    if (start_ == Start::Urgent) urgent.emplace();
+    loop_.emplace(stand_.device());
+    urgent.reset();
+    sentBefore_ = stand_.ask().sent;
+    settle(stand_);
+  }
+
+  void endRun() {
+    series_.sent += stand_.ask().sent - sentBefore_;
+    series_.runs.push_back(loop_->finish());
+    loop_.reset();
+  }
+
+  Stand& stand_;
+  Start start_;
+  LinkSeries series_;
+  std::uint64_t sentBefore_ = 0;
+  std::optional<LinkLoop> loop_;
+};
+
+constexpr double kLook = 0.005;  // how often what ticks is looked after [s]
+
+/// For so long, while tending.
+void tendFor(double seconds, const std::vector<Tended*>& all) {
+  const std::int64_t until = timing::now() + static_cast<std::int64_t>(1e9 * seconds);
+  while (timing::now() < until) {
+    pauseFor(kLook);
+    for (auto* one : all) one->tend();
+  }
+}
+
+std::vector<LinkSeries> runTogether(double seconds) {
+  std::fprintf(stderr, "both devices at once, %g s\n", seconds);
+  auto punch = Stand::punch(1000);
+  auto arm = Stand::arm(5);
+  Tended slow(arm);  // it takes its time until it takes forces
+  Tended fast(punch);
+  tendFor(seconds, {&fast, &slow});
+  auto first = fast.finish();
+  return {std::move(first), slow.finish()};
+}
+
+/// Waits for the stall that was ordered, and watches what the device does meanwhile.
+void watchStall(Stand& stand, LinkLoop& loop, StallSeries& series) {
+  constexpr double kClosely = 0.0003;  // [s]
+  const Watcher watcher;
+  while (loop.stoodAt() == 0 && !loop.isOver()) pauseFor(kClosely);
+  const std::int64_t begin = loop.stoodAt();
+  if (begin == 0) return;
+  ++series.stalls;
+  const auto standing = stand.ask();
+  bool hadForce = standing.hasForce;
+  if (hadForce) series.forces.push_back(standing.force);
+  const std::int64_t end = begin + static_cast<std::int64_t>(1e6 * series.duration);
+  while (timing::now() < end) {
+    pauseFor(kClosely);
+    const bool hasForce = stand.ask().hasForce;
+    const std::int64_t at = timing::now();
+    if (!hadForce || hasForce || at >= end) continue;
+    series.letGoAfter.push_back(1e-6 * static_cast<double>(at - begin));
+    hadForce = false;  // once is enough
+  }
+  pauseFor(0.05);
+}
+
+StallSeries stallAt(Stand stand, double milliseconds, int stalls) {
+  std::fprintf(stderr, "%s, stalls of %g ms\n", stand.name().c_str(), milliseconds);
+  StallSeries series{.duration = milliseconds};
+  Tended tended(stand, Tended::Start::Urgent);
+  for (int i = 0; i < stalls; ++i) {
+    tendFor(0.8, {&tended});
+    tended.loop().standStill(static_cast<std::int64_t>(1e6 * milliseconds));
+    watchStall(stand, tended.loop(), series);
+    if (!stand.ask().isArmed || tended.loop().isOver()) ++series.disarmed;
+  }
+  series.link = tended.finish();
+  return series;
+}
+
+LinkSeries runAlone(Stand stand, double seconds) {
+  std::fprintf(stderr, "%s at %g Hz\n", stand.name().c_str(), stand.rate());
+  Tended tended(stand);
+  tendFor(seconds, {&tended});
+  return tended.finish();
+}
+
+/// @p perRound of each fault at a time, which the link must survive, with room between rounds.
+void injectInRounds(Stand& stand, LinkLoop& loop, int wanted, int perRound) {
+  constexpr double kRoom = 40.0;  // frames: the arm's controller wants 90 of 100 answered
+  const auto begin = stand.ask().injected;
+  for (int done = 0; done < wanted && !loop.isOver();) {
+    const int now = std::min(perRound, wanted - done);
+    for (const auto& name : FrameFaults::kNames) stand.order(fmt::format("{} {}", name, now));
+    done += now;
+    const auto isDone = [&] {
+      const auto of = (stand.ask().injected - begin).of;
+      return std::all_of(of.begin(), of.end(), [&](std::int64_t n) { return n >= done; });
+    };
+    const std::int64_t until = timing::now() + 10 * timing::kSecond;
+    while (!isDone() && !loop.isOver()) {
+      if (timing::now() > until)
+        throw UserError("An emulator does not inject the faults it was told to.");
+      pauseFor(1.0 / stand.rate());
+    }
+    pauseFor(kRoom / stand.rate());
+  }
+}
+
+/// A hundred of each at a time; where the device fails meanwhile, these are done again.
+FaultCounts countFaults(Stand stand, int faults, int perRound) {
+  constexpr int kAtOnce = 100;
+  constexpr int kMostRepeated = 20;
+  FaultCounts counts{.device = stand.name()};
+  stand.device().open();
+  for (int done = 0; done < faults;) {
+    std::fprintf(stderr, "%s, counting: %d of %d\n", stand.name().c_str(), done, faults);
+    const int now = std::min(kAtOnce, faults - done);
+    std::optional<Watcher> urgent(std::in_place);
+    LinkLoop loop(stand.device());
+    urgent.reset();
+    settle(stand);
+    const auto before = stand.ask().injected;
+    injectInRounds(stand, loop, now, perRound);
+    const bool isWhole = !loop.isOver();
+    const auto run = loop.finish();
+    if (isWhole) {
+      counts.injected += stand.ask().injected - before;
+      counts.found += foundBy(run.link);
+      done += now;
+    } else if (++counts.repeated > kMostRepeated) {
+      throw UserError("The link fails too often to count on it. " + run.fault);
+    } else {
+      pauseFor(0.5);  // until the ordered faults are over
+      stand.device().open();
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+double LinkSeries::seconds() const {
+  double all = 0.0;
+  for (const auto& run : runs) all += run.seconds;
+  return all;
+}
+
+const LinkRun& LinkSeries::longest() const {
+  return *std::max_element(
+      runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+}
+
+std::uint64_t LinkSeries::sum(std::uint64_t devices::LinkReport::*of) const {
+  std::uint64_t all = 0;
+  for (const auto& run : runs) all += run.link.*of;
+  return all;
+}
+
+std::int64_t LinkSeries::faults() const {
+  return std::count_if(
+      runs.begin(), runs.end(), [](const auto& run) { return !run.fault.empty(); });
+}
+
+bool DeviceMeasurement::isExact() const {
+  return std::all_of(counts.begin(), counts.end(), [](const auto& count) {
+    return count.injected.of == count.found.of;
+  });
+}
+
+DeviceMeasurement measureDevices(const DeviceBenchOptions& options) {
+  const auto isWanted = [&](const std::string& part) {
+    const auto& wanted = options.parts;
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), part) != wanted.end();
+  };
+  DeviceMeasurement measured;
+  if (isWanted("together")) measured.together = runTogether(options.seconds);
+  if (isWanted("stalls")) {
+    const int stalls = static_cast<int>(std::clamp(options.seconds / 4.0, 1.0, 10.0));
+    for (const double duration : {5.0, 20.0, 50.0, 100.0}) {
+      measured.stalls.push_back(stallAt(Stand::punch(1000), duration, stalls));
+      measured.stalls.push_back(stallAt(Stand::arm(5), duration, stalls));
+    }
+  }
+  if (isWanted("rates")) {
+    const double seconds = std::min(3.0, options.seconds);
+    for (const int rate : {200, 500, 1000, 2000, 4000}) {
+      measured.sweep.push_back(runAlone(Stand::punch(rate), seconds));
+    }
+    for (const int period : {5, 3, 2, 1}) {
+      measured.sweep.push_back(runAlone(Stand::arm(period), seconds));
+    }
+  }
+  if (isWanted("counts")) {
+    measured.counts.push_back(countFaults(Stand::punch(1000), options.faults, 5));
+    // FRI before 2.7 has no checksum: a damaged byte may go unnoticed.
+    measured.counts.push_back(countFaults(Stand::arm(2, "2.7"), options.faults, 1));
+  }
+  return measured;
+}
+
+}  // namespace study::bench

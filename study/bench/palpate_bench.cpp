@@ -1,0 +1,11 @@
+// palpate-bench: measurements of Palpate. No study needs it.
+#include <CLI/CLI.hpp>
+
+#include "study/app/run_program.h"
+#include "study/bench/bench_program.h"
+
+int main(int argc, char** argv) {
+  study::app::Action action;
+  const auto program = study::bench::makeBenchProgram(action);
+  return study::app::runProgram(*program, action, argc, argv);
+}

@@ -1,0 +1,79 @@
+#include "study/bench/result.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "haptics/bench/machine.h"
+#include "study/app/write_document.h"
+
+namespace study::bench {
+namespace {
+
+struct TextOfCell {
+  std::string operator()(std::monostate) const { return "–"; }
+  std::string operator()(bool value) const { return value ? "yes" : "no"; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return fmt::format("{:.4g}", value); }
+  std::string operator()(const std::string& value) const { return value; }
+};
+
+/// Characters, not bytes, of text in UTF-8.
+std::size_t widthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+DataTable machineTable() {
+  DataTable table{
+      .name = "machine",
+      .description = "The computer",
+      .columns = {{"what", "What"}, {"value", "Value"}}};
+  for (auto& [what, value] : haptics::bench::machineInWords()) table.rows.push_back({what, value});
+  return table;
+}
+
+}  // namespace
+
+std::string asPlainText(const DataTable& table) {
+  std::vector<std::vector<std::string>> lines(1);
+  for (const auto& column : table.columns) lines.front().push_back(column.description);
+  for (const auto& row : table.rows) {
+    lines.emplace_back();
+    for (const auto& cell : row) lines.back().push_back(std::visit(TextOfCell{}, cell));
+  }
+  std::vector<std::size_t> widths(table.columns.size());
+  for (const auto& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], widthOf(line[i]));
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    std::string padded;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      padded += "  " + line[i] + std::string(widths[i] - widthOf(line[i]), ' ');
+    }
+    text += padded.substr(0, padded.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+void present(const std::string& folder, const std::string& name, report::Document document) {
+  for (const auto& part : document.parts) {
+    for (const auto& table : part.tables) {
+      if (table.description.empty()) continue;
+      fmt::print("\n{}\n{}", table.description, asPlainText(table));
+    }
+  }
+  std::fflush(stdout);  // what was measured is told, whatever comes of the files
+  if (folder.empty()) {
+    fmt::print("\nNothing was written. Add --out FOLDER for tables, figures and a page.\n");
+    return;
+  }
+  document.parts.push_back({.heading = "The computer", .tables = {machineTable()}});
+  app::writeDocument(folder, name, std::move(document));
+  fmt::print("\n{}/{}.html holds tables and figures.\n", folder, name);
+}
+
+}  // namespace study::bench

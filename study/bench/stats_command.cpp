@@ -1,0 +1,214 @@
+// palpate-bench stats: from the database of a study to its table of comparisons.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/bench/commands.h"
+#include "study/bench/result.h"
+#include "study/bench/synthetic_study.h"
+#include "study/model/storage_error.h"
+#include "study/results/pooled_answers.h"
+
+namespace study::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StatsOptions {
+  std::string out;
+  std::string disk;  ///< a folder for the database; empty: where temporary files go
+  std::int64_t answers = 1'000'000;
+  int repetitions = 20;
+};
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// A folder that is removed with this.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const fs::path& inside) : path_(inside / "palpate-bench-XXXXXX") {
+    auto name = path_.string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw storage::StorageError(
+          inside.string() +
+          " takes no folder for the measurement. Choose another one with --disk.");
+    }
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const noexcept { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// The most memory that this process has held since it began, or since forgetMostMemory() [MB].
+double mostMemory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    constexpr std::string_view kMost = "VmHWM:";
+    if (line.starts_with(kMost)) return std::stod(line.substr(kMost.size())) * 1024.0 / 1e6;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// See proc(5), clear_refs: 5 resets the peak.
+void forgetMostMemory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+struct StatsMeasurement {
+  std::int64_t sessions = 0;
+  double databaseSize = 0.0;      ///< [MB]
+  std::vector<double> seconds;    ///< from opening the study to its table
+  std::vector<double> processor;  ///< of that, processors were busy [s]
+  double memoryBefore = 0.0;      ///< before the first [MB]
+  double memory = 0.0;            ///< at most [MB]
+  std::uint64_t counted = 0;      ///< answers that the table holds
+};
+
+/// From a closed study to the comparisons of all its families and cohorts.
+/// @return how many answers they compare.
+std::uint64_t compareAll(const fs::path& folder) {
+  SystemClock clock;
+  auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+  const PooledAnswers pooled(study, RunMode::Simulated);
+  const auto& protocol = study.protocol().protocol;
+  std::uint64_t counted = 0;
+  for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
+    for (std::size_t j = 0; j < protocol.cohorts.size(); ++j) {
+      const auto conditions = pooled.of(i, j);
+      comparePooled(protocol.analysis.families[i], conditions);
+      for (const auto& condition : conditions) counted += condition.counts.total();
+    }
+  }
+  return counted;
+}
+
+StatsMeasurement measure(const StatsOptions& options) {
+  const TemporaryFolder folder(
+      options.disk.empty() ? fs::temp_directory_path() : fs::path(options.disk));
+  std::fprintf(
+      stderr,
+      "making a synthetic study of %lld answers\n",
+      static_cast<long long>(options.answers));
+  const auto made = makeSyntheticStudy(folder.path(), options.answers);
+  StatsMeasurement measured{.sessions = made.sessions};
+  measured.databaseSize = static_cast<double>(fs::file_size(made.folder / "study.db")) / 1e6;
+  forgetMostMemory();
+  measured.memoryBefore = mostMemory();
+  for (int i = 0; i < options.repetitions; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto busy = std::clock();
+    measured.counted = compareAll(made.folder);
+    measured.processor.push_back(static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC);
+    measured.seconds.push_back(secondsSince(start));
+  }
+  measured.memory = mostMemory();
+  return measured;
+}
+
+/// The value below which a share @p q of @p values lies.
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  const auto place = static_cast<std::size_t>(q * static_cast<double>(values.size()));
+  return values[std::min(place, values.size() - 1)];
+}
+
+DataTable timeTable(const StatsMeasurement& measured) {
+  DataTable table{
+      .name = "times",
+      .description = "From the database to the table [ms]",
+      .columns = {
+          {"what", "What"},
+          {"times", "Times"},
+          {"first_ms", "First"},
+          {"p50_ms", "Median"},
+          {"p99_ms", "p99"}}};
+  const std::pair<const char*, const std::vector<double>*> rows[]{
+      {"on the clock", &measured.seconds}, {"processors busy", &measured.processor}};
+  for (const auto& [what, seconds] : rows) {
+    table.rows.push_back(
+        {what,
+         static_cast<std::int64_t>(seconds->size()),
+         1e3 * seconds->front(),
+         1e3 * quantile(*seconds, 0.5),
+         1e3 * quantile(*seconds, 0.99)});
+  }
+  return table;
+}
+
+DataTable sizeTable(const StatsMeasurement& measured, std::int64_t answers) {
+  return {
+      .name = "sizes",
+      .description = "SYNTHETIC: made-up answers of simulated participants",
+      .columns =
+          {{"answers", "Answers"},
+           {"counted", "… in the table"},
+           {"participants", "Participants"},
+           {"database_mb", "Database [MB]"},
+           {"memory_before_mb", "Memory before [MB]"},
+           {"memory_mb", "… at most [MB]"}},
+      .rows = {
+          {answers,
+           static_cast<std::int64_t>(measured.counted),
+           measured.sessions,
+           measured.databaseSize,
+           measured.memoryBefore,
+           measured.memory}}};
+}
+
+int stats(const StatsOptions& options) {
+  const auto measured = measure(options);
+  present(
+      options.out,
+      "stats",
+      {.title = "From answers to the table: how fast",
+       .lead = {"From opening a study to all declared comparisons by Welch's test. The study was "
+                "made for this and is removed again. docs/benchmarks.md explains the columns."},
+       .parts = {
+           {.heading = "Times",
+            .tables = {sizeTable(measured, options.answers), timeTable(measured)}}}});
+  const bool areAllCounted = measured.counted == static_cast<std::uint64_t>(options.answers);
+  if (!areAllCounted) fmt::print("FAIL  the table does not hold every answer.\n");
+  return areAllCounted ? 0 : 1;
+}
+
+}  // namespace
+
+void addStatsCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<StatsOptions>();
+  auto* command = program.add_subcommand(
+      "stats", "From a database of answers to the table of comparisons: times and memory");
+  command->add_option("--out", options->out, "A folder for tables (CSV) and a page");
+  command->add_option("--answers", options->answers, "Of a synthetic study that is made for this")
+      ->check(CLI::Range(std::int64_t{100}, std::int64_t{100'000'000}))
+      ->capture_default_str();
+  command->add_option("--repetitions", options->repetitions, "How often the table is made")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  command
+      ->add_option("--disk", options->disk, "A folder for the database (default: temporary files)")
+      ->check(CLI::ExistingDirectory);
+  command->callback([&action, options] { action = [options] { return stats(*options); }; });
+}
+
+}  // namespace study::bench

@@ -1,0 +1,202 @@
+#include "study/bench/synthetic_study.h"
+
+#include <array>
+#include <memory>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "protocols/load_protocol.h"
+#include "protocols/orders/schedule.h"
+#include "study/model/session_plan.h"
+#include "study/session/session.h"
+#include "study/session/study.h"
+#include "study/storage/statement.h"
+#include "study/storage/transaction.h"
+
+namespace study::bench {
+namespace {
+
+constexpr const char* kProtocol = "punch-face-validity";
+constexpr std::uint64_t kSeed = 20'261'121;
+constexpr std::int64_t kSessionsATime = 10'000;  // in one transaction
+
+/// An item that is asked in every session of a cohort.
+struct Asked {
+  int step = 0;
+  int order = 0;
+  const Step* where = nullptr;
+  const questionnaires::Item* item = nullptr;
+  std::int64_t question = 0;
+};
+
+struct Cohort {
+  std::string id;
+  std::vector<Step> plan;
+  std::vector<Asked> asked;
+};
+
+/// Writes one session after the other.
+class Writer {
+ public:
+  explicit Writer(Study& study) : study_(study), loaded_(study.protocol()), random_(kSeed) {
+    for (const auto& cohort : loaded_.protocol.cohorts) cohorts_.push_back(planOf(cohort.id));
+    for (auto& cohort : cohorts_) {
+      for (auto& asked : cohort.asked) asked.question = questionFor(asked);
+    }
+  }
+
+  /// @return how many answers were written; at most @p most
+  std::int64_t add(std::int64_t session, std::int64_t most) {
+    const auto& cohort = cohorts_[static_cast<std::size_t>(session) % cohorts_.size()];
+    addPerson(session, cohort);
+    std::int64_t written = 0;
+    int step = -1;
+    for (const auto& asked : cohort.asked) {
+      if (written == most) break;
+      if (asked.step != step) addStep(session, *asked.where, step = asked.step);
+      addAnswer(session, asked);
+      ++written;
+    }
+    return written;
+  }
+
+ private:
+  Cohort planOf(const std::string& id) {
+    Cohort cohort{.id = id, .plan = {}, .asked = {}};
+    cohort.plan = sessionPlan(
+        loaded_.protocol, protocols::scheduleFor(loaded_.protocol, study_.seed(), id, 0));
+    for (std::size_t i = 0; i < cohort.plan.size(); ++i) {
+      const auto& step = cohort.plan[i];
+      if (step.kind != StepKind::Questionnaire) continue;
+      const auto* instrument = loaded_.instrument(step.instrument);
+      int order = 0;
+      for (const auto& item : instrument->itemsOf(step.itemSet)) {
+        cohort.asked.push_back({static_cast<int>(i), ++order, &step, instrument->item(item.id), 0});
+      }
+    }
+    return cohort;
+  }
+
+  std::int64_t questionFor(const Asked& asked) {
+    const auto bound = [&](const std::string& sql) {
+      auto statement = std::make_unique<storage::Statement>(study_.database(), sql);
+      statement->bind(1, nameOf(asked.where->kind))
+          .bind(2, asked.where->phase)
+          .bind(3, asked.where->instrument)
+          .bind(4, asked.where->condition)
+          .bind(5, asked.item->id);
+      return statement;
+    };
+    const auto find = [&] {
+      const auto found = bound(
+          "SELECT id FROM question WHERE kind = ? AND phase = ? AND instrument = ? "
+          "AND condition = ? AND item = ?");
+      return found->step() ? found->number(0) : 0;
+    };
+    if (const auto id = find(); id != 0) return id;
+    bound("INSERT INTO question (kind, phase, instrument, condition, item) VALUES (?,?,?,?,?)")
+        ->run();
+    return find();
+  }
+
+  void addPerson(std::int64_t session, const Cohort& cohort) {
+    participant_.bind(1, session).bind(2, fmt::format("SIM-{:07d}", session)).bind(3, cohort.id);
+    participant_.run();
+    session_.bind(1, session).bind(2, session).bind(3, cohort.id).bind(4, session);
+    session_.run();
+  }
+
+  void addStep(std::int64_t session, const Step& step, int number) {
+    step_.bind(1, session)
+        .bind(2, std::int64_t{number})
+        .bind(3, nameOf(step.kind))
+        .bind(4, step.phase)
+        .bind(5, step.instrument)
+        .bind(6, step.itemSet)
+        .bind(7, std::int64_t{step.position})
+        .bind(8, std::int64_t{step.label});
+    step_.run();
+    allocation_.bind(1, session).bind(2, std::int64_t{number}).bind(3, step.condition);
+    allocation_.run();
+    visit_.bind(1, session).bind(2, std::int64_t{number});
+    visit_.run();
+  }
+
+  void addAnswer(std::int64_t session, const Asked& asked) {
+    answer_.bind(1, session)
+        .bind(2, std::int64_t{asked.step})
+        .bind(3, asked.item->id)
+        .bind(4, std::int64_t{asked.order})
+        .bind(5, drawn(asked.where->condition))
+        .bind(6, asked.question);
+    answer_.run();
+  }
+
+  /// Of a hundred people so many choose each of the five points; conditions differ a little.
+  std::int64_t drawn(const std::string& condition) {
+    constexpr std::array<int, 5> kOfOne{8, 20, 45, 78, 100};
+    constexpr std::array<int, 5> kOfAnother{12, 27, 54, 83, 100};
+    const auto& upTo = condition == loaded_.protocol.conditions.front().id ? kOfOne : kOfAnother;
+    const auto percent = static_cast<int>(random_() % 100);
+    std::int64_t point = 1;
+    while (percent >= upTo[static_cast<std::size_t>(point - 1)]) ++point;
+    return point;
+  }
+
+  storage::Statement prepared(const std::string& sql) { return {study_.database(), sql}; }
+
+  Study& study_;
+  const protocols::LoadedProtocol& loaded_;
+  std::mt19937_64 random_;
+  std::vector<Cohort> cohorts_;
+  storage::Statement participant_ = prepared(
+      "INSERT INTO participant (id, code, cohort, run_mode, created_utc) VALUES "
+      "(?, ?, ?, 'simulated', '2000-01-01T10:00:00.000Z')");
+  storage::Statement session_ = prepared(
+      "INSERT INTO session (id, participant_id, number, protocol_id, run_mode, cohort, language, "
+      "slot, slot_state, state, step, attempt, app_version, started_utc, ended_utc, end_reason) "
+      "VALUES (?, ?, 1, 1, 'simulated', ?, 'en', ?, 'consumed', 'completed', 0, 1, 'bench', "
+      "'2000-01-01T10:00:00.000Z', '2000-01-01T10:20:00.000Z', '')");
+  storage::Statement step_ = prepared(
+      "INSERT INTO step (session_id, step, kind, phase, instrument, item_set, position, label) "
+      "VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  storage::Statement allocation_ =
+      prepared("INSERT INTO allocation (session_id, step, condition) VALUES (?, ?, ?)");
+  storage::Statement visit_ = prepared(
+      "INSERT INTO visit (session_id, step, attempt, status, began_utc) "
+      "VALUES (?, ?, 1, 'finished', '2000-01-01T10:00:00.000Z')");
+  storage::Statement answer_ = prepared(
+      "INSERT INTO answer (session_id, step, attempt, item, item_order, kind, point, "
+      "first_touch_s, response_s, changes, language, saved_utc, question) "
+      "VALUES (?, ?, 1, ?, ?, 'point', ?, 1.5, 2.5, 0, 'en', '2000-01-01T10:00:00.000Z', ?)");
+};
+
+std::int64_t writeSessions(Study& study, std::int64_t answers) {
+  Writer writer(study);
+  std::int64_t session = 0;
+  for (std::int64_t left = answers; left > 0;) {
+    storage::Transaction transaction(study.database());
+    for (std::int64_t i = 0; i < kSessionsATime && left > 0; ++i)
+      left -= writer.add(++session, left);
+    transaction.commit();
+  }
+  return session;
+}
+
+}  // namespace
+
+SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers) {
+  questionnaires::Problems problems;
+  const auto protocol = protocols::loadProtocolFile(kProtocol, problems);
+  if (!protocol) throw std::logic_error(questionnaires::inWords(problems.all()));
+  SystemClock clock;
+  SyntheticStudy made{.folder = inside / "study"};
+  auto study = Study::create(made.folder, *protocol, clock, kSeed);
+  made.sessions = writeSessions(study, answers);
+  study.note("note", "SYNTHETIC: made by palpate bench stats; nobody took part");
+  study.database().execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  return made;
+}
+
+}  // namespace study::bench

@@ -1,0 +1,160 @@
+#include "study/bench/windows/simulation_speed.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTimer>
+
+#include "haptics/devices/simulated_device.h"
+#include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/parametric_bone.h"
+#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/packing_builder.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/scene/simulation_view.h"
+#include "study/trial/live_trial.h"
+
+namespace study::bench {
+namespace {
+
+namespace scene = gui::scene;
+using haptics::devices::DeviceKind;
+using haptics::devices::SimulatedDevice;
+using haptics::devices::SimulatedHand;
+
+constexpr QSize kPictureSize(1280, 800);
+/// A simulation and the hand that works in it.
+struct Subject {
+  std::string name;
+  haptics::engine::SceneSpec spec;
+  haptics::engine::SafetyLimits limits;
+  SimulatedHand::Person person;
+  std::unique_ptr<scene::SimulatedScene> scene;
+  double making = 0.0;  ///< of the scene [ms]
+};
+
+Subject kneeSubject(const SimulationOptions& options) {
+  Subject subject{.name = "punch and knee"};
+  subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
+  subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
+  QElapsedTimer clock;
+  clock.start();
+  subject.scene = std::make_unique<scene::KneeScene>(options.knee ? &*options.knee : nullptr);
+  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  return subject;
+}
+
+/// The built-in cup in so many spheres, with densities of the built-in curves.
+std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
+  auto bone = std::make_shared<haptics::reaming::PackedBone>();
+  std::fprintf(stderr, "packing %zu spheres\n", spheres);
+  bone->packing = *pack(haptics::reaming::Acetabulum(), {.count = spheres});
+  fitTo(*bone, haptics::engine::parametricCurves(), 100);
+  return bone;
+}
+
+Subject hipSubject(const SimulationOptions& options) {
+  Subject subject{.name = "reamer and cup"};
+  subject.spec.device = DeviceKind::Reamer;
+  subject.spec.model = haptics::engine::PackingSpec{
+      .bone = cupOf(options.spheres), .hardness = 0.5, .forceScale = 0.15};
+  subject.spec.isVisualised = true;
+  subject.limits = {.maxForce = 140.0, .maxRate = 5000.0, .maxVelocity = 1.0};
+  subject.person = {
+      .closed = 0.028,
+      .pauseTime = 0.2,
+      .closeTime = 1.2,
+      .openTime = 0.8,
+      .stiffness = 6000.0,
+      .damping = 150.0};
+  QElapsedTimer clock;
+  clock.start();
+  subject.scene = std::make_unique<scene::HipScene>(scene::HipScene::Options{
+      .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
+      .colours = options.colours});
+  subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+  return subject;
+}
+
+scene::Look lookAt(const LiveTrial& live, const Trial& trial) {
+  const auto status = live.status();
+  return {
+      .travel = status.travel,
+      .force = status.force,
+      .isCutThrough = status.isCutThrough,
+      .isRunning = true,
+      .sampleTime = status.sampleTime,
+      .mesh = trial.scene().mesh(),
+      .bone = trial.scene().bone()};
+}
+
+void wait(double seconds) {
+  QEventLoop loop;
+  QTimer::singleShot(static_cast<int>(1000.0 * seconds), &loop, &QEventLoop::quit);
+  loop.exec();
+}
+
+void savePicture(scene::SimulationView& view, const std::string& folder, const QString& name) {
+  if (folder.empty()) return;
+  const QString path = QDir(QString::fromStdString(folder)).filePath(name);
+  if (!view.grab().save(path)) std::fprintf(stderr, "%s cannot be written.\n", qPrintable(path));
+}
+
+double bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
+  const auto* packing = std::get_if<haptics::engine::PackingSpec>(&spec.model);
+  if (packing == nullptr) return 0.0;
+  return static_cast<double>(packing->bone->packing.spheres.size() * sizeof(scene::SphereInstance));
+}
+
+SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
+  std::fprintf(stderr, "%s\n", subject.name.c_str());
+  const bool isPunch = subject.spec.device == DeviceKind::Punch;
+  SimulatedHand hand(subject.person);
+  SimulatedDevice device(
+      isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
+      isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
+      hand);
+  SimulationSpeed measured{.name = subject.name, .making = subject.making};
+  measured.allBytes = bytesOfAllSpheres(subject.spec);
+  Trial trial(
+      device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});
+  scene::SimulationView view(
+      std::move(subject.scene),
+      scene::openGraphics(options.renderer),
+      scene::SimulationView::Pace::Unbound);
+  measured.remark = view.remark().toStdString();
+  view.resize(kPictureSize);
+  view.show();
+  wait(0.5);  // until the window is shown and all spheres have been handed on once
+  const auto bytesBefore = view.renderer().sphereBytes();
+  LiveTrial live(trial);
+  view.follow([&] { return lookAt(live, trial); });
+  constexpr int kPictures = 5;
+  for (int i = 0; i < kPictures; ++i) {
+    wait(options.seconds / kPictures);
+    measured.view = view.report();
+    const auto what = isPunch ? QStringLiteral("knee") : QStringLiteral("hip");
+    savePicture(view, options.folder, QStringLiteral("%1-%2.png").arg(what).arg(i + 1));
+  }
+  measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
+                           static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
+  view.follow({});
+  measured.felt = live.finish(TrialEnding::Finished);
+  return measured;
+}
+
+}  // namespace
+
+SimulationSpeed measureKnee(const SimulationOptions& options) {
+  return measure(kneeSubject(options), options);
+}
+
+SimulationSpeed measureCup(const SimulationOptions& options) {
+  return measure(hipSubject(options), options);
+}
+
+}  // namespace study::bench

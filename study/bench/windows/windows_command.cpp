@@ -1,0 +1,182 @@
+// palpate-bench windows: how fast simulations, plots and pages are drawn on this computer.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QStorageInfo>
+
+#include "questionnaires/json/document.h"
+#include "study/app/finite_range.h"
+#include "study/bench/commands.h"
+#include "study/bench/result.h"
+#include "study/bench/windows/desk_speed.h"
+#include "study/bench/windows/simulation_speed.h"
+#include "study/model/user_error.h"
+
+namespace study::bench {
+namespace {
+
+using gui::scene::RendererChoice;
+using gui::scene::SphereColours;
+
+struct WindowsOptions {
+  std::string anatomy;
+  std::string colours = "neutral";
+  std::string renderer = "best";
+  SimulationOptions simulation;
+};
+
+/// @throws UserError  with all that is wrong with the file.
+protocols::Anatomy anatomyIn(const std::string& file) {
+  questionnaires::Problems problems;
+  std::optional<protocols::Anatomy> anatomy;
+  try {
+    const auto text = questionnaires::readTextFile(file, protocols::kLargestAnatomy);
+    anatomy = protocols::readAnatomy(text, problems);
+  } catch (const questionnaires::Error& error) {
+    problems.add("", error.what());
+  }
+  if (!anatomy) throw UserError(questionnaires::inWords(problems.all()));
+  return *anatomy;
+}
+
+DataTable simulationTable(const std::vector<SimulationSpeed>& simulations) {
+  DataTable table{
+      .name = "simulations",
+      .description = "Simulations, pictures of 1280 × 800",
+      .columns = {
+          {"simulation", "Simulation"},
+          {"drawn_by", "Drawn by"},
+          {"pictures_per_s", "Pictures a second"},
+          {"frame_p50_ms", "Picture to picture, p50 [ms]"},
+          {"frame_p99_ms", "… p99"},
+          {"latency_p50_ms", "Latency, p50 [ms]"},
+          {"latency_p99_ms", "… p99"},
+          {"pictures", "Pictures"},
+          {"making_ms", "Made ready in [ms]"},
+          {"ticks", "Ticks of the hand"},
+          {"late_ticks", "… late by a period"},
+          {"bytes_per_picture", "Bytes about spheres a picture"},
+          {"bytes", "… of all"},
+          {"changes_lost", "Changes not shown"}}};
+  for (const auto& measured : simulations) {
+    const auto& view = measured.view;
+    table.rows.push_back(
+        {measured.name,
+         view.renderer,
+         view.frameMedian > 0.0 ? 1000.0 / view.frameMedian : 0.0,
+         view.frameMedian,
+         view.frameP99,
+         view.latencyMedian,
+         view.latencyP99,
+         static_cast<std::int64_t>(view.frames),
+         measured.making,
+         static_cast<std::int64_t>(measured.felt.ticks),
+         static_cast<std::int64_t>(measured.felt.lateTicks.value_or(0)),
+         measured.bytesPerFrame,
+         measured.allBytes,
+         static_cast<std::int64_t>(view.lostChanges)});
+  }
+  return table;
+}
+
+DataTable plotTable(const PlotSpeed& plots) {
+  return {
+      .name = "plots",
+      .description = "Live plots of the operator: three channels at 1 kHz",
+      .columns =
+          {{"pictures_per_s", "Pictures a second"}, {"processor", "Processor [share of one]"}},
+      .rows = {{plots.picturesPerSecond, plots.processor}}};
+}
+
+DataTable pageTable(std::vector<double> waits, const std::string& folder) {
+  std::sort(waits.begin(), waits.end());
+  const auto at = [&](double q) {
+    return waits[static_cast<std::size_t>(q * static_cast<double>(waits.size() - 1))];
+  };
+  const auto disk = QStorageInfo(QString::fromStdString(folder)).fileSystemType().toStdString();
+  return {
+      .name = "pages",
+      .description = "Page changes of a participant, answers on the disk first",
+      .columns =
+          {{"pages", "Page changes"},
+           {"p50_ms", "p50 [ms]"},
+           {"p99_ms", "p99 [ms]"},
+           {"file_system", "File system"}},
+      .rows = {{static_cast<std::int64_t>(waits.size()), at(0.5), at(0.99), disk}}};
+}
+
+int windows(const WindowsOptions& options) {
+  auto simulation = options.simulation;
+  simulation.colours = options.colours == "density"   ? SphereColours::Density
+                       : options.colours == "removal" ? SphereColours::Removal
+                                                      : SphereColours::Neutral;
+  simulation.renderer = options.renderer == "finest"     ? RendererChoice::Finest
+                        : options.renderer == "software" ? RendererChoice::Software
+                                                         : RendererChoice::Best;
+  if (!options.anatomy.empty()) simulation.knee = anatomyIn(options.anatomy);
+  if (!simulation.folder.empty()) std::filesystem::create_directories(simulation.folder);
+  const bool hasDisplay =
+      !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+  if (!hasDisplay && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+  static int argc = 1;
+  static char name[] = "palpate-bench";
+  static char* argv[] = {name, nullptr};
+  const QApplication application(argc, argv);
+
+  const std::vector<SimulationSpeed> simulations{measureKnee(simulation), measureCup(simulation)};
+  std::fprintf(stderr, "live plots, pages\n");
+  const auto plots = measurePlots(simulation.seconds);
+  const auto folder = simulation.folder.empty() ? std::filesystem::temp_directory_path().string()
+                                                : simulation.folder;
+  const auto waits = measurePageChanges(folder);
+  present(
+      simulation.folder,
+      "windows",
+      {.title = "Windows: simulations, plots, pages",
+       .lead =
+           {"How fast they are drawn on this computer. docs/benchmarks.md explains the columns.",
+            simulations.front().remark},
+       .parts = {
+           {.heading = "Simulations", .tables = {simulationTable(simulations)}},
+           {.heading = "Desk", .tables = {plotTable(plots), pageTable(waits, folder)}}}});
+  if (!simulations.front().remark.empty()) fmt::print("{}\n", simulations.front().remark);
+  const bool isSparing = simulations.back().handsOnChangesOnly();
+  if (!isSparing)
+    fmt::print("FAIL  a picture hands on more than 5 % of the bytes of all spheres.\n");
+  return isSparing ? 0 : 1;
+}
+
+}  // namespace
+
+void addWindowsCommand(CLI::App& program, Action& action) {
+  auto options = std::make_shared<WindowsOptions>();
+  auto& simulation = options->simulation;
+  auto* command = program.add_subcommand(
+      "windows", "How fast simulations, live plots and a participant's pages are drawn");
+  command->add_option("--out", simulation.folder, "A folder for pictures, tables (CSV) and a page");
+  command->add_option("--seconds", simulation.seconds, "Of each simulation")
+      ->check(app::finiteRange(0.5, 600.0))
+      ->capture_default_str();
+  command->add_option("--spheres", simulation.spheres, "Of the cup")
+      ->check(CLI::Range(std::size_t{1000}, std::size_t{10'000'000}))
+      ->capture_default_str();
+  command->add_option("--colours", options->colours, "Of the spheres")
+      ->check(CLI::IsMember({"neutral", "density", "removal"}))
+      ->capture_default_str();
+  command->add_option("--renderer", options->renderer, "Who draws; finest: as on a graphics card")
+      ->check(CLI::IsMember({"best", "finest", "software"}))
+      ->capture_default_str();
+  command->add_option("--anatomy", options->anatomy, "A knee of your own, as OBJ")
+      ->check(CLI::ExistingFile);
+  command->callback([&action, options] { action = [options] { return windows(*options); }; });
+}
+
+}  // namespace study::bench

@@ -1,0 +1,65 @@
+// palpate-bench stats: it times the table that everybody else gets.
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "study/bench/synthetic_study.h"
+#include "study/results/pooled_answers.h"
+#include "study/storage/coded_answers.h"
+#include "tests/support/child_process.h"
+#include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::bench {
+namespace stats_command_test {
+
+TEST(SyntheticStudy, GivesTheSameCountsByItsRowsAndByItsNumbers) {
+  constexpr std::int64_t kAnswers = 500;
+  tests::ScratchFolder folder;
+  const auto made = makeSyntheticStudy(folder / "", kAnswers);
+  EXPECT_EQ(made.sessions, 28);
+  SystemClock clock;
+  auto study = Study::open(made.folder, clock, storage::Database::Access::ReadOnly);
+  const PooledAnswers pooled(study, RunMode::Simulated);
+  const auto results = computeResults(study, RunMode::Simulated);
+  const auto& cohorts = results.families.at(0).cohorts;
+  ASSERT_EQ(cohorts.size(), 2U);
+  std::uint64_t total = 0;
+  for (std::size_t i = 0; i < cohorts.size(); ++i) {
+    const auto conditions = pooled.of(0, i);
+    ASSERT_EQ(conditions.size(), 3U);
+    for (std::size_t j = 0; j < conditions.size(); ++j) {
+      EXPECT_EQ(conditions[j].counts, cohorts[i].table.countsOf(j));
+      total += conditions[j].counts.total();
+    }
+  }
+  EXPECT_EQ(total, static_cast<std::uint64_t>(kAnswers));
+  EXPECT_TRUE(storage::CodedAnswers(study.database()).misplaced().empty());
+  EXPECT_EQ(study.database().integrityProblems(), "");
+}
+
+TEST(StatsCommand, CountsEveryAnswerAndLeavesNothingOnTheDisk) {
+  tests::ScratchFolder folder;
+  const auto finished = tests::run(
+      {tests::program(),
+       "bench",
+       "stats",
+       "--answers",
+       "2000",
+       "--repetitions",
+       "2",
+       "--disk",
+       folder / "",
+       "--out",
+       folder / "out"});
+  ASSERT_EQ(finished.status, 0) << finished.error;
+  const auto sizes = tests::contentOf(folder / "out/stats-sizes.csv");
+  EXPECT_NE(sizes.find("\n2000,2000,"), std::string::npos) << sizes;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/stats.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/stats-times.csv"));
+  std::filesystem::remove_all(folder / "out");
+  EXPECT_TRUE(std::filesystem::is_empty(folder / ""));
+}
+
+}  // namespace stats_command_test
+}  // namespace study::bench
