@@ -29,12 +29,12 @@ double processorTime() noexcept {
 }  // namespace
 
 engine::SceneSpec sceneForLink(devices::DeviceKind kind) {
-  if (kind == devices::DeviceKind::Punch) return {.device = kind, .model = publishedElements(5)};
+  if (kind == devices::DeviceKind::Punch) return {.model = publishedElements(5)};
   engine::MaterialSpec material;
   material.nodes = engine::parametricMaterial();
   material.hardness = 1.0;
   material.forceScale = 0.15;
-  return {.device = kind, .model = material};
+  return {.model = material};
 }
 
 LinkLoop::LinkLoop(devices::Device& device)

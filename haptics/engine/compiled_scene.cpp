@@ -180,12 +180,12 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
 
   Builder builder{.isSeen = spec.isVisualised};
   std::visit(builder, spec.model);
-  const bool isPunch = spec.device == devices::DeviceKind::Punch;
-  if (spec.isVisualised && isPunch) {
+  const bool isMeniscus = !isBone(spec);
+  if (spec.isVisualised && isMeniscus) {
     mesh_.emplace(shownTissue(spec));
     builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
   } else {
-    builder.out(kMesh, isPunch ? "nothing is shown" : "no meniscus is shown");
+    builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");
   }
   bone_ = builder.bone;
   if (bone_ != nullptr) {

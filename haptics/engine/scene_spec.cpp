@@ -134,12 +134,6 @@ bool isBone(const SceneSpec& spec) noexcept {
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
   Words problems;
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
-  const bool isMaterial = isBone(spec);
-  if (isMaterial != (spec.device == devices::DeviceKind::Reamer)) {
-    problems.push_back(
-        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
-                   : "this model is felt on a punch, not on a reamer");
-  }
   return problems;
 }
 

@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "haptics/devices/device.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
@@ -89,12 +88,11 @@ struct PackingSpec {
 
 /// All that a condition says about what is to be felt and seen.
 struct SceneSpec {
-  devices::DeviceKind device = devices::DeviceKind::Punch;
   std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec> model;
   bool isVisualised = false;
 };
 
-/// Whether it is bone, which is felt on a reamer; all else is felt on a punch.
+/// Whether bone is felt, and not a meniscus.
 bool isBone(const SceneSpec& spec) noexcept;
 
 /// Everything that is wrong with @p spec, in words; empty where it can be compiled.

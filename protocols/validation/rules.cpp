@@ -57,13 +57,12 @@ bool isCurveThere(const haptics::engine::SceneSpec& scene) {
 }
 
 void checkParameters(
-    haptics::engine::SceneSpec scene,
+    const haptics::engine::SceneSpec& scene,
     DeviceKind device,
     const std::string& path,
     Problems& problems) {
   const bool isMaterial = haptics::engine::isBone(scene);
-  scene.device = isMaterial ? DeviceKind::Reamer : DeviceKind::Punch;
-  if (scene.device != device) {
+  if (isMaterial != (device == DeviceKind::Reamer)) {
     problems.add(
         path + ".model",
         isMaterial ? "a reaming material is felt on a reamer, not on a punch"

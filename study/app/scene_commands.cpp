@@ -112,14 +112,10 @@ const protocols::Condition& conditionOf(
   throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 
-haptics::engine::SceneSpec sceneOf(
+/// The simulated device of the kind that @p condition is felt on.
+haptics::devices::Capabilities standInFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
-  auto spec = condition.scene;
-  spec.device = protocol.device(condition.device)->kind;
-  return spec;
-}
-
-haptics::devices::Capabilities standInFor(haptics::devices::DeviceKind kind) {
+  const auto kind = protocol.device(condition.device)->kind;
   return kind == haptics::devices::DeviceKind::Punch ? haptics::devices::simulatedPunch()
                                                      : haptics::devices::simulatedReamer();
 }
@@ -128,10 +124,10 @@ int explain(const ExplainOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
   const auto* condition = &conditionOf(file->protocol, options.condition);
-  auto spec = sceneOf(file->protocol, *condition);
+  auto spec = condition->scene;
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = standInFor(spec.device);
+  const auto device = standInFor(file->protocol, *condition);
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec);
   if (options.json) {
@@ -205,14 +201,13 @@ int playScene(const PlayOptions& options) {
   TravelProfile profile;
   for (const auto& id : options.conditions) {
     const auto& condition = conditionOf(file->protocol, id);
-    const auto spec = sceneOf(file->protocol, condition);
-    const auto own = standInFor(spec.device);
+    const auto own = standInFor(file->protocol, condition);
     if (device && device->kind != own.kind) {
       throw UserError("These conditions are felt on different devices; play them one by one.");
     }
     device = own;
     profile = profileOf(motionFor(options, own));
-    playCondition(options, condition, spec, profile, curves);
+    playCondition(options, condition, condition.scene, profile, curves);
   }
   report::Document document{
       .parts = {

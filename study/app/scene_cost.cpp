@@ -102,7 +102,7 @@ void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& 
   for (const bool isRemoved : {false, true}) {
     const engine::PackingSpec spheres{.bone = engine::parametricBone(), .isRemoved = isRemoved};
     add(isRemoved ? "… and 20,000 spheres that are reamed away" : "… and 20,000 spheres that stay",
-        alsoFelt({.device = spec.device, .model = spheres}));
+        alsoFelt({.model = spheres}));
   }
 }
 
@@ -110,8 +110,7 @@ void addMaterial(const engine::SceneSpec& spec, std::vector<bench::Contestant>& 
 void addPacking(const engine::SceneSpec& spec, std::vector<bench::Contestant>& contestants) {
   const auto& packing = std::get<engine::PackingSpec>(spec.model);
   const auto add = [&](const char* what, const auto& model) {
-    contestants.push_back(
-        contestant(what, {.device = spec.device, .model = model}, kMiddle, nullptr));
+    contestants.push_back(contestant(what, {.model = model}, kMiddle, nullptr));
   };
   add("as it is", packing);
   auto other = packing;
@@ -132,10 +131,10 @@ void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& co
 
 std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
   std::vector<bench::Contestant> contestants;
-  if (spec.device == haptics::devices::DeviceKind::Punch) {
-    addPunch(spec, contestants);
-  } else {
+  if (engine::isBone(spec)) {
     addReamer(spec, contestants);
+  } else {
+    addPunch(spec, contestants);
   }
   const auto timings = bench::race(contestants);
   std::vector<SceneCost> costs;

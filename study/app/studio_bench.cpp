@@ -27,7 +27,6 @@ namespace study::app {
 namespace {
 
 namespace scene = gui::scene;
-using haptics::devices::DeviceKind;
 using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
 
@@ -126,7 +125,6 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
 
 Subject hipSubject(const Settings& settings) {
   Subject subject;
-  subject.spec.device = DeviceKind::Reamer;
   subject.spec.model = haptics::engine::PackingSpec{
       .bone = cupOf(settings.spheres), .hardness = 0.5, .forceScale = 0.15};
   subject.spec.isVisualised = true;
@@ -182,7 +180,7 @@ std::uint64_t bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
 }
 
 Measured measure(Subject subject, const Settings& settings) {
-  const bool isPunch = subject.spec.device == DeviceKind::Punch;
+  const bool isPunch = !isBone(subject.spec);
   SimulatedHand hand(subject.person);
   SimulatedDevice device(
       isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),

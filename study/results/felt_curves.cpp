@@ -117,9 +117,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     }
     curve.points = bins.points();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
-    auto scene = condition.scene;
-    scene.device = protocol.device(condition.device)->kind;
-    curve.meant = meantForces(std::move(scene), curve.points);
+    curve.meant = meantForces(condition.scene, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;

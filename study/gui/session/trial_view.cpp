@@ -21,7 +21,7 @@ using scene::SimulationView;
 /// @param knee  that is seen in place of ours; nothing: ours.
 std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
     const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
-  if (spec.device == haptics::devices::DeviceKind::Punch) {
+  if (!isBone(spec)) {
     return std::make_unique<scene::KneeScene>(knee);
   }
   return std::make_unique<scene::HipScene>(

@@ -303,9 +303,7 @@ TEST_F(ForceEngineTest, AllocatesNothingInATickWhateverTheScene) {
   KalmanSpec both;
   both.interpolation.curve = {{3.0, 0.0}, {7.0, 4.0}, {9.0, 2.0}};
   CompiledScene kalman({.model = both, .isVisualised = true});
-  CompiledScene material(
-      {.device = devices::DeviceKind::Reamer,
-       .model = MaterialSpec{.nodes = parametricMaterial()}});
+  CompiledScene material({.model = MaterialSpec{.nodes = parametricMaterial()}});
   for (auto* scene : {&interpolation, &scene_, &kalman, &material}) {
     engine_.setScene(scene);
     const tests::AllocationCounter allocations;
@@ -355,7 +353,7 @@ TEST(SimulatedReamer, IsPushedByASimulatedHandThroughTheEngine) {
   devices::SimulatedDevice device(devices::simulatedReamer(), devices::reamerMechanism(), hand);
   ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0});
   MaterialSpec bone{.nodes = parametricMaterial(), .hardness = 0.5, .forceScale = 0.15};
-  CompiledScene scene({.device = devices::DeviceKind::Reamer, .model = bone});
+  CompiledScene scene({.model = bone});
   engine.setScene(&scene);
   TickSample sample;
   double peak = 0.0;
