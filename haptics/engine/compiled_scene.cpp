@@ -180,7 +180,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
 
   Builder builder{.isSeen = spec.isVisualised};
   std::visit(builder, spec.model);
-  const bool isMeniscus = !isBone(spec);
+  const bool isMeniscus = tissueOf(spec) == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {
     mesh_.emplace(shownTissue(spec));
     builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);

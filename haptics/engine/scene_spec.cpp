@@ -126,9 +126,10 @@ models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() co
   return p;
 }
 
-bool isBone(const SceneSpec& spec) noexcept {
-  return std::holds_alternative<MaterialSpec>(spec.model) ||
-         std::holds_alternative<PackingSpec>(spec.model);
+devices::Tissue tissueOf(const SceneSpec& spec) noexcept {
+  const bool isBone = std::holds_alternative<MaterialSpec>(spec.model) ||
+                      std::holds_alternative<PackingSpec>(spec.model);
+  return isBone ? devices::Tissue::Bone : devices::Tissue::Meniscus;
 }
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "haptics/devices/device_kind.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
@@ -92,8 +93,8 @@ struct SceneSpec {
   bool isVisualised = false;
 };
 
-/// Whether bone is felt, and not a meniscus.
-bool isBone(const SceneSpec& spec) noexcept;
+/// What is felt: a device is made for one tissue.
+devices::Tissue tissueOf(const SceneSpec& spec) noexcept;
 
 /// Everything that is wrong with @p spec, in words; empty where it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);

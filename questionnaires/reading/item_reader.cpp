@@ -141,7 +141,7 @@ std::optional<Choice<ItemType>> typeOf(const Node& node) {
         kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) { return t.name == word; });
     if (type != kItemTypes.end()) return *type;
   }
-  node.choice<ItemType>("type", kItemTypes);
+  node.choice("type", kItemTypes);
   return std::nullopt;
 }
 

@@ -85,10 +85,10 @@ void print(
       "\n  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
       "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
       stiffness,
-      device.travelUnit,
+      device.kind->travel.unit,
       device.rate,
       passivity.neededDamping(),
-      device.travelUnit,
+      device.kind->travel.unit,
       device.name,
       device.damping,
       isPassive ? "PASS, whatever the hand does"
@@ -115,9 +115,7 @@ const protocols::Condition& conditionOf(
 /// The simulated device of the kind that @p condition is felt on.
 haptics::devices::Capabilities standInFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
-  const auto kind = protocol.device(condition.device)->kind;
-  return kind == haptics::devices::DeviceKind::Punch ? haptics::devices::simulatedPunch()
-                                                     : haptics::devices::simulatedReamer();
+  return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
 int explain(const ExplainOptions& options) {
@@ -140,11 +138,10 @@ int explain(const ExplainOptions& options) {
 }
 
 Motion motionFor(const PlayOptions& options, const haptics::devices::Capabilities& device) {
-  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
   Motion motion{.least = device.leastTravel, .most = device.mostTravel, .quantum = options.quantum};
   if (options.profile == "cut") motion.shape = Motion::Shape::Cut;
   if (options.profile == "sine") motion.shape = Motion::Shape::Sine;
-  motion.speed = options.speed.value_or(isPunch ? 57.0 : 0.005);  // the paper's speed of a cut
+  motion.speed = options.speed.value_or(device.kind->travel.playSpeed);
   motion.rate = options.rate.value_or(device.rate);
   return motion;
 }
@@ -212,7 +209,7 @@ int playScene(const PlayOptions& options) {
   report::Document document{
       .parts = {
           {.figures = {
-               {.chart = asChart(profile, curves, device->travelUnit, options.over == "time")}}}}};
+               {.chart = asChart(profile, curves, *device->kind, options.over == "time")}}}}};
   paintFigures(document);
   const auto& svg = document.parts.front().figures.front().svg;
   const std::string csv = beside(options.out, ".csv");

@@ -131,7 +131,7 @@ void addReamer(const engine::SceneSpec& spec, std::vector<bench::Contestant>& co
 
 std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
   std::vector<bench::Contestant> contestants;
-  if (engine::isBone(spec)) {
+  if (engine::tissueOf(spec) == haptics::devices::Tissue::Bone) {
     addReamer(spec, contestants);
   } else {
     addPunch(spec, contestants);

@@ -118,12 +118,11 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
 report::Chart asChart(
     const TravelProfile& profile,
     const std::vector<PlayedCurve>& curves,
-    const std::string& travelUnit,
+    const haptics::devices::DeviceKind& device,
     bool isOverTime) {
-  const bool isMetres = travelUnit == "m";
-  const double scale = isMetres ? 1000.0 : 1.0;
+  const double scale = device.shown.factor;
   report::Chart chart;
-  chart.x.title = isOverTime ? "time [s]" : isMetres ? "depth [mm]" : "travel [travel units]";
+  chart.x.title = isOverTime ? "time [s]" : device.shown.axis;
   chart.y.title = "force [N]";
   for (const auto& curve : curves) {
     report::ChartSeries series{.title = curve.title};

@@ -10,6 +10,8 @@
 #include <QEventLoop>
 #include <QTimer>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/parametric_bone.h"
@@ -45,6 +47,7 @@ struct Settings {
 
 /// A simulation with somebody at work in it.
 struct Subject {
+  const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
@@ -104,6 +107,7 @@ bool readSettings(const QCommandLineParser& parser, Settings& settings) {
 
 Subject kneeSubject(const Settings& settings) {
   Subject subject;
+  subject.device = &haptics::devices::punchKind();
   subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
   QElapsedTimer clock;
@@ -125,6 +129,7 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
 
 Subject hipSubject(const Settings& settings) {
   Subject subject;
+  subject.device = &haptics::devices::reamerKind();
   subject.spec.model = haptics::engine::PackingSpec{
       .bone = cupOf(settings.spheres), .hardness = 0.5, .forceScale = 0.15};
   subject.spec.isVisualised = true;
@@ -180,12 +185,8 @@ std::uint64_t bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
 }
 
 Measured measure(Subject subject, const Settings& settings) {
-  const bool isPunch = !isBone(subject.spec);
   SimulatedHand hand(subject.person);
-  SimulatedDevice device(
-      isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
-      isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
-      hand);
+  SimulatedDevice device(*subject.device, hand);
   Measured measured{.allBytes = bytesOfAllSpheres(subject.spec), .making = subject.making};
   Trial trial(
       device, {.scene = subject.spec, .limits = subject.limits, .keep = [](int, const auto&) {}});

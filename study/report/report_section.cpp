@@ -1,6 +1,7 @@
 #include "study/report/report_section.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "protocols/load_protocol.h"
@@ -64,6 +65,27 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
   return problems.all();
 }
 
+/// @p words with the sentences of the devices in @p protocol. Where all are of one kind, its
+/// sentences go before those of the catalogue; where they differ, they only fill its gaps.
+words::Words withDevices(const words::Words& words, const protocols::Protocol& protocol) {
+  std::set<const haptics::devices::DeviceKind*> kinds;
+  for (const auto& device : protocol.devices) kinds.insert(device.kind);
+  const bool isOneKind = kinds.size() == 1;
+  auto catalogue = words.catalogue();
+  for (const auto* kind : kinds) {
+    for (const auto& sentence : kind->sentences) {
+      if (sentence.language != words.language()) continue;
+      const std::string english(sentence.english);
+      if (isOneKind) {
+        catalogue.insert_or_assign(english, sentence.text);
+      } else if (words.language() != "en") {
+        catalogue.emplace(english, sentence.text);
+      }
+    }
+  }
+  return {words.language(), std::move(catalogue)};
+}
+
 }  // namespace
 
 const std::string& ReportSection::conditionTitle(const std::string& condition) const {
@@ -102,7 +124,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   return named;
 }
 
-ReportSection gather(Study& study, RunMode mode, words::Words words) {
+ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
   auto felt = feltResult(study, mode);
   return {
       .protocol = study.protocol().protocol,
@@ -118,7 +140,7 @@ ReportSection gather(Study& study, RunMode mode, words::Words words) {
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
       .figures = {},
-      .words = std::move(words)};
+      .words = withDevices(words, study.protocol().protocol)};
 }
 
 }  // namespace study::report

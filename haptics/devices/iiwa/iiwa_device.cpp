@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptics/devices/device_error.h"
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/timing/urgency.h"
 
@@ -33,9 +34,8 @@ Joints asJoints(const JointVector& vector) {
 
 Capabilities capabilitiesOf(const IiwaSettings& settings) {
   return {
-      .kind = DeviceKind::Reamer,
+      .kind = &reamerKind(),
       .name = "iiwa at " + settings.robot,
-      .travelUnit = "m",
       .leastTravel = 0.0,
       .mostTravel = settings.mostTravel,
       .maxForce = settings.maxForce,

@@ -29,11 +29,10 @@ std::string inHex(std::uint64_t number) {
 
 Capabilities capabilitiesOf(const PunchSettings& settings) {
   return {
-      .kind = DeviceKind::Punch,
-      .name = "punch on " + settings.port,
-      .travelUnit = "travel_unit",
-      .leastTravel = 0.0,
-      .mostTravel = 11.0,
+      .kind = settings.kind,
+      .name = std::string(settings.kind->name) + " on " + settings.port,
+      .leastTravel = settings.kind->travel.least,
+      .mostTravel = settings.kind->travel.most,
       .maxForce = settings.newtonsPerVolt * settings.maxVoltage,
       .damping = settings.damping,
       .rate = 1000.0,

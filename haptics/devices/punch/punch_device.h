@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "haptics/devices/device.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/serial_port.h"
 #include "haptics/engine/scene_spec.h"
 #include "haptics/timing/clock_drift.h"
@@ -17,21 +18,24 @@
 
 namespace haptics::devices {
 
-/// How a punch is connected, and what its numbers mean.
+/// How a device on a serial line is connected, and what its numbers mean.
 struct PunchSettings {
+  const DeviceKind* kind = &punchKind();
   std::string port;
   int baud = 0;                         ///< 0: USB
   std::optional<std::uint32_t> serial;  ///< of the board that is meant
   std::optional<std::uint64_t> build;   ///< of the firmware; nothing: the one of this program
-  double travelPerCount = 0.00439;      ///< [travel units]; negative where closing counts down
-  double travelAtZero = 0.0;            ///< at count 0 [travel units]
-  double newtonsPerVolt = 0.667;        ///< at the handle, measured; the same for every condition
-  double maxVoltage = 12.0;             ///< on the motor [V]
-  int expiry = 10;                      ///< after which the device lets go by itself [ms], 1 to 20
-  double damping = 0.05;                ///< of the mechanism [N·s/travel unit]
+  double travelPerCount =
+      kind->serial.travelPerCount;  ///< [travel units]; negative where closing counts down
+  double travelAtZero = 0.0;        ///< at count 0 [travel units]
+  double newtonsPerVolt = 0.667;    ///< at the handle, measured; the same for every condition
+  double maxVoltage = 12.0;         ///< on the motor [V]
+  int expiry = 10;                  ///< after which the device lets go by itself [ms], 1 to 20
+  double damping = kind->mechanism.damping;  ///< of the mechanism [N·s/travel unit]
 };
 
-/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry.
+/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry; or another kind
+/// of device that speaks as it does.
 ///
 /// One thread talks to the line at a time: whoever ticks while it is armed, a keeper of its own
 /// otherwise, which listens and drives nothing. The line is closed at the first error, and only
@@ -80,7 +84,9 @@ class PunchDevice final : public Device, private Beat {
   void startKeeper();
   void resumeKeeper() noexcept;
   void stopKeeper() noexcept;
-  std::string name() const { return "The punch on " + settings_.port; }
+  std::string name() const {
+    return "The " + std::string(settings_.kind->name) + " on " + settings_.port;
+  }
   template <typename Message>
   void say(const Message& message) noexcept {
     std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/parametric_material.h"
@@ -25,7 +27,7 @@ class HeldDevice final : public devices::Device {
   double commanded = 0.0;
 
  private:
-  devices::Capabilities capabilities_ = devices::simulatedPunch();
+  devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());
 };
 
 SceneSpec finiteElements() {
@@ -332,7 +334,7 @@ TEST_F(ForceEngineTest, CountsEachCutOnceAndAnewForEachScene) {
 
 TEST(SimulatedPunch, IsCutByASimulatedHandThroughTheEngine) {
   devices::SimulatedHand hand({});
-  devices::SimulatedDevice device(devices::simulatedPunch(), devices::punchMechanism(), hand);
+  devices::SimulatedDevice device(devices::punchKind(), hand);
   ForceEngine engine(device, {.maxForce = 8.0, .maxRate = 500.0});
   CompiledScene scene(finiteElements());
   engine.setScene(&scene);
@@ -350,7 +352,7 @@ TEST(SimulatedPunch, IsCutByASimulatedHandThroughTheEngine) {
 TEST(SimulatedReamer, IsPushedByASimulatedHandThroughTheEngine) {
   devices::SimulatedHand hand(
       {.closed = 0.035, .closeTime = 1.5, .openTime = 1.0, .stiffness = 6000.0, .damping = 150.0});
-  devices::SimulatedDevice device(devices::simulatedReamer(), devices::reamerMechanism(), hand);
+  devices::SimulatedDevice device(devices::reamerKind(), hand);
   ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0});
   MaterialSpec bone{.nodes = parametricMaterial(), .hardness = 0.5, .forceScale = 0.15};
   CompiledScene scene({.model = bone});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/compiled_scene.h"
@@ -81,8 +82,8 @@ TEST(RemovalModel, IsReamedByAHand) {
   devices::SimulatedHand::Person person{
       .open = 0.0, .closed = 0.02, .stiffness = 4000.0, .damping = 200.0};
   devices::SimulatedHand hand(person);
-  auto capabilities = devices::simulatedReamer();
-  devices::SimulatedDevice device(capabilities, devices::reamerMechanism(), hand);
+  auto capabilities = devices::simulated(devices::reamerKind());
+  devices::SimulatedDevice device(capabilities, devices::reamerKind().mechanism, hand);
   ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0, .maxVelocity = 1.0});
   CompiledScene scene({.model = spec(true)});
   engine.setScene(&scene);
