@@ -150,8 +150,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
        "force at most",
        text("%.2f N (%.3f N/V)", capabilities_.maxForce, settings_.newtonsPerVolt),
        ""});
-  auto open = Lifecycle::Open;
-  lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);  // unless it has failed meanwhile
+  setChecked();
   return found;
 }
 
