@@ -48,14 +48,9 @@ bool isToldAbout(const std::string& place, const Problems& problems) {
 
 /// A curve or a bone that could not be read has no points, and no spheres.
 bool isCurveThere(const haptics::engine::SceneSpec& scene) {
-  if (const auto* spec = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
-    return spec->bone != nullptr;
-  }
-  if (const auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&scene.model)) {
-    return !spec->curve.empty();
-  }
-  const auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&scene.model);
-  return kalman == nullptr || !kalman->interpolation.curve.empty();
+  const auto parts = haptics::engine::partsOf(scene.model);
+  if (parts.packing != nullptr && parts.packing->bone == nullptr) return false;
+  return parts.cut == nullptr || !parts.cut->curve.empty();
 }
 
 void checkParameters(
@@ -63,13 +58,20 @@ void checkParameters(
     const DeviceKind& device,
     const std::string& path,
     Problems& problems) {
-  const auto tissue = haptics::engine::tissueOf(scene);
+  const auto& [name, tissue, travelUnit] = haptics::engine::factsOf(scene.model);
   if (tissue != device.tissue) {
     problems.add(
         path + ".model",
         (tissue == Tissue::Bone ? "a reaming material is felt on a reamer, not on a "
                                 : "this model is felt on a punch, not on a ") +
             std::string(device.name),
+        "choose another model, or another device");
+  } else if (!travelUnit.empty() && travelUnit != device.travel.unit) {
+    problems.add(
+        path + ".model",
+        "the travel of " + std::string(name) + " is in '" + std::string(travelUnit) +
+            "', and that of a " + std::string(device.name) + " in '" +
+            std::string(device.travel.unit) + "'",
         "choose another model, or another device");
   }
   for (const auto& wrong : haptics::engine::problemsOf(scene)) {

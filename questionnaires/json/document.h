@@ -143,9 +143,8 @@ class Node {
   }
 
   /// One of several names, or @p fallback where the key is missing.
-  template <typename Enum, std::size_t kCount>
-  Enum choice(
-      std::string_view key, const std::array<Choice<Enum>, kCount>& choices, Enum fallback) const {
+  template <typename Choices, typename Value>
+  Value choice(std::string_view key, const Choices& choices, Value fallback) const {
     return has(key) ? choice(key, choices) : fallback;
   }
 

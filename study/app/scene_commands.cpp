@@ -11,6 +11,7 @@
 
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/model_names.h"
 #include "haptics/engine/passivity.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
@@ -153,30 +154,31 @@ void playCondition(
     haptics::engine::SceneSpec spec,
     const TravelProfile& profile,
     std::vector<PlayedCurve>& curves) {
-  auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&spec.model);
+  const auto* written = haptics::engine::partsOf(spec.model).filter;
   const bool isAlone = options.conditions.size() == 1;
   const auto add = [&](const std::string& title, bool withIngredients) {
     for (auto& curve : play(condition.id, title, spec, profile, withIngredients)) {
       curves.push_back(std::move(curve));
     }
   };
-  if (kalman == nullptr) {
+  if (written == nullptr) {
     add(condition.title, false);
     return;
   }
+  auto filter = *written;
   if (options.smoothing) {
-    kalman->smoothing = *options.smoothing == "none" ? haptics::models::Smoothing::None
-                        : *options.smoothing == "two-point"
-                            ? haptics::models::Smoothing::TwoPoint
-                            : haptics::models::Smoothing::AuthorsFirmware;
+    filter.smoothing =
+        haptics::engine::valueIn(haptics::engine::kSmoothingNames, *options.smoothing);
   }
+  spec.model = filter;
   if (options.interpolationNoise.empty()) {
     add(condition.title, isAlone);
     return;
   }
   bool isFirst = true;
   for (const double noise : options.interpolationNoise) {
-    kalman->noise.interpolation = noise;
+    filter.noise.interpolation = noise;
+    spec.model = filter;
     add(fmt::format("{} (R {:g} N²)", condition.title, noise), isAlone && isFirst);
     isFirst = false;
   }
@@ -224,6 +226,13 @@ int playScene(const PlayOptions& options) {
   return 0;
 }
 
+template <typename Names>
+std::vector<std::string> namesIn(const Names& known) {
+  std::vector<std::string> names;
+  for (const auto& named : known) names.emplace_back(named.name);
+  return names;
+}
+
 void addPlay(CLI::App& noun, Action& action) {
   auto options = std::make_shared<PlayOptions>();
   auto* play = noun.add_subcommand(
@@ -250,7 +259,7 @@ void addPlay(CLI::App& noun, Action& action) {
           "A filter once for each R of the interpolation [N²], as in the paper's Fig. 11")
       ->check(finiteRange(0.0, 1e9));
   play->add_option("--smoothing", options->smoothing, "Of a filter, instead of the protocol's")
-      ->check(CLI::IsMember({"none", "two-point", "authors-firmware"}));
+      ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
   play->add_option("--over", options->over, "What the figure's abscissa is")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();

@@ -80,12 +80,12 @@ std::vector<PlayedCurve> play(
     const TravelProfile& profile,
     bool withIngredients) {
   std::vector<PlayedCurve> curves;
-  const auto* kalman = std::get_if<engine::KalmanSpec>(&spec.model);
-  if (withIngredients && kalman != nullptr) {
+  const auto parts = engine::partsOf(spec.model);
+  if (withIngredients && parts.filter != nullptr) {
     auto part = spec;
-    part.model = kalman->interpolation;
+    part.model = *parts.cut;
     curves.push_back(alongOne(condition, "interpolation", part, profile));
-    part.model = kalman->finiteElements;
+    part.model = *parts.elements;
     curves.push_back(alongOne(condition, "finite elements", part, profile));
     for (auto& curve : curves) curve.isIngredient = true;
   }

@@ -144,7 +144,7 @@ Subject hipSubject(const Settings& settings) {
   QElapsedTimer clock;
   clock.start();
   subject.scene = std::make_unique<scene::HipScene>(scene::HipScene::Options{
-      .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
+      .packing = haptics::engine::partsOf(subject.spec.model).packing,
       .colours = settings.colours});
   subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
@@ -179,7 +179,7 @@ void savePicture(scene::SimulationView& view, const Settings& settings, int numb
 }
 
 std::uint64_t bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
-  const auto* packing = std::get_if<haptics::engine::PackingSpec>(&spec.model);
+  const auto* packing = haptics::engine::partsOf(spec.model).packing;
   return packing == nullptr ? 0
                             : packing->bone->packing.spheres.size() * sizeof(scene::SphereInstance);
 }

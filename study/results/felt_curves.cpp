@@ -67,14 +67,10 @@ class Bins {
 /// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
 /// any is gone, without jitter. Nothing for what depends on more than travel.
 std::vector<double> meantForces(
-    haptics::engine::SceneSpec scene, const std::vector<FeltCurve::Point>& points) {
-  if (haptics::engine::tissueOf(scene) != haptics::devices::Tissue::Bone) return {};
-  if (auto* packing = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
-    packing->isRemoved = false;
-  } else {
-    std::get<haptics::engine::MaterialSpec>(scene.model).jitter = {};
-  }
-  haptics::engine::CompiledScene compiled(scene);
+    const haptics::engine::SceneSpec& scene, const std::vector<FeltCurve::Point>& points) {
+  const auto model = haptics::engine::undisturbed(scene.model);
+  if (!model) return {};
+  haptics::engine::CompiledScene compiled({.model = *model});
   std::vector<double> forces;
   for (const auto& point : points) {
     forces.push_back(compiled.respond({.travel = point.travel}).force);

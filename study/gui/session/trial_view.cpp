@@ -1,7 +1,6 @@
 #include "study/gui/session/trial_view.h"
 
 #include <algorithm>
-#include <variant>
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -27,8 +26,8 @@ std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
     case View::Knee:
       return std::make_unique<scene::KneeScene>(knee);
     case View::Cup:
-      return std::make_unique<scene::HipScene>(scene::HipScene::Options{
-          .packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
+      return std::make_unique<scene::HipScene>(
+          scene::HipScene::Options{.packing = haptics::engine::partsOf(spec.model).packing});
     case View::None:
       break;
   }
