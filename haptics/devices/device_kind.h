@@ -121,7 +121,7 @@ struct DeviceKind {
   Text strokesName;  ///< "cuts"
   Text pointerHint;  ///< to a participant: how the space bar or the mouse moves a simulated one
 
-  /// What a report on studies with this kind alone says instead of a sentence of its catalogue.
+  /// What reports and exports of a study with this kind alone say instead of a sentence of theirs.
   struct Sentence {
     std::string_view language;
     std::string_view english;  ///< the sentence: "at least {} cut or stroke"

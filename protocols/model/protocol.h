@@ -232,6 +232,8 @@ struct Protocol {
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
+  /// Of all devices; nullptr where there are several kinds.
+  const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;
   const Cohort* cohort(std::string_view id) const noexcept;
 };

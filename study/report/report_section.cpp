@@ -1,7 +1,6 @@
 #include "study/report/report_section.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "protocols/load_protocol.h"
@@ -68,15 +67,12 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
 /// @p words with the sentences of the devices in @p protocol. Where all are of one kind, its
 /// sentences go before those of the catalogue; where they differ, they only fill its gaps.
 words::Words withDevices(const words::Words& words, const protocols::Protocol& protocol) {
-  std::set<const haptics::devices::DeviceKind*> kinds;
-  for (const auto& device : protocol.devices) kinds.insert(device.kind);
-  const bool isOneKind = kinds.size() == 1;
   auto catalogue = words.catalogue();
-  for (const auto* kind : kinds) {
-    for (const auto& sentence : kind->sentences) {
+  for (const auto& device : protocol.devices) {
+    for (const auto& sentence : device.kind->sentences) {
       if (sentence.language != words.language()) continue;
       const std::string english(sentence.english);
-      if (isOneKind) {
+      if (protocol.onlyDeviceKind() != nullptr) {
         catalogue.insert_or_assign(english, sentence.text);
       } else if (words.language() != "en") {
         catalogue.emplace(english, sentence.text);
