@@ -7,7 +7,6 @@
 
 #include "haptics/registry/device_kinds.h"
 #include "protocols/reading/analysis_file.h"
-#include "protocols/reading/choice_file.h"
 #include "protocols/reading/localized_file.h"
 #include "protocols/reading/phase_file.h"
 #include "protocols/reading/scene_file.h"
@@ -118,10 +117,20 @@ Cohort readCohort(const Node& node) {
   return cohort;
 }
 
-std::optional<const DeviceKind*> readKind(const Node& device) {
-  std::vector<Choice<const DeviceKind*>> kinds;
-  for (const auto* kind : haptics::deviceKinds()) kinds.push_back({kind->name, kind});
-  return readChoice(device, "kind", kinds);
+/// Of @p device; nullptr, and a problem, where there is none such.
+const DeviceKind* readKind(const Node& device) {
+  const std::string name = device.text("kind");
+  const auto* kind = haptics::deviceKindNamed(name);
+  if (kind != nullptr || name.empty()) return kind;  // what is no text has been told
+  std::string names;
+  for (const auto* known : haptics::deviceKinds()) {
+    names.append(names.empty() ? "" : ", ").append(known->name);
+  }
+  device.problem(
+      "kind",
+      "there is no kind of device '" + questionnaires::shown(name) + "'",
+      "write one of: " + names);
+  return nullptr;
 }
 
 DeviceNeed readDevice(const Node& node) {
@@ -136,9 +145,11 @@ DeviceNeed readDevice(const Node& node) {
     return device;
   }
   const std::string id = node.id("id");
-  const auto kind = readKind(node);
-  if (kind) device.id = id;  // without a kind it is as good as unread
-  device.kind = kind.value_or(device.kind);
+  const auto* kind = readKind(node);
+  if (kind != nullptr) {
+    device.id = id;  // without a kind it is as good as unread
+    device.kind = kind;
+  }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
   device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
   device.maxVelocity = node.number("max_velocity", 1e-3, 1e6, device.kind->travel.fastest);

@@ -87,8 +87,8 @@ std::vector<std::string> names() {
   return names;
 }
 INSTANTIATE_TEST_SUITE_P(
-    Registered, EveryDeviceKind, testing::ValuesIn(names()), [](const auto& info) {
-      return info.param;
+    Registered, EveryDeviceKind, testing::ValuesIn(names()), [](const auto& each) {
+      return each.param;
     });
 
 TEST(DeviceKinds, HaveNamesOfTheirOwn) {
