@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/paddle/paddle_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 
 namespace haptics {
@@ -11,6 +12,7 @@ const std::vector<const devices::DeviceKind*>& deviceKinds() {
   static const std::vector<const devices::DeviceKind*> kinds{
       &devices::punchKind(),
       &devices::reamerKind(),
+      &devices::paddleKind(),
   };
   return kinds;
 }
