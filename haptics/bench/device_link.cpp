@@ -12,8 +12,8 @@ namespace haptics::bench {
 namespace {
 
 engine::SafetyLimits limitsFor(const devices::Capabilities& device) {
-  const bool isPunch = device.kind == devices::DeviceKind::Punch;
-  return {.maxForce = device.maxForce, .maxRate = isPunch ? 300.0 : 5000.0};
+  const bool isBone = device.kind->tissue == devices::Tissue::Bone;
+  return {.maxForce = device.maxForce, .maxRate = isBone ? 5000.0 : 300.0};
 }
 
 /// Of this process, all threads [s].
@@ -28,20 +28,19 @@ double processorTime() noexcept {
 
 }  // namespace
 
-engine::SceneSpec sceneForLink(devices::DeviceKind kind) {
-  if (kind == devices::DeviceKind::Punch)
-    return {.device = kind, .model = engine::publishedElements(5)};
+engine::SceneSpec sceneForLink(devices::Tissue tissue) {
+  if (tissue == devices::Tissue::Meniscus) return {.model = engine::publishedElements(5)};
   engine::MaterialSpec material;
   material.nodes = engine::parametricMaterial();
   material.hardness = 1.0;
   material.forceScale = 0.15;
-  return {.device = kind, .model = material};
+  return {.model = material};
 }
 
 LinkLoop::LinkLoop(devices::Device& device)
     : device_(device),
       worthTheName_(0.05 * device.capabilities().maxForce),
-      scene_(sceneForLink(device.capabilities().kind)),
+      scene_(sceneForLink(device.capabilities().kind->tissue)),
       engine_(device, limitsFor(device.capabilities())) {
   engine_.setScene(&scene_);
   device_.arm();

@@ -12,9 +12,9 @@
 
 namespace haptics::bench {
 
-/// What a hand feels while a link is measured: five springs in a row on a punch; on a reamer a
+/// What a hand feels while a link is measured: five springs in a row; of bone a
 /// material of our own making, as hard as can be, at 15 % of its force.
-engine::SceneSpec sceneForLink(devices::DeviceKind kind);
+engine::SceneSpec sceneForLink(devices::Tissue tissue);
 
 /// What came of ticking at a device, from arming it to its end.
 struct LinkRun {

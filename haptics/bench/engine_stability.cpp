@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "haptics/bench/stability.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/force_engine.h"
@@ -50,7 +51,7 @@ class Mouthpiece final : public devices::Device {
   double commanded = 0.0;
 
  private:
-  devices::Capabilities capabilities_ = devices::simulatedPunch();
+  devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());
 };
 
 /// How far a force that is held over each tick is off on average while the tool closes evenly
@@ -145,7 +146,7 @@ void sweepRates(double effort, StabilityResult& result) {
   // A clock that trembles between a fifth and five times its period.
   for (const auto& [name, spec] : allScenes()) {
     devices::SimulatedHand hand({.variation = 0.3, .seed = 3});
-    devices::SimulatedDevice device(devices::simulatedPunch(), devices::punchMechanism(), hand);
+    devices::SimulatedDevice device(devices::punchKind(), hand);
     constexpr engine::SafetyLimits kLimits{.maxForce = 6.0, .maxRate = 300.0};
     engine::ForceEngine engine(device, kLimits);
     engine::CompiledScene scene(spec);

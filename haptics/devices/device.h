@@ -6,21 +6,15 @@
 
 #include "haptics/devices/beat.h"
 #include "haptics/devices/device_check.h"
+#include "haptics/devices/device_kind.h"
 #include "haptics/devices/link_report.h"
 
 namespace haptics::devices {
 
-/// Which instrument a device is.
-enum class DeviceKind {
-  Punch,   ///< arthroscopic punch, one degree of freedom; travel in travel units, 0 open, 10 closed
-  Reamer,  ///< acetabular reamer, moved along one axis; travel in metres
-};
-
-/// What a device can do, in its own units.
+/// What a device can do, in its kind's unit of travel.
 struct Capabilities {
-  DeviceKind kind = DeviceKind::Punch;
+  const DeviceKind* kind;  ///< what is the same for all of its kind; lives as long as the program
   std::string name;        ///< for people: "simulated punch"
-  std::string travelUnit;  ///< "travel_unit" or "m"
   double leastTravel = 0.0;
   double mostTravel = 10.0;
   double maxForce = 10.0;  ///< [N]

@@ -16,6 +16,9 @@ SimulatedDevice::SimulatedDevice(Capabilities capabilities, const Mechanism& mec
   travel_ = capabilities_.leastTravel;
 }
 
+SimulatedDevice::SimulatedDevice(const DeviceKind& kind, Hand& hand)
+    : SimulatedDevice(simulated(kind), kind.mechanism, hand) {}
+
 double SimulatedDevice::stopForce() const noexcept {
   const double beyond = travel_ > capabilities_.mostTravel    ? travel_ - capabilities_.mostTravel
                         : travel_ < capabilities_.leastTravel ? travel_ - capabilities_.leastTravel
@@ -46,44 +49,14 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
       .isHeld = isHeld_.load(std::memory_order_relaxed)};
 }
 
-Capabilities simulatedPunch() {
+Capabilities simulated(const DeviceKind& kind) {
   return {
-      .kind = DeviceKind::Punch,
-      .name = "simulated punch",
-      .travelUnit = "travel_unit",
-      .leastTravel = 0.0,
-      .mostTravel = 11.0,
-      .maxForce = 8.0,
-      .damping = punchMechanism().damping};
-}
-
-SimulatedDevice::Mechanism punchMechanism() {
-  return {
-      .mass = 0.004,
-      .damping = 0.05,
-      .stopStiffness = 80.0,
-      .stopDamping = 0.3,
-      .resolution = 0.0439};
-}
-
-Capabilities simulatedReamer() {
-  return {
-      .kind = DeviceKind::Reamer,
-      .name = "simulated reamer",
-      .travelUnit = "m",
-      .leastTravel = 0.0,
-      .mostTravel = 0.02,
-      .maxForce = 140.0,
-      .damping = reamerMechanism().damping};
-}
-
-SimulatedDevice::Mechanism reamerMechanism() {
-  return {
-      .mass = 4.0,
-      .damping = 60.0,
-      .stopStiffness = 40'000.0,
-      .stopDamping = 300.0,
-      .resolution = 0.0};
+      .kind = &kind,
+      .name = "simulated " + std::string(kind.name),
+      .leastTravel = kind.travel.least,
+      .mostTravel = kind.travel.most,
+      .maxForce = kind.simulatedForce,
+      .damping = kind.mechanism.damping};
 }
 
 }  // namespace haptics::devices

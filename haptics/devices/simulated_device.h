@@ -16,16 +16,10 @@ namespace haptics::devices {
 /// It moves when it is read: dt is its only clock. The hand outlives it.
 class SimulatedDevice final : public Device {
  public:
-  struct Mechanism {
-    double mass = 0.004;          ///< m [N·s² / travel unit], > 0
-    double damping = 0.05;        ///< b [N·s / travel unit], >= 0
-    double stopStiffness = 80.0;  ///< [N / travel unit], > 0
-    double stopDamping = 0.3;     ///< [N·s / travel unit], >= 0
-    double resolution = 0.0;      ///< of the encoder [travel unit]; 0: none
-  };
-
   /// @throws std::invalid_argument  if the mechanism makes no sense.
   SimulatedDevice(Capabilities capabilities, const Mechanism& mechanism, Hand& hand);
+  /// One of @p kind as it is registered.
+  SimulatedDevice(const DeviceKind& kind, Hand& hand);
 
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
   DeviceSample read(double dt) noexcept override;
@@ -54,13 +48,7 @@ class SimulatedDevice final : public Device {
   double force_ = 0.0;
 };
 
-/// The device of the punch paper, simulated: an encoder of 0.0439° as 0.0439 travel units, 8 N at
-/// the handle.
-Capabilities simulatedPunch();
-SimulatedDevice::Mechanism punchMechanism();
-
-/// A reamer on an arm that gives 140 N (KUKA LBR iiwa 14), moved along its axis, simulated.
-Capabilities simulatedReamer();
-SimulatedDevice::Mechanism reamerMechanism();
+/// What a simulated device of @p kind can do.
+Capabilities simulated(const DeviceKind& kind);
 
 }  // namespace haptics::devices

@@ -15,8 +15,8 @@ using timing::kMillisecond;
 
 constexpr std::int64_t kWatchdog = 40 * kMillisecond;
 
-devices::SimulatedDevice::Mechanism withoutEncoder() {
-  auto mechanism = devices::punchMechanism();
+devices::Mechanism withoutEncoder(const devices::DeviceKind& kind) {
+  auto mechanism = kind.mechanism;
   mechanism.resolution = 0.0;  // the encoder counts by itself
   return mechanism;
 }
@@ -71,7 +71,7 @@ PunchEmulator::PunchEmulator(const Options& options)
       line_(options.link),
       impairment_(serialFaults(options.seed)),
       hand_(options.person),
-      handle_(devices::simulatedPunch(), withoutEncoder(), hand_),
+      handle_(devices::simulated(*options.kind), withoutEncoder(*options.kind), hand_),
       start_(timing::now()) {
   if (options_.limits.build == 0) options_.limits.build = devices::kFirmwareBuild;
   if (options_.limits.serial == 0) options_.limits.serial = 1;
@@ -190,8 +190,9 @@ std::string PunchEmulator::status() const {
   std::snprintf(
       text.data(),
       text.size(),
-      "device=punch plugged=%d armed=%d travel=%.4f force_n=%.4f voltage_mv=%d steps=%llu "
+      "device=%s plugged=%d armed=%d travel=%.4f force_n=%.4f voltage_mv=%d steps=%llu "
       "let_go_ms=%.3f",
+      std::string(options_.kind->name).c_str(),
       line_.isPlugged() ? 1 : 0,
       program_->isArmed() ? 1 : 0,
       travel_,

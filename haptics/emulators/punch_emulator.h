@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/emulators/impairment.h"
@@ -14,21 +15,23 @@
 
 namespace haptics::emulators {
 
-/// A punch that does not exist, on a serial line that is none: the firmware's own program, compiled
-/// for this computer, with a simulated handle, motor, encoder and hand, and faults on command.
+/// A punch that does not exist, on a serial line that is none, or another kind that speaks as it
+/// does: the firmware's own program, compiled for this computer, with a simulated handle, motor,
+/// encoder and hand, and faults on command.
 ///
 /// The motor follows its voltage at once and gives newtonsPerVolt; a loop that hangs for 40 ms is
 /// reset, as the board's hardware watchdog does.
 class PunchEmulator {
  public:
   struct Options {
+    const devices::DeviceKind* kind = &devices::punchKind();
     std::string link;  ///< name for the port; empty: what the system gives
     devices::SimulatedHand::Person person;
     firmware::PunchLimits limits;
     double newtonsPerVolt = 0.667;
-    double travelPerCount = 0.00439;  ///< [travel units]
-    double clockDrift = 0.0;          ///< of the device's clock [parts per million]
-    std::uint64_t seed = 1;           ///< of faults
+    double travelPerCount = kind->serial.travelPerCount;  ///< [travel units]
+    double clockDrift = 0.0;  ///< of the device's clock [parts per million]
+    std::uint64_t seed = 1;   ///< of faults
   };
 
   explicit PunchEmulator(const Options& options);

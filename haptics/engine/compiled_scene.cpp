@@ -1,12 +1,12 @@
 #include "haptics/engine/compiled_scene.h"
 
-#include <array>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/engine/material_model.h"
+#include "haptics/engine/model_names.h"
 #include "haptics/engine/packing_model.h"
 #include "haptics/engine/punch_models.h"
 
@@ -25,11 +25,10 @@ constexpr const char* kBoneView = "bone: what changes in it";
 
 /// The reading of the paper that is rendered, by the names that protocols use.
 std::string inWords(const models::FiniteElements<double>::Parameters& p) {
-  constexpr std::array kWeights{"paper", "authors-firmware", "exact-kink"};
-  const std::string boundary = p.boundary == models::Boundary::A ? "A" : "B";
-  const std::string yielding = p.yielding == models::Yielding::Clip ? "clip" : "return-map";
-  return "boundary " + boundary + ", weights " + kWeights[static_cast<std::size_t>(p.weights)] +
-         ", yielding " + yielding;
+  std::string words = "boundary ";
+  words.append(nameIn(kBoundaryNames, p.boundary));
+  words.append(", weights ").append(nameIn(kWeightsNames, p.weights));
+  return words.append(", yielding ").append(nameIn(kYieldingNames, p.yielding));
 }
 
 std::string inHundredths(double share) {
@@ -39,12 +38,11 @@ std::string inHundredths(double share) {
 }
 
 std::string inWords(const KalmanSpec& spec) {
-  constexpr std::array kVariants{"paper-text", "authors-firmware", "sequential", "space-domain"};
-  constexpr std::array kSmoothings{"none", "two-point", "authors-firmware"};
-  return std::string("variant ") + kVariants[static_cast<std::size_t>(spec.scheme)] +
-         (spec.isProcessAsPrinted ? ", process as-printed" : "") + ", smoothing " +
-         kSmoothings[static_cast<std::size_t>(spec.smoothing)] + ", the interpolation weighs " +
-         inHundredths(interpolationWeight(spec));
+  std::string words = "variant ";
+  words.append(nameIn(kSchemeNames, spec.scheme));
+  if (spec.isProcessAsPrinted) words += ", process as-printed";
+  words.append(", smoothing ").append(nameIn(kSmoothingNames, spec.smoothing));
+  return words + ", the interpolation weighs " + inHundredths(interpolationWeight(spec));
 }
 
 /// What each model needs: built here, and nowhere else.
@@ -149,9 +147,8 @@ struct Builder {
 
 /// The tissue that is drawn while a punch is felt, whatever renders its force.
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
-  if (const auto* elements = std::get_if<FiniteElementsSpec>(&spec.model)) return *elements;
-  if (const auto* kalman = std::get_if<KalmanSpec>(&spec.model)) return kalman->finiteElements;
-  return {};
+  const auto* elements = partsOf(spec.model).elements;
+  return elements == nullptr ? FiniteElementsSpec{} : *elements;
 }
 
 }  // namespace
@@ -180,12 +177,12 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
 
   Builder builder{.isSeen = spec.isVisualised};
   std::visit(builder, spec.model);
-  const bool isPunch = spec.device == devices::DeviceKind::Punch;
-  if (spec.isVisualised && isPunch) {
+  const bool isMeniscus = factsOf(spec.model).tissue == devices::Tissue::Meniscus;
+  if (spec.isVisualised && isMeniscus) {
     mesh_.emplace(shownTissue(spec));
     builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
   } else {
-    builder.out(kMesh, isPunch ? "nothing is shown" : "no meniscus is shown");
+    builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");
   }
   bone_ = builder.bone;
   if (bone_ != nullptr) {

@@ -37,27 +37,12 @@ std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
 
 }  // namespace
 
-CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept {
-  if (kind == devices::DeviceKind::Punch) return {};
-  CutDetector::Parameters stroke;
-  stroke.closedAbove = 0.008;  // [m]: well into the bone
-  stroke.openBelow = 0.002;
-  stroke.contactForce = 1.0;
-  stroke.creep = 0.0;
-  stroke.yieldDrop = 1.0;
-  stroke.advance = 0.0003;
-  stroke.bottomAbove = 0.018;
-  stroke.bottomRise = 2.0;
-  stroke.retreat = 0.001;
-  return stroke;
-}
-
 ForceEngine::ForceEngine(devices::Device& device, const SafetyLimits& limits)
     : device_(device),
       limiter_(limits),
       gate_(checked(limits)),
       energy_(energySettings(device.capabilities(), limits)),
-      cuts_(cutParametersFor(device.capabilities().kind)) {}
+      cuts_(device.capabilities().kind->stroke) {}
 
 void ForceEngine::setScene(CompiledScene* scene) noexcept {
   scene_.store(scene, std::memory_order_release);

@@ -15,9 +15,6 @@ namespace haptics::engine {
 
 using CutDetector = models::CutDetector<double>;
 
-/// What counts as a cut on a punch, and as a stroke on a reamer.
-CutDetector::Parameters cutParametersFor(devices::DeviceKind kind) noexcept;
-
 /// Feels for a hand: reads the tool, asks a scene for a force, limits it, commands it, counts cuts.
 ///
 /// The engine owns neither thread nor clock. Whoever calls tick() decides what a millisecond is:

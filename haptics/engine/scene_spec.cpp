@@ -1,6 +1,7 @@
 #include "haptics/engine/scene_spec.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include "haptics/engine/material_model.h"
 #include "haptics/reaming/packing/packed_bone.h"
@@ -126,20 +127,46 @@ models::FiniteElements<double>::Parameters FiniteElementsSpec::asParameters() co
   return p;
 }
 
-bool isBone(const SceneSpec& spec) noexcept {
-  return std::holds_alternative<MaterialSpec>(spec.model) ||
-         std::holds_alternative<PackingSpec>(spec.model);
+const ModelFacts& factsOf(const ModelSpec& model) noexcept {
+  return std::visit(
+      [](const auto& spec) -> const ModelFacts& { return std::decay_t<decltype(spec)>::kFacts; },
+      model);
+}
+
+ModelParts partsOf(const ModelSpec& model) noexcept {
+  struct Parts {
+    ModelParts operator()(const InterpolationSpec& spec) const { return {.cut = &spec}; }
+    ModelParts operator()(const FiniteElementsSpec& spec) const { return {.elements = &spec}; }
+    ModelParts operator()(const KalmanSpec& spec) const {
+      return {.cut = &spec.interpolation, .elements = &spec.finiteElements, .filter = &spec};
+    }
+    ModelParts operator()(const MaterialSpec& spec) const { return {.material = &spec}; }
+    ModelParts operator()(const PackingSpec& spec) const { return {.packing = &spec}; }
+  };
+  return std::visit(Parts{}, model);
+}
+
+std::optional<ModelSpec> undisturbed(const ModelSpec& model) {
+  struct Undisturbed {
+    using Result = std::optional<ModelSpec>;
+    Result operator()(const InterpolationSpec&) const { return std::nullopt; }
+    Result operator()(const FiniteElementsSpec&) const { return std::nullopt; }
+    Result operator()(const KalmanSpec&) const { return std::nullopt; }
+    Result operator()(MaterialSpec spec) const {
+      spec.jitter = {};
+      return spec;
+    }
+    Result operator()(PackingSpec spec) const {
+      spec.isRemoved = false;
+      return spec;
+    }
+  };
+  return std::visit(Undisturbed{}, model);
 }
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
   Words problems;
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
-  const bool isMaterial = isBone(spec);
-  if (isMaterial != (spec.device == devices::DeviceKind::Reamer)) {
-    problems.push_back(
-        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
-                   : "this model is felt on a punch, not on a reamer");
-  }
   return problems;
 }
 

@@ -4,10 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "haptics/devices/device.h"
+#include "haptics/devices/device_kind.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
@@ -22,6 +23,13 @@ struct PackedBone;
 
 namespace haptics::engine {
 
+/// What is registered about a force model.
+struct ModelFacts {
+  std::string_view name;  ///< in protocols
+  devices::Tissue tissue;
+  std::string_view travelUnit;  ///< of the devices that it can be felt on; empty: any
+};
+
 /// Which branches of a recorded cut are felt.
 enum class Branches {
   ClosingOnly,  ///< opening goes back along the closing branch, as in the punch paper
@@ -30,6 +38,8 @@ enum class Branches {
 
 /// Force by interpolation of a recorded cut: eq. (2) of the punch paper.
 struct InterpolationSpec {
+  static constexpr ModelFacts kFacts{"interpolation", devices::Tissue::Meniscus, "travel_unit"};
+
   std::vector<models::CurveNode<double>> curve;
   models::Interpolation<double>::Options options;
   Branches branches = Branches::ClosingOnly;
@@ -40,6 +50,8 @@ struct InterpolationSpec {
 
 /// Force by one-dimensional finite elements: eq. (3)–(11) of the punch paper.
 struct FiniteElementsSpec {
+  static constexpr ModelFacts kFacts{"finite-elements", devices::Tissue::Meniscus, ""};
+
   models::FiniteElements<double>::Parameters parameters;
   std::vector<double> elementStiffnesses;  ///< of each element, where they differ; or none
 
@@ -49,6 +61,8 @@ struct FiniteElementsSpec {
 
 /// Both fused by a Kalman filter: eq. (12)–(24) of the punch paper.
 struct KalmanSpec {
+  static constexpr ModelFacts kFacts{"kalman", devices::Tissue::Meniscus, "travel_unit"};
+
   InterpolationSpec interpolation;
   FiniteElementsSpec finiteElements;
   models::KalmanNoise<double> noise;
@@ -68,6 +82,8 @@ struct MaterialNode {
 /// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes; or between
 /// the three curves of a fitted material.
 struct MaterialSpec {
+  static constexpr ModelFacts kFacts{"material", devices::Tissue::Bone, "m"};
+
   std::vector<MaterialNode> nodes;
   reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
   bool isMeasured = false;         ///< somebody has measured the curves
@@ -80,6 +96,8 @@ struct MaterialSpec {
 
 /// A bone of spheres, felt along the axis of its plunge: as it is, or as the reamer leaves it.
 struct PackingSpec {
+  static constexpr ModelFacts kFacts{"packing", devices::Tissue::Bone, "m"};
+
   std::shared_ptr<const reaming::PackedBone> bone;
   double hardness = 0.5;         ///< h, from 0 (minimum curve) to 1 (maximum curve)
   double forceScale = 1.0;       ///< everything times this, in (0, 1]
@@ -87,15 +105,32 @@ struct PackingSpec {
   reaming::BoneOptions options;  ///< of a bone that is cut; the coverage is the bone's own
 };
 
+/// Every force model that there is. One that is added is registered here; the compiler then points
+/// to everything that has to be said about it.
+using ModelSpec =
+    std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec>;
+
+const ModelFacts& factsOf(const ModelSpec& model) noexcept;
+
+/// What a model is or is made of; nullptr for what it has not. Lives as long as the model.
+struct ModelParts {
+  const InterpolationSpec* cut = nullptr;
+  const FiniteElementsSpec* elements = nullptr;
+  const KalmanSpec* filter = nullptr;
+  const MaterialSpec* material = nullptr;
+  const PackingSpec* packing = nullptr;
+};
+ModelParts partsOf(const ModelSpec& model) noexcept;
+
+/// The same model as a curve over travel: without noise, and before anything is taken away. Nothing
+/// for a model whose force depends on more than travel, or is a recording's.
+std::optional<ModelSpec> undisturbed(const ModelSpec& model);
+
 /// All that a condition says about what is to be felt and seen.
 struct SceneSpec {
-  devices::DeviceKind device = devices::DeviceKind::Punch;
-  std::variant<InterpolationSpec, FiniteElementsSpec, KalmanSpec, MaterialSpec, PackingSpec> model;
+  ModelSpec model;
   bool isVisualised = false;
 };
-
-/// Whether it is bone, which is felt on a reamer; all else is felt on a punch.
-bool isBone(const SceneSpec& spec) noexcept;
 
 /// Everything that is wrong with @p spec, in words; empty where it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);

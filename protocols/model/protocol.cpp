@@ -33,6 +33,13 @@ const Condition* Protocol::condition(std::string_view id) const noexcept {
 const DeviceNeed* Protocol::device(std::string_view id) const noexcept {
   return withId(devices, id);
 }
+const haptics::devices::DeviceKind* Protocol::onlyDeviceKind() const noexcept {
+  const bool isOne =
+      !devices.empty() && std::all_of(devices.begin(), devices.end(), [&](const auto& need) {
+        return need.kind == devices.front().kind;
+      });
+  return isOne ? devices.front().kind : nullptr;
+}
 const Phase* Protocol::phase(std::string_view id) const noexcept {
   return withId(phases, id);
 }

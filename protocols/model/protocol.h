@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/devices/device.h"
+#include "haptics/devices/device_kind.h"
 #include "haptics/engine/scene_spec.h"
 #include "questionnaires/model/localized_text.h"
 
@@ -37,7 +37,7 @@ struct Cohort {
 /// An instrument that the study needs, and how hard it may ever push.
 struct DeviceNeed {
   std::string id;
-  haptics::devices::DeviceKind kind = haptics::devices::DeviceKind::Punch;
+  const haptics::devices::DeviceKind* kind;
   double maxForce = 0.0;               ///< [N]
   double maxForceRate = 0.0;           ///< [N/s]
   double maxVelocity = 300.0;          ///< beyond it nobody holds the tool [device's travel unit/s]
@@ -232,6 +232,8 @@ struct Protocol {
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
+  /// Of all devices; nullptr where there are several kinds.
+  const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;
   const Cohort* cohort(std::string_view id) const noexcept;
 };

@@ -11,12 +11,9 @@ namespace protocols {
 
 /// What the word behind @p key stands for; nothing, and a problem, where it is none of @p choices:
 /// for words that decide what else is read.
-template <typename Enum, std::size_t kCount>
-std::optional<Enum> readChoice(
-    const questionnaires::Node& node,
-    std::string_view key,
-    const std::array<questionnaires::Choice<Enum>, kCount>& choices) {
-  const Enum value = node.choice(key, choices);
+template <typename Choices>
+auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
+  const auto value = node.choice(key, choices);
   const auto written = node.member(key);
   const bool isKnown = written && written->isText() &&
                        std::any_of(choices.begin(), choices.end(), [&](const auto& choice) {

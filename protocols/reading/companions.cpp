@@ -142,9 +142,11 @@ void Companions::readMaterial(Condition& condition) {
         "choose another 'test_set'");
     return;
   }
-  auto& spec = std::get<haptics::engine::MaterialSpec>(condition.scene.model);
+  auto spec = *haptics::engine::partsOf(condition.scene.model).material;
   spec.curves = set->force;
   spec.isMeasured = !material->isSynthetic;
+  if (reference.hasJitter) spec.jitter = set->jitter;
+  condition.scene.model = std::move(spec);
   tellSource(
       {.kind = "material",
        .file = reference.name,
@@ -153,22 +155,22 @@ void Companions::readMaterial(Condition& condition) {
        .isSynthetic = material->isSynthetic,
        .conditions = {}},
       condition);
-  if (reference.hasJitter) spec.jitter = set->jitter;
 }
 
 void Companions::readPacking(Condition& condition) {
   if (!condition.packing || condition.packing->name.empty()) return;
-  auto& spec = std::get<haptics::engine::PackingSpec>(condition.scene.model);
   const auto packing = packingOf(*condition.packing);
+  if (!packing.bone) return;
+  auto spec = *haptics::engine::partsOf(condition.scene.model).packing;
   spec.bone = packing.bone;
-  if (!spec.bone) return;
+  condition.scene.model = std::move(spec);
   const bool isOwn = condition.packing->name == kParametricBone;
   tellSource(
       {.kind = "packing",
        .file = isOwn ? std::string() : condition.packing->name,
-       .title = spec.bone->title,
+       .title = packing.bone->title,
        .origin = packing.origin,
-       .isSynthetic = spec.bone->isSynthetic,
+       .isSynthetic = packing.bone->isSynthetic,
        .conditions = {}},
       condition);
 }
@@ -202,12 +204,17 @@ void Companions::readCut(Condition& condition) {
   if (!condition.cut || condition.cut->name.empty()) return;
   const auto cut = cutOf(*condition.cut);
   if (!cut) return;
-  auto& model = condition.scene.model;
-  auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&model);
-  auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&model);
-  if (kalman != nullptr) spec = &kalman->interpolation;
-  if (spec == nullptr) return;
-  fill(*spec, *cut);
+  const auto parts = haptics::engine::partsOf(condition.scene.model);
+  if (parts.cut == nullptr) return;
+  auto recorded = *parts.cut;
+  fill(recorded, *cut);
+  if (parts.filter != nullptr) {
+    auto filter = *parts.filter;
+    filter.interpolation = std::move(recorded);
+    condition.scene.model = std::move(filter);
+  } else {
+    condition.scene.model = std::move(recorded);
+  }
   const bool isOwn = condition.cut->name == kParametricCut;
   tellSource(
       {.kind = "cut",

@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
+#include "haptics/registry/device_kinds.h"
 #include "protocols/reading/analysis_file.h"
-#include "protocols/reading/choice_file.h"
 #include "protocols/reading/localized_file.h"
 #include "protocols/reading/phase_file.h"
 #include "protocols/reading/scene_file.h"
@@ -23,10 +23,6 @@ using questionnaires::Node;
 constexpr std::string_view kSchema = "protocol-1.schema.json";
 constexpr std::int64_t kMostExactWhole = std::int64_t{1} << 53;
 
-constexpr std::array kDeviceKinds{
-    Choice<DeviceKind>{"punch", DeviceKind::Punch},
-    Choice<DeviceKind>{"reamer", DeviceKind::Reamer},
-};
 constexpr std::array kPolicies{
     Choice<LabelPolicy>{"condition", LabelPolicy::Condition},
     Choice<LabelPolicy>{"position", LabelPolicy::Position},
@@ -121,12 +117,24 @@ Cohort readCohort(const Node& node) {
   return cohort;
 }
 
-// A hand closes a punch at 60 travel units a second when it hurries, and reams slower than 0.1 m/s.
-constexpr double kFastestPunch = 300.0;  // [travel units/s]
-constexpr double kFastestReamer = 1.0;   // [m/s]
+/// Of @p device; nullptr, and a problem, where there is none such.
+const DeviceKind* readKind(const Node& device) {
+  const std::string name = device.text("kind");
+  const auto* kind = haptics::deviceKindNamed(name);
+  if (kind != nullptr || name.empty()) return kind;  // what is no text has been told
+  std::string names;
+  for (const auto* known : haptics::deviceKinds()) {
+    names.append(names.empty() ? "" : ", ").append(known->name);
+  }
+  device.problem(
+      "kind",
+      "there is no kind of device '" + questionnaires::shown(name) + "'",
+      "write one of: " + names);
+  return nullptr;
+}
 
 DeviceNeed readDevice(const Node& node) {
-  DeviceNeed device;
+  DeviceNeed device{.kind = haptics::deviceKinds().front()};
   if (!node.isObjectWith(
           {"id",
            "kind",
@@ -137,14 +145,14 @@ DeviceNeed readDevice(const Node& node) {
     return device;
   }
   const std::string id = node.id("id");
-  const auto kind = readChoice(node, "kind", kDeviceKinds);
-  if (kind) device.id = id;  // without a kind it is as good as unread
-  device.kind = kind.value_or(device.kind);
+  const auto* kind = readKind(node);
+  if (kind != nullptr) {
+    device.id = id;  // without a kind it is as good as unread
+    device.kind = kind;
+  }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
   device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
-  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
-  device.maxVelocity =
-      node.number("max_velocity", 1e-3, 1e6, isPunch ? kFastestPunch : kFastestReamer);
+  device.maxVelocity = node.number("max_velocity", 1e-3, 1e6, device.kind->travel.fastest);
   device.isPassivityControlled = node.flag("passivity_control", false);
   return device;
 }

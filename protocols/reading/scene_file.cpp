@@ -1,7 +1,10 @@
 #include "protocols/reading/scene_file.h"
 
 #include <array>
+#include <type_traits>
+#include <variant>
 
+#include "haptics/engine/model_names.h"
 #include "haptics/engine/parametric_material.h"
 #include "protocols/reading/choice_file.h"
 
@@ -13,60 +16,7 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-enum class Model { Interpolation, FiniteElements, Kalman, Material, Packing };
-
-constexpr std::array kModels{
-    Choice<Model>{"interpolation", Model::Interpolation},
-    Choice<Model>{"finite-elements", Model::FiniteElements},
-    Choice<Model>{"kalman", Model::Kalman},
-    Choice<Model>{"material", Model::Material},
-    Choice<Model>{"packing", Model::Packing},
-};
-
-constexpr std::array kBeyond{
-    Choice<models::BeyondCurve>{"ramp-out", models::BeyondCurve::RampOut},
-    Choice<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
-    Choice<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
-    Choice<models::BeyondCurve>{"authors-clamp", models::BeyondCurve::AuthorsClamp},
-};
-constexpr std::array kBranches{
-    Choice<engine::Branches>{"closing-only", engine::Branches::ClosingOnly},
-    Choice<engine::Branches>{"hysteresis", engine::Branches::Hysteresis},
-};
-
-constexpr std::array kBoundaries{
-    Choice<models::Boundary>{"A", models::Boundary::A},
-    Choice<models::Boundary>{"B", models::Boundary::B},
-};
-constexpr std::array kWeights{
-    Choice<models::ToolWeights>{"paper", models::ToolWeights::Paper},
-    Choice<models::ToolWeights>{"authors-firmware", models::ToolWeights::AuthorsFirmware},
-    Choice<models::ToolWeights>{"exact-kink", models::ToolWeights::ExactKink},
-};
-constexpr std::array kYieldings{
-    Choice<models::Yielding>{"clip", models::Yielding::Clip},
-    Choice<models::Yielding>{"return-map", models::Yielding::ReturnMap},
-};
-
-constexpr std::array kVariants{
-    Choice<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},
-    Choice<models::KalmanScheme>{"authors-firmware", models::KalmanScheme::AuthorsFirmware},
-    Choice<models::KalmanScheme>{"sequential", models::KalmanScheme::Sequential},
-    Choice<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
-};
-constexpr std::array kProcesses{
-    Choice<models::ProcessReading>{"as-printed", models::ProcessReading::AsPrinted},
-    Choice<models::ProcessReading>{"symmetrised", models::ProcessReading::Symmetrised},
-    Choice<models::ProcessReading>{"state-order", models::ProcessReading::StateOrder},
-    Choice<models::ProcessReading>{"product", models::ProcessReading::Product},
-};
 constexpr auto kUsualProcess = models::ProcessReading::StateOrder;
-constexpr std::array kSmoothings{
-    Choice<models::Smoothing>{"none", models::Smoothing::None},
-    Choice<models::Smoothing>{"two-point", models::Smoothing::TwoPoint},
-    Choice<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
-};
-
 using haptics::reaming::TestSet;
 constexpr std::array kTestSets{
     Choice<TestSet>{"static", TestSet::Static},
@@ -82,9 +32,9 @@ engine::InterpolationSpec readInterpolation(const Node& node, Condition& conditi
   }
   const std::string cut = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
   condition.cut = CutReference{cut, node.pathOf("cut")};
-  spec.options.beyond = node.choice("beyond", kBeyond, spec.options.beyond);
+  spec.options.beyond = node.choice("beyond", engine::kBeyondNames, spec.options.beyond);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
-  spec.branches = node.choice("branches", kBranches, spec.branches);
+  spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
   if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
   return spec;
@@ -126,9 +76,9 @@ engine::FiniteElementsSpec readFiniteElements(const Node& node) {
   }
   p.contact = node.number("contact_travel", -1000.0, 1000.0, p.contact);
   p.yieldForce = node.number("yield_force_n", 0.0, 1000.0, p.yieldForce);
-  p.boundary = node.choice("boundary", kBoundaries, p.boundary);
-  p.weights = node.choice("weights", kWeights, p.weights);
-  p.yielding = node.choice("yielding", kYieldings, p.yielding);
+  p.boundary = node.choice("boundary", engine::kBoundaryNames, p.boundary);
+  p.weights = node.choice("weights", engine::kWeightsNames, p.weights);
+  p.yielding = node.choice("yielding", engine::kYieldingNames, p.yielding);
   return spec;
 }
 
@@ -152,7 +102,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
     return;
   }
   constexpr double kMost = 1e9;
-  const auto reading = node.choice("process", kProcesses, kUsualProcess);
+  const auto reading = node.choice("process", engine::kProcessNames, kUsualProcess);
   auto noise = models::KalmanNoise<double>::published(reading);
   spec.isProcessAsPrinted = reading == models::ProcessReading::AsPrinted;
   if (spec.isProcessAsPrinted) refuseNumbersBesideAsPrinted(node);
@@ -173,8 +123,8 @@ engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
   if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {
     return spec;
   }
-  spec.scheme = node.choice("variant", kVariants, spec.scheme);
-  spec.smoothing = node.choice("smoothing", kSmoothings, spec.smoothing);
+  spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
+  spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
   condition.cut = CutReference{std::string(kParametricCut), node.pathOf("interpolation.cut")};
   if (const auto part = node.object("interpolation")) {
     spec.interpolation = readInterpolation(*part, condition);
@@ -261,6 +211,38 @@ engine::PackingSpec readPacking(const Node& node, Condition& condition) {
   return spec;
 }
 
+/// The reader of each model; one that is registered and has none does not compile.
+template <typename Spec>
+engine::ModelSpec readModel(const Node& parameters, Condition& condition) = delete;
+template <>
+engine::ModelSpec readModel<engine::InterpolationSpec>(const Node& node, Condition& condition) {
+  return readInterpolation(node, condition);
+}
+template <>
+engine::ModelSpec readModel<engine::FiniteElementsSpec>(const Node& node, Condition&) {
+  return readFiniteElements(node);
+}
+template <>
+engine::ModelSpec readModel<engine::KalmanSpec>(const Node& node, Condition& condition) {
+  return readKalman(node, condition);
+}
+template <>
+engine::ModelSpec readModel<engine::MaterialSpec>(const Node& node, Condition& condition) {
+  return readMaterial(node, condition);
+}
+template <>
+engine::ModelSpec readModel<engine::PackingSpec>(const Node& node, Condition& condition) {
+  return readPacking(node, condition);
+}
+
+using ReadModel = engine::ModelSpec (*)(const Node&, Condition&);
+
+template <typename... Spec>
+constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
+  return std::array{Choice<ReadModel>{Spec::kFacts.name, readModel<Spec>}...};
+}
+constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
+
 }  // namespace
 
 void readScene(const Node& scene, Condition& condition) {
@@ -272,24 +254,7 @@ void readScene(const Node& scene, Condition& condition) {
   }
   const auto model = readChoice(scene, "model", kModels);
   const auto parameters = scene.requiredObject("parameters");
-  if (!model || !parameters) return;
-  switch (*model) {
-    case Model::Interpolation:
-      condition.scene.model = readInterpolation(*parameters, condition);
-      break;
-    case Model::FiniteElements:
-      condition.scene.model = readFiniteElements(*parameters);
-      break;
-    case Model::Kalman:
-      condition.scene.model = readKalman(*parameters, condition);
-      break;
-    case Model::Packing:
-      condition.scene.model = readPacking(*parameters, condition);
-      break;
-    case Model::Material:
-      condition.scene.model = readMaterial(*parameters, condition);
-      break;
-  }
+  if (model && parameters) condition.scene.model = (*model)(*parameters, condition);
 }
 
 }  // namespace protocols

@@ -14,6 +14,8 @@ namespace protocols {
 namespace {
 
 using haptics::devices::DeviceKind;
+using haptics::devices::Tissue;
+using haptics::devices::View;
 using questionnaires::Instrument;
 using questionnaires::ItemType;
 using questionnaires::OptionSource;
@@ -46,33 +48,46 @@ bool isToldAbout(const std::string& place, const Problems& problems) {
 
 /// A curve or a bone that could not be read has no points, and no spheres.
 bool isCurveThere(const haptics::engine::SceneSpec& scene) {
-  if (const auto* spec = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
-    return spec->bone != nullptr;
-  }
-  if (const auto* spec = std::get_if<haptics::engine::InterpolationSpec>(&scene.model)) {
-    return !spec->curve.empty();
-  }
-  const auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&scene.model);
-  return kalman == nullptr || !kalman->interpolation.curve.empty();
+  const auto parts = haptics::engine::partsOf(scene.model);
+  if (parts.packing != nullptr && parts.packing->bone == nullptr) return false;
+  return parts.cut == nullptr || !parts.cut->curve.empty();
 }
 
 void checkParameters(
-    haptics::engine::SceneSpec scene,
-    DeviceKind device,
+    const haptics::engine::SceneSpec& scene,
+    const DeviceKind& device,
     const std::string& path,
     Problems& problems) {
-  const bool isMaterial = haptics::engine::isBone(scene);
-  scene.device = isMaterial ? DeviceKind::Reamer : DeviceKind::Punch;
-  if (scene.device != device) {
+  const auto& [name, tissue, travelUnit] = haptics::engine::factsOf(scene.model);
+  if (tissue != device.tissue) {
     problems.add(
         path + ".model",
-        isMaterial ? "a reaming material is felt on a reamer, not on a punch"
-                   : "this model is felt on a punch, not on a reamer",
+        (tissue == Tissue::Bone ? "a reaming material is felt on a reamer, not on a "
+                                : "this model is felt on a punch, not on a ") +
+            std::string(device.name),
+        "choose another model, or another device");
+  } else if (!travelUnit.empty() && travelUnit != device.travel.unit) {
+    problems.add(
+        path + ".model",
+        "the travel of " + std::string(name) + " is in '" + std::string(travelUnit) +
+            "', and that of a " + std::string(device.name) + " in '" +
+            std::string(device.travel.unit) + "'",
         "choose another model, or another device");
   }
   for (const auto& wrong : haptics::engine::problemsOf(scene)) {
     problems.add(path + ".parameters", wrong, "see \"Scenes\" in docs/protocol-format.md");
   }
+}
+
+/// Whether @p condition is to be seen, in its own block or in any.
+bool isSeen(const Draft& draft, const Condition& condition) {
+  const auto& phases = draft.loaded.protocol.phases;
+  return condition.scene.isVisualised ||
+         std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
+           const auto& felt = phase.trials.conditions;
+           return phase.trials.isVisualised.value_or(false) &&
+                  std::find(felt.begin(), felt.end(), condition.id) != felt.end();
+         });
 }
 
 void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
@@ -87,14 +102,21 @@ void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
         "add it to 'devices', or correct the name");
   }
   const auto* device = draft.loaded.protocol.device(condition.device);
-  if (condition.anatomy && device != nullptr && device->kind != DeviceKind::Punch) {
+  if (condition.anatomy && device != nullptr && device->kind->view != View::Knee) {
     problems.add(
         path + ".anatomy",
-        "a knee is seen with a punch, not with a reamer",
-        "remove it; the bone that a reamer shows is its packing");
+        "a knee is seen with a punch, not with a " + std::string(device->kind->name),
+        device->kind->view == View::Cup ? "remove it; the bone that a reamer shows is its packing"
+                                        : "remove it");
+  }
+  if (device != nullptr && device->kind->view == View::None && isSeen(draft, condition)) {
+    problems.add(
+        path + ".visualisation",
+        "nothing can be seen with a " + std::string(device->kind->name),
+        "set it to false, here and in the blocks that show this condition");
   }
   if (isRead && device != nullptr && isCurveThere(condition.scene)) {
-    checkParameters(condition.scene, device->kind, path, problems);
+    checkParameters(condition.scene, *device->kind, path, problems);
   }
 }
 

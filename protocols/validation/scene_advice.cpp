@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/models/interpolation.h"
@@ -99,13 +98,9 @@ void adviseOnScenes(const Protocol& protocol, Problems& problems) {
           "it is never seen",
           "set 'visualisation' to true, in the scene or in a block");
     }
-    const auto& model = condition.scene.model;
-    if (const auto* kalman = std::get_if<engine::KalmanSpec>(&model)) {
-      adviseOnWeight(*kalman, path, problems);
-      adviseOnBranches(kalman->interpolation, path, problems);
-    } else if (const auto* spec = std::get_if<engine::InterpolationSpec>(&model)) {
-      adviseOnBranches(*spec, path, problems);
-    }
+    const auto parts = engine::partsOf(condition.scene.model);
+    if (parts.filter != nullptr) adviseOnWeight(*parts.filter, path, problems);
+    if (parts.cut != nullptr) adviseOnBranches(*parts.cut, path, problems);
   }
   for (const auto& phase : protocol.phases) adviseOnAnatomy(protocol, phase.trials, problems);
 }

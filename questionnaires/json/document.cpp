@@ -26,13 +26,12 @@ void Node::warning(std::string_view key, std::string what, std::string fix) cons
   problems_->warn(pathOf(key), std::move(what), std::move(fix));
 }
 
-bool Node::isObjectWith(std::initializer_list<std::string_view> known) const {
+bool Node::isObjectWith(std::span<const std::string_view> names) const {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) {
     problem("", "an object is expected here, not " + kindOf(*value_), "write { … }");
     return false;
   }
-  const std::span<const std::string_view> names(known.begin(), known.size());
   for (const auto& member : *object) {
     if (std::find(names.begin(), names.end(), member.key) != names.end()) continue;
     const auto meant = nearest(member.key, names);

@@ -73,7 +73,10 @@ class Node {
 
   /// Refuses every key that is not in @p known, and names the nearest known one. False, and a
   /// problem, where this is no object at all.
-  bool isObjectWith(std::initializer_list<std::string_view> known) const;
+  bool isObjectWith(std::initializer_list<std::string_view> known) const {
+    return isObjectWith(std::span(known.begin(), known.size()));
+  }
+  bool isObjectWith(std::span<const std::string_view> known) const;
 
   bool has(std::string_view key) const noexcept { return find(key) != nullptr; }
   bool isText() const noexcept { return std::holds_alternative<std::string>(value_->data); }
@@ -121,8 +124,8 @@ class Node {
   std::vector<std::string> ids(std::string_view key) const;
 
   /// One of several names; required.
-  template <typename Enum, std::size_t kCount>
-  Enum choice(std::string_view key, const std::array<Choice<Enum>, kCount>& choices) const {
+  template <typename Choices>
+  auto choice(std::string_view key, const Choices& choices) const {
     std::vector<std::string_view> names;
     names.reserve(choices.size());
     for (const auto& choice : choices) names.push_back(choice.name);
@@ -140,9 +143,8 @@ class Node {
   }
 
   /// One of several names, or @p fallback where the key is missing.
-  template <typename Enum, std::size_t kCount>
-  Enum choice(
-      std::string_view key, const std::array<Choice<Enum>, kCount>& choices, Enum fallback) const {
+  template <typename Choices, typename Value>
+  Value choice(std::string_view key, const Choices& choices, Value fallback) const {
     return has(key) ? choice(key, choices) : fallback;
   }
 

@@ -108,7 +108,7 @@ Instrument readRoot(const Node& root) {
   instrument.title = texts.required(root, "title");
   instrument.introduction = texts.optional(root, "introduction");
   instrument.source = readSource(root);
-  instrument.occasions = root.choice<Occasions>("occasions", kOccasions, Occasions::Once);
+  instrument.occasions = root.choice("occasions", kOccasions, Occasions::Once);
   readLists(root, texts, instrument);
   return instrument;
 }

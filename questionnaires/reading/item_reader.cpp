@@ -141,7 +141,7 @@ std::optional<Choice<ItemType>> typeOf(const Node& node) {
         kItemTypes.begin(), kItemTypes.end(), [&](const auto& t) { return t.name == word; });
     if (type != kItemTypes.end()) return *type;
   }
-  node.choice<ItemType>("type", kItemTypes);
+  node.choice("type", kItemTypes);
   return std::nullopt;
 }
 
@@ -237,7 +237,7 @@ void ItemReader::readHead(const Node& node, Item& item) const {
   item.key = static_cast<int>(node.wholeNumber("key", -1, 1, 1));
   item.isRequired = node.flag("required", true);
   item.isIdentifying = node.flag("identifying", false);
-  item.reference = node.choice<Reference>("relative_to", kReferences, Reference::None);
+  item.reference = node.choice("relative_to", kReferences, Reference::None);
   if (node.has("acceptable_from")) {
     const double from = node.number("acceptable_from", -kLargestBound, kLargestBound, kUnread);
     if (!std::isnan(from)) item.acceptableFrom = from;
@@ -312,7 +312,7 @@ void ItemReader::readOptions(const Node& node, Item& item) const {
   if (node.has("options") && node.has("options_from")) {
     node.problem("options", "options beside options_from", "keep one of the two");
   }
-  item.optionSource = node.choice<OptionSource>("options_from", kSources, OptionSource::Listed);
+  item.optionSource = node.choice("options_from", kSources, OptionSource::Listed);
   for (const auto& option : node.list("options", kMostOptions)) {
     item.options.push_back(readOption(option, item.options.size()));
   }

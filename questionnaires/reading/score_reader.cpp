@@ -90,7 +90,7 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
     node.problem("items", "this score counts no items", "name at least one");
   }
   score.items = node.ids("items");
-  score.aggregate = node.choice<Score::Aggregate>("aggregate", kAggregates, score.aggregate);
+  score.aggregate = node.choice("aggregate", kAggregates, score.aggregate);
   score.reverseByKey = node.flag("reverse_by_key", true);
   score.offset = node.number("offset", -kLargestFactor, kLargestFactor, 0.0);
   score.factor = node.number("factor", -kLargestFactor, kLargestFactor, 1.0);

@@ -11,6 +11,7 @@
 
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/model_names.h"
 #include "haptics/engine/passivity.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
@@ -85,10 +86,10 @@ void print(
       "\n  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
       "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
       stiffness,
-      device.travelUnit,
+      device.kind->travel.unit,
       device.rate,
       passivity.neededDamping(),
-      device.travelUnit,
+      device.kind->travel.unit,
       device.name,
       device.damping,
       isPassive ? "PASS, whatever the hand does"
@@ -112,26 +113,20 @@ const protocols::Condition& conditionOf(
   throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 
-haptics::engine::SceneSpec sceneOf(
+/// The simulated device of the kind that @p condition is felt on.
+haptics::devices::Capabilities standInFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
-  auto spec = condition.scene;
-  spec.device = protocol.device(condition.device)->kind;
-  return spec;
-}
-
-haptics::devices::Capabilities standInFor(haptics::devices::DeviceKind kind) {
-  return kind == haptics::devices::DeviceKind::Punch ? haptics::devices::simulatedPunch()
-                                                     : haptics::devices::simulatedReamer();
+  return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
 int explain(const ExplainOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
   const auto* condition = &conditionOf(file->protocol, options.condition);
-  auto spec = sceneOf(file->protocol, *condition);
+  auto spec = condition->scene;
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = standInFor(spec.device);
+  const auto device = standInFor(file->protocol, *condition);
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec);
   if (options.json) {
@@ -144,11 +139,10 @@ int explain(const ExplainOptions& options) {
 }
 
 Motion motionFor(const PlayOptions& options, const haptics::devices::Capabilities& device) {
-  const bool isPunch = device.kind == haptics::devices::DeviceKind::Punch;
   Motion motion{.least = device.leastTravel, .most = device.mostTravel, .quantum = options.quantum};
   if (options.profile == "cut") motion.shape = Motion::Shape::Cut;
   if (options.profile == "sine") motion.shape = Motion::Shape::Sine;
-  motion.speed = options.speed.value_or(isPunch ? 57.0 : 0.005);  // the paper's speed of a cut
+  motion.speed = options.speed.value_or(device.kind->travel.playSpeed);
   motion.rate = options.rate.value_or(device.rate);
   return motion;
 }
@@ -160,30 +154,31 @@ void playCondition(
     haptics::engine::SceneSpec spec,
     const TravelProfile& profile,
     std::vector<PlayedCurve>& curves) {
-  auto* kalman = std::get_if<haptics::engine::KalmanSpec>(&spec.model);
+  const auto* written = haptics::engine::partsOf(spec.model).filter;
   const bool isAlone = options.conditions.size() == 1;
   const auto add = [&](const std::string& title, bool withIngredients) {
     for (auto& curve : play(condition.id, title, spec, profile, withIngredients)) {
       curves.push_back(std::move(curve));
     }
   };
-  if (kalman == nullptr) {
+  if (written == nullptr) {
     add(condition.title, false);
     return;
   }
+  auto filter = *written;
   if (options.smoothing) {
-    kalman->smoothing = *options.smoothing == "none" ? haptics::models::Smoothing::None
-                        : *options.smoothing == "two-point"
-                            ? haptics::models::Smoothing::TwoPoint
-                            : haptics::models::Smoothing::AuthorsFirmware;
+    filter.smoothing =
+        haptics::engine::valueIn(haptics::engine::kSmoothingNames, *options.smoothing);
   }
+  spec.model = filter;
   if (options.interpolationNoise.empty()) {
     add(condition.title, isAlone);
     return;
   }
   bool isFirst = true;
   for (const double noise : options.interpolationNoise) {
-    kalman->noise.interpolation = noise;
+    filter.noise.interpolation = noise;
+    spec.model = filter;
     add(fmt::format("{} (R {:g} N²)", condition.title, noise), isAlone && isFirst);
     isFirst = false;
   }
@@ -205,19 +200,18 @@ int playScene(const PlayOptions& options) {
   TravelProfile profile;
   for (const auto& id : options.conditions) {
     const auto& condition = conditionOf(file->protocol, id);
-    const auto spec = sceneOf(file->protocol, condition);
-    const auto own = standInFor(spec.device);
+    const auto own = standInFor(file->protocol, condition);
     if (device && device->kind != own.kind) {
       throw UserError("These conditions are felt on different devices; play them one by one.");
     }
     device = own;
     profile = profileOf(motionFor(options, own));
-    playCondition(options, condition, spec, profile, curves);
+    playCondition(options, condition, condition.scene, profile, curves);
   }
   report::Document document{
       .parts = {
           {.figures = {
-               {.chart = asChart(profile, curves, device->travelUnit, options.over == "time")}}}}};
+               {.chart = asChart(profile, curves, *device->kind, options.over == "time")}}}}};
   paintFigures(document);
   const auto& svg = document.parts.front().figures.front().svg;
   const std::string csv = beside(options.out, ".csv");
@@ -230,6 +224,13 @@ int playScene(const PlayOptions& options) {
   }
   fmt::print(".\n");
   return 0;
+}
+
+template <typename Names>
+std::vector<std::string> namesIn(const Names& known) {
+  std::vector<std::string> names;
+  for (const auto& named : known) names.emplace_back(named.name);
+  return names;
 }
 
 void addPlay(CLI::App& noun, Action& action) {
@@ -258,7 +259,7 @@ void addPlay(CLI::App& noun, Action& action) {
           "A filter once for each R of the interpolation [N²], as in the paper's Fig. 11")
       ->check(finiteRange(0.0, 1e9));
   play->add_option("--smoothing", options->smoothing, "Of a filter, instead of the protocol's")
-      ->check(CLI::IsMember({"none", "two-point", "authors-firmware"}));
+      ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
   play->add_option("--over", options->over, "What the figure's abscissa is")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();

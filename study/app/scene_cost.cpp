@@ -58,24 +58,21 @@ Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-void addPunch(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
+void addMeniscus(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
   constexpr double kMiddle = 5.5;  // [travel units]
   const auto add = [&](const char* what, Besides besides) {
     contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
   };
-  const auto* elements = std::get_if<engine::FiniteElementsSpec>(&spec.model);
-  const auto* kalman = std::get_if<engine::KalmanSpec>(&spec.model);
-  const auto shown = elements != nullptr ? *elements
-                     : kalman != nullptr ? kalman->finiteElements
-                                         : engine::publishedElements(5);
+  const auto parts = engine::partsOf(spec.model);
+  const auto shown = parts.elements != nullptr ? *parts.elements : engine::publishedElements(5);
   add("as it is", nullptr);
-  if (elements != nullptr) {
+  if (parts.cut == nullptr) {
     add("… and the recorded cut", alsoFelt({.model = engine::publishedInterpolation()}));
   }
-  if (elements == nullptr && kalman == nullptr) {
+  if (parts.elements == nullptr) {
     add("… and finite elements", alsoFelt({.model = engine::publishedElements(5)}));
   }
-  if (kalman == nullptr) {
+  if (parts.filter == nullptr) {
     const auto filter = engine::publishedFilter(haptics::models::KalmanScheme::SpaceDomain, 5);
     add("… and both forces and the filter", alsoFelt({.model = filter}));
   }
@@ -86,32 +83,32 @@ void addPunch(const engine::SceneSpec& spec, std::vector<timing::Contestant>& co
 constexpr double kMiddle = 0.01;  // of a reamer's travel [m]
 
 /// A curve alone, and what spheres would cost besides.
-void addMaterial(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
+void addMaterial(
+    const engine::SceneSpec& spec,
+    const engine::MaterialSpec& material,
+    std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, Besides besides) {
     contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
   };
   add("as it is", nullptr);
-  auto lower = spec;
-  auto upper = spec;
-  std::get<engine::MaterialSpec>(lower.model).hardness = 0.0;
-  std::get<engine::MaterialSpec>(upper.model).hardness = 1.0;
+  auto lower = material;
+  auto upper = material;
+  lower.hardness = 0.0;
+  upper.hardness = 1.0;
   add("… and both curves in every tick",
-      [low = alsoFelt(lower), high = alsoFelt(upper)](double x, double f, int i) {
-        return low(x, f, i) + high(x, f, i);
-      });
+      [low = alsoFelt({.model = lower}), high = alsoFelt({.model = upper})](
+          double x, double f, int i) { return low(x, f, i) + high(x, f, i); });
   for (const bool isRemoved : {false, true}) {
     const engine::PackingSpec spheres{.bone = engine::parametricBone(), .isRemoved = isRemoved};
     add(isRemoved ? "… and 20,000 spheres that are reamed away" : "… and 20,000 spheres that stay",
-        alsoFelt({.device = spec.device, .model = spheres}));
+        alsoFelt({.model = spheres}));
   }
 }
 
 /// Spheres, and what it would be without some of it.
-void addPacking(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
-  const auto& packing = std::get<engine::PackingSpec>(spec.model);
+void addPacking(const engine::PackingSpec& packing, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, const auto& model) {
-    contestants.push_back(
-        contestant(what, {.device = spec.device, .model = model}, kMiddle, nullptr));
+    contestants.push_back(contestant(what, {.model = model}, kMiddle, nullptr));
   };
   add("as it is", packing);
   auto other = packing;
@@ -120,22 +117,17 @@ void addPacking(const engine::SceneSpec& spec, std::vector<timing::Contestant>& 
   add("the curve alone", engine::MaterialSpec{.nodes = engine::parametricMaterial()});
 }
 
-void addReamer(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
-  if (std::holds_alternative<engine::PackingSpec>(spec.model)) {
-    addPacking(spec, contestants);
-  } else {
-    addMaterial(spec, contestants);
-  }
-}
-
 }  // namespace
 
 std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
   std::vector<timing::Contestant> contestants;
-  if (spec.device == haptics::devices::DeviceKind::Punch) {
-    addPunch(spec, contestants);
+  const auto parts = engine::partsOf(spec.model);
+  if (parts.packing != nullptr) {
+    addPacking(*parts.packing, contestants);
+  } else if (parts.material != nullptr) {
+    addMaterial(spec, *parts.material, contestants);
   } else {
-    addReamer(spec, contestants);
+    addMeniscus(spec, contestants);
   }
   const auto timings = timing::race(contestants);
   std::vector<SceneCost> costs;

@@ -80,12 +80,12 @@ std::vector<PlayedCurve> play(
     const TravelProfile& profile,
     bool withIngredients) {
   std::vector<PlayedCurve> curves;
-  const auto* kalman = std::get_if<engine::KalmanSpec>(&spec.model);
-  if (withIngredients && kalman != nullptr) {
+  const auto parts = engine::partsOf(spec.model);
+  if (withIngredients && parts.filter != nullptr) {
     auto part = spec;
-    part.model = kalman->interpolation;
+    part.model = *parts.cut;
     curves.push_back(alongOne(condition, "interpolation", part, profile));
-    part.model = kalman->finiteElements;
+    part.model = *parts.elements;
     curves.push_back(alongOne(condition, "finite elements", part, profile));
     for (auto& curve : curves) curve.isIngredient = true;
   }
@@ -118,12 +118,11 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
 report::Chart asChart(
     const TravelProfile& profile,
     const std::vector<PlayedCurve>& curves,
-    const std::string& travelUnit,
+    const haptics::devices::DeviceKind& device,
     bool isOverTime) {
-  const bool isMetres = travelUnit == "m";
-  const double scale = isMetres ? 1000.0 : 1.0;
+  const double scale = device.shown.factor;
   report::Chart chart;
-  chart.x.title = isOverTime ? "time [s]" : isMetres ? "depth [mm]" : "travel [travel units]";
+  chart.x.title = isOverTime ? "time [s]" : device.shown.axis;
   chart.y.title = "force [N]";
   for (const auto& curve : curves) {
     report::ChartSeries series{.title = curve.title};

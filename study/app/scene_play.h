@@ -55,7 +55,7 @@ DataTable asTable(const TravelProfile& profile, const std::vector<PlayedCurve>& 
 report::Chart asChart(
     const TravelProfile& profile,
     const std::vector<PlayedCurve>& curves,
-    const std::string& travelUnit,
+    const haptics::devices::DeviceKind& device,
     bool isOverTime);
 
 }  // namespace study::app

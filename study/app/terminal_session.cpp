@@ -237,11 +237,15 @@ class TerminalSession {
 
   void feel() {
     const Step step = session_.step();
+    const auto& kind = *deviceFor(session_).kind;
+    const std::string stroke(kind.strokeName.in("en"));
+    const std::string strokes(kind.strokesName.in("en"));
     fmt::print(
         "\n== {} {} == [Enter: then {} to be made] ",
         session_.protocol().protocol.labels.prefix.in(language()),
         step.label,
-        words::counted(static_cast<std::uint64_t>(step.minimumCuts), "cut is", "cuts are"));
+        words::counted(
+            static_cast<std::uint64_t>(step.minimumCuts), stroke + " is", strokes + " are"));
     readLine();
     auto traces = study_.openTraces();
     const VisitKey visit = session_.visit();
@@ -256,7 +260,8 @@ class TerminalSession {
     }
     session_.beginTrial();
     const auto record = feelInRealTime(*trial, step.minimumCuts, kLongestTrial);
-    fmt::print("{} in {:.1f} s.\n", words::counted(record.cuts.size(), "cut"), record.duration);
+    fmt::print(
+        "{} in {:.1f} s.\n", words::counted(record.cuts.size(), stroke, strokes), record.duration);
     if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);

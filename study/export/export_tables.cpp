@@ -353,6 +353,17 @@ class Tables {
   std::map<SessionId, SessionRecord> sessions_;
 };
 
+/// Lets the one kind of device of a study say in its own words what a table is about.
+void sayAs(const haptics::devices::DeviceKind& kind, DataTable& table) {
+  const auto say = [&](std::string& words) {
+    for (const auto& sentence : kind.sentences) {
+      if (sentence.language == "en" && sentence.english == words) words = sentence.text;
+    }
+  };
+  say(table.description);
+  for (auto& column : table.columns) say(column.description);
+}
+
 }  // namespace
 
 std::map<std::string, std::string> conditionCodes(Study& study) {
@@ -378,6 +389,9 @@ std::vector<DataTable> exportTables(Study& study, const ExportOptions& options) 
   // The forces of cuts tell what an alternative is: one whose tissue yields at 7 N has a model.
   if (!options.isBlinded) all.push_back(tables.cuts());
   all.push_back(tables.events());
+  if (const auto* kind = study.protocol().protocol.onlyDeviceKind()) {
+    for (auto& table : all) sayAs(*kind, table);
+  }
   return all;
 }
 

@@ -64,6 +64,24 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
   return problems.all();
 }
 
+/// @p words with the sentences of the devices in @p protocol. Where all are of one kind, its
+/// sentences go before those of the catalogue; where they differ, they only fill its gaps.
+words::Words withDevices(const words::Words& words, const protocols::Protocol& protocol) {
+  auto catalogue = words.catalogue();
+  for (const auto& device : protocol.devices) {
+    for (const auto& sentence : device.kind->sentences) {
+      if (sentence.language != words.language()) continue;
+      const std::string english(sentence.english);
+      if (protocol.onlyDeviceKind() != nullptr) {
+        catalogue.insert_or_assign(english, sentence.text);
+      } else if (words.language() != "en") {
+        catalogue.emplace(english, sentence.text);
+      }
+    }
+  }
+  return {words.language(), std::move(catalogue)};
+}
+
 }  // namespace
 
 const std::string& ReportSection::conditionTitle(const std::string& condition) const {
@@ -102,7 +120,7 @@ std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSectio
   return named;
 }
 
-ReportSection gather(Study& study, RunMode mode, words::Words words) {
+ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
   auto felt = feltResult(study, mode);
   return {
       .protocol = study.protocol().protocol,
@@ -118,7 +136,7 @@ ReportSection gather(Study& study, RunMode mode, words::Words words) {
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
       .figures = {},
-      .words = std::move(words)};
+      .words = withDevices(words, study.protocol().protocol)};
 }
 
 }  // namespace study::report

@@ -79,6 +79,6 @@ struct ReportSection {
 std::vector<std::pair<std::string, std::string>> namedFigures(const ReportSection& section);
 
 /// @throws storage::StorageError
-ReportSection gather(Study& study, RunMode mode, words::Words words = {});
+ReportSection gather(Study& study, RunMode mode, const words::Words& words = {});
 
 }  // namespace study::report

@@ -64,21 +64,13 @@ class Bins {
   std::vector<std::vector<float>> forces_;
 };
 
-double mostTravelOf(haptics::devices::DeviceKind kind) {
-  return kind == haptics::devices::DeviceKind::Punch ? 11.0 : 0.02;
-}
-
 /// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
 /// any is gone, without jitter. Nothing for what depends on more than travel.
 std::vector<double> meantForces(
-    haptics::engine::SceneSpec scene, const std::vector<FeltCurve::Point>& points) {
-  if (!haptics::engine::isBone(scene)) return {};
-  if (auto* packing = std::get_if<haptics::engine::PackingSpec>(&scene.model)) {
-    packing->isRemoved = false;
-  } else {
-    std::get<haptics::engine::MaterialSpec>(scene.model).jitter = {};
-  }
-  haptics::engine::CompiledScene compiled(scene);
+    const haptics::engine::SceneSpec& scene, const std::vector<FeltCurve::Point>& points) {
+  const auto model = haptics::engine::undisturbed(scene.model);
+  if (!model) return {};
+  haptics::engine::CompiledScene compiled({.model = *model});
   std::vector<double> forces;
   for (const auto& point : points) {
     forces.push_back(compiled.respond({.travel = point.travel}).force);
@@ -100,7 +92,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   std::vector<FeltCurve> curves;
   for (const auto& condition : protocol.conditions) {
     FeltCurve curve{.condition = condition.id, .device = condition.device};
-    const double most = mostTravelOf(protocol.device(condition.device)->kind);
+    const double most = protocol.device(condition.device)->kind->travel.most;
     Bins bins(most);
     std::map<std::string, Bins> byParticipant;
     for (const auto& trial : trials) {
@@ -112,14 +104,11 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
       bins.add(samples);
       byParticipant.try_emplace(counted.at(trial.step.visit.session), most)
           .first->second.add(samples);
-      curve.travelUnit = trial.travelUnit;
       ++curve.trials;
     }
     curve.points = bins.points();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
-    auto scene = condition.scene;
-    scene.device = protocol.device(condition.device)->kind;
-    curve.meant = meantForces(std::move(scene), curve.points);
+    curve.meant = meantForces(condition.scene, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;

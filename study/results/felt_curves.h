@@ -24,7 +24,6 @@ struct FeltCurve {
 
   std::string condition;
   std::string device;
-  std::string travelUnit;
   int trials = 0;
   std::vector<Point> points;
   /// Of bone: what its material gives at the travel of each point, slowly [N]; else empty.

@@ -12,7 +12,6 @@ const protocols::DeviceNeed& deviceFor(const Session& session) {
 Trial::Setup setupFor(const Session& session, Trial::Keep keep) {
   const auto& need = deviceFor(session);
   auto scene = session.protocol().protocol.condition(session.step().condition)->scene;
-  scene.device = need.kind;
   scene.isVisualised = session.step().isVisualised;
   return {
       .scene = std::move(scene),

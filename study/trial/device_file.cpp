@@ -1,15 +1,19 @@
 #include "study/trial/device_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numbers>
 #include <set>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/serial_port.h"
+#include "haptics/registry/device_kinds.h"
 #include "questionnaires/json/document.h"
 #include "study/model/user_error.h"
 
@@ -28,16 +32,9 @@ using questionnaires::Problems;
 constexpr std::string_view kFormat = "palpate-devices-1";
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-enum class Type { SimulatedPunch, SimulatedReamer, PunchSerial, IiwaFri };
-
 template <typename Value, std::size_t N>
 using Choices = std::array<std::pair<std::string_view, Value>, N>;
 
-constexpr Choices<Type, 4> kTypes{
-    {{"simulated-punch", Type::SimulatedPunch},
-     {"simulated-reamer", Type::SimulatedReamer},
-     {"punch-serial", Type::PunchSerial},
-     {"iiwa-fri", Type::IiwaFri}}};
 constexpr Choices<Version, 6> kVersions{
     {{"1.11", Version::V1_11},
      {"1.14", Version::V1_14},
@@ -54,9 +51,8 @@ constexpr Choices<haptics::devices::WrenchFrame, 2> kFrames{
 constexpr Choices<bool, 2> kRenderers{{{"host", false}, {"device", true}}};
 
 /// One of the names that a key may have; @p fallback where it is missing, or wrong (and said).
-template <typename Value, std::size_t N>
-Value choice(
-    const Node& node, std::string_view key, const Choices<Value, N>& known, Value fallback) {
+template <typename Known, typename Value>
+Value choice(const Node& node, std::string_view key, const Known& known, Value fallback) {
   if (!node.has(key)) return fallback;
   std::string names;
   for (const auto& [text, value] : known) {
@@ -111,8 +107,8 @@ int readBaud(const Node& node) {
   return 0;
 }
 
-SerialPunchSettings readPunch(const Node& node) {
-  SerialPunchSettings settings;
+SerialPunchSettings readSerial(const Node& node, const DeviceKind& kind) {
+  SerialPunchSettings settings{.punch = {.kind = &kind, .port = {}}};
   auto& p = settings.punch;
   p.port = node.text("port");
   p.baud = readBaud(node);
@@ -173,62 +169,80 @@ IiwaSettings readIiwa(const Node& node) {
   return settings;
 }
 
+/// A way in which a device may be connected: its name in files, its keys beside "id" and "type",
+/// and how they are read.
+struct Type {
+  std::vector<std::string_view> keys;
+  std::function<decltype(DeviceEntry::settings)(const Node&)> read;
+};
+
+std::string simulatedName(const DeviceKind& kind) {
+  return "simulated-" + std::string(kind.name);
+}
+std::string serialName(const DeviceKind& kind) {
+  return std::string(kind.name) + "-serial";
+}
+constexpr std::string_view kIiwaName = "iiwa-fri";
+
+/// Every kind can be simulated; a kind on a serial line speaks as the punch does.
+std::vector<std::pair<std::string, Type>> types() {
+  std::vector<std::pair<std::string, Type>> types;
+  for (const auto* kind : haptics::deviceKinds()) {
+    types.push_back(
+        {simulatedName(*kind), {{}, [kind](const Node&) { return SimulatedSettings{kind}; }}});
+  }
+  for (const auto* kind : haptics::deviceKinds()) {
+    if (kind->wire != haptics::devices::Wire::Serial) continue;
+    types.push_back(
+        {serialName(*kind),
+         {{"port",
+           "baud",
+           "serial",
+           "firmware",
+           "renders",
+           "travel_per_count",
+           "travel_at_zero",
+           "newtons_per_volt",
+           "max_voltage_v",
+           "expiry_ms",
+           "damping_n_s_per_travel_unit"},
+          [kind](const Node& node) { return readSerial(node, *kind); }}});
+  }
+  types.push_back(
+      {std::string(kIiwaName),
+       {{"robot_address",
+         "port",
+         "fri_version",
+         "model",
+         "overlay",
+         "wrench_frame",
+         "tool_m",
+         "axis",
+         "zero_joints_deg",
+         "most_travel_m",
+         "max_force_n",
+         "damping_n_s_per_m",
+         "margins"},
+        readIiwa}});
+  return types;
+}
+
 std::optional<DeviceEntry> readEntry(const Node& node) {
-  const std::string type = node.isObject() && node.has("type") ? node.text("type") : "";
-  const bool isPunch = type == "punch-serial";
-  const bool isIiwa = type == "iiwa-fri";
-  const bool isKnown = isPunch ? node.isObjectWith(
-                                     {"id",
-                                      "type",
-                                      "port",
-                                      "baud",
-                                      "serial",
-                                      "firmware",
-                                      "renders",
-                                      "travel_per_count",
-                                      "travel_at_zero",
-                                      "newtons_per_volt",
-                                      "max_voltage_v",
-                                      "expiry_ms",
-                                      "damping_n_s_per_travel_unit"})
-                       : isIiwa ? node.isObjectWith(
-                                      {"id",
-                                       "type",
-                                       "robot_address",
-                                       "port",
-                                       "fri_version",
-                                       "model",
-                                       "overlay",
-                                       "wrench_frame",
-                                       "tool_m",
-                                       "axis",
-                                       "zero_joints_deg",
-                                       "most_travel_m",
-                                       "max_force_n",
-                                       "damping_n_s_per_m",
-                                       "margins"})
-                                : node.isObjectWith({"id", "type"});
-  if (!isKnown) return std::nullopt;
-  DeviceEntry entry{.id = node.id("id"), .settings = {}};
+  const std::string written = node.isObject() && node.has("type") ? node.text("type") : "";
+  const auto known = types();
+  const auto named = std::find_if(
+      known.begin(), known.end(), [&](const auto& type) { return type.first == written; });
+  std::vector<std::string_view> keys{"id", "type"};
+  if (named != known.end()) {
+    keys.insert(keys.end(), named->second.keys.begin(), named->second.keys.end());
+  }
+  if (!node.isObjectWith(keys)) return std::nullopt;
+  const std::string id = node.id("id");
   if (!node.has("type")) {
     static_cast<void>(node.text("type"));  // says that it is missing
     return std::nullopt;
   }
-  switch (choice(node, "type", kTypes, Type::SimulatedPunch)) {
-    case Type::SimulatedPunch:
-      entry.settings = SimulatedSettings{DeviceKind::Punch};
-      break;
-    case Type::SimulatedReamer:
-      entry.settings = SimulatedSettings{DeviceKind::Reamer};
-      break;
-    case Type::PunchSerial:
-      entry.settings = readPunch(node);
-      break;
-    case Type::IiwaFri:
-      entry.settings = readIiwa(node);
-      break;
-  }
-  return entry;
+  return DeviceEntry{id, choice(node, "type", known, known.front().second).read(node)};
 }
 
 template <typename Value, std::size_t N>
@@ -254,11 +268,11 @@ struct AsJson {
   Json& json;
 
   void operator()(const SimulatedSettings& simulated) const {
-    json["type"] = simulated.kind == DeviceKind::Punch ? "simulated-punch" : "simulated-reamer";
+    json["type"] = simulatedName(*simulated.kind);
   }
   void operator()(const SerialPunchSettings& settings) const {
     const auto& p = settings.punch;
-    json["type"] = "punch-serial";
+    json["type"] = serialName(*p.kind);
     json["port"] = p.port;
     json["baud"] = p.baud;
     if (p.serial) json["serial"] = *p.serial;
@@ -272,7 +286,7 @@ struct AsJson {
     json["damping_n_s_per_travel_unit"] = p.damping;
   }
   void operator()(const IiwaSettings& s) const {
-    json["type"] = "iiwa-fri";
+    json["type"] = kIiwaName;
     json["robot_address"] = s.robot;
     json["port"] = s.port;
     json["fri_version"] = nameIn(kVersions, s.version);
@@ -296,12 +310,17 @@ struct AsJson {
 
 }  // namespace
 
-DeviceKind kindOf(const DeviceEntry& entry) noexcept {
-  if (const auto* simulated = std::get_if<SimulatedSettings>(&entry.settings)) {
-    return simulated->kind;
-  }
-  return std::holds_alternative<SerialPunchSettings>(entry.settings) ? DeviceKind::Punch
-                                                                     : DeviceKind::Reamer;
+const DeviceKind& kindOf(const DeviceEntry& entry) noexcept {
+  struct Kind {
+    const DeviceKind& operator()(const SimulatedSettings& settings) const { return *settings.kind; }
+    const DeviceKind& operator()(const SerialPunchSettings& settings) const {
+      return *settings.punch.kind;
+    }
+    const DeviceKind& operator()(const IiwaSettings&) const {
+      return haptics::devices::reamerKind();
+    }
+  };
+  return std::visit(Kind{}, entry.settings);
 }
 
 std::optional<std::vector<DeviceEntry>> readDevices(std::string_view json, Problems& problems) {

@@ -14,10 +14,10 @@ namespace study {
 
 /// A stand-in in this program.
 struct SimulatedSettings {
-  haptics::devices::DeviceKind kind = haptics::devices::DeviceKind::Punch;
+  const haptics::devices::DeviceKind* kind;
 };
 
-/// A punch, and who renders its scenes.
+/// A device on a serial line, and who renders its scenes.
 struct SerialPunchSettings {
   haptics::devices::PunchSettings punch;
   bool rendersOnDevice = false;
@@ -29,7 +29,7 @@ struct DeviceEntry {
   std::variant<SimulatedSettings, SerialPunchSettings, haptics::devices::IiwaSettings> settings;
 };
 
-haptics::devices::DeviceKind kindOf(const DeviceEntry& entry) noexcept;
+const haptics::devices::DeviceKind& kindOf(const DeviceEntry& entry) noexcept;
 
 /// The name of the device file in a study's folder that is used where none is named.
 inline constexpr std::string_view kDeviceFileName = "devices.json";

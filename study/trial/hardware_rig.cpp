@@ -12,13 +12,8 @@ namespace {
 
 using haptics::devices::CheckResult;
 using haptics::devices::Device;
-using haptics::devices::DeviceKind;
 using haptics::devices::Finding;
 using haptics::devices::Lifecycle;
-
-const char* wordFor(DeviceKind kind) noexcept {
-  return kind == DeviceKind::Punch ? "punch" : "reamer";
-}
 
 }  // namespace
 
@@ -33,13 +28,9 @@ Device& HardwareRig::made(const DeviceEntry& entry) {
   } else if (const auto* iiwa = std::get_if<haptics::devices::IiwaSettings>(&entry.settings)) {
     device = std::make_unique<haptics::devices::IiwaDevice>(*iiwa);
   } else {
-    const bool isPunch = kindOf(entry) == DeviceKind::Punch;
     auto& hand = hands_[entry.id];
-    hand = handFor_({.id = entry.id, .kind = kindOf(entry)});
-    device = std::make_unique<haptics::devices::SimulatedDevice>(
-        isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
-        isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
-        *hand);
+    hand = handFor_({.id = entry.id, .kind = &kindOf(entry)});
+    device = std::make_unique<haptics::devices::SimulatedDevice>(kindOf(entry), *hand);
   }
   return *device;
 }
@@ -60,9 +51,9 @@ Device& HardwareRig::device(const protocols::DeviceNeed& need) {
   if (device->capabilities().kind != need.kind) {
     throw UserError(fmt::format(
         "The protocol needs a {} as '{}', and the device file has a {} there. Correct one of them.",
-        wordFor(need.kind),
+        need.kind->name,
         need.id,
-        wordFor(device->capabilities().kind)));
+        device->capabilities().kind->name));
   }
   const auto state = device->lifecycle();
   if (state == Lifecycle::Closed || state == Lifecycle::Faulted) device->open();
@@ -106,8 +97,8 @@ std::vector<CheckResult> preflight(
   found.push_back(
       {isKind ? Finding::Pass : Finding::Fail,
        "instrument",
-       wordFor(can.kind),
-       isKind ? "" : fmt::format("The protocol needs a {} here.", wordFor(need->kind))});
+       std::string(can.kind->name),
+       isKind ? "" : fmt::format("The protocol needs a {} here.", need->kind->name)});
   const bool isStrong = can.maxForce >= need->maxForce;
   found.push_back(
       {isStrong ? Finding::Pass : Finding::Warn,

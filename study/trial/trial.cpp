@@ -30,7 +30,7 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
       scene_(setup.scene),
       engine_(device, setup.limits),
       keep_(std::move(setup.keep)),
-      statistics_(device.capabilities().kind, device.capabilities().rate) {
+      statistics_(*device.capabilities().kind, device.capabilities().rate) {
   chunk_.reserve(static_cast<std::size_t>(rate()));
   engine_.setScene(&scene_);
   device_.arm();  // the last that can fail: an armed device has somebody to disarm it
@@ -62,7 +62,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
   device_.disarm();
   TrialRecord record{
       .device = device_.capabilities().name,
-      .travelUnit = device_.capabilities().travelUnit,
+      .travelUnit = std::string(device_.capabilities().kind->travel.unit),
       .ending = ending,
       .passivity =
           {.stiffness = scene_.largestStiffness(),

@@ -13,8 +13,8 @@ constexpr double kFelt = 0.05;  // [N]: less is no contact
 
 }  // namespace
 
-TrialStatistics::TrialStatistics(haptics::devices::DeviceKind device, double rate)
-    : rate_(rate), detector_(haptics::engine::cutParametersFor(device)) {}
+TrialStatistics::TrialStatistics(const haptics::devices::DeviceKind& device, double rate)
+    : rate_(rate), detector_(device.stroke) {}
 
 void TrialStatistics::count(SafetyKind kind, bool isNow) {
   auto& tally = tallies_[static_cast<std::size_t>(kind)];

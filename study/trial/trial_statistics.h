@@ -13,7 +13,7 @@ namespace study {
 class TrialStatistics {
  public:
   /// @param rate  of the ticks [Hz].
-  TrialStatistics(haptics::devices::DeviceKind device, double rate);
+  TrialStatistics(const haptics::devices::DeviceKind& device, double rate);
 
   void add(const haptics::engine::TickSample& sample);
 

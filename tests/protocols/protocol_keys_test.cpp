@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/engine/parametric_material.h"
 #include "protocols/reading/protocol_file.h"
 #include "tests/protocols/small_protocol.h"
@@ -12,7 +14,8 @@ namespace protocol_keys_test {
 
 namespace engine = haptics::engine;
 namespace models = haptics::models;
-using haptics::devices::DeviceKind;
+using haptics::devices::punchKind;
+using haptics::devices::reamerKind;
 
 Protocol readGood(const std::string& name) {
   questionnaires::Problems problems;
@@ -45,10 +48,10 @@ TEST(ProtocolKeys, TellWhoTakesPartOnWhat) {
   EXPECT_EQ(protocol.cohort("surgeons")->title.in("de"), "Chirurginnen und Chirurgen");
   EXPECT_EQ(protocol.cohort("surgeons")->planned, 12);
   EXPECT_EQ(protocol.cohort("others")->title.in("de"), "Others");
-  EXPECT_EQ(protocol.device("punch")->kind, DeviceKind::Punch);
+  EXPECT_EQ(protocol.device("punch")->kind, &punchKind());
   EXPECT_EQ(protocol.device("punch")->maxForce, 8.5);
   EXPECT_EQ(protocol.device("punch")->maxForceRate, 500.0);
-  EXPECT_EQ(protocol.device("reamer")->kind, DeviceKind::Reamer);
+  EXPECT_EQ(protocol.device("reamer")->kind, &reamerKind());
   EXPECT_EQ(protocol.labels.policy, LabelPolicy::Condition);
   EXPECT_EQ(protocol.labels.prefix.in("de"), "Variante");
 }

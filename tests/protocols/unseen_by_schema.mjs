@@ -8,6 +8,7 @@ export const unseen = [
   /and so does a file before it$/,
   /^this model is felt on a punch, not on a reamer$/,
   /^a reaming material is felt on a reamer, not on a punch$/,
+  /^there is no kind of device '/,
   /^a knee is seen with a punch, not with a reamer$/,
   /^the finite elements need start < tool position < end/,
   /^the process noise \(Q\) is indefinite/,

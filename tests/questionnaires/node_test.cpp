@@ -122,9 +122,9 @@ TEST_F(NodeTest, SaysWhichEntryOfAListIsWrong) {
 
 TEST_F(NodeTest, OffersTheNearestOfSeveralNames) {
   constexpr std::array kChoices{Choice<int>{"mean", 1}, Choice<int>{"sum", 2}};
-  EXPECT_EQ(read(R"({"a": "sum"})").choice<int>("a", kChoices), 2);
+  EXPECT_EQ(read(R"({"a": "sum"})").choice("a", kChoices), 2);
   EXPECT_EQ(said(), "");
-  read(R"({"a": "means"})").choice<int>("a", kChoices);
+  read(R"({"a": "means"})").choice("a", kChoices);
   EXPECT_EQ(said(), "error   $.a: unknown word 'means'; did you mean 'mean'? one of: mean, sum\n");
 }
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 
 namespace tests {
@@ -25,7 +26,8 @@ class FaultingDevice final : public haptics::devices::Device {
   void fail() noexcept { isFaulty_.store(true, std::memory_order_relaxed); }
 
  private:
-  haptics::devices::Capabilities capabilities_ = haptics::devices::simulatedPunch();
+  haptics::devices::Capabilities capabilities_ =
+      haptics::devices::simulated(haptics::devices::punchKind());
   std::atomic<bool> isFaulty_{false};
 };
 

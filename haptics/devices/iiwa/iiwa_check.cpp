@@ -150,9 +150,8 @@ CheckResult anomaliesFound(const LinkReport& link) {
 }  // namespace
 
 IiwaDevice::Listening IiwaDevice::listen(double seconds) {
-  report_ = {.isThere = true};
+  resetCounts();
   sequence_ = {};
-  drift_ = {};
   Listening listening;
   const std::int64_t begin = timing::now();
   const std::int64_t until =
@@ -234,8 +233,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
   found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
   const bool isFit = std::none_of(
       found.begin(), found.end(), [](const auto& f) { return f.finding == Finding::Fail; });
-  auto open = Lifecycle::Open;
-  if (isFit) lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
+  if (isFit) setChecked();
   startKeeper();  // from here on what was heard is the keeper's
   return found;
 }

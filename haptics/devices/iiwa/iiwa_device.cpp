@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "haptics/devices/device_error.h"
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 
 namespace haptics::devices {
 namespace {
@@ -33,9 +33,8 @@ Joints asJoints(const JointVector& vector) {
 
 Capabilities capabilitiesOf(const IiwaSettings& settings) {
   return {
-      .kind = DeviceKind::Reamer,
+      .kind = &reamerKind(),
       .name = "iiwa at " + settings.robot,
-      .travelUnit = "m",
       .leastTravel = 0.0,
       .mostTravel = settings.mostTravel,
       .maxForce = settings.maxForce,
@@ -58,8 +57,8 @@ Endpoint robotOf(const IiwaSettings& settings) {
 }  // namespace
 
 IiwaDevice::IiwaDevice(IiwaSettings settings)
-    : settings_(std::move(settings)),
-      capabilities_(capabilitiesOf(settings_)),
+    : WireDevice(capabilitiesOf(settings), {.turn = 10 * kMillisecond, .silence = kFirstMessage}),
+      settings_(std::move(settings)),
       kinematics_(settings_.model, settings_.tool),
       guard_(settings_.model, settings_.margins),
       robot_(robotOf(settings_)) {
@@ -88,7 +87,7 @@ void IiwaDevice::open() {
   }
   heard_ = {};
   sequence_ = {};
-  report_ = {.isThere = true};
+  resetCounts();
   start_.reset();
   robot_.port = 0;
   ours_ = 0;
@@ -102,9 +101,7 @@ void IiwaDevice::open() {
     socket_.reset();
     throw;
   }
-  why_.store("");
-  lifecycle_.store(Lifecycle::Open);
-  startKeeper();
+  beginKeeping();
 }
 
 void IiwaDevice::awaitMessages() {
@@ -146,70 +143,17 @@ std::string IiwaDevice::whyNothingIsHeard() const {
          "client.";
 }
 
-void IiwaDevice::close() noexcept {
-  stopKeeper();
-  socket_.reset();
-  lifecycle_.store(Lifecycle::Closed);
-}
-
 std::int64_t IiwaDevice::silence() const noexcept {
   return std::min(kMissedCycles * period_, kMostSilence);
 }
 
-void IiwaDevice::startKeeper() {
-  hostTime_ = timing::now();
-  keeper_ = std::jthread([this](const std::stop_token& stop) {
-    timing::makeUrgent(timing::kLoopUrgency);
-    while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
-      if (pump(timing::now() + 10 * kMillisecond)) {
-        isNew_ = false;
-        answer(0.0);
-      }
-      // A robot's program that is started anew is silent for a while; nobody feels it.
-      if (timing::now() - hostTime_ > kFirstMessage) fail("it has fallen silent");
-    }
-  });
-}
-
-void IiwaDevice::stopKeeper() noexcept {
-  if (!keeper_.joinable()) return;
-  keeper_.request_stop();
-  keeper_.join();
-}
-
-void IiwaDevice::resumeKeeper() noexcept {
-  try {
-    startKeeper();
-  } catch (...) {
-    fail("no thread could be started to look after it");
-  }
-}
-
-void IiwaDevice::arm() {
-  stopKeeper();  // and what it finds until then counts
-  if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
-    const std::string why = fault();
-    throw DeviceError(
-        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
-        ". Mend that, and try again: it will be connected anew.");
-  }
-  try {
-    awaitCommanding();
-  } catch (...) {
-    startKeeper();
-    throw;
-  }
-  if (settings_.zero) start_ = kinematics_.tool(asVector(*settings_.zero));
-  if (!settings_.zero) start_ = tool_;
-  report_ = {.isThere = true};
+void IiwaDevice::beginForces() noexcept {
+  start_ = settings_.zero ? kinematics_.tool(asVector(*settings_.zero)) : tool_;
   sequence_ = {};
-  drift_ = {};
   goodAt_ = timing::now();
-  lifecycle_.store(Lifecycle::Armed);
-  startKeeper();  // until the first tick
 }
 
-void IiwaDevice::awaitCommanding() {
+void IiwaDevice::awaitReadiness() {
   const std::int64_t until = timing::now() + kCommanding;
   while (timing::now() < until) {
     if (!pump(timing::now() + 100 * kMillisecond)) continue;
@@ -222,35 +166,6 @@ void IiwaDevice::awaitCommanding() {
       " takes no forces: its session is not in COMMANDING_ACTIVE. Let the robot's application "
       "start "
       "its motion with the FRI overlay, and look there for what it waits for.");
-}
-
-void IiwaDevice::disarm() noexcept {
-  const auto was = lifecycle();
-  if (was != Lifecycle::Armed && was != Lifecycle::Running) return;
-  stopKeeper();
-  if (lifecycle() == Lifecycle::Faulted) return;
-  lifecycle_.store(Lifecycle::Open);
-  resumeKeeper();
-}
-
-void IiwaDevice::fail(const char* why) noexcept {
-  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
-  socket_.reset();  // a robot that is not answered lets go by itself
-  lifecycle_.store(Lifecycle::Faulted);
-}
-
-std::string IiwaDevice::fault() const {
-  const std::string why = why_.load();
-  return why.empty() ? why : name() + ": " + why;
-}
-
-bool IiwaDevice::wait(std::int64_t deadline) noexcept {
-  if (!socket_) {
-    timing::sleepUntil(deadline);
-    return false;
-  }
-  stopKeeper();  // from the first tick on the wire is the loop's
-  return pump(deadline);
 }
 
 /// Until there is a message to act upon, or none before the deadline. Of several the newest.
@@ -397,9 +312,9 @@ DeviceSample IiwaDevice::read(double) noexcept {
 }
 
 void IiwaDevice::command(double force) noexcept {
-  if (keeper_.joinable() || !socket_) return;
+  if (isKept() || !socket_) return;
   answer(force);
-  if (lifecycle() == Lifecycle::Armed) lifecycle_.store(Lifecycle::Running);
+  if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }
 
 /// The one answer to the message that came last, if it wants one.
@@ -451,16 +366,6 @@ void IiwaDevice::overlayInto(CommandData& data, double force) noexcept {
     std::copy_n(asked.data(), 3, sent.begin());
     data.wrench = sent;
   }
-}
-
-LinkReport IiwaDevice::link() {
-  const bool isKept = keeper_.joinable();  // before the first tick: it counts too
-  stopKeeper();
-  LinkReport report = report_;
-  report.drift = drift_.partsPerMillion();
-  report.clockOffset = drift_.offset();
-  if (isKept) resumeKeeper();
-  return report;
 }
 
 }  // namespace haptics::devices

@@ -1,17 +1,14 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "haptics/devices/datagram_socket.h"
-#include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/iiwa_guard.h"
 #include "haptics/devices/iiwa/iiwa_kinematics.h"
-#include "haptics/timing/clock_drift.h"
+#include "haptics/devices/wire_device.h"
 #include "haptics/wire/fri_codec.h"
 #include "haptics/wire/sequence_check.h"
 
@@ -53,26 +50,14 @@ struct IiwaSettings {
 /// alone and while the connection is GOOD or better. A robot that is not
 /// answered lets go by itself: nothing is ever sent unasked. After 20 missed cycles, or 50 ms if
 /// that is less, it is over until open().
-class IiwaDevice final : public Device, private Beat {
+class IiwaDevice final : public WireDevice {
  public:
   /// @throws DeviceError  if the settings make no sense.
   explicit IiwaDevice(IiwaSettings settings);
   ~IiwaDevice() override;
 
-  const Capabilities& capabilities() const noexcept override { return capabilities_; }
-  Beat* beat() noexcept override { return this; }
-
   void open() override;
-  void close() noexcept override;
   std::vector<CheckResult> check(double seconds) override;
-  void arm() override;
-  void disarm() noexcept override;
-  Lifecycle lifecycle() const noexcept override {
-    return lifecycle_.load(std::memory_order_acquire);
-  }
-  std::string fault() const override;
-  LinkReport link() override;
-
   DeviceSample read(double dt) noexcept override;
   void command(double force) noexcept override;
 
@@ -83,13 +68,18 @@ class IiwaDevice final : public Device, private Beat {
  private:
   using SessionState = wire::fri::SessionState;
 
-  bool wait(std::int64_t deadline) noexcept override;
-  bool pump(std::int64_t deadline) noexcept;
+  std::string name() const override { return "The arm at " + settings_.robot; }
+  bool isConnected() const noexcept override { return socket_.has_value(); }
+  /// A robot that is not answered lets go by itself.
+  void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
+  bool pump(std::int64_t deadline) noexcept override;
+  void keepAlive() noexcept override { answer(0.0); }
+  void awaitReadiness() override;
+  void beginForces() noexcept override;
   bool take(const DatagramSocket::Received& received, std::int64_t at) noexcept;
   void follow(std::int64_t at) noexcept;
   void answer(double force) noexcept;
   void overlayInto(wire::fri::CommandData& data, double force) noexcept;
-  void fail(const char* why) noexcept;
   const char* whatIsWrong() const noexcept;
   /// What a check has seen besides what the report counts.
   struct Listening {
@@ -101,36 +91,23 @@ class IiwaDevice final : public Device, private Beat {
   Listening listen(double seconds);
   std::string whyNothingIsHeard() const;
   void awaitMessages();
-  void awaitCommanding();
-  void startKeeper();
-  void resumeKeeper() noexcept;
-  void stopKeeper() noexcept;
   std::int64_t silence() const noexcept;
-  std::string name() const { return "The arm at " + settings_.robot; }
   SessionState state() const noexcept;
 
   IiwaSettings settings_;
-  Capabilities capabilities_;
   IiwaKinematics kinematics_;
   IiwaGuard guard_;
   Endpoint robot_;
   std::optional<DatagramSocket> socket_;
   std::array<std::uint8_t, wire::fri::kLargestDatagram + 1> room_{};
 
-  std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
-  std::atomic<const char*> why_{""};
-
   wire::fri::MonitoringMessage heard_;
   wire::SequenceCheck<std::uint32_t> sequence_;
   std::uint32_t ours_ = 0;
-  bool isNew_ = false;
-  bool isUnanswered_ = false;
   std::uint32_t sinceAnswer_ = 0;
   std::int64_t period_ = 5'000'000;  // between messages [ns]
-  std::int64_t hostTime_ = 0;        // [ns]
   Endpoint foreigner_;               // who sent last, and is not the robot
   std::int64_t goodAt_ = 0;          // when the connection was last good enough [ns]
-  std::int64_t deviceTime_ = 0;      // [ns]
 
   JointVector joints_ = JointVector::Zero();         // [rad]
   JointVector jointVelocity_ = JointVector::Zero();  // [rad/s]
@@ -140,11 +117,7 @@ class IiwaDevice final : public Device, private Beat {
   double travel_ = 0.0;
   double velocity_ = 0.0;
 
-  std::array<std::int64_t, 64> sentAt_{};  // [ns], by our sequence
   std::uint32_t lastReflected_ = 0;
-  LinkReport report_;
-  timing::ClockDrift drift_;
-  std::jthread keeper_;
 };
 
 }  // namespace haptics::devices

@@ -74,6 +74,8 @@ std::string faultsInWords(std::uint8_t faults) {
 }  // namespace
 
 std::vector<CheckResult> PunchDevice::check(double seconds) {
+  const std::string kind(settings_.kind->name);
+  const std::string unit(settings_.kind->travel.unitName);
   std::vector<CheckResult> found;
   try {
     if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) open();
@@ -109,25 +111,31 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
   disarm();
   if (isFaulty) {
     found.push_back(
-        {Finding::Fail, "faults", fault(), "Switch the punch off and on, then check it again."});
+        {Finding::Fail,
+         "faults",
+         fault(),
+         "Switch the " + kind + " off and on, then check it again."});
     return found;
   }
   found.push_back(rateFound(report, seconds, capabilities_.rate));
   found.push_back(lossFound(report));
   found.push_back(roundTripFound(report));
-  const bool isWithin = least >= -2.0 && most <= 14.0;
+  const auto& believable = settings_.kind->serial.believable;
+  const bool isWithin = least >= believable.least && most <= believable.most;
   found.push_back(
       {isWithin ? Finding::Pass : Finding::Warn,
        "travel",
-       text("%.3f to %.3f travel units", least, most),
-       isWithin ? ""
-                : "Open the punch altogether, and correct travel_at_zero in the device file."});
+       text("%.3f to %.3f ", least, most) + unit,
+       isWithin
+           ? ""
+           : "Open the " + kind + " altogether, and correct travel_at_zero in the device file."});
   found.push_back(
       {(faults & wire::punch::kLatched) == 0 ? Finding::Pass : Finding::Fail,
        "faults that the board reports",
        faultsInWords(faults),
-       (faults & wire::punch::kLatched) == 0 ? ""
-                                             : "Switch the punch off and on, then check again."});
+       (faults & wire::punch::kLatched) == 0
+           ? ""
+           : "Switch the " + kind + " off and on, then check again."});
   if (report.drift) {
     const bool isSteady = std::abs(*report.drift) < 500.0;
     found.push_back(
@@ -142,8 +150,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
        "force at most",
        text("%.2f N (%.3f N/V)", capabilities_.maxForce, settings_.newtonsPerVolt),
        ""});
-  auto open = Lifecycle::Open;
-  lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);  // unless it has failed meanwhile
+  setChecked();
   return found;
 }
 

@@ -7,7 +7,6 @@
 #include "haptics/devices/device_error.h"
 #include "haptics/devices/punch/firmware_build.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 
 namespace haptics::devices {
 namespace {
@@ -29,11 +28,10 @@ std::string inHex(std::uint64_t number) {
 
 Capabilities capabilitiesOf(const PunchSettings& settings) {
   return {
-      .kind = DeviceKind::Punch,
-      .name = "punch on " + settings.port,
-      .travelUnit = "travel_unit",
-      .leastTravel = 0.0,
-      .mostTravel = 11.0,
+      .kind = settings.kind,
+      .name = std::string(settings.kind->name) + " on " + settings.port,
+      .leastTravel = settings.kind->travel.least,
+      .mostTravel = settings.kind->travel.most,
       .maxForce = settings.newtonsPerVolt * settings.maxVoltage,
       .damping = settings.damping,
       .rate = 1000.0,
@@ -43,7 +41,8 @@ Capabilities capabilitiesOf(const PunchSettings& settings) {
 }  // namespace
 
 PunchDevice::PunchDevice(PunchSettings settings)
-    : settings_(std::move(settings)), capabilities_(capabilitiesOf(settings_)) {}
+    : WireDevice(capabilitiesOf(settings), {.turn = 20 * kMillisecond, .silence = kSilence}),
+      settings_(std::move(settings)) {}
 
 PunchDevice::~PunchDevice() {
   close();
@@ -64,13 +63,10 @@ void PunchDevice::open() {
   capabilities_.rate = hello_.rate;
   const double volts = std::min(settings_.maxVoltage, 1e-3 * hello_.largestVoltage);
   capabilities_.maxForce = settings_.newtonsPerVolt * volts;
-  why_.store("");
-  report_ = {.isThere = true};
+  resetCounts();
   sequence_ = {};
   damagedBefore_ = decoder_.damaged();
-  hostTime_ = timing::now();
-  lifecycle_.store(Lifecycle::Open);
-  startKeeper();
+  beginKeeping();
 }
 
 void PunchDevice::greet() {
@@ -127,98 +123,30 @@ void PunchDevice::refuseStranger() const {
   }
 }
 
-void PunchDevice::close() noexcept {
-  stopKeeper();
-  if (port_.isOpen()) say(Stop{StopReason::Asked});
+void PunchDevice::disconnect(bool isFault) noexcept {
+  if (port_.isOpen()) say(Stop{isFault ? StopReason::HostFault : StopReason::Asked});
   port_.close();
-  lifecycle_.store(Lifecycle::Closed);
 }
 
-void PunchDevice::startKeeper() {
-  keeper_ = std::jthread([this](const std::stop_token& stop) {
-    timing::makeUrgent(timing::kLoopUrgency);
-    while (!stop.stop_requested() && port_.isOpen()) {
-      constexpr std::int64_t kPatience = 20 * kMillisecond;
-      if (pump(timing::now() + kPatience)) {
-        isNew_ = false;
-        // Armed, and nobody ticks yet: the board lets go for good where it is left alone.
-        const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
-        if (lifecycle() == Lifecycle::Armed) say(SetForce{.voltage = 0, .expiry = expiry});
-      }
-      if (timing::now() - hostTime_ > kSilence && hostTime_ > 0) fail("it has fallen silent");
-    }
-    if (!port_.isOpen()) fail("it has been unplugged, or its port has failed");
-  });
+/// Armed, and nobody ticks yet: the board lets go for good where it is left alone.
+void PunchDevice::keepAlive() noexcept {
+  const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
+  if (lifecycle() == Lifecycle::Armed) say(SetForce{.voltage = 0, .expiry = expiry});
 }
 
-void PunchDevice::stopKeeper() noexcept {
-  if (!keeper_.joinable()) return;
-  keeper_.request_stop();
-  keeper_.join();
-}
-
-void PunchDevice::resumeKeeper() noexcept {
-  try {
-    startKeeper();
-  } catch (...) {
-    fail("no thread could be started to look after it");
-  }
-}
-
-void PunchDevice::arm() {
-  stopKeeper();  // and what it finds until then counts
-  if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
-    const std::string why = fault();
-    throw DeviceError(
-        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
-        ". Mend that, and try again: it will be connected anew.");
-  }
+void PunchDevice::beginForces() noexcept {
   drain();
-  report_ = {.isThere = true};
-  drift_ = {};
+  resetCounts();
   sequence_ = {};
   damagedBefore_ = decoder_.damaged();
   isNew_ = false;
   armedAt_ = hostTime_ = timing::now();
   say(Arm{.isArmed = true, .expiry = static_cast<std::uint8_t>(settings_.expiry)});
-  lifecycle_.store(Lifecycle::Armed);
-  startKeeper();  // until the first tick
 }
 
-void PunchDevice::disarm() noexcept {
-  const auto was = lifecycle();
-  if (was == Lifecycle::Open || was == Lifecycle::Checked) return;
-  stopKeeper();
-  if (port_.isOpen()) {
-    say(SetForce{.voltage = 0, .expiry = 1});
-    say(Arm{.isArmed = false, .expiry = 1});
-  }
-  if (lifecycle() != Lifecycle::Faulted && lifecycle() != Lifecycle::Closed) {
-    lifecycle_.store(Lifecycle::Open);
-    hostTime_ = timing::now();
-    resumeKeeper();
-  }
-}
-
-void PunchDevice::fail(const char* why) noexcept {
-  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
-  if (port_.isOpen()) say(Stop{StopReason::HostFault});
-  port_.close();
-  lifecycle_.store(Lifecycle::Faulted);
-}
-
-std::string PunchDevice::fault() const {
-  const std::string why = why_.load();
-  return why.empty() ? why : name() + ": " + why;
-}
-
-bool PunchDevice::wait(std::int64_t deadline) noexcept {
-  if (!port_.isOpen()) {
-    timing::sleepUntil(deadline);
-    return false;
-  }
-  stopKeeper();  // from the first tick on the line is the loop's
-  return pump(deadline);
+void PunchDevice::endForces() noexcept {
+  say(SetForce{.voltage = 0, .expiry = 1});
+  say(Arm{.isArmed = false, .expiry = 1});
 }
 
 /// Until there is a new state, or nothing before the deadline.
@@ -330,12 +258,12 @@ DeviceSample PunchDevice::read(double) noexcept {
 }
 
 void PunchDevice::command(double force) noexcept {
-  if (!port_.isOpen() || keeper_.joinable()) return;
+  if (!port_.isOpen() || isKept()) return;
   // One force for each sample: a board that is not heard any more is left to let go by itself.
   const bool isAnswer = std::exchange(isUnanswered_, false);
   if (!isAnswer && force != 0.0) return;
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
-  if (lifecycle() == Lifecycle::Armed) lifecycle_.store(Lifecycle::Running);
+  if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
   const double most = capabilities_.maxForce;
   if (std::abs(force) > most) ++report_.clipped;
   const double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
@@ -353,16 +281,6 @@ void PunchDevice::command(double force) noexcept {
     return;
   }
   say(SetForce{.voltage = static_cast<std::int16_t>(std::lround(millivolts)), .expiry = expiry});
-}
-
-LinkReport PunchDevice::link() {
-  const bool isKept = keeper_.joinable();  // before the first tick: it counts too
-  stopKeeper();
-  LinkReport report = report_;
-  report.drift = drift_.partsPerMillion();
-  report.clockOffset = drift_.offset();
-  if (isKept) resumeKeeper();
-  return report;
 }
 
 }  // namespace haptics::devices

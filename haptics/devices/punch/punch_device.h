@@ -1,60 +1,47 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 
-#include "haptics/devices/device.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/serial_port.h"
+#include "haptics/devices/wire_device.h"
 #include "haptics/engine/scene_spec.h"
-#include "haptics/timing/clock_drift.h"
 #include "haptics/timing/monotonic_clock.h"
 #include "haptics/wire/punch_codec.h"
 #include "haptics/wire/sequence_check.h"
 
 namespace haptics::devices {
 
-/// How a punch is connected, and what its numbers mean.
+/// How a device on a serial line is connected, and what its numbers mean.
 struct PunchSettings {
+  const DeviceKind* kind = &punchKind();
   std::string port;
   int baud = 0;                         ///< 0: USB
   std::optional<std::uint32_t> serial;  ///< of the board that is meant
   std::optional<std::uint64_t> build;   ///< of the firmware; nothing: the one of this program
-  double travelPerCount = 0.00439;      ///< [travel units]; negative where closing counts down
-  double travelAtZero = 0.0;            ///< at count 0 [travel units]
-  double newtonsPerVolt = 0.667;        ///< at the handle, measured; the same for every condition
-  double maxVoltage = 12.0;             ///< on the motor [V]
-  int expiry = 10;                      ///< after which the device lets go by itself [ms], 1 to 20
-  double damping = 0.05;                ///< of the mechanism [N·s/travel unit]
+  double travelPerCount =
+      kind->serial.travelPerCount;  ///< [travel units]; negative where closing counts down
+  double travelAtZero = 0.0;        ///< at count 0 [travel units]
+  double newtonsPerVolt = 0.667;    ///< at the handle, measured; the same for every condition
+  double maxVoltage = 12.0;         ///< on the motor [V]
+  int expiry = 10;                  ///< after which the device lets go by itself [ms], 1 to 20
+  double damping = kind->mechanism.damping;  ///< of the mechanism [N·s/travel unit]
 };
 
-/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry.
+/// The punch on its serial line (docs/punch-protocol.md), paced by its telemetry; or another kind
+/// of device that speaks as it does.
 ///
-/// One thread talks to the line at a time: whoever ticks while it is armed, a keeper of its own
-/// otherwise, which listens and drives nothing. The line is closed at the first error, and only
-/// open() opens it again. More than 50 ms of silence are an error.
-class PunchDevice final : public Device, private Beat {
+/// More than 50 ms of silence are a fault.
+class PunchDevice final : public WireDevice {
  public:
   explicit PunchDevice(PunchSettings settings);
   ~PunchDevice() override;
 
-  const Capabilities& capabilities() const noexcept override { return capabilities_; }
-  Beat* beat() noexcept override { return this; }
-
   void open() override;
-  void close() noexcept override;
   std::vector<CheckResult> check(double seconds) override;
-  void arm() override;
-  void disarm() noexcept override;
-  Lifecycle lifecycle() const noexcept override {
-    return lifecycle_.load(std::memory_order_acquire);
-  }
-  std::string fault() const override;
-  LinkReport link() override;
-
   DeviceSample read(double dt) noexcept override;
   void command(double force) noexcept override;
 
@@ -68,19 +55,21 @@ class PunchDevice final : public Device, private Beat {
   const wire::punch::Hello& hello() const noexcept { return hello_; }
 
  private:
-  bool wait(std::int64_t deadline) noexcept override;
-  bool pump(std::int64_t deadline) noexcept;
+  std::string name() const override {
+    return "The " + std::string(settings_.kind->name) + " on " + settings_.port;
+  }
+  bool isConnected() const noexcept override { return port_.isOpen(); }
+  void disconnect(bool isFault) noexcept override;
+  bool pump(std::int64_t deadline) noexcept override;
+  void keepAlive() noexcept override;
+  void beginForces() noexcept override;
+  void endForces() noexcept override;
   bool drain() noexcept;
   void take(const wire::punch::Frame& frame, std::int64_t at) noexcept;
   void takeState(const wire::punch::Frame& frame, std::int64_t at) noexcept;
-  void fail(const char* why) noexcept;
   void greet();
   void refuseStranger() const;
   wire::punch::ModelTaken answerTo(std::int64_t deadline);
-  void startKeeper();
-  void resumeKeeper() noexcept;
-  void stopKeeper() noexcept;
-  std::string name() const { return "The punch on " + settings_.port; }
   template <typename Message>
   void say(const Message& message) noexcept {
     std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes;
@@ -94,7 +83,6 @@ class PunchDevice final : public Device, private Beat {
   std::uint8_t faultsThatCount() const noexcept;
 
   PunchSettings settings_;
-  Capabilities capabilities_;
   SerialPort port_;
   wire::punch::FrameDecoder decoder_;
   wire::punch::Hello hello_;
@@ -103,24 +91,13 @@ class PunchDevice final : public Device, private Beat {
   std::optional<wire::punch::ModelTaken> taken_;
   std::optional<std::uint32_t> sceneHash_;
 
-  std::atomic<Lifecycle> lifecycle_{Lifecycle::Closed};
-  std::atomic<const char*> why_{""};
-
   wire::SequenceCheck<std::uint16_t> sequence_;
   wire::punch::State state_;
-  bool isNew_ = false;
-  bool isUnanswered_ = false;    ///< a sample has been read, and no force sent for it
-  std::int64_t deviceTime_ = 0;  // of the state, unwrapped [µs]
-  std::int64_t hostTime_ = 0;    // [ns]
-  std::int64_t armedAt_ = 0;     // [ns]
+  std::int64_t armedAt_ = 0;  // [ns]
   std::uint32_t damagedBefore_ = 0;
 
   std::uint16_t nextSequence_ = 0;
-  std::array<std::int64_t, 64> sentAt_{};  // by sequence [ns]
   std::uint16_t lastEcho_ = 0;
-  LinkReport report_;
-  timing::ClockDrift drift_;
-  std::jthread keeper_;
 };
 
 }  // namespace haptics::devices

@@ -90,10 +90,8 @@ struct ChipMessages {
     put(model, spec);
     addTables(spec.interpolation);
   }
-  template <typename Bone>
-  void operator()(const Bone&) {
-    obstacle = "bone";
-  }
+  void operator()(const engine::MaterialSpec&) { obstacle = "bone"; }
+  void operator()(const engine::PackingSpec&) { obstacle = "bone"; }
 
   void addTables(const engine::InterpolationSpec& spec) {
     for (std::size_t first = 0; first < spec.curve.size(); first += kTableChunk) {

@@ -8,6 +8,7 @@
 
 #include "haptics/devices/punch/firmware_build.h"
 #include "haptics/devices/serial_port.h"
+#include "haptics/registry/device_kinds.h"
 #include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/devices/device_emulate.h"
@@ -56,7 +57,7 @@ int list(const DeviceArguments& arguments) {
         can.maxForce,
         can.leastTravel,
         can.mostTravel,
-        can.travelUnit,
+        can.kind->travel.unit,
         can.isSimulated ? ", simulated" : "");
   }
   return 0;
@@ -112,17 +113,21 @@ void addEmulate(CLI::App& noun, Action& action) {
     verb->callback(
         [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
   };
-  auto* punch = emulate->add_subcommand("punch", "The punch, on a pseudo-terminal");
-  punch->add_option("--link", options->link, "A name for its port that stays");
-  punch->add_option("--clock-drift", options->clockDrift, "Of its clock [ppm]")
-      ->check(CLI::Range(-10'000.0, 10'000.0));
-  auto* rate = punch->add_option("--rate", options->rate, "Of its loop [Hz]");
-  rate->check(CLI::Range(100, 8000))->capture_default_str();
-  punch
-      ->add_option(
-          "--firmware", options->firmware, "Run this program for the board under QEMU instead")
-      ->excludes(rate);
-  common(punch, emulatePunch);
+  for (const auto* kind : haptics::deviceKinds()) {
+    if (kind->wire != haptics::devices::Wire::Serial) continue;
+    const std::string name(kind->name);
+    auto* verb = emulate->add_subcommand(name, "The " + name + ", on a pseudo-terminal");
+    verb->add_option("--link", options->link, "A name for its port that stays");
+    verb->add_option("--clock-drift", options->clockDrift, "Of its clock [ppm]")
+        ->check(CLI::Range(-10'000.0, 10'000.0));
+    auto* rate = verb->add_option("--rate", options->rate, "Of its loop [Hz]");
+    rate->check(CLI::Range(100, 8000))->capture_default_str();
+    verb->add_option(
+            "--firmware", options->firmware, "Run this program for the board under QEMU instead")
+        ->excludes(rate);
+    verb->preparse_callback([options, kind](std::size_t) { options->kind = kind; });
+    common(verb, emulateSerial);
+  }
   auto* iiwa = emulate->add_subcommand("iiwa", "The arm and its controller, on UDP");
   iiwa->add_option("--client", options->client, "Where to send to")->capture_default_str();
   iiwa->add_option("--fri-version", options->version, "Of FRI")

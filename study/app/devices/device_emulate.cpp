@@ -77,7 +77,7 @@ void beLikeHardware() {
 
 }  // namespace
 
-int emulatePunch(const EmulateArguments& arguments) {
+int emulateSerial(const EmulateArguments& arguments) {
   if (!arguments.firmware.empty()) {
     QemuPunch board(arguments.firmware, arguments.link);
     say("ready port=" + board.port() + " qemu_pid=" + std::to_string(board.id()));
@@ -86,14 +86,17 @@ int emulatePunch(const EmulateArguments& arguments) {
     return 0;
   }
   beLikeHardware();
-  emulators::PunchEmulator::Options options;
+  emulators::PunchEmulator::Options options{.kind = arguments.kind, .link = {}};
   options.link = arguments.link;
   options.clockDrift = arguments.clockDrift;
   options.seed = arguments.seed;
   options.limits.rate = static_cast<std::uint16_t>(arguments.rate);
   // The same speed in counts a step, however long a step is.
   options.limits.mostCountsAStep = options.limits.mostCountsAStep * 1000 / arguments.rate;
-  options.person.closed = 13.8;
+  const auto& hand = arguments.kind->hand;
+  options.person.closed = hand.ordinaryReach;
+  options.person.stiffness = arguments.kind->grip.stiffness;
+  options.person.damping = arguments.kind->grip.damping;
   options.person.variation = 0.1;
   options.person.seed = arguments.seed;
   emulators::PunchEmulator punch(options);

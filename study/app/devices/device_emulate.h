@@ -2,12 +2,15 @@
 
 #include <string>
 
+#include "haptics/devices/device_kind.h"
+
 namespace study::app {
 
 /// What `palpate device emulate` was asked for.
 struct EmulateArguments {
-  std::string link;                        ///< punch: a name for its port that stays
-  std::string client = "127.0.0.1:30200";  ///< iiwa: where messages go
+  const haptics::devices::DeviceKind* kind = nullptr;  ///< on a serial line: which
+  std::string link;                                    ///< punch: a name for its port that stays
+  std::string client = "127.0.0.1:30200";              ///< iiwa: where messages go
   std::string version = "1.15";
   std::string model = "iiwa14";
   std::string overlay = "wrench";
@@ -20,9 +23,9 @@ struct EmulateArguments {
   unsigned seed = 1;  ///< of hand and faults
 };
 
-/// A stand-in for the punch on a pseudo-terminal, or for the arm's controller on UDP. Says "ready
+/// A stand-in for a device on a pseudo-terminal, or for the arm's controller on UDP. Says "ready
 /// …" in a line, then obeys lines of its input ("drop 3", "status") until it is ended. Exit status.
-int emulatePunch(const EmulateArguments& arguments);
+int emulateSerial(const EmulateArguments& arguments);
 int emulateIiwa(const EmulateArguments& arguments);
 
 }  // namespace study::app

@@ -25,7 +25,6 @@ namespace study::app {
 namespace {
 
 namespace fs = std::filesystem;
-using haptics::devices::DeviceKind;
 
 std::uint16_t freePort() {
   return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
@@ -41,10 +40,11 @@ Stand standFor(const protocols::Protocol& protocol, const RehearseArguments& arg
   Stand stand;
   for (const auto& need : protocol.devices) {
     const std::string seed = std::to_string(arguments.seed);
-    if (need.kind == DeviceKind::Punch) {
-      SerialPunchSettings settings;
+    if (need.kind->wire == haptics::devices::Wire::Serial) {
+      SerialPunchSettings settings{.punch = {.kind = need.kind, .port = {}}};
       settings.punch.port = (fs::absolute(arguments.out) / (need.id + "-port")).string();
-      std::vector<std::string> words{"punch", "--seed", seed, "--link", settings.punch.port};
+      std::vector<std::string> words{
+          std::string(need.kind->name), "--seed", seed, "--link", settings.punch.port};
       if (!arguments.firmware.empty()) {
         words.insert(words.end(), {"--firmware", arguments.firmware});
       }

@@ -9,6 +9,8 @@
 #include <QEventLoop>
 #include <QTimer>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/parametric_bone.h"
@@ -22,7 +24,6 @@ namespace study::bench {
 namespace {
 
 namespace scene = gui::scene;
-using haptics::devices::DeviceKind;
 using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
 
@@ -30,6 +31,7 @@ constexpr QSize kPictureSize(1280, 800);
 /// A simulation and the hand that works in it.
 struct Subject {
   std::string name;
+  const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
@@ -38,7 +40,7 @@ struct Subject {
 };
 
 Subject kneeSubject(const SimulationOptions& options) {
-  Subject subject{.name = "punch and knee"};
+  Subject subject{.name = "punch and knee", .device = &haptics::devices::punchKind()};
   subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
   QElapsedTimer clock;
@@ -58,8 +60,7 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
 }
 
 Subject hipSubject(const SimulationOptions& options) {
-  Subject subject{.name = "reamer and cup"};
-  subject.spec.device = DeviceKind::Reamer;
+  Subject subject{.name = "reamer and cup", .device = &haptics::devices::reamerKind()};
   subject.spec.model = haptics::engine::PackingSpec{
       .bone = cupOf(options.spheres), .hardness = 0.5, .forceScale = 0.15};
   subject.spec.isVisualised = true;
@@ -74,8 +75,7 @@ Subject hipSubject(const SimulationOptions& options) {
   QElapsedTimer clock;
   clock.start();
   subject.scene = std::make_unique<scene::HipScene>(scene::HipScene::Options{
-      .packing = &std::get<haptics::engine::PackingSpec>(subject.spec.model),
-      .colours = options.colours});
+      .packing = haptics::engine::partsOf(subject.spec.model).packing, .colours = options.colours});
   subject.making = 1e-6 * static_cast<double>(clock.nsecsElapsed());
   return subject;
 }
@@ -105,19 +105,15 @@ void savePicture(scene::SimulationView& view, const std::string& folder, const Q
 }
 
 double bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
-  const auto* packing = std::get_if<haptics::engine::PackingSpec>(&spec.model);
+  const auto* packing = haptics::engine::partsOf(spec.model).packing;
   if (packing == nullptr) return 0.0;
   return static_cast<double>(packing->bone->packing.spheres.size() * sizeof(scene::SphereInstance));
 }
 
 SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   std::fprintf(stderr, "%s\n", subject.name.c_str());
-  const bool isPunch = subject.spec.device == DeviceKind::Punch;
   SimulatedHand hand(subject.person);
-  SimulatedDevice device(
-      isPunch ? haptics::devices::simulatedPunch() : haptics::devices::simulatedReamer(),
-      isPunch ? haptics::devices::punchMechanism() : haptics::devices::reamerMechanism(),
-      hand);
+  SimulatedDevice device(*subject.device, hand);
   SimulationSpeed measured{.name = subject.name, .making = subject.making};
   measured.allBytes = bytesOfAllSpheres(subject.spec);
   Trial trial(

@@ -91,7 +91,7 @@ void Tour::done(int result) {
 QWidget* Tour::makeFeeling() {
   auto* step = new QWidget(this);
   page_ = new FeelPage(
-      {.name = tr("Alternative 1"), .minimumCuts = 1, .isReamer = false}, nullptr, step);
+      {.name = tr("Alternative 1"), .minimumCuts = 1, .device = &punch_.kind()}, nullptr, step);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
   columns->addWidget(page_, 1);
@@ -180,7 +180,7 @@ void Tour::goTo(int step) {
 
 void Tour::begin() {
   if (!attempt(this, [&] { punch_.begin(); })) return;
-  plot_->begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  plot_->begin(punch_.kind(), 1000.0);
   page_->setRunning(true);
   watch_.start(kTourPictureEvery);
 }

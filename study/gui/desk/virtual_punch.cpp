@@ -11,9 +11,7 @@ VirtualPunch::VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpe
         auto hand = pointerHandFor(wanted);
         hand_ = hand.get();
         return hand;
-      }) {
-  scene_.device = need_.kind;
-}
+      }) {}
 
 VirtualPunch::~VirtualPunch() = default;
 

@@ -18,6 +18,8 @@ class VirtualPunch {
   VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene);
   ~VirtualPunch();
 
+  const haptics::devices::DeviceKind& kind() const noexcept { return *need_.kind; }
+
   bool isRunning() const noexcept { return live_ != nullptr; }
   void begin();
   /// Where the hand means to be, from 0 (open) to 1 (closed).

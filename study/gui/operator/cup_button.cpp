@@ -1,7 +1,6 @@
 #include "study/gui/operator/cup_button.h"
 
 #include <algorithm>
-#include <variant>
 
 #include <QApplication>
 #include <QMessageBox>
@@ -13,8 +12,6 @@
 namespace study::gui {
 namespace {
 
-using haptics::engine::PackingSpec;
-
 /// Whether a bone of spheres is seen anywhere in @p protocol. The same in every step of a study, so
 /// that it says nothing about one.
 bool isBoneSeen(const protocols::Protocol& protocol) {
@@ -24,7 +21,7 @@ bool isBoneSeen(const protocols::Protocol& protocol) {
       });
   const auto& conditions = protocol.conditions;
   return std::any_of(conditions.begin(), conditions.end(), [&](const auto& condition) {
-    return std::holds_alternative<PackingSpec>(condition.scene.model) &&
+    return haptics::engine::partsOf(condition.scene.model).packing != nullptr &&
            (isAnyBlockSeen || condition.scene.isVisualised);
   });
 }
@@ -109,7 +106,9 @@ void CupButton::openWindow() {
   if (window_.isNull()) {
     const auto setup = setupFor(controller_->session(), {});
     window_ = new scene::CupWindow(
-        std::get<PackingSpec>(setup.scene.model), [this] { return present(); }, window());
+        *haptics::engine::partsOf(setup.scene.model).packing,
+        [this] { return present(); },
+        window());
   }
   window_->show();
   window_->raise();

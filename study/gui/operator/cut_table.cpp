@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 
+#include "study/gui/widgets/labels.h"
+
 namespace study::gui {
 namespace {
 
@@ -37,7 +39,6 @@ int columnOf(CutDetector::Event event) {
 
 CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setObjectName(QStringLiteral("cuts"));
-  setAccessibleName(tr("Cuts of this trial"));
   setHorizontalHeaderLabels(
       {tr("Contact"), tr("Yield"), tr("Bottom"), tr("Opening"), tr("Largest force")});
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -46,10 +47,11 @@ CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
   setFocusPolicy(Qt::NoFocus);
 }
 
-void CutTable::begin(haptics::devices::DeviceKind device, double rate) {
-  detector_ = CutDetector(haptics::engine::cutParametersFor(device));
+void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
+  detector_ = CutDetector(device.stroke);
   rate_ = rate;
   travel_ = travelScaleOf(device);
+  setAccessibleName(tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in("en")))));
   cut_ = 0;
   setRowCount(0);
 }

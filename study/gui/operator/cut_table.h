@@ -16,7 +16,7 @@ class CutTable final : public QTableWidget {
   explicit CutTable(QWidget* parent = nullptr);
 
   /// A new trial begins on such a device, of ticks at @p rate [Hz].
-  void begin(haptics::devices::DeviceKind device, double rate);
+  void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample);
 
  private:

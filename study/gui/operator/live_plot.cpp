@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <qcustomplot.h>
 
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/widgets/theme.h"
 
@@ -39,7 +40,7 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->yAxis->setLabel(tr("force [N]"));
   setMinimumHeight(150);
   paintAsTheTheme();
-  begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  begin(*haptics::deviceKinds().front(), 1000.0);
 }
 
 void LivePlot::paintAsTheTheme() {
@@ -70,7 +71,7 @@ void LivePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {
+void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   for (int i = 0; i < plot_->graphCount(); ++i) plot_->graph(i)->data()->clear();
   slices_ = {};
   period_ = 1.0 / rate;
@@ -78,11 +79,10 @@ void LivePlot::begin(haptics::devices::DeviceKind device, double rate) {
   last_ = 0.0;
   plot_->xAxis->setRange(0.0, kShown);
   // What an ordinary hand does; more makes the scale grow.
-  const bool isPunch = device == haptics::devices::DeviceKind::Punch;
   auto* speed = plot_->graph(2)->valueAxis();
-  plot_->yAxis->setRange(0.0, isPunch ? 8.0 : 40.0);
-  plot_->yAxis2->setRange(0.0, isPunch ? 12.0 : 30.0);
-  speed->setRange(-50.0, 50.0);
+  plot_->yAxis->setRange(0.0, device.plot.force);
+  plot_->yAxis2->setRange(0.0, device.plot.travel);
+  speed->setRange(-device.plot.velocity, device.plot.velocity);
   const auto travel = travelScaleOf(device);
   scale_ = travel.factor;
   plot_->yAxis2->setLabel(tr("travel [%1]").arg(travel.unit));

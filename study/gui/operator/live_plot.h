@@ -28,7 +28,7 @@ class LivePlot final : public QWidget {
   explicit LivePlot(QWidget* parent = nullptr);
 
   /// A new trial begins on such a device, of ticks at @p rate [Hz].
-  void begin(haptics::devices::DeviceKind device, double rate);
+  void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample);
   /// Draws what was added.
   void refresh();

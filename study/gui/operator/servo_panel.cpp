@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
@@ -64,10 +65,10 @@ ServoPanel::ServoPanel(QWidget* parent)
   words_->setToolTip(
       tr("The energy is that of the present contact: it begins anew whenever the tool comes free"));
   bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
-  begin(haptics::devices::DeviceKind::Punch, 0.0);
+  begin(*haptics::deviceKinds().front(), 0.0);
 }
 
-void ServoPanel::begin(haptics::devices::DeviceKind device, double rate) {
+void ServoPanel::begin(const haptics::devices::DeviceKind& device, double rate) {
   energyUnit_ = travelScaleOf(device).energyUnit;
   health_ = {};
   nominalRate_ = rate;

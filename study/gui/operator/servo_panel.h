@@ -18,7 +18,7 @@ class ServoPanel final : public QWidget {
   explicit ServoPanel(QWidget* parent = nullptr);
 
   /// A new trial begins on such a device, of ticks at @p rate [Hz].
-  void begin(haptics::devices::DeviceKind device, double rate);
+  void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
   /// Writes and draws what was added.
   void refresh();

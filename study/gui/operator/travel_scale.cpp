@@ -1,18 +1,17 @@
 #include "study/gui/operator/travel_scale.h"
 
+#include "study/gui/widgets/labels.h"
+
 namespace study::gui {
 
-TravelScale travelScaleOf(haptics::devices::DeviceKind device) {
-  if (device == haptics::devices::DeviceKind::Reamer) {
-    constexpr double kMillimetres = 1000.0;
-    return {
-        kMillimetres,
-        QStringLiteral("mm"),
-        QStringLiteral(" mm"),
-        QStringLiteral("mm/s"),
-        QStringLiteral("J")};
-  }
-  return {1.0, QStringLiteral("units"), {}, QStringLiteral("/s"), QStringLiteral("N·units")};
+TravelScale travelScaleOf(const haptics::devices::DeviceKind& device) {
+  const auto& shown = device.shown;
+  return {
+      shown.factor,
+      asText(shown.unit),
+      asText(shown.suffix),
+      asText(shown.velocityUnit),
+      asText(shown.energyUnit)};
 }
 
 }  // namespace study::gui

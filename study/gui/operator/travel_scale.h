@@ -6,8 +6,7 @@
 
 namespace study::gui {
 
-/// In which unit an operator reads a device's travel: a reamer's in millimetres, a punch's in the
-/// units of its handle, which no paper gives a length.
+/// In which unit an operator reads a device's travel.
 struct TravelScale {
   double factor;         ///< from the device's unit to this one
   QString unit;          ///< "mm"
@@ -16,6 +15,6 @@ struct TravelScale {
   QString energyUnit;    ///< of force times the device's own unit: "J"
 };
 
-TravelScale travelScaleOf(haptics::devices::DeviceKind device);
+TravelScale travelScaleOf(const haptics::devices::DeviceKind& device);
 
 }  // namespace study::gui

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/cup_button.h"
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
@@ -65,7 +66,7 @@ void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
   // Nothing of whoever was felt before.
-  showNothing(haptics::devices::DeviceKind::Punch, kNominalRate);
+  showNothing(*haptics::deviceKinds().front(), kNominalRate);
   cup_->follow(controller);
   updateSteps();
 }
@@ -91,7 +92,7 @@ void TrialPanel::updateSteps() {
   showState();
 }
 
-void TrialPanel::showNothing(haptics::devices::DeviceKind device, double rate) {
+void TrialPanel::showNothing(const haptics::devices::DeviceKind& device, double rate) {
   plot_->begin(device, rate);
   servo_->begin(device, rate);
   cuts_->begin(device, rate);
@@ -127,10 +128,12 @@ void TrialPanel::showState() {
 void TrialPanel::updateTrial() {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return;
   const auto status = controller_->trialStatus();
-  const auto scale = travelScaleOf(controller_->deviceKind());
+  const auto& kind = controller_->deviceKind();
+  const auto scale = travelScaleOf(kind);
   const int asked = controller_->session().step().minimumCuts;
   cutCount_->show();
-  cutCount_->setText(tr("cut %1 of %2").arg(status.cuts).arg(asked));
+  cutCount_->setText(
+      tr("%1 %2 of %3").arg(asText(kind.strokeName.in("en"))).arg(status.cuts).arg(asked));
   numbers_->setText(
       tr("%1 N at %2 %6 · %3 ticks, %4 late · %5")
           .arg(status.force, 0, 'f', 2)

@@ -35,7 +35,7 @@ class TrialPanel final : public QWidget {
 
   void beginTrial();
   /// Empties what tells of a trial, for one on such a device, of ticks at @p rate [Hz].
-  void showNothing(haptics::devices::DeviceKind device, double rate);
+  void showNothing(const haptics::devices::DeviceKind& device, double rate);
   void showHealth(const QString& words, Health health);
   void showState();
 

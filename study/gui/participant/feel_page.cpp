@@ -51,8 +51,8 @@ FeelPage::FeelPage(const Content& content, QWidget* picture, QWidget* parent)
 }
 
 QString FeelPage::cutsInWords(int cuts) const {
-  return content_.isReamer ? tr("Strokes: %1 of at least %2").arg(cuts).arg(content_.minimumCuts)
-                           : tr("Cuts: %1 of at least %2").arg(cuts).arg(content_.minimumCuts);
+  const QString strokes = asText(content_.device->strokesName.in(content_.language));
+  return tr("%1: %2 of at least %3").arg(capitalised(strokes)).arg(cuts).arg(content_.minimumCuts);
 }
 
 void FeelPage::setRunning(bool isRunning) {
@@ -65,12 +65,7 @@ void FeelPage::setRunning(bool isRunning) {
     begin_->setFocus();
     return;
   }
-  hint_->setText(
-      content_.isReamer
-          ? tr("No instrument at hand? Hold the space bar, or drag down on this page, to push in; "
-               "let go to draw back.")
-          : tr("No instrument at hand? Hold the space bar, or drag down on this page, to close; "
-               "let go to open."));
+  hint_->setText(asText(content_.device->pointerHint.in(content_.language)));
   setFocus();
 }
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <string>
+
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
+
+#include "haptics/devices/device_kind.h"
 
 namespace study::gui {
 
@@ -18,8 +22,9 @@ class FeelPage final : public QWidget {
   struct Content {
     QString name;  ///< "Alternative 2"
     int minimumCuts = 3;
-    bool isOffered = false;  ///< once more, to whoever wants to
-    bool isReamer = false;
+    bool isOffered = false;                      ///< once more, to whoever wants to
+    const haptics::devices::DeviceKind* device;  ///< whose words are shown
+    std::string language = "en";
   };
 
   /// @param picture  of what is felt, which the page takes in; nothing where it is not seen.

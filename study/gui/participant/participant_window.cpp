@@ -188,7 +188,8 @@ QWidget* ParticipantWindow::makeFeelPage() {
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOffered = step.isOffered,
-       .isReamer = need->kind == haptics::devices::DeviceKind::Reamer},
+       .device = need->kind,
+       .language = controller_.session().language()},
       viewOfTrial(controller_, this),
       this);
   connect(feel_, &FeelPage::beginRequested, &controller_, &SessionController::beginTrial);

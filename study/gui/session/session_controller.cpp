@@ -61,8 +61,8 @@ QString SessionController::deviceName() const {
   return QString::fromStdString(deviceFor(session_).id);
 }
 
-haptics::devices::DeviceKind SessionController::deviceKind() const {
-  return deviceFor(session_).kind;
+const haptics::devices::DeviceKind& SessionController::deviceKind() const {
+  return *deviceFor(session_).kind;
 }
 
 int SessionController::attempts(int step) const {

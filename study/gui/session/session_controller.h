@@ -59,7 +59,7 @@ class SessionController final : public QObject {
   }
   /// The device that the present trial needs; empty where the step is none.
   QString deviceName() const;
-  haptics::devices::DeviceKind deviceKind() const;
+  const haptics::devices::DeviceKind& deviceKind() const;
   double trialRate() const { return trial_ ? trial_->rate() : 0.0; }  ///< [Hz]
 
   /// How often a step has been begun, and how its last attempt stands.

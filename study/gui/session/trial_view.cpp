@@ -1,7 +1,6 @@
 #include "study/gui/session/trial_view.h"
 
 #include <algorithm>
-#include <variant>
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -16,16 +15,23 @@
 namespace study::gui {
 namespace {
 
+using haptics::devices::View;
 using scene::SimulationView;
 
+/// @param view  not None.
 /// @param knee  that is seen in place of ours; nothing: ours.
 std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
-    const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
-  if (spec.device == haptics::devices::DeviceKind::Punch) {
-    return std::make_unique<scene::KneeScene>(knee);
+    View view, const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
+  switch (view) {
+    case View::Knee:
+      return std::make_unique<scene::KneeScene>(knee);
+    case View::Cup:
+      return std::make_unique<scene::HipScene>(
+          scene::HipScene::Options{.packing = haptics::engine::partsOf(spec.model).packing});
+    case View::None:
+      break;
   }
-  return std::make_unique<scene::HipScene>(
-      scene::HipScene::Options{.packing = std::get_if<haptics::engine::PackingSpec>(&spec.model)});
+  return nullptr;
 }
 
 scene::Look lookAt(const SessionController& controller) {
@@ -45,7 +51,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
   const auto& session = controller.session();
   const auto* condition = session.protocol().protocol.condition(session.step().condition);
   auto* view = new SimulationView(
-      simulatedSceneOf(spec, condition->knee.get()),
+      simulatedSceneOf(deviceFor(session).kind->view, spec, condition->knee.get()),
       scene::openGraphics(),
       SimulationView::Pace::Display,
       &place);
@@ -66,7 +72,8 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.reportViewBy({});
   controller.showCupBy({});
   const auto spec = setupFor(controller.session(), {}).scene;
-  if (!spec.isVisualised) return nullptr;
+  const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
+  if (!isSeen) return nullptr;
   auto* place = new QWidget(parent);
   place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
   place->setStyleSheet(QStringLiteral("background: black;"));

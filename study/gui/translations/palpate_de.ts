@@ -27,16 +27,8 @@
         <translation>Drücken Sie auf „Beginnen“, wenn Sie das Instrument in der Hand haben.</translation>
     </message>
     <message>
-        <source>Strokes: %1 of at least %2</source>
-        <translation>Fräsbewegungen: %1 von mindestens %2</translation>
-    </message>
-    <message>
-        <source>Cuts: %1 of at least %2</source>
-        <translation>Schnitte: %1 von mindestens %2</translation>
-    </message>
-    <message>
-        <source>No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open.</source>
-        <translation>Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen.</translation>
+        <source>%1: %2 of at least %3</source>
+        <translation>%1: %2 von mindestens %3</translation>
     </message>
     <message>
         <source>No, go on</source>
@@ -49,10 +41,6 @@
     <message>
         <source>Feel it again</source>
         <translation>Noch einmal fühlen</translation>
-    </message>
-    <message>
-        <source>No instrument at hand? Hold the space bar, or drag down on this page, to push in; let go to draw back.</source>
-        <translation>Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen.</translation>
     </message>
 </context>
 <context>

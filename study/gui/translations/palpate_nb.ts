@@ -27,16 +27,8 @@
         <translation>Trykk «Begynn» når du holder instrumentet.</translation>
     </message>
     <message>
-        <source>Strokes: %1 of at least %2</source>
-        <translation>Fresebevegelser: %1 av minst %2</translation>
-    </message>
-    <message>
-        <source>Cuts: %1 of at least %2</source>
-        <translation>Kutt: %1 av minst %2</translation>
-    </message>
-    <message>
-        <source>No instrument at hand? Hold the space bar, or drag down on this page, to close; let go to open.</source>
-        <translation>Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på denne siden, for å lukke; slipp for å åpne.</translation>
+        <source>%1: %2 of at least %3</source>
+        <translation>%1: %2 av minst %3</translation>
     </message>
     <message>
         <source>No, go on</source>
@@ -49,10 +41,6 @@
     <message>
         <source>Feel it again</source>
         <translation>Kjenn på det igjen</translation>
-    </message>
-    <message>
-        <source>No instrument at hand? Hold the space bar, or drag down on this page, to push in; let go to draw back.</source>
-        <translation>Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på denne siden, for å skyve inn; slipp for å trekke tilbake.</translation>
     </message>
 </context>
 <context>

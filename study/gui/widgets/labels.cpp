@@ -31,6 +31,10 @@ QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
 }
 
+QString capitalised(const QString& words) {
+  return words.left(1).toUpper() + words.mid(1);
+}
+
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
   const auto* cohort = protocol.cohort(id);
   return QString::fromStdString(cohort == nullptr ? id : cohort->title.in("en"));

@@ -13,6 +13,8 @@ namespace study::gui {
 
 /// Words from below the windows, as Qt has them.
 QString asText(std::string_view words);
+/// "cuts" as "Cuts".
+QString capitalised(const QString& words);
 /// The title of a cohort; its id where only an earlier version of the protocol had it.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
 

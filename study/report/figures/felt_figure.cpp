@@ -30,7 +30,7 @@ class FeltPainter {
       }
       for (const double force : curve.meant) mostForce_ = std::max(mostForce_, force);
     }
-    if (!curves_.empty() && curves_.front()->travelUnit == "m") scale_ = 1000.0;
+    shown_ = &section.protocol.device(device)->kind->shown;
   }
 
   void paint() {
@@ -52,10 +52,10 @@ class FeltPainter {
   }
 
   void axes() {
-    const double shown = std::max(mostTravel_ * scale_, 1e-9);
+    const double shown = std::max(mostTravel_ * shown_->factor, 1e-9);
     const double most = std::max(mostForce_, 1e-9);
     for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, shown).ticks(8)) {
-      const auto p = at(tick.value / scale_, 0.0);
+      const auto p = at(tick.value / shown_->factor, 0.0);
       grid(p, {p.x(), kPlot.top()});
       painter_.setPen(Qt::black);
       drawText(painter_, {p.x() - 30, kPlot.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text, 12);
@@ -75,8 +75,7 @@ class FeltPainter {
         painter_,
         {kPlot.left(), kPlot.bottom() + 26, kPlot.width(), 20},
         Qt::AlignCenter,
-        QString::fromStdString(
-            section_.words(scale_ > 1.0 ? "depth [mm]" : "travel [travel units]")),
+        QString::fromStdString(section_.words(shown_->axis)),
         13);
     painter_.save();
     painter_.translate(14, kPlot.center().y());
@@ -154,7 +153,7 @@ class FeltPainter {
   std::vector<const FeltCurve*> curves_;
   double mostTravel_ = 0.0;
   double mostForce_ = 0.0;
-  double scale_ = 1.0;  ///< shown units in one unit of travel
+  const haptics::devices::DeviceKind::Shown* shown_ = nullptr;  ///< how travel is read
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/devices/pointer_hand.h"
+#include "haptics/devices/punch/punch_kind.h"
 
 namespace haptics::devices {
 namespace simulated_device_test {
@@ -31,7 +32,7 @@ DeviceSample after(SimulatedDevice& device, int ticks) {
 }
 
 TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
-  auto capabilities = simulatedPunch();
+  auto capabilities = simulated(punchKind());
   capabilities.mostTravel = 1e6;
   SteadyHand hand(2.0);
   SimulatedDevice device(capabilities, {.damping = 0.1}, hand);
@@ -40,20 +41,20 @@ TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
 
 TEST(SimulatedDevice, StandsStillWhenPushedBackAsHard) {
   SteadyHand hand(2.0);
-  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  SimulatedDevice device(punchKind(), hand);
   device.command(2.0);
   EXPECT_EQ(after(device, 500).travel, 0.0);
 }
 
 TEST(SimulatedDevice, IsHeldByTheStopAtTheEndOfItsTravel) {
   SteadyHand hand(8.0);
-  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  SimulatedDevice device(punchKind(), hand);
   EXPECT_NEAR(after(device, 5000).travel, 11.0 + 8.0 / 80.0, 0.05);  // push over stop stiffness
 }
 
 TEST(SimulatedDevice, SeesTravelInStepsOfItsEncoder) {
   SteadyHand hand(1.0);
-  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  SimulatedDevice device(punchKind(), hand);
   for (int i = 0; i < 300; ++i) {
     const double steps = device.read(kDt).travel / 0.0439;
     EXPECT_NEAR(steps, std::round(steps), 1e-6);
@@ -62,7 +63,7 @@ TEST(SimulatedDevice, SeesTravelInStepsOfItsEncoder) {
 
 TEST(SimulatedDevice, GivesNoMeasurementWhileItIsUnplugged) {
   SteadyHand hand(1.0);
-  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  SimulatedDevice device(punchKind(), hand);
   EXPECT_EQ(after(device, 10).status, DeviceStatus::Ok);
   device.unplug();
   EXPECT_EQ(after(device, 1).status, DeviceStatus::Gone);
@@ -72,7 +73,7 @@ TEST(SimulatedDevice, GivesNoMeasurementWhileItIsUnplugged) {
 
 TEST(SimulatedDevice, SaysThatItIsFaultyRatherThanFlyAway) {
   SteadyHand hand(INFINITY);
-  SimulatedDevice device(simulatedPunch(), punchMechanism(), hand);
+  SimulatedDevice device(punchKind(), hand);
   bool wasFaulty = false;
   for (int i = 0; i < 100; ++i) {
     const auto sample = device.read(kDt);
@@ -84,7 +85,7 @@ TEST(SimulatedDevice, SaysThatItIsFaultyRatherThanFlyAway) {
 
 TEST(SimulatedDevice, RefusesAMechanismWithoutMass) {
   SteadyHand hand(0.0);
-  EXPECT_THROW(SimulatedDevice(simulatedPunch(), {.mass = 0.0}, hand), std::invalid_argument);
+  EXPECT_THROW(SimulatedDevice(simulated(punchKind()), {.mass = 0.0}, hand), std::invalid_argument);
 }
 
 TEST(PointerHand, FollowsThePointerNoFasterThanAHand) {

@@ -51,11 +51,7 @@ TEST(CompiledScene, SaysWhyForEveryPass) {
 
 TEST(CompiledScene, RefusesWhatIsUnsoundInWords) {
   EXPECT_THROW(CompiledScene({.model = InterpolationSpec{}}), std::invalid_argument);
-  EXPECT_THROW(
-      CompiledScene({.device = devices::DeviceKind::Reamer, .model = kCut}), std::invalid_argument);
-  EXPECT_THROW(
-      CompiledScene({.device = devices::DeviceKind::Reamer, .model = bone(1.5)}),
-      std::invalid_argument);
+  EXPECT_THROW(CompiledScene({.model = bone(1.5)}), std::invalid_argument);
 }
 
 TEST(CompiledScene, KnowsItsStiffestSlope) {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/parametric_material.h"
@@ -25,7 +27,7 @@ class HeldDevice final : public devices::Device {
   double commanded = 0.0;
 
  private:
-  devices::Capabilities capabilities_ = devices::simulatedPunch();
+  devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());
 };
 
 SceneSpec finiteElements() {
@@ -303,9 +305,7 @@ TEST_F(ForceEngineTest, AllocatesNothingInATickWhateverTheScene) {
   KalmanSpec both;
   both.interpolation.curve = {{3.0, 0.0}, {7.0, 4.0}, {9.0, 2.0}};
   CompiledScene kalman({.model = both, .isVisualised = true});
-  CompiledScene material(
-      {.device = devices::DeviceKind::Reamer,
-       .model = MaterialSpec{.nodes = parametricMaterial()}});
+  CompiledScene material({.model = MaterialSpec{.nodes = parametricMaterial()}});
   for (auto* scene : {&interpolation, &scene_, &kalman, &material}) {
     engine_.setScene(scene);
     const tests::AllocationCounter allocations;
@@ -334,7 +334,7 @@ TEST_F(ForceEngineTest, CountsEachCutOnceAndAnewForEachScene) {
 
 TEST(SimulatedPunch, IsCutByASimulatedHandThroughTheEngine) {
   devices::SimulatedHand hand({});
-  devices::SimulatedDevice device(devices::simulatedPunch(), devices::punchMechanism(), hand);
+  devices::SimulatedDevice device(devices::punchKind(), hand);
   ForceEngine engine(device, {.maxForce = 8.0, .maxRate = 500.0});
   CompiledScene scene(finiteElements());
   engine.setScene(&scene);
@@ -352,10 +352,10 @@ TEST(SimulatedPunch, IsCutByASimulatedHandThroughTheEngine) {
 TEST(SimulatedReamer, IsPushedByASimulatedHandThroughTheEngine) {
   devices::SimulatedHand hand(
       {.closed = 0.035, .closeTime = 1.5, .openTime = 1.0, .stiffness = 6000.0, .damping = 150.0});
-  devices::SimulatedDevice device(devices::simulatedReamer(), devices::reamerMechanism(), hand);
+  devices::SimulatedDevice device(devices::reamerKind(), hand);
   ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0});
   MaterialSpec bone{.nodes = parametricMaterial(), .hardness = 0.5, .forceScale = 0.15};
-  CompiledScene scene({.device = devices::DeviceKind::Reamer, .model = bone});
+  CompiledScene scene({.model = bone});
   engine.setScene(&scene);
   TickSample sample;
   double peak = 0.0;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/compiled_scene.h"
@@ -59,7 +60,7 @@ TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
 }
 
 TEST(CompiledScene, NamesWhatChangesInABoneOnlyWhereSomebodyLooks) {
-  SceneSpec scene{.device = devices::DeviceKind::Reamer, .model = spec(true)};
+  SceneSpec scene{.model = spec(true)};
   EXPECT_EQ(CompiledScene(scene).bone(), nullptr);
   scene.isVisualised = true;
   EXPECT_NE(CompiledScene(scene).bone(), nullptr);
@@ -81,10 +82,10 @@ TEST(RemovalModel, IsReamedByAHand) {
   devices::SimulatedHand::Person person{
       .open = 0.0, .closed = 0.02, .stiffness = 4000.0, .damping = 200.0};
   devices::SimulatedHand hand(person);
-  auto capabilities = devices::simulatedReamer();
-  devices::SimulatedDevice device(capabilities, devices::reamerMechanism(), hand);
+  auto capabilities = devices::simulated(devices::reamerKind());
+  devices::SimulatedDevice device(capabilities, devices::reamerKind().mechanism, hand);
   ForceEngine engine(device, {.maxForce = 140.0, .maxRate = 5000.0, .maxVelocity = 1.0});
-  CompiledScene scene({.device = devices::DeviceKind::Reamer, .model = spec(true)});
+  CompiledScene scene({.model = spec(true)});
   engine.setScene(&scene);
   engine.arm();
   double deepest[3] = {};
@@ -108,17 +109,15 @@ TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
     }
     return in;
   };
-  const auto reamer = devices::DeviceKind::Reamer;
-  EXPECT_EQ(partsOf({.device = reamer, .model = spec(false)}), "sphere packing; ");
-  EXPECT_EQ(partsOf({.device = reamer, .model = spec(true)}), "sphere packing; removal of bone; ");
-  EXPECT_FALSE(problemsOf({.device = devices::DeviceKind::Punch, .model = spec(true)}).empty());
-  EXPECT_FALSE(problemsOf({.device = reamer, .model = PackingSpec{}}).empty());
+  EXPECT_EQ(partsOf({.model = spec(false)}), "sphere packing; ");
+  EXPECT_EQ(partsOf({.model = spec(true)}), "sphere packing; removal of bone; ");
+  EXPECT_FALSE(problemsOf({.model = PackingSpec{}}).empty());
   const auto spoilt = [&](auto spoil) {
     auto bone = *parametricBone();
     spoil(bone);
     auto with = spec(true);
     with.bone = std::make_shared<reaming::PackedBone>(std::move(bone));
-    return !problemsOf({.device = reamer, .model = with}).empty();
+    return !problemsOf({.model = with}).empty();
   };
   EXPECT_FALSE(spoilt([](auto&) {}));
   EXPECT_TRUE(spoilt([](auto& bone) { bone.packing.volume = 1e-12; }));
@@ -129,7 +128,7 @@ TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
   }));
   auto hard = spec(true);
   hard.hardness = 1.5;
-  EXPECT_FALSE(problemsOf({.device = reamer, .model = hard}).empty());
+  EXPECT_FALSE(problemsOf({.model = hard}).empty());
 }
 
 }  // namespace packing_model_test

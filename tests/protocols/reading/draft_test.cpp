@@ -92,7 +92,7 @@ TEST(Draft, MissesNoConditionOrDeviceThatHasNoReadableName) {
   const auto text = tests::with(tests::usualProtocol(), R"("id": "firm")", R"("id": "fi rm")");
   EXPECT_EQ(saidAbout(text), Words{"$.conditions[1].id: 'fi rm' cannot be an id"});
   const auto other = tests::with(tests::usualProtocol(), R"("kind": "punch")", R"("kind": "pnch")");
-  EXPECT_EQ(saidAbout(other), Words{"$.devices[0].kind: unknown word 'pnch'"});
+  EXPECT_EQ(saidAbout(other), Words{"$.devices[0].kind: there is no kind of device 'pnch'"});
 }
 
 }  // namespace draft_test

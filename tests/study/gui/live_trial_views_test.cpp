@@ -1,14 +1,20 @@
 // What the operator sees of a trial while it runs: plot, health of the clock, cuts.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/engine/force_limiter.h"
+#include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
+#include "study/gui/participant/feel_page.h"
 #include "study/gui/session/servo_health.h"
+#include "study/gui/widgets/labels.h"
 
 namespace study::gui {
 namespace live_trial_views_test {
@@ -27,7 +33,7 @@ TickSample sampleAt(std::uint64_t tick, double travel, double force) {
 
 TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
   LivePlot plot;
-  plot.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  plot.begin(haptics::devices::punchKind(), 1000.0);
   for (std::uint64_t tick = 0; tick < 25'000; ++tick) {
     // One tick in the middle of the last ten seconds stands out of all others.
     plot.add(
@@ -52,7 +58,7 @@ TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
 
 TEST(LivePlot, DrawsTimeForwardsOnly) {
   LivePlot plot;
-  plot.begin(haptics::devices::DeviceKind::Punch, 8000.0);
+  plot.begin(haptics::devices::punchKind(), 8000.0);
   for (std::uint64_t tick = 0; tick < 40'000; ++tick) {
     plot.add(sampleAt(tick, std::cos(0.02 * static_cast<double>(tick)), 0.0));
   }
@@ -96,7 +102,7 @@ TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
   ServoPanel panel;
   auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
   EXPECT_EQ(words->text(), QStringLiteral("Nothing is felt just now."));
-  panel.begin(haptics::devices::DeviceKind::Reamer, 1000.0);
+  panel.begin(haptics::devices::reamerKind(), 1000.0);
   auto sample = sampleAt(1, 0.0, 0.0);
   sample.lateness = 37.0F;
   panel.add(sample);
@@ -104,7 +110,7 @@ TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
   EXPECT_TRUE(words->text().contains(QStringLiteral("of 1000 Hz"))) << words->text().toStdString();
   EXPECT_TRUE(words->text().contains(QStringLiteral("most 37 µs")));
   EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 J")));
-  panel.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  panel.begin(haptics::devices::punchKind(), 1000.0);
   panel.add(sample);
   panel.refresh();
   EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units"))) << "a handle has no metres";
@@ -112,7 +118,7 @@ TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
 
 TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
   LivePlot plot;
-  plot.begin(haptics::devices::DeviceKind::Reamer, 1000.0);
+  plot.begin(haptics::devices::reamerKind(), 1000.0);
   for (std::uint64_t tick = 0; tick < 40; ++tick) plot.add(sampleAt(tick, 0.012, 30.0));
   for (const auto& point : plot.channel(1)) EXPECT_DOUBLE_EQ(point.y(), 12.0);
   for (const auto& point : plot.channel(0)) EXPECT_DOUBLE_EQ(point.y(), 30.0);
@@ -121,7 +127,7 @@ TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
 
 TEST(CutTable, FillsARowWithEachCutAsItHappens) {
   CutTable table;
-  table.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  table.begin(haptics::devices::punchKind(), 1000.0);
   // Three strokes over tissue that is felt from 4 on and gives way at 8.
   for (std::uint64_t tick = 0; tick < 3000; ++tick) {
     const double phase = 2.0 * std::numbers::pi * static_cast<double>(tick) / 1000.0;
@@ -139,8 +145,30 @@ TEST(CutTable, FillsARowWithEachCutAsItHappens) {
       << table.item(0, 0)->text().toStdString();
   const double largest = table.item(1, 4)->text().split(u' ').front().toDouble();
   EXPECT_NEAR(largest, 4.8, 0.1);
-  table.begin(haptics::devices::DeviceKind::Punch, 1000.0);
+  table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(table.rowCount(), 0);
+}
+
+TEST(CutTable, IsCalledAsTheDevicesStrokesAre) {
+  CutTable table;
+  table.begin(haptics::devices::punchKind(), 1000.0);
+  EXPECT_EQ(table.accessibleName(), QStringLiteral("Cuts of this trial"));
+  table.begin(haptics::devices::reamerKind(), 1000.0);
+  EXPECT_EQ(table.accessibleName(), QStringLiteral("Strokes of this trial"));
+}
+
+TEST(FeelPage, CountsInTheWordsOfEveryDevice) {
+  for (const auto* kind : haptics::deviceKinds()) {
+    for (const std::string language : {"en", "de", "nb"}) {
+      const FeelPage page(
+          {.name = {}, .minimumCuts = 3, .device = kind, .language = language}, nullptr);
+      const QString strokes = capitalised(asText(kind->strokesName.in(language)));
+      const auto labels = page.findChildren<QLabel*>();
+      EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->text().startsWith(strokes + QStringLiteral(": 0 "));
+      })) << strokes.toStdString();
+    }
+  }
 }
 
 }  // namespace live_trial_views_test

@@ -220,7 +220,6 @@ std::vector<study::FeltCurve> feltCurves() {
     study::FeltCurve made{
         .condition = condition,
         .device = "punch",
-        .travelUnit = "travel_unit",
         .trials = 4,
         .points = {}};
     for (const double travel : {1.0, 2.0}) {

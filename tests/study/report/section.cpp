@@ -77,7 +77,6 @@ study::FeltCurve curve(const std::string& condition, double force) {
   study::FeltCurve curve{
       .condition = condition,
       .device = "punch",
-      .travelUnit = "travel_unit",
       .trials = 4,
       .points = {}};
   for (int i = 0; i < 20; ++i) {

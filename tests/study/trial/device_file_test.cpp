@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "study/session/session.h"
 #include "study/trial/hardware_rig.h"
 #include "tests/support/scratch_folder.h"
@@ -12,7 +14,8 @@
 namespace study {
 namespace device_file_test {
 
-using haptics::devices::DeviceKind;
+using haptics::devices::punchKind;
+using haptics::devices::reamerKind;
 
 constexpr const char* kBoth = R"({
   "format": "palpate-devices-1",
@@ -64,7 +67,7 @@ TEST(DeviceFile, SaysHowEveryDeviceIsConnected) {
   EXPECT_DOUBLE_EQ((*arm.zero)[3], -std::numbers::pi / 2.0);
   EXPECT_DOUBLE_EQ(arm.margins.position, 6.0 * std::numbers::pi / 180.0);
   EXPECT_EQ(arm.margins.torque, 0.4);
-  EXPECT_EQ(kindOf((*devices)[2]), DeviceKind::Reamer);
+  EXPECT_EQ(&kindOf((*devices)[2]), &reamerKind());
 }
 
 TEST(DeviceFile, ReadsWhatItWrites) {
@@ -182,10 +185,10 @@ TEST(HardwareRig, RefusesInWordsWhatTheFileDoesNotHave) {
     return std::string();
   };
   expectIn(refusal({.id = "knife"}), "'knife'");
-  expectIn(refusal({.id = "spare", .kind = DeviceKind::Punch}), "needs a punch as 'spare'");
-  expectIn(refusal({.id = "punch", .kind = DeviceKind::Punch}), "There is no serial port");
+  expectIn(refusal({.id = "spare", .kind = &punchKind()}), "needs a punch as 'spare'");
+  expectIn(refusal({.id = "punch", .kind = &punchKind()}), "There is no serial port");
   EXPECT_FALSE(rig.isOpen("punch"));
-  EXPECT_EQ(refusal({.id = "spare", .kind = DeviceKind::Reamer}), "");
+  EXPECT_EQ(refusal({.id = "spare", .kind = &reamerKind()}), "");
   EXPECT_TRUE(rig.isOpen("spare"));
 }
 
@@ -194,7 +197,7 @@ TEST(Preflight, WarnsWhereTheProtocolAsksForMoreThanTheDeviceGives) {
   HardwareRig rig(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);
   });
-  const protocols::DeviceNeed need{.id = "spare", .kind = DeviceKind::Reamer, .maxForce = 300.0};
+  const protocols::DeviceNeed need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
   const auto found = preflight(*rig.find("spare"), &need, 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(found.back().measured, "300 N of 140 N");

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "study/trial/rig.h"
 #include "tests/study/faulting_device.h"
@@ -21,7 +22,7 @@ class LiveTrialTest : public testing::Test {
  protected:
   LiveTrialTest()
       : hand_(simulatedHandFor(need_, 7, "surgeons", 0)),
-        device_(haptics::devices::simulatedPunch(), haptics::devices::punchMechanism(), *hand_),
+        device_(haptics::devices::punchKind(), *hand_),
         trial_(
             device_,
             {.scene = {.model = haptics::engine::FiniteElementsSpec{}},
@@ -40,7 +41,11 @@ class LiveTrialTest : public testing::Test {
     return isThere();
   }
 
-  protocols::DeviceNeed need_{.id = "punch", .maxForce = 8.0, .maxForceRate = 500.0};
+  protocols::DeviceNeed need_{
+      .id = "punch",
+      .kind = &haptics::devices::punchKind(),
+      .maxForce = 8.0,
+      .maxForceRate = 500.0};
   std::unique_ptr<haptics::devices::Hand> hand_;
   haptics::devices::SimulatedDevice device_;
   std::vector<TraceSample> kept_;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "study/trial/rig.h"
 #include "tests/study/faulting_device.h"
@@ -20,7 +21,7 @@ class TrialTest : public testing::Test {
  protected:
   TrialTest()
       : hand_(simulatedHandFor(need_, 7, "surgeons", 0)),
-        device_(haptics::devices::simulatedPunch(), haptics::devices::punchMechanism(), *hand_) {}
+        device_(haptics::devices::punchKind(), *hand_) {}
 
   Trial::Setup setup(double maxForce = 8.0) {
     return {
@@ -38,7 +39,11 @@ class TrialTest : public testing::Test {
     return all;
   }
 
-  protocols::DeviceNeed need_{.id = "punch", .maxForce = 8.0, .maxForceRate = 500.0};
+  protocols::DeviceNeed need_{
+      .id = "punch",
+      .kind = &haptics::devices::punchKind(),
+      .maxForce = 8.0,
+      .maxForceRate = 500.0};
   std::unique_ptr<haptics::devices::Hand> hand_;
   haptics::devices::SimulatedDevice device_;
   std::vector<std::vector<TraceSample>> chunks_;

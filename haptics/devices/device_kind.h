@@ -1,0 +1,133 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "haptics/devices/pointer_hand.h"
+#include "haptics/models/cut_detector.h"
+
+namespace haptics::devices {
+
+/// What an instrument is used on. Every force model is of one tissue.
+enum class Tissue : std::uint8_t { Meniscus, Bone };
+
+/// What can be seen while an instrument is felt.
+enum class View : std::uint8_t { None, Knee, Cup };
+
+/// How the real instruments of a kind are connected.
+enum class Wire : std::uint8_t {
+  Serial,  ///< docs/punch-protocol.md
+  Fri,     ///< docs/fri.md
+};
+
+/// A text for people in every language that is shipped.
+class Text {
+ public:
+  using InLanguages = std::vector<std::pair<std::string_view, std::string_view>>;
+
+  /// @param others  language and text: {{"de", "Schnitt"}}.
+  Text(std::string_view english, InLanguages others)
+      : english_(english), others_(std::move(others)) {}
+
+  /// English where @p language has none; "de" for "de-CH".
+  std::string_view in(std::string_view language) const noexcept {
+    for (const auto& [tag, text] : others_) {
+      if (language.substr(0, language.find('-')) == tag) return text;
+    }
+    return english_;
+  }
+  const InLanguages& others() const noexcept { return others_; }
+
+ private:
+  std::string_view english_;
+  InLanguages others_;
+};
+
+/// The moving part of a simulated instrument: a mass with friction between two stops.
+struct Mechanism {
+  double mass = 0.004;          ///< m [N·s² / travel unit], > 0
+  double damping = 0.05;        ///< b [N·s / travel unit], >= 0
+  double stopStiffness = 80.0;  ///< [N / travel unit], > 0
+  double stopDamping = 0.3;     ///< [N·s / travel unit], >= 0
+  double resolution = 0.0;      ///< of the encoder [travel unit]; 0: none
+};
+
+/// A kind of instrument, and all that other code has to know about it. docs/devices.md says how to
+/// add one; haptics/registry lists all. [unit] is the kind's own unit of travel.
+struct DeviceKind {
+  std::string_view name;  ///< in protocols, device files and messages: "punch"
+  Tissue tissue;
+  View view;
+  Wire wire;
+
+  struct Travel {
+    std::string_view unit;      ///< in files and exports: "travel_unit", "m"
+    std::string_view unitName;  ///< behind a number: "travel units", "m"
+    double least;               ///< [unit]
+    double most;                ///< [unit]
+    double fastest;             ///< a tool that is faster is in nobody's hand [unit/s]
+    double playSpeed;           ///< of `scene play`, unless another is asked for [unit/s]
+  } travel;
+
+  /// How people read the travel.
+  struct Shown {
+    double factor;                  ///< from the unit to the one that is shown
+    std::string_view unit;          ///< "mm"
+    std::string_view suffix;        ///< behind a number where room is scarce: " mm"; or nothing
+    std::string_view velocityUnit;  ///< "mm/s"
+    std::string_view energyUnit;    ///< of force times the kind's own unit: "J"
+    std::string_view axis;          ///< of figures, in the catalogues: "depth [mm]"
+  } shown;
+
+  /// What an ordinary hand does: a plot's ranges at first, in the shown unit.
+  struct Plot {
+    double force;     ///< [N]
+    double travel;    ///< [shown unit]
+    double velocity;  ///< to either side [shown unit/s]
+  } plot;
+
+  models::CutDetector<double>::Parameters stroke;  ///< what counts as one
+
+  // What is simulated.
+  double simulatedForce;  ///< that it gives at most [N]
+  Mechanism mechanism;
+
+  struct Range {
+    double least;
+    double most;
+  };
+  /// From which the hands of simulated participants are drawn.
+  struct Hand {
+    Range reach;           ///< where it means to go; resistance keeps it short of that [unit]
+    Range closeTime;       ///< [s]
+    Range openTime;        ///< [s]
+    Range stiffness;       ///< [N/unit]
+    Range damping;         ///< [N·s/unit]
+    double ordinaryReach;  ///< of a pointer's hand, and of an emulator's [unit]
+  } hand;
+  PointerHand::Grip grip;  ///< of somebody with a mouse
+
+  /// Of a device on a serial line.
+  struct Serial {
+    double travelPerCount = 0.00439;  ///< of the encoder [unit]
+    Range believable{-2.0, 14.0};     ///< beyond it its zero is wrong [unit]
+  } serial;
+
+  // Words.
+  Text strokeName;   ///< "cut"
+  Text strokesName;  ///< "cuts"
+  Text pointerHint;  ///< to a participant: how the space bar or the mouse moves a simulated one
+
+  /// What reports and exports of a study with this kind alone say instead of a sentence of theirs.
+  struct Sentence {
+    std::string_view language;
+    std::string_view english;  ///< the sentence: "at least {} cut or stroke"
+    std::string_view text;     ///< in that language: "at least {} press"
+  };
+  std::vector<Sentence> sentences = {};
+};
+
+}  // namespace haptics::devices

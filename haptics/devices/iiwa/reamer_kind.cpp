@@ -1,0 +1,75 @@
+#include "haptics/devices/iiwa/reamer_kind.h"
+
+namespace haptics::devices {
+namespace {
+
+models::CutDetector<double>::Parameters stroke() {
+  models::CutDetector<double>::Parameters stroke;
+  stroke.closedAbove = 0.008;  // [m]: well into the bone
+  stroke.openBelow = 0.002;
+  stroke.contactForce = 1.0;
+  stroke.creep = 0.0;
+  stroke.yieldDrop = 1.0;
+  stroke.advance = 0.0003;
+  stroke.bottomAbove = 0.018;
+  stroke.bottomRise = 2.0;
+  stroke.retreat = 0.001;
+  return stroke;
+}
+
+}  // namespace
+
+const DeviceKind& reamerKind() {
+  static const DeviceKind kind{
+      .name = "reamer",
+      .tissue = Tissue::Bone,
+      .view = View::Cup,
+      .wire = Wire::Fri,
+      // Nobody reams faster than 0.1 m/s.
+      .travel =
+          {.unit = "m",
+           .unitName = "m",
+           .least = 0.0,
+           .most = 0.02,
+           .fastest = 1.0,
+           .playSpeed = 0.005},
+      .shown =
+          {.factor = 1000.0,
+           .unit = "mm",
+           .suffix = " mm",
+           .velocityUnit = "mm/s",
+           .energyUnit = "J",
+           .axis = "depth [mm]"},
+      .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0},
+      .stroke = stroke(),
+      .simulatedForce = 140.0,  // of a LBR iiwa 14
+      .mechanism =
+          {.mass = 4.0,
+           .damping = 60.0,
+           .stopStiffness = 40'000.0,
+           .stopDamping = 300.0,
+           .resolution = 0.0},
+      .hand =
+          {.reach = {0.034, 0.042},
+           .closeTime = {1.2, 2.2},
+           .openTime = {0.8, 1.4},
+           .stiffness = {5500.0, 7000.0},
+           .damping = {120.0, 180.0},
+           .ordinaryReach = 0.038},
+      .grip = {.stiffness = 6000.0, .damping = 150.0, .speed = 0.03},
+      .serial = {},
+      .strokeName = {"stroke", {{"de", "Fräsbewegung"}, {"nb", "fresebevegelse"}}},
+      .strokesName = {"strokes", {{"de", "Fräsbewegungen"}, {"nb", "fresebevegelser"}}},
+      .pointerHint = {
+          "No instrument at hand? Hold the space bar, or drag down on this page, to push in; let "
+          "go to draw back.",
+          {{"de",
+            "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
+            "dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen."},
+           {"nb",
+            "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
+            "denne siden, for å skyve inn; slipp for å trekke tilbake."}}}};
+  return kind;
+}
+
+}  // namespace haptics::devices

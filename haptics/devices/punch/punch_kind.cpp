@@ -1,0 +1,59 @@
+#include "haptics/devices/punch/punch_kind.h"
+
+namespace haptics::devices {
+
+const DeviceKind& punchKind() {
+  static const DeviceKind kind{
+      .name = "punch",
+      .tissue = Tissue::Meniscus,
+      .view = View::Knee,
+      .wire = Wire::Serial,
+      // A hand closes a punch at 60 travel units a second when it hurries.
+      .travel =
+          {.unit = "travel_unit",
+           .unitName = "travel units",
+           .least = 0.0,
+           .most = 11.0,
+           .fastest = 300.0,
+           .playSpeed = 57.0},
+      .shown =
+          {.factor = 1.0,
+           .unit = "units",
+           .suffix = "",
+           .velocityUnit = "/s",
+           .energyUnit = "N·units",
+           .axis = "travel [travel units]"},
+      .plot = {.force = 8.0, .travel = 12.0, .velocity = 50.0},
+      .stroke = {},
+      .simulatedForce = 8.0,
+      // An encoder of 0.0439° as 0.0439 travel units.
+      .mechanism =
+          {.mass = 0.004,
+           .damping = 0.05,
+           .stopStiffness = 80.0,
+           .stopDamping = 0.3,
+           .resolution = 0.0439},
+      .hand =
+          {.reach = {13.3, 14.3},
+           .closeTime = {0.4, 1.2},
+           .openTime = {0.3, 0.7},
+           .stiffness = {2.6, 3.6},
+           .damping = {0.08, 0.16},
+           .ordinaryReach = 13.8},
+      .grip = {.stiffness = 3.0, .damping = 0.12, .speed = 40.0},
+      .serial = {.travelPerCount = 0.00439, .believable = {-2.0, 14.0}},
+      .strokeName = {"cut", {{"de", "Schnitt"}, {"nb", "kutt"}}},
+      .strokesName = {"cuts", {{"de", "Schnitte"}, {"nb", "kutt"}}},
+      .pointerHint = {
+          "No instrument at hand? Hold the space bar, or drag down on this page, to close; let go "
+          "to open.",
+          {{"de",
+            "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
+            "dieser Seite nach unten, um zu schließen; lassen Sie los, um zu öffnen."},
+           {"nb",
+            "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
+            "denne siden, for å lukke; slipp for å åpne."}}}};
+  return kind;
+}
+
+}  // namespace haptics::devices

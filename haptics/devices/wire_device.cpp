@@ -1,0 +1,125 @@
+#include "haptics/devices/wire_device.h"
+
+#include <utility>
+
+#include "haptics/devices/device_error.h"
+#include "haptics/timing/monotonic_clock.h"
+#include "haptics/timing/urgency.h"
+
+namespace haptics::devices {
+
+WireDevice::WireDevice(Capabilities capabilities, Keeping keeping)
+    : capabilities_(std::move(capabilities)), keeping_(keeping) {}
+
+void WireDevice::close() noexcept {
+  stopKeeper();
+  disconnect(false);
+  setLifecycle(Lifecycle::Closed);
+}
+
+void WireDevice::beginKeeping() {
+  why_.store("");
+  setLifecycle(Lifecycle::Open);
+  startKeeper();
+}
+
+void WireDevice::startKeeper() {
+  hostTime_ = timing::now();
+  keeper_ = std::jthread([this](const std::stop_token& stop) {
+    timing::makeUrgent(timing::kLoopUrgency);
+    while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
+      if (pump(timing::now() + keeping_.turn)) {
+        isNew_ = false;
+        keepAlive();
+      }
+      if (!isConnected()) fail("it has been unplugged, or its port has failed");
+      if (timing::now() - hostTime_ > keeping_.silence) fail("it has fallen silent");
+    }
+  });
+}
+
+void WireDevice::stopKeeper() noexcept {
+  if (!keeper_.joinable()) return;
+  keeper_.request_stop();
+  keeper_.join();
+}
+
+void WireDevice::resumeKeeper() noexcept {
+  try {
+    startKeeper();
+  } catch (...) {
+    fail("no thread could be started to look after it");
+  }
+}
+
+void WireDevice::arm() {
+  stopKeeper();  // and what it finds until then counts
+  if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
+    const std::string why = fault();
+    throw DeviceError(
+        name() + " is not ready" + (why.empty() ? "" : ": " + why) +
+        ". Mend that, and try again: it will be connected anew.");
+  }
+  try {
+    awaitReadiness();
+  } catch (...) {
+    startKeeper();
+    throw;
+  }
+  resetCounts();
+  beginForces();
+  setLifecycle(Lifecycle::Armed);
+  startKeeper();  // until the first tick
+}
+
+void WireDevice::disarm() noexcept {
+  const auto was = lifecycle();
+  if (was != Lifecycle::Armed && was != Lifecycle::Running) return;
+  stopKeeper();
+  if (lifecycle() == Lifecycle::Faulted) return;
+  endForces();
+  setLifecycle(Lifecycle::Open);
+  resumeKeeper();
+}
+
+void WireDevice::setChecked() noexcept {
+  auto open = Lifecycle::Open;
+  lifecycle_.compare_exchange_strong(open, Lifecycle::Checked);
+}
+
+void WireDevice::fail(const char* why) noexcept {
+  if (lifecycle() != Lifecycle::Faulted) why_.store(why);
+  disconnect(true);
+  setLifecycle(Lifecycle::Faulted);
+}
+
+std::string WireDevice::fault() const {
+  const std::string why = why_.load();
+  return why.empty() ? why : name() + ": " + why;
+}
+
+bool WireDevice::wait(std::int64_t deadline) noexcept {
+  if (!isConnected()) {
+    timing::sleepUntil(deadline);
+    return false;
+  }
+  stopKeeper();  // from the first tick on the wire is the loop's
+  return pump(deadline);
+}
+
+void WireDevice::resetCounts() noexcept {
+  report_ = {.isThere = true};
+  drift_ = {};
+}
+
+LinkReport WireDevice::link() {
+  const bool wasKept = isKept();  // before the first tick: it counts too
+  stopKeeper();
+  LinkReport report = report_;
+  report.drift = drift_.partsPerMillion();
+  report.clockOffset = drift_.offset();
+  if (wasKept) resumeKeeper();
+  return report;
+}
+
+}  // namespace haptics::devices

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "haptics/engine/scene_spec.h"
+
+namespace haptics::engine {
+
+/// A variant of a model, by the name that protocols give it.
+template <typename Value>
+struct Named {
+  std::string_view name;
+  Value value;
+};
+
+inline constexpr std::array kBeyondNames{
+    Named<models::BeyondCurve>{"ramp-out", models::BeyondCurve::RampOut},
+    Named<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
+    Named<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
+    Named<models::BeyondCurve>{"authors-clamp", models::BeyondCurve::AuthorsClamp},
+};
+inline constexpr std::array kBranchesNames{
+    Named<Branches>{"closing-only", Branches::ClosingOnly},
+    Named<Branches>{"hysteresis", Branches::Hysteresis},
+};
+inline constexpr std::array kBoundaryNames{
+    Named<models::Boundary>{"A", models::Boundary::A},
+    Named<models::Boundary>{"B", models::Boundary::B},
+};
+inline constexpr std::array kWeightsNames{
+    Named<models::ToolWeights>{"paper", models::ToolWeights::Paper},
+    Named<models::ToolWeights>{"authors-firmware", models::ToolWeights::AuthorsFirmware},
+    Named<models::ToolWeights>{"exact-kink", models::ToolWeights::ExactKink},
+};
+inline constexpr std::array kYieldingNames{
+    Named<models::Yielding>{"clip", models::Yielding::Clip},
+    Named<models::Yielding>{"return-map", models::Yielding::ReturnMap},
+};
+inline constexpr std::array kSchemeNames{
+    Named<models::KalmanScheme>{"paper-text", models::KalmanScheme::PaperText},
+    Named<models::KalmanScheme>{"authors-firmware", models::KalmanScheme::AuthorsFirmware},
+    Named<models::KalmanScheme>{"sequential", models::KalmanScheme::Sequential},
+    Named<models::KalmanScheme>{"space-domain", models::KalmanScheme::SpaceDomain},
+};
+inline constexpr std::array kProcessNames{
+    Named<models::ProcessReading>{"as-printed", models::ProcessReading::AsPrinted},
+    Named<models::ProcessReading>{"symmetrised", models::ProcessReading::Symmetrised},
+    Named<models::ProcessReading>{"state-order", models::ProcessReading::StateOrder},
+    Named<models::ProcessReading>{"product", models::ProcessReading::Product},
+};
+inline constexpr std::array kSmoothingNames{
+    Named<models::Smoothing>{"none", models::Smoothing::None},
+    Named<models::Smoothing>{"two-point", models::Smoothing::TwoPoint},
+    Named<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
+};
+
+/// @param value  one of @p names.
+template <typename Value, std::size_t kCount>
+constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names, Value value) {
+  for (const auto& named : names) {
+    if (named.value == value) return named.name;
+  }
+  return {};
+}
+
+/// @param name  of one of @p names; the first, where it is none.
+template <typename Value, std::size_t kCount>
+constexpr Value valueIn(const std::array<Named<Value>, kCount>& names, std::string_view name) {
+  for (const auto& named : names) {
+    if (named.name == name) return named.value;
+  }
+  return names[0].value;
+}
+
+}  // namespace haptics::engine

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "haptics/devices/device_kind.h"
+
+namespace haptics {
+
+/// Every kind of device that there is. Each has a folder of its own below haptics/devices.
+const std::vector<const devices::DeviceKind*>& deviceKinds();
+
+/// The one of that name; nullptr where there is none.
+const devices::DeviceKind* deviceKindNamed(std::string_view name);
+
+}  // namespace haptics

@@ -1,0 +1,67 @@
+// A session on the paddle: its words and units in both windows.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <QLabel>
+#include <QTest>
+
+#include "protocols/load_protocol.h"
+#include "study/gui/operator/cut_table.h"
+#include "study/gui/operator/operator_window.h"
+#include "tests/study/gui/participant.h"
+#include "tests/study/gui/visible_words.h"
+#include "tests/support/scratch_folder.h"
+
+namespace study::gui {
+namespace paddle_session_test {
+
+/// The published study of the punch, with a paddle in place of it.
+protocols::LoadedProtocol protocol(tests::ScratchFolder& folder) {
+  questionnaires::Problems problems;
+  const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
+  auto json = nlohmann::ordered_json::parse(shipped->text);
+  auto& device = json["devices"][0];
+  device["kind"] = "paddle";
+  for (auto& condition : json["conditions"]) {
+    condition["scene"] = {
+        {"device", device["id"]},
+        {"model", "finite-elements"},
+        {"parameters",
+         {{"contact_travel", 10.0}, {"element_stiffness", 0.05}, {"yield_force_n", 2.0}}}};
+  }
+  for (auto& phase : json["phases"]) phase.erase("visualisation");
+  return *protocols::loadProtocolFile(folder.write("protocol.json", json.dump()), problems);
+}
+
+bool hasWord(const std::set<QString>& words, const QString& part) {
+  return std::any_of(
+      words.begin(), words.end(), [&](const QString& word) { return word.contains(part); });
+}
+
+TEST(PaddleSession, IsShownInPressesAndDegrees) {
+  tests::ScratchFolder folder;
+  SystemClock clock;
+  Study study = Study::create(folder / "study", protocol(folder), clock, 7);
+  OperatorWindow window(study);
+  tests::Participant participant(window);
+  window.show();
+  window.enrol({.cohort = "professional", .runMode = RunMode::Pilot, .language = "en", .code = {}});
+  participant.goTo(StepKind::Trial);
+  participant.look();
+  EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("Presses: 0 of at least 3")));
+  participant.cut(2);
+  participant.look();
+  EXPECT_TRUE(hasWord(participant.seen(), QStringLiteral("to press the paddle")));
+  EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("press 2 of 3")));
+  EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("N·°")));
+  EXPECT_TRUE(hasWord(participant.seenByOperator(), QStringLiteral("Presses of this trial")));
+  const auto* presses = window.findChild<CutTable*>();
+  ASSERT_GE(presses->rowCount(), 1);
+  EXPECT_TRUE(presses->item(0, 0)->text().endsWith(QStringLiteral("°")))
+      << presses->item(0, 0)->text().toStdString();
+}
+
+}  // namespace paddle_session_test
+}  // namespace study::gui
