@@ -2,7 +2,7 @@
 
 namespace questionnaires {
 
-void Problems::put(Problem problem) {
+void Problems::add(Problem problem) {
   const bool isError = problem.severity == Severity::Error;
   hasErrors_ = hasErrors_ || isError;
   if (list_.size() < kMostProblems) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -17,9 +18,10 @@ enum class Severity {
 /// Something about a researcher's file, told so that it can be mended.
 struct Problem {
   Severity severity = Severity::Error;
-  std::string path;  ///< where, as a JSON path from the root: "$.phases[3].order"
-  std::string what;  ///< what is wrong there
-  std::string fix;   ///< what to do about it; may be empty
+  std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"
+  std::string what;              ///< what is wrong there
+  std::string fix;               ///< what to do about it; may be empty
+  std::optional<int> line = {};  ///< from 0, where the text is no JSON there
 };
 
 /// How many problems are told; whoever wrote the file has enough to do with them.
@@ -29,13 +31,14 @@ inline constexpr std::size_t kMostProblems = 1000;
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
-    put({Severity::Error, std::move(path), std::move(what), std::move(fix)});
+    add({Severity::Error, std::move(path), std::move(what), std::move(fix)});
   }
   void warn(std::string path, std::string what, std::string fix = {}) {
-    put({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
+    add({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
   }
+  void add(Problem problem);
   void append(const Problems& others) {
-    for (const auto& problem : others.list_) put(problem);
+    for (const auto& problem : others.list_) add(problem);
   }
 
   const std::vector<Problem>& all() const& noexcept { return list_; }
@@ -43,8 +46,6 @@ class Problems {
   bool hasErrors() const noexcept { return hasErrors_; }
 
  private:
-  void put(Problem problem);
-
   std::vector<Problem> list_;
   bool hasErrors_ = false;
 };
