@@ -75,7 +75,6 @@ class Node {
   const std::string& path() const noexcept { return path_; }
   std::string pathOf(std::string_view key) const;
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
-  void warning(std::string_view key, std::string what, std::string fix = {}) const;
 
   /// Refuses every key that is not in @p known, and names the nearest known one. False, and a
   /// problem, where this is no object at all.

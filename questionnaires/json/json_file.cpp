@@ -122,8 +122,8 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     const auto before = text_.substr(0, position);
     problems_.add(
         {.path = path(),
-         .what = std::move(what),
-         .fix = std::move(fix),
+         .what = base::Message::verbatim(std::move(what)),
+         .fix = base::Message::verbatim(std::move(fix)),
          .line = static_cast<int>(std::count(before.begin(), before.end(), '\n'))});
   }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
+
 namespace questionnaires {
 
 /// Whether a problem stops a file from being used.
@@ -15,12 +17,13 @@ enum class Severity {
   Warning,  ///< it can, and its author should know
 };
 
-/// Something about a researcher's file, told so that it can be mended.
+/// Something about a researcher's file, told so that it can be mended. Errors are told in English
+/// only, at a desk; warnings stand in reports as well, and have keys.
 struct Problem {
   Severity severity = Severity::Error;
   std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"
-  std::string what;              ///< what is wrong there
-  std::string fix;               ///< what to do about it; may be empty
+  base::Message what;            ///< what is wrong there
+  base::Message fix;             ///< what to do about it; may be empty
   std::optional<int> line = {};  ///< from 0, where the text is no JSON there
 };
 
@@ -31,9 +34,14 @@ inline constexpr std::size_t kMostProblems = 1000;
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
-    add({Severity::Error, std::move(path), std::move(what), std::move(fix)});
+    using base::Message;
+    add(
+        {Severity::Error,
+         std::move(path),
+         Message::verbatim(std::move(what)),
+         Message::verbatim(std::move(fix))});
   }
-  void warn(std::string path, std::string what, std::string fix = {}) {
+  void warn(std::string path, base::Message what, base::Message fix = {}) {
     add({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
   }
   void add(Problem problem);

@@ -18,7 +18,6 @@
 #include "study/bench/bench_stats_study.h"
 #include "study/bench/bench_workers.h"
 #include "study/results/pooled_answers.h"
-#include "study/session/audit_words.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/statement.h"
 
@@ -152,7 +151,7 @@ void changeAnAnswer(Study& study, std::int64_t which) {
          .when = now,
          .actor = storage::Actor::Participant,
          .kind = "answered",
-         .detail = auditWords(answer)});
+         .values = storage::valuesOf(answer)});
   });
 }
 

@@ -120,7 +120,7 @@ TEST_F(ExportedTrial, HasEachNumberInTheColumnThatIsNamedAfterIt) {
       {"device", "a punch"},
       {"ending", "finished"},
       {"qc_status", "FAIL"},
-      {"qc_reason", judgement.reason},
+      {"qc_reason", base::describe(judgement.reasons)},
       {"duration_s", "1.5"},
       {"cuts", "3"},
       {"contact_s", "15.5"},

@@ -166,8 +166,8 @@ void ProtocolWindow::showProblems() {
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
         QString::fromStdString(problem.path),
-        QString::fromStdString(problem.what),
-        QString::fromStdString(problem.fix)};
+        QString::fromStdString(base::describe(problem.what)),
+        QString::fromStdString(base::describe(problem.fix))};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

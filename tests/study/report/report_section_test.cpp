@@ -44,7 +44,7 @@ TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
   EXPECT_NE(
       page.find("Was gefühlt wurde, ist nicht bekannt: traces.db ist beschädigt: "),
       std::string::npos)
-      << section.curvesReason;
+      << base::describe(section.curvesReason);
   EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }
 
