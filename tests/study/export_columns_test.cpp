@@ -389,7 +389,7 @@ Content contentOf(const fs::path& folder) {
 class BlindedExport : public testing::Test {
  protected:
   void take(int people) {
-    simulateCohorts(*study_, study_.clock, people, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, people, 3, [](const auto&) {});
   }
 
   Content exported(ExportFormat format, std::optional<std::size_t> publicClass = std::nullopt) {

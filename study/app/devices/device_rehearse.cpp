@@ -140,10 +140,10 @@ std::vector<SimulatedEnding> felt(
     SimulatedClock& clock,
     const RehearseArguments& arguments,
     const std::string& deviceFile) {
-  const auto tell = [](const std::string& what) {
-    const auto has = [&](const char* part) { return what.find(part) != std::string::npos; };
-    if (!has(" done") && !has(", attempt ") && !has(" waits: ")) return;
-    fmt::print("{}\n", what);
+  const auto tell = [](const Acknowledged& done) {
+    using Kind = Acknowledged::Kind;
+    if (done.kind == Kind::Answer || done.kind == Kind::Enrolment) return;
+    fmt::print("{}\n", done.what);
     std::fflush(stdout);
   };
   try {

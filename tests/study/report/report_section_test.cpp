@@ -36,7 +36,7 @@ TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
 
 TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
   tests::MadeStudy study;
-  simulateCohorts(*study, study.clock, 2, 3, [](const std::string&) {});
+  simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});
   study->traces().database().execute(
       "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
   const auto section = gather(*study, RunMode::Simulated, words::wordsIn("de"));
