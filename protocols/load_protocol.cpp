@@ -23,9 +23,7 @@ using questionnaires::Problems;
 void tell(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
   for (const auto& problem : found.all()) {
-    if (problem.severity == questionnaires::Severity::Error) {
-      problems.add(problem.path, problem.what, problem.fix);
-    }
+    if (problem.severity == questionnaires::Severity::Error) problems.add(problem);
   }
 }
 

@@ -68,10 +68,10 @@ void check(double t, double degreesOfFreedom, double effectiveN, double priorSca
   }
 }
 
-BayesFactor undefined(double priorScale, std::string reason) {
+BayesFactor undefined(double priorScale, Reason why) {
   BayesFactor result;
   result.priorScale = priorScale;
-  result.reason = std::move(reason);
+  result.reason = std::move(why);
   return result;
 }
 
@@ -81,7 +81,7 @@ BayesFactor jzsBayesFactor(
     double t, double degreesOfFreedom, double effectiveN, double priorScale) {
   check(t, degreesOfFreedom, effectiveN, priorScale);
   constexpr double kLargestT = 1e100;
-  if (std::abs(t) > kLargestT) return undefined(priorScale, "t is beyond 1e100");
+  if (std::abs(t) > kLargestT) return undefined(priorScale, reason("beyond_1e100"));
 
   const LogIntegrand logIntegrand(t, degreesOfFreedom, effectiveN, priorScale);
   constexpr double kTail = 60.0;  // beyond the peak, the integrand falls at least as e^(−u)
@@ -105,17 +105,14 @@ BayesFactor jzsBayesFactor(
   const double factor = std::exp(logFactor);
   result.log10Bf10 = logFactor / std::numbers::ln10;
   if (std::isnormal(factor)) result.bf10 = factor;
-  if (!result.bf10) result.reason = "the Bayes factor is beyond a double; its logarithm holds";
+  if (!result.bf10) result.reason = reason("bayes_factor_beyond_double");
   return result;
 }
 
 BayesFactor jzsBayesFactor(
     const StudentResult& test, std::uint64_t n1, std::uint64_t n2, double priorScale) {
   if (!test.t || !test.degreesOfFreedom || !std::isfinite(*test.t)) {
-    return undefined(
-        priorScale,
-        "Student's t is not defined or infinite: there is too little "
-        "spread or data for a Bayes factor");
+    return undefined(priorScale, reason("students_t_undefined"));
   }
   const auto first = static_cast<double>(n1);
   const auto second = static_cast<double>(n2);

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "analysis/data/reason.h"
 #include "analysis/tests/paired_t.h"
 #include "analysis/tests/student.h"
 
@@ -17,7 +17,7 @@ struct BayesFactor {
   double priorScale = kMediumPriorScale;
   std::optional<double> bf10;       ///< above 1 for a difference, below 1 for none
   std::optional<double> log10Bf10;  ///< holds also where a double cannot hold bf10
-  std::string reason;               ///< why something above is missing; empty if nothing is
+  Reason reason;                    ///< why something above is missing; empty if nothing is
 };
 
 /// The JZS Bayes factor of a t test (Rouder et al. 2009), with a Cauchy prior of scale r on the

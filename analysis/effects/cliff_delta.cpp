@@ -36,7 +36,7 @@ void addSpread(CliffDelta& result, const TiedGroups& groups, const Placements& p
   const DoubleDouble variance = unbiasedVariance(groups, places);
   result.variance = variance.high;
   if (excess == pairs || excess == -pairs) {
-    result.reason = "the groups do not overlap: there is no interval";
+    result.reason = reason("no_overlap_no_interval");
     return;
   }
   // 1 − δ², without cancellation
@@ -65,8 +65,7 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   result.n1 = groups.n1;
   result.n2 = groups.n2;
   if (groups.isEmpty() || groups.areTooLarge()) {
-    result.reason = groups.isEmpty() ? "a group has no values"
-                                     : "the groups are too large to be ranked in whole numbers";
+    result.reason = groups.isEmpty() ? reason("a_group_is_empty") : reason("groups_too_large");
     return result;
   }
   const Placements places = placementsOf(groups);
@@ -74,7 +73,7 @@ CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   result.delta = exactQuotient(places.sum1 - pairs, pairs).high;
   result.probabilityOfSuperiority = exactQuotient(places.sum1, 2 * pairs).high;
   if (groups.n1 < 2 || groups.n2 < 2) {
-    result.reason = "variance and interval need two values in each group";
+    result.reason = reason("two_values_needed");
     return result;
   }
   addSpread(result, groups, places, z);

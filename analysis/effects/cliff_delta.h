@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/data/reason.h"
 #include "analysis/data/tied_groups.h"
 #include "analysis/numerics/interval.h"
 
@@ -20,7 +20,7 @@ struct CliffDelta {
   std::optional<double> probabilityOfSuperiority;  ///< P(X > Y) + ½ P(X = Y) = (δ + 1)/2
   std::optional<double> variance;  ///< Cliff's unbiased one, of δ; it may come out negative
   std::optional<Interval> interval;
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Cliff's δ (1993): P(X > Y) − P(X < Y) for X of group 1 and Y of group 2, with Feng & Cliff's

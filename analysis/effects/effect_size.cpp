@@ -13,9 +13,6 @@
 namespace analysis {
 namespace {
 
-constexpr const char* kBeyondMeasure =
-    "the difference is more than 1e100 standard errors: too many for an interval";
-
 void checkLevel(double level) {
   if (!(level > 0.0 && level < 1.0)) {
     throw std::invalid_argument("a confidence level lies between 0 and 1");
@@ -86,20 +83,20 @@ void addAverage(
   effects.hedgesGAv = corrected(effects.cohenDAv, effects.hedgesJAv);
 }
 
-std::string whyMissing(const MeanEffects& effects, const WelchResult& welch) {
+Reason whyMissing(const MeanEffects& effects, const WelchResult& welch) {
   if (welch.n1 < 2 || welch.n2 < 2) {
-    return "a group has fewer than two values, and no standard deviation of its own";
+    return reason("a_group_has_no_deviation");
   }
   if (!welch.degreesOfFreedom) {
-    return "both groups are constant: there is no standard deviation to measure a difference by";
+    return reason("both_constant_no_deviation");
   }
   if (!effects.cohenD.interval || !effects.cohenDAv.interval) {
-    return kBeyondMeasure;
+    return reason("too_many_standard_errors");
   }
   if (!effects.glassDelta1 || !effects.glassDelta2) {
-    return "a group is constant: Glass's delta cannot be measured by its standard deviation";
+    return reason("a_group_is_constant");
   }
-  if (!effects.hedgesJAv) return "one degree of freedom is too few for the correction of d";
+  if (!effects.hedgesJAv) return reason("one_degree_of_freedom");
   return {};
 }
 
@@ -149,8 +146,8 @@ PairedEffects effectSizes(const PairedTResult& test, double level) {
   effects.cohenDz.interval = intervalOf(*test.t, *test.degreesOfFreedom, level, 1.0 / root);
   effects.hedgesJ = hedgesCorrection(*test.degreesOfFreedom);
   effects.hedgesGz = corrected(effects.cohenDz, effects.hedgesJ);
-  if (!effects.cohenDz.interval) effects.reason = kBeyondMeasure;
-  if (!effects.hedgesJ) effects.reason = "two pairs are too few for the correction of d";
+  if (!effects.cohenDz.interval) effects.reason = reason("too_many_standard_errors");
+  if (!effects.hedgesJ) effects.reason = reason("two_pairs_only");
   return effects;
 }
 

@@ -2,10 +2,10 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
 #include "analysis/data/likert_counts.h"
 #include "analysis/data/moments.h"
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/tests/paired_t.h"
 
@@ -32,7 +32,7 @@ struct MeanEffects {
   std::optional<double> glassDelta2;     ///< difference / standard deviation of group 2
   std::optional<double> commonLanguage;  ///< P(X > Y) of two normal laws, in 0 … 1
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// How far paired answers are apart.
@@ -41,7 +41,7 @@ struct PairedEffects {
   EffectSize cohenDz;             ///< mean difference / standard deviation of the differences
   std::optional<double> hedgesJ;  ///< J(n − 1)
   EffectSize hedgesGz;            ///< J d_z
-  std::string reason;             ///< why something above is missing; empty if nothing is
+  Reason reason;                  ///< why something above is missing; empty if nothing is
 };
 
 /// The factor that makes d unbiased (Hedges 1981), exactly:

@@ -30,13 +30,13 @@ void addInterval(HodgesLehmannResult& result, const std::vector<double>& average
   std::vector<std::uint64_t> ranks(result.n);
   std::iota(ranks.begin(), ranks.end(), std::uint64_t{1});
   if (!SubsetSums::canHold(ranks)) {
-    result.reason = "there are too many differences for an exact interval";
+    result.reason = reason("too_many_for_interval");
     return;
   }
   const SubsetSums law(ranks);
   const double tail = 0.5 * (1.0 - level);
   if (law.atMost(0) > tail) {
-    result.reason = "no exact interval of so few differences has this confidence";
+    result.reason = reason("no_such_confidence");
     return;
   }
   std::uint64_t low = 0;  // the largest sum of ranks that would be rejected
@@ -60,8 +60,7 @@ HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double le
   HodgesLehmannResult result;
   result.n = differences.size();
   if (differences.empty() || differences.size() > kMostDifferences) {
-    result.reason = differences.empty() ? "there are no differences"
-                                        : "there are too many differences for all their averages";
+    result.reason = differences.empty() ? reason("no_differences") : reason("too_many_averages");
     return result;
   }
   const auto averages = walshAverages(differences);

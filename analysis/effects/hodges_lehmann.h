@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -15,8 +15,8 @@ struct HodgesLehmannResult {
   std::optional<double> estimate;
   std::optional<Interval> interval;  ///< both ends are Walsh averages and belong to it
   std::optional<double>
-      confidence;      ///< of the interval without ties; not below the level asked for
-  std::string reason;  ///< why something above is missing; empty if nothing is
+      confidence;  ///< of the interval without ties; not below the level asked for
+  Reason reason;   ///< why something above is missing; empty if nothing is
 };
 
 /// Hodges & Lehmann's estimate (1963): the median of the Walsh averages (dᵢ + dⱼ)/2, i ≤ j.

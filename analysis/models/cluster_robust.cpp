@@ -99,13 +99,13 @@ TEstimate estimateOf(const LeastSquares& fit, Index column, const std::string& n
   estimate.standardError = std::sqrt(variance);
   const double df = degreesOfFreedom(fit.clusters, weights);
   if (!(variance > 0.0) || !std::isfinite(df)) {
-    estimate.reason = "the standard error is zero: there is nothing to hold the estimate against";
+    estimate.reason = reason("no_standard_error");
     return estimate;
   }
   estimate.t = estimate.estimate / estimate.standardError;
   estimate.degreesOfFreedom = df;
   if (df < 1.0 - 1e-9) {
-    estimate.reason = "there is less than one degree of freedom: too few clusters";
+    estimate.reason = reason("too_few_clusters");
     return estimate;
   }
   const StudentDistribution law(std::max(df, 1.0));
@@ -126,13 +126,13 @@ ClusterRobustResult clusterRobust(
   ClusterRobustResult result;
   result.reason = whyNotDefined(fixed, {});
   if (result.reason.empty() && cluster.levels.size() < 2) {
-    result.reason = "'" + cluster.name + "' has one level only: there is nothing to compare";
+    result.reason = reason("one_level", cluster.name);
   }
   if (!result.reason.empty()) return result;
 
   const LeastSquares fit = leastSquares(y, fixed, cluster);
   if (!(fit.spread > 1e-24)) {
-    result.reason = "the answers do not vary beyond the fixed effects";
+    result.reason = reason("no_variance_beyond_fixed");
     return result;
   }
   for (std::size_t j = 0; j < fixed.columns(); ++j) {

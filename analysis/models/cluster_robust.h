@@ -1,10 +1,10 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/data/factor.h"
+#include "analysis/data/reason.h"
 #include "analysis/models/fixed_effects.h"
 #include "analysis/models/linear_mixed_model.h"
 
@@ -13,7 +13,7 @@ namespace analysis {
 /// Least squares with standard errors that hold whatever the correlation within a cluster is.
 struct ClusterRobustResult {
   std::vector<TEstimate> fixedEffects;  ///< one for each column; none where it is not defined
-  std::string reason;                   ///< why there are none
+  Reason reason;                        ///< why there are none
 };
 
 /// Fits y by ordinary least squares, with the bias-reduced covariance CR2 of the coefficients by

@@ -87,7 +87,7 @@ struct Answers {
   }
 };
 
-std::string whySeparated(const Answers& answers, const Factor& factor) {
+Reason whySeparated(const Answers& answers, const Factor& factor) {
   for (std::size_t level = 0; level < factor.levels.size(); ++level) {
     std::set<std::size_t> given;
     for (std::size_t i = 0; i < answers.indices.size(); ++i) {
@@ -95,18 +95,18 @@ std::string whySeparated(const Answers& answers, const Factor& factor) {
     }
     const std::size_t only = *given.begin();
     if (given.size() == 1 && (only == 0 || only + 1 == answers.levels.size())) {
-      return "all answers to '" + factor.levels[level] + "' of '" + factor.name + "' are " +
-             std::to_string(answers.levels[only]) + ", the " + (only == 0 ? "lowest" : "highest") +
-             " that was given: its effect is infinite";
+      const auto& name = factor.levels[level];
+      return only == 0 ? reason("all_lowest", name, factor.name, answers.levels[only])
+                       : reason("all_highest", name, factor.name, answers.levels[only]);
     }
   }
   return {};
 }
 
-std::string whyNotDefinedHere(
+Reason whyNotDefinedHere(
     const Answers& answers, const FixedEffects& fixed, std::span<const Factor> random) {
   if (auto why = whyNotDefined(fixed, random); !why.empty()) return why;
-  if (answers.levels.size() < 2) return "all answers are the same: there is nothing to explain";
+  if (answers.levels.size() < 2) return reason("all_answers_same");
   for (const auto& factor : fixed.factors()) {
     if (auto why = whySeparated(answers, factor); !why.empty()) return why;
   }
@@ -233,16 +233,12 @@ CumulativeLinkResult fitCumulativeLinkMixedModel(
   const Standardised x(fixed);
   const auto minimum = bestFit(answers, x, random);
   if (!minimum) {
-    result.reason =
-        "no maximum of the likelihood was found within 200 steps: the answers tell too little "
-        "about the random intercepts, or separate completely";
+    result.reason = reason("no_maximum");
     return result;
   }
   const auto covariance = covarianceOf(*minimum, random.size());
   if (!covariance) {
-    result.reason =
-        "the answers separate completely: an effect has no finite estimate, as where all answers "
-        "to a combination of levels are the highest or the lowest";
+    result.reason = reason("separated");
     return result;
   }
   result.fit = fitOf(answers, fixed, random, *minimum, *covariance);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/data/factor.h"
+#include "analysis/data/reason.h"
 #include "analysis/models/fixed_effects.h"
 #include "analysis/models/linear_mixed_model.h"
 #include "analysis/models/wald_estimate.h"
@@ -28,7 +29,7 @@ struct CumulativeLinkFit {
 
 struct CumulativeLinkResult {
   std::optional<CumulativeLinkFit> fit;
-  std::string reason;  ///< why there is no fit
+  Reason reason;  ///< why there is no fit
 };
 
 /// Fits an ordinal answer by maximum likelihood,

@@ -88,14 +88,13 @@ std::optional<Minimum> smallestDeviance(const Stretched& stretched, std::size_t 
   return best;
 }
 
-std::string whyNotDefinedHere(const RestrictedDeviance& deviance, std::span<const Factor> random) {
+Reason whyNotDefinedHere(const RestrictedDeviance& deviance, std::span<const Factor> random) {
   if (deviance.isExplainedByFixedEffects()) {
-    return "the answers do not vary beyond the fixed effects: there is no spread to hold a "
-           "difference against";
+    return reason("no_spread_beyond_fixed");
   }
   for (std::size_t k = 0; k < random.size(); ++k) {
     if (deviance.isExplainedByFixedEffects(k)) {
-      return "the fixed effects leave nothing of the random intercept '" + random[k].name + "'";
+      return reason("nothing_left_of_intercept", random[k].name);
     }
   }
   return {};
@@ -139,16 +138,16 @@ std::optional<double> satterthwaite(const LinearMixedFit& fit, const Eigen::Vect
 
 void addTest(TEstimate& estimate) {
   if (!(estimate.standardError > 0.0)) {
-    estimate.reason = "the standard error is zero: there is nothing to hold the estimate against";
+    estimate.reason = reason("no_standard_error");
     return;
   }
   estimate.t = estimate.estimate / estimate.standardError;
   if (!estimate.degreesOfFreedom) {
-    estimate.reason = "the likelihood is too flat in the variances to give degrees of freedom";
+    estimate.reason = reason("likelihood_too_flat");
     return;
   }
   if (*estimate.degreesOfFreedom < 1.0) {
-    estimate.reason = "there is less than one degree of freedom: too few participants or levels";
+    estimate.reason = reason("too_few_levels");
     return;
   }
   const StudentDistribution law(*estimate.degreesOfFreedom);
@@ -220,9 +219,7 @@ LinearMixedResult fitLinearMixedModel(
   const auto relative = minimum ? stretched.relativeVariances(minimum->at) : std::vector<double>();
   const auto solution = minimum ? deviance.solution(relative) : std::nullopt;
   if (!solution) {
-    result.reason =
-        "the variances could not be estimated: no residual variance is left within the levels of "
-        "the random intercepts, or the answers tell too little about them";
+    result.reason = reason("variances_not_estimated");
     return result;
   }
   result.fit = fitOf(*solution, fixed, random, relative);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/data/factor.h"
+#include "analysis/data/reason.h"
 #include "analysis/models/fixed_effects.h"
 #include "analysis/numerics/interval.h"
 
@@ -22,7 +23,7 @@ struct TEstimate {
   std::optional<double> t;                 ///< estimate / standard error
   std::optional<double> p;                 ///< two-sided, not yet corrected
   std::optional<double> log10P;            ///< holds also where p is too small for a double
-  std::string reason;                      ///< why something above is missing
+  Reason reason;                           ///< why something above is missing
 };
 
 /// How much the levels of a random intercept vary.
@@ -53,7 +54,7 @@ struct LinearMixedFit {
 
 struct LinearMixedResult {
   std::optional<LinearMixedFit> fit;
-  std::string reason;  ///< why there is no fit
+  Reason reason;  ///< why there is no fit
 };
 
 /// Fits y = fixed effects + random intercepts + residual by restricted maximum likelihood

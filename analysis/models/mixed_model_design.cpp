@@ -8,14 +8,13 @@
 namespace analysis {
 namespace {
 
-std::string whyFixedAreNotDefined(const FixedEffects& fixed) {
+Reason whyFixedAreNotDefined(const FixedEffects& fixed) {
   if (fixed.answers() <= fixed.columns()) {
-    return "there are " + std::to_string(fixed.answers()) + " answers for " +
-           std::to_string(fixed.columns()) + " fixed effects, and more answers are needed";
+    return reason("too_few_answers", fixed.answers(), fixed.columns());
   }
   for (const auto& factor : fixed.factors()) {
     if (factor.levels.size() < 2) {
-      return "'" + factor.name + "' has one level only: there is nothing to compare";
+      return reason("one_level", factor.name);
     }
   }
   return {};
@@ -23,7 +22,7 @@ std::string whyFixedAreNotDefined(const FixedEffects& fixed) {
 
 /// The first column that the ones before it make up, as where a combination of levels has no
 /// answers.
-std::string whyColumnsDepend(const FixedEffects& fixed) {
+Reason whyColumnsDepend(const FixedEffects& fixed) {
   constexpr double kNothing = 1e-9;  // of a column's length
   const auto rows = static_cast<Eigen::Index>(fixed.answers());
   Eigen::MatrixXd basis(rows, 0);
@@ -32,8 +31,7 @@ std::string whyColumnsDepend(const FixedEffects& fixed) {
     const double length = column.norm();
     for (int pass = 0; pass < 2; ++pass) column -= basis * (basis.transpose() * column);
     if (!(column.norm() > kNothing * length)) {
-      return "the fixed effect '" + fixed.name(j) +
-             "' cannot be told apart from the others: it is a combination of them";
+      return reason("dependent_effect", fixed.name(j));
     }
     basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
     basis.rightCols(1) = column.normalized();
@@ -41,21 +39,19 @@ std::string whyColumnsDepend(const FixedEffects& fixed) {
   return {};
 }
 
-std::string whyRandomIsNotDefined(const Factor& factor) {
+Reason whyRandomIsNotDefined(const Factor& factor) {
   if (factor.levels.size() < 2) {
-    return "'" + factor.name + "' has one level only: how its levels vary cannot be estimated";
+    return reason("one_random_level", factor.name);
   }
   if (factor.levels.size() >= factor.levelOfAnswer.size()) {
-    return "'" + factor.name +
-           "' has as many levels as there are answers: its intercepts cannot be told apart from "
-           "the residuals";
+    return reason("as_many_levels", factor.name);
   }
   return {};
 }
 
 }  // namespace
 
-std::string whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) {
+Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) {
   for (const auto& factor : random) {
     if (factor.levelOfAnswer.size() != fixed.answers()) {
       throw std::invalid_argument("'" + factor.name + "' has another number of answers");
@@ -68,8 +64,7 @@ std::string whyNotDefined(const FixedEffects& fixed, std::span<const Factor> ran
     for (std::size_t l = 0; l < k; ++l) {
       const std::size_t pairs = crossing(random[k], random[l]).levels.size();
       if (pairs == random[k].levels.size() && pairs == random[l].levels.size()) {
-        return "'" + random[l].name + "' and '" + random[k].name +
-               "' group the answers alike: their variances cannot be told apart";
+        return reason("same_grouping", random[l].name, random[k].name);
       }
     }
   }

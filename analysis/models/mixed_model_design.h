@@ -1,9 +1,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "analysis/data/factor.h"
+#include "analysis/data/reason.h"
 #include "analysis/models/fixed_effects.h"
 
 namespace analysis {
@@ -13,6 +13,6 @@ namespace analysis {
 /// cannot be told apart from each other or from the single answers. Empty where it is defined.
 ///
 /// @throws std::invalid_argument  if a factor has another number of answers.
-std::string whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random);
+Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random);
 
 }  // namespace analysis

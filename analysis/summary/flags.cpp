@@ -1,9 +1,7 @@
 #include "analysis/summary/flags.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 
@@ -14,23 +12,12 @@
 namespace analysis {
 namespace {
 
-/// With so many decimals.
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
+using base::Message;
 
-std::string asText(std::string text) {
-  return text;
-}
-std::string asText(std::size_t count) {
-  return std::to_string(count);
-}
-
-template <typename... Args>
-Clause clause(std::string_view pattern, Args... arguments) {
-  return {pattern, {asText(arguments)...}};
+/// One of kFlagMessages, with its arguments.
+template <typename... Arguments>
+Message text(base::KeyIn<kFlagMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
+  return base::messageOf<kFlagMessages>(key, std::forward<Arguments>(arguments)...);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -61,41 +48,40 @@ class Examination {
   void undeclared() {
     flags_.push_back(
         {"family_not_declared",
-         {clause("The protocol did not declare these comparisons as they are before the first "
-                 "participant.")},
-         "Which tests are run, and how many, may then depend on what the data look like; p values "
-         "lose their meaning.",
-         "Declare the family in the protocol's analysis plan before the first participant; report "
-         "what is here as exploratory.",
-         "Wagenmakers et al. 2012, 10.1177/1745691612463078"});
+         {text("family_not_declared")},
+         text("family_not_declared.why"),
+         text("family_not_declared.remedy"),
+         {Message::verbatim("Wagenmakers et al. 2012, 10.1177/1745691612463078")}});
   }
 
   void pooled() {
     const auto dependence = dependenceOf(table_);
     if (hasSeveralInACell()) {
-      std::vector<Clause> what{clause(
-          dependence.participants == 1 ? "{} answers of {} person are treated as {} independent "
-                                         "observations in the pooled tests"
-                                       : "{} answers of {} people are treated as {} independent "
-                                         "observations in the pooled tests",
-          dependence.answers,
-          dependence.participants,
-          dependence.answers)};
+      std::vector<Message> what{
+          dependence.participants == 1 ? text(
+                                             "pseudo_replication.one",
+                                             dependence.answers,
+                                             dependence.participants,
+                                             dependence.answers)
+                                       : text(
+                                             "pseudo_replication",
+                                             dependence.answers,
+                                             dependence.participants,
+                                             dependence.answers)};
       if (dependence.designEffect) {
-        what.push_back(clause(
-            "; answers of one person correlate with ICC = {}, design effect {}",
-            fixed(*dependence.intraclassCorrelation, 2),
-            fixed(*dependence.designEffect, 2)));
+        what.push_back(text(
+            "pseudo_replication.design_effect",
+            *dependence.intraclassCorrelation,
+            *dependence.designEffect));
       }
-      what.push_back(clause("."));
+      what.push_back(text("full_stop"));
       flags_.push_back(
           {"pseudo_replication",
            std::move(what),
-           "Answers of one person go together. Where people differ in their taste for a method, "
-           "pooled tests find differences that are not there (up to 35 % instead of 5 % in "
-           "simulations); where they only differ in leniency, pooled tests overlook real ones.",
-           "Read the tests on participants' means, or the mixed model.",
-           "Hurlbert 1984, 10.2307/1942661; Lazic et al. 2020, PMC7012913"});
+           text("pseudo_replication.why"),
+           text("pseudo_replication.remedy"),
+           {Message::verbatim("Hurlbert 1984, 10.2307/1942661"),
+            Message::verbatim("Lazic et al. 2020, PMC7012913")}});
     }
     const auto methods = table_.methods.size();
     std::vector<std::size_t> every(methods);
@@ -103,12 +89,10 @@ class Examination {
     if (methods > 1 && !completeMeans(table_, every).participants.empty()) {
       flags_.push_back(
           {"paired_data_unpaired_test",
-           {clause(
-               "The same people judged every method, and the pooled tests take them for different "
-               "people.")},
-           "What a person always says more or less of goes into the scatter instead of cancelling.",
-           "Read the paired tests.",
-           "Student 1908; docs/statistics.md, the published analysis, point 2"});
+           {text("paired_data_unpaired_test")},
+           text("paired_data_unpaired_test.why"),
+           text("paired_data_unpaired_test.remedy"),
+           {Message::verbatim("Student 1908"), text("source.published_analysis", 2)}});
     }
   }
 
@@ -129,10 +113,10 @@ class Examination {
     if (!areCommon) {
       flags_.push_back(
           {"items_not_common_to_methods",
-           {clause("The methods were judged by different statements.")},
-           "A difference may lie in the wording as well as in the method.",
-           "Ask the same statements about every method.",
-           "docs/statistics.md, the published analysis, point 3"});
+           {text("items_not_common_to_methods")},
+           text("items_not_common_to_methods.why"),
+           text("items_not_common_to_methods.remedy"),
+           {text("source.published_analysis", 3)}});
     }
     std::vector<std::string> relative;
     for (const std::size_t statement : facts_.relativeStatements) {
@@ -141,10 +125,10 @@ class Examination {
     if (!relative.empty()) {
       flags_.push_back(
           {"relative_item_without_referent",
-           {clause("Statements compare with what was felt before: {}.", listed(relative))},
-           "With another order they compare with another method, and the first method with none.",
-           "Ask about each method by itself, or fix the order and say so.",
-           "docs/statistics.md, the published analysis, point 4"});
+           {text("relative_item_without_referent", listed(relative))},
+           text("relative_item_without_referent.why"),
+           text("relative_item_without_referent.remedy"),
+           {text("source.published_analysis", 4)}});
     }
   }
 
@@ -176,17 +160,14 @@ class Examination {
     if (table_.methods.size() < 2 || most - least <= seen.size()) return;
     flags_.push_back(
         {"order_not_counterbalanced",
-         {clause("How often a method came at a position goes from {} to {}.", least, most)},
-         "Practice, fatigue and contrast with what came before then count for one method and "
-         "against another.",
-         "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N "
-         "as "
-         "a multiple of their number.",
-         "Williams 1949, 10.1071/CH9490149"});
+         {text("order_not_counterbalanced", least, most)},
+         text("order_not_counterbalanced.why"),
+         text("order_not_counterbalanced.remedy"),
+         {Message::verbatim("Williams 1949, 10.1071/CH9490149")}});
   }
 
   void scatter() {
-    std::vector<Clause> camps{clause("Answers fall into two camps: ")};
+    std::vector<Message> camps{text("bimodal")};
     std::vector<std::string> constant;
     for (std::size_t method = 0; method < table_.methods.size(); ++method) {
       const auto counts = table_.countsOf(method);
@@ -194,34 +175,30 @@ class Examination {
         const double most =
             largestUnimodalVariance(counts.lowest(), counts.highest(), *counts.mean()) *
             static_cast<double>(counts.total()) / static_cast<double>(counts.total() - 1);
-        if (camps.size() > 1) camps.push_back(clause(", "));
-        camps.push_back(clause(
-            "{} (variance {}, at most {} with one peak)",
-            titleOf(method),
-            fixed(*counts.variance(), 2),
-            fixed(most, 2)));
+        if (camps.size() > 1) camps.push_back(text("comma"));
+        camps.push_back(text("bimodal.method", titleOf(method), *counts.variance(), most));
       }
       if (counts.total() > 1 && counts.variance() == 0.0) {
         constant.push_back(titleOf(method));
       }
     }
     if (camps.size() > 1) {
-      camps.push_back(clause("."));
+      camps.push_back(text("full_stop"));
       flags_.push_back(
           {"bimodal",
            std::move(camps),
-           "The mean then says what nobody thinks.",
-           "Look at the distribution, and at who is in which camp; report counts beside means.",
-           "Dharmadhikari & Joag-Dev 1988; Liddell & Kruschke 2018, 10.1016/j.jesp.2018.08.009"});
+           text("bimodal.why"),
+           text("bimodal.remedy"),
+           {Message::verbatim("Dharmadhikari & Joag-Dev 1988"),
+            Message::verbatim("Liddell & Kruschke 2018, 10.1016/j.jesp.2018.08.009")}});
     }
     if (!constant.empty()) {
       flags_.push_back(
           {"constant_group",
-           {clause("Everybody gave the same answer to everything about: {}.", listed(constant))},
-           "Tests that divide by the scatter are not defined, or see certainty where there are few "
-           "answers.",
-           "Report the counts; use exact tests of the paired differences.",
-           "docs/statistics.md, what is not defined"});
+           {text("constant_group", listed(constant))},
+           text("constant_group.why"),
+           text("constant_group.remedy"),
+           {text("source.not_defined")}});
     }
   }
 
@@ -244,19 +221,12 @@ class Examination {
     if (attainable > perTest) {
       flags_.push_back(
           {"n_below_minimum_for_alpha",
-           {clause(
-               pairs == 1 ? "With {} person who judged both methods of a pair no exact paired test "
-                            "can give less than p = {}; the family of {} asks for {}."
-                          : "With {} people who judged both methods of a pair no exact paired test "
-                            "can give less than p = {}; the family of {} asks for {}.",
-               pairs,
-               fixed(attainable, 4),
-               facts_.tests,
-               fixed(perTest, 4))},
-           "Such a test cannot be significant, whatever the answers are.",
-           "More participants (palpate plan says how many), fewer comparisons, or an overall test "
-           "(Friedman) first.",
-           "Fisher 1935; docs/statistics.md, planning"});
+           {pairs == 1
+                ? text("n_below_minimum_for_alpha.one", pairs, attainable, facts_.tests, perTest)
+                : text("n_below_minimum_for_alpha", pairs, attainable, facts_.tests, perTest)},
+           text("n_below_minimum_for_alpha.why"),
+           text("n_below_minimum_for_alpha.remedy"),
+           {Message::verbatim("Fisher 1935"), text("source.planning")}});
     }
     const double rounded = std::round(perTest * 1000.0) / 1000.0;
     const bool isDecidedByRounding =
@@ -266,13 +236,10 @@ class Examination {
     if (isDecidedByRounding) {
       flags_.push_back(
           {"alpha_rounded",
-           {clause(
-               "A p value lies between alpha per test {} and its rounded form {}.",
-               fixed(perTest, 6),
-               fixed(rounded, 3))},
-           "Rounding the threshold decides about significance.",
-           "Compare with the unrounded threshold, as is done here.",
-           "The punch paper's 0.017 for 0.05/3"});
+           {text("alpha_rounded", perTest, rounded)},
+           text("alpha_rounded.why"),
+           text("alpha_rounded.remedy"),
+           {text("source.punch_paper")}});
     }
   }
 
@@ -294,42 +261,29 @@ class Examination {
     if (cells == 0) return;
     flags_.push_back(
         {"missing_cells",
-         {clause(
-             answers == 1
-                 ? "{} of {} answers is missing, in {} of {} pairs of participant and method."
-                 : "{} of {} answers are missing, in {} of {} pairs of participant and method.",
-             answers,
-             expected,
-             cells,
-             given.size())},
-         "Means of fewer answers scatter more, and who leaves out what is rarely chance.",
-         "Paired tests leave out participants who lack a method altogether; the mixed model uses "
-         "all that there is.",
-         "Little & Rubin 2002"});
+         {answers == 1 ? text("missing_cells.one", answers, expected, cells, given.size())
+                       : text("missing_cells", answers, expected, cells, given.size())},
+         text("missing_cells.why"),
+         text("missing_cells.remedy"),
+         {Message::verbatim("Little & Rubin 2002")}});
   }
 
   void trials() {
     if (facts_.lateTrials > 0) {
       flags_.push_back(
           {"late_ticks",
-           {clause(
-               "In {} of {} trials the force loop was late more often than is borne.",
-               facts_.lateTrials,
-               facts_.trials)},
-           "People may have felt the computer instead of the method.",
-           "Look at the trials' verdicts; repeat the analysis without them.",
-           "Trial verdicts, docs/running-a-study.md"});
+           {text("late_ticks", facts_.lateTrials, facts_.trials)},
+           text("late_ticks.why"),
+           text("late_ticks.remedy"),
+           {text("source.trial_verdicts")}});
     }
     if (facts_.saturatedTrials > 0) {
       flags_.push_back(
           {"saturated",
-           {clause(
-               "In {} of {} trials the scene asked for more force than the device may give.",
-               facts_.saturatedTrials,
-               facts_.trials)},
-           "Where forces are cut off, methods feel more alike than they are.",
-           "Compare the felt curves; scale the force alike for every condition.",
-           "Trial verdicts, docs/running-a-study.md"});
+           {text("saturated", facts_.saturatedTrials, facts_.trials)},
+           text("saturated.why"),
+           text("saturated.remedy"),
+           {text("source.trial_verdicts")}});
     }
   }
 
@@ -344,23 +298,9 @@ class Examination {
 
 }  // namespace
 
-std::string filled(std::string_view pattern, const std::vector<std::string>& arguments) {
-  std::string text;
-  auto next = arguments.begin();
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    if (pattern.substr(i, 2) != "{}" || next == arguments.end()) {
-      text += pattern[i];
-      continue;
-    }
-    text += *next++;
-    ++i;
-  }
-  return text;
-}
-
 std::string Flag::inEnglish() const {
   std::string text;
-  for (const auto& [pattern, arguments] : what) text += filled(pattern, arguments);
+  for (const auto& part : what) text += base::describe(part);
   return text;
 }
 

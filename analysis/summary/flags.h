@@ -1,32 +1,114 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "analysis/data/answer_table.h"
+#include "base/message.h"
 
 namespace analysis {
 
-/// Part of a sentence, so that it can be said in other languages.
-struct Clause {
-  std::string_view pattern;            ///< in English, with {} where something is put in
-  std::vector<std::string> arguments;  ///< one for each
-};
-
-/// A pattern, in whichever language, with its arguments put in.
-std::string filled(std::string_view pattern, const std::vector<std::string>& arguments);
+/// Everything that flags say, once: "id" what was found, "id.why" why it matters, "id.remedy" what
+/// to do, and places in the manual.
+inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
+    {"alpha_rounded", "A p value lies between alpha per test {:.6f} and its rounded form {:.3f}."},
+    {"alpha_rounded.remedy", "Compare with the unrounded threshold, as is done here."},
+    {"alpha_rounded.why", "Rounding the threshold decides about significance."},
+    {"bimodal", "Answers fall into two camps: "},
+    {"bimodal.method", "{} (variance {:.2f}, at most {:.2f} with one peak)"},
+    {"bimodal.remedy",
+     "Look at the distribution, and at who is in which camp; report counts beside means."},
+    {"bimodal.why", "The mean then says what nobody thinks."},
+    {"comma", ", "},
+    {"constant_group", "Everybody gave the same answer to everything about: {}."},
+    {"constant_group.remedy", "Report the counts; use exact tests of the paired differences."},
+    {"constant_group.why",
+     "Tests that divide by the scatter are not defined, or see certainty where there are few "
+     "answers."},
+    {"family_not_declared",
+     "The protocol did not declare these comparisons as they are before the first participant."},
+    {"family_not_declared.remedy",
+     "Declare the family in the protocol's analysis plan before the first participant; report what "
+     "is here as exploratory."},
+    {"family_not_declared.why",
+     "Which tests are run, and how many, may then depend on what the data look like; p values lose "
+     "their meaning."},
+    {"full_stop", "."},
+    {"items_not_common_to_methods", "The methods were judged by different statements."},
+    {"items_not_common_to_methods.remedy", "Ask the same statements about every method."},
+    {"items_not_common_to_methods.why",
+     "A difference may lie in the wording as well as in the method."},
+    {"late_ticks", "In {} of {} trials the force loop was late more often than is borne."},
+    {"late_ticks.remedy", "Look at the trials' verdicts; repeat the analysis without them."},
+    {"late_ticks.why", "People may have felt the computer instead of the method."},
+    {"missing_cells", "{} of {} answers are missing, in {} of {} pairs of participant and method."},
+    {"missing_cells.one",
+     "{} of {} answers is missing, in {} of {} pairs of participant and method."},
+    {"missing_cells.remedy",
+     "Paired tests leave out participants who lack a method altogether; the mixed model uses all "
+     "that there is."},
+    {"missing_cells.why",
+     "Means of fewer answers scatter more, and who leaves out what is rarely chance."},
+    {"n_below_minimum_for_alpha",
+     "With {} people who judged both methods of a pair no exact paired test can give less than p = "
+     "{:.4f}; the family of {} asks for {:.4f}."},
+    {"n_below_minimum_for_alpha.one",
+     "With {} person who judged both methods of a pair no exact paired test can give less than p = "
+     "{:.4f}; the family of {} asks for {:.4f}."},
+    {"n_below_minimum_for_alpha.remedy",
+     "More participants (palpate plan says how many), fewer comparisons, or an overall test "
+     "(Friedman) first."},
+    {"n_below_minimum_for_alpha.why",
+     "Such a test cannot be significant, whatever the answers are."},
+    {"order_not_counterbalanced", "How often a method came at a position goes from {} to {}."},
+    {"order_not_counterbalanced.remedy",
+     "Let the orders be balanced (latinSquare, balancedLatinSquare, complete), and plan N as a "
+     "multiple of their number."},
+    {"order_not_counterbalanced.why",
+     "Practice, fatigue and contrast with what came before then count for one method and against "
+     "another."},
+    {"paired_data_unpaired_test",
+     "The same people judged every method, and the pooled tests take them for different people."},
+    {"paired_data_unpaired_test.remedy", "Read the paired tests."},
+    {"paired_data_unpaired_test.why",
+     "What a person always says more or less of goes into the scatter instead of cancelling."},
+    {"pseudo_replication",
+     "{} answers of {} people are treated as {} independent observations in the pooled tests"},
+    {"pseudo_replication.design_effect",
+     "; answers of one person correlate with ICC = {:.2f}, design effect {:.2f}"},
+    {"pseudo_replication.one",
+     "{} answers of {} person are treated as {} independent observations in the pooled tests"},
+    {"pseudo_replication.remedy", "Read the tests on participants' means, or the mixed model."},
+    {"pseudo_replication.why",
+     "Answers of one person go together. Where people differ in their taste for a method, pooled "
+     "tests find differences that are not there (up to 35 % instead of 5 % in simulations); where "
+     "they only differ in leniency, pooled tests overlook real ones."},
+    {"relative_item_without_referent", "Statements compare with what was felt before: {}."},
+    {"relative_item_without_referent.remedy",
+     "Ask about each method by itself, or fix the order and say so."},
+    {"relative_item_without_referent.why",
+     "With another order they compare with another method, and the first method with none."},
+    {"saturated", "In {} of {} trials the scene asked for more force than the device may give."},
+    {"saturated.remedy", "Compare the felt curves; scale the force alike for every condition."},
+    {"saturated.why", "Where forces are cut off, methods feel more alike than they are."},
+    {"source.not_defined", "docs/statistics.md, what is not defined"},
+    {"source.planning", "docs/statistics.md, planning"},
+    {"source.published_analysis", "docs/statistics.md, the published analysis, point {}"},
+    {"source.punch_paper", "The punch paper's 0.017 for 0.05/3"},
+    {"source.trial_verdicts", "Trial verdicts, docs/running-a-study.md"},
+});
 
 /// What somebody who reads a result has to know about it.
 struct Flag {
-  std::string_view id;       ///< "pseudo_replication": as tables and exports name it
-  std::vector<Clause> what;  ///< what was found, with its numbers
-  std::string_view why;      ///< why it matters
-  std::string_view remedy;   ///< what to do
-  std::string_view source;   ///< who says so
+  std::string_view id;                ///< "pseudo_replication": as tables and exports name it
+  std::vector<base::Message> what;    ///< what was found: a sentence in parts
+  base::Message why;                  ///< why it matters
+  base::Message remedy;               ///< what to do
+  std::vector<base::Message> source;  ///< who says so
 
   /// What was found.
   std::string inEnglish() const;

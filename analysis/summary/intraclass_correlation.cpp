@@ -127,16 +127,15 @@ void addDegreesOfFreedom(IntraclassCorrelations& all, double n, double k) {
   }
 }
 
-std::string whyMissing(const MeanSquares& squares) {
+Reason whyMissing(const MeanSquares& squares) {
   if (squares.subjects.isZero() && squares.within.isZero()) {
-    return "all ratings are the same: there is nothing to agree on";
+    return reason("all_ratings_same");
   }
   if (squares.subjects.isZero()) {
-    return "all subjects have the same mean: an average of ratings cannot tell them apart";
+    return reason("subject_means_same");
   }
   if (squares.residual.isZero()) {
-    return "the raters differ by constants only, or not at all: F is infinite, and the intervals "
-           "are not defined";
+    return reason("no_residual");
   }
   return {};
 }
@@ -154,7 +153,7 @@ IntraclassCorrelations intraclassCorrelations(
   all.raters = layout.columns;
   all.level = level;
   if (layout.rows < 2 || layout.columns < 2) {
-    all.reason = "an intraclass correlation needs two subjects and two ratings of each";
+    all.reason = reason("two_subjects_needed");
     return all;
   }
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -34,7 +34,7 @@ struct IntraclassCorrelations {
   IntraclassCorrelation twoWayMixedSingle;    ///< ICC(3,1): these raters only; consistency
   IntraclassCorrelation twoWayMixedAverage;   ///< ICC(3,k); Cronbach's α
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// With B, J, E the mean squares of n subjects, k raters and what is left, and W that within

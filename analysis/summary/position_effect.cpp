@@ -85,8 +85,7 @@ PositionEffect positionEffect(const AnswerTable& table, double level) {
   }
   PositionEffect effect;
   if (!table.answers.empty() && !isApartFromMethods(table)) {
-    effect.slope.reason =
-        "every method came at one position only: order and method cannot be told apart";
+    effect.slope.reason = reason("one_position_each");
     return effect;
   }
   for (const auto& [position, values] : byPosition) {

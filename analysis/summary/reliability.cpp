@@ -78,13 +78,12 @@ double omegaOf(const std::vector<double>& loadings, const std::vector<double>& d
   return common * common / (common * common + own);
 }
 
-std::string whyUnfit(std::span<const std::vector<double>> columns, std::size_t respondents) {
-  if (respondents < 3) return "a factor needs three respondents";
-  if (columns.size() < 3) return "one factor needs three items to be determined";
+Reason whyUnfit(std::span<const std::vector<double>> columns, std::size_t respondents) {
+  if (respondents < 3) return reason("three_respondents_needed");
+  if (columns.size() < 3) return reason("three_items_needed");
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (isConstant(columns[i])) {
-      return "everybody answers item " + std::to_string(i + 1) +
-             " alike: it has no correlation with the others";
+      return reason("item_without_variance", i + 1);
     }
   }
   return {};
@@ -102,11 +101,11 @@ CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double
   alpha.items = layout.columns;
   alpha.level = level;
   if (layout.rows < 2 || layout.columns < 2) {
-    alpha.reason = "alpha needs two respondents and two items";
+    alpha.reason = reason("alpha_needs_two");
     return alpha;
   }
   if (layout.rowSquares.isZero()) {
-    alpha.reason = "all respondents have the same sum: it has no variance to share";
+    alpha.reason = reason("sums_same");
     return alpha;
   }
 
@@ -136,7 +135,7 @@ OmegaTotal omegaTotal(std::span<const std::vector<double>> answers) {
   const StandardisedItems items = standardisedItems(columns);
   const OneFactorModel model = fitOneFactor(correlationsOf(items));
   if (!model.hasConverged) {
-    omega.reason = "the loadings of one factor could not be found";
+    omega.reason = reason("no_loadings");
     return omega;
   }
   omega.loadings = model.loadings;

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -17,7 +17,7 @@ struct CronbachAlpha {
   double level = 0.95;               ///< of the interval
   std::optional<double> value;       ///< not more than 1; negative if items pull apart
   std::optional<Interval> interval;  ///< after Feldt
-  std::string reason;                ///< why something above is missing; empty if nothing is
+  Reason reason;                     ///< why something above is missing; empty if nothing is
 };
 
 /// Cronbach's α (1951) of the sum of k items, with Feldt's interval (1965):
@@ -37,7 +37,7 @@ struct OmegaTotal {
   std::optional<double> value;   ///< in 0 … 1
   std::vector<double> loadings;  ///< of the standardised items
   bool isImproper = false;       ///< an item's error came out as 0: ω is a hint at most
-  std::string reason;            ///< why something above is missing; empty if nothing is
+  Reason reason;                 ///< why something above is missing; empty if nothing is
 };
 
 /// McDonald's ω total (1999) of the sum of the items as they are answered, if one factor is all

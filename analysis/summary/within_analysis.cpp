@@ -10,7 +10,6 @@ namespace analysis {
 namespace {
 
 constexpr const char* kMethod = "method";
-constexpr const char* kNoAnswers = "one of the methods has no answers";
 
 std::size_t placeOf(const AnswerTable& table, const std::string& method) {
   const auto found = std::find(table.methods.begin(), table.methods.end(), method);
@@ -119,7 +118,7 @@ class Comparing {
 
   void mixed() {
     if (table_.answers.empty()) {
-      result_.mixed.reason = result_.ordinal.reason = "there are no answers";
+      result_.mixed.reason = result_.ordinal.reason = reason("no_answers");
       return;
     }
     design_ = designOf(table_);
@@ -157,7 +156,8 @@ class Comparing {
     if (row.ordinal) {
       row.ordinalP.p = row.ordinal->p;
     } else {
-      row.ordinalReason = result_.ordinal.fit ? kNoAnswers : result_.ordinal.reason;
+      row.ordinalReason =
+          result_.ordinal.fit ? reason("no_answers_to_method") : result_.ordinal.reason;
     }
     row.pairedP.p = row.paired.p;
     row.signFlipP.p = row.signFlip.p;
@@ -185,7 +185,7 @@ class Comparing {
   TEstimate mixedContrast(const DeclaredPair& pair) const {
     if (!hasAnswers(pair)) {
       TEstimate missing;
-      missing.reason = kNoAnswers;
+      missing.reason = reason("no_answers_to_method");
       return missing;
     }
     return contrast(

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/data/answer_table.h"
+#include "analysis/data/reason.h"
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/effects/effect_size.h"
 #include "analysis/effects/hodges_lehmann.h"
@@ -47,7 +48,7 @@ struct WithinComparison {
   std::optional<EquivalenceResult> equivalence;  ///< where a bound was declared
   TEstimate mixed;                               ///< of the linear mixed model
   std::optional<WaldEstimate> ordinal;           ///< of the cumulative link mixed model
-  std::string ordinalReason;                     ///< why there is none
+  Reason ordinalReason;                          ///< why there is none
 
   AdjustedP pairedP;
   AdjustedP signFlipP;

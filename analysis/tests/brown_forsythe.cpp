@@ -63,10 +63,7 @@ BrownForsytheResult brownForsytheTest(std::span<const std::vector<double>> group
   result.log10P = anova.log10P;
   if (result.p) return result;
 
-  result.reason = anova.degreesOfFreedom1
-                      ? "in every group, all values lie equally far from the median: there is "
-                        "nothing to test their spread by"
-                      : anova.reason;
+  result.reason = anova.degreesOfFreedom1 ? reason("equally_far_from_median") : anova.reason;
   return result;
 }
 

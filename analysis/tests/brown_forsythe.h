@@ -2,8 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -14,7 +15,7 @@ struct BrownForsytheResult {
   std::optional<double> degreesOfFreedom2;  ///< n − k
   std::optional<double> p;
   std::optional<double> log10P;  ///< holds also where p is too small for a double
-  std::string reason;            ///< why something above is missing; empty if nothing is
+  Reason reason;                 ///< why something above is missing; empty if nothing is
 };
 
 /// Do k groups differ in their spread? Levene's test about the medians (Brown & Forsythe 1974): the

@@ -8,10 +8,10 @@
 namespace analysis {
 namespace {
 
-std::string whyUndefined(const TiedGroups& groups) {
-  if (groups.n1 < 2) return "group 1 has fewer than two values";
-  if (groups.n2 < 2) return "group 2 has fewer than two values";
-  if (groups.areTooLarge()) return "the groups are too large to be ranked in whole numbers";
+Reason whyUndefined(const TiedGroups& groups) {
+  if (groups.n1 < 2) return reason("fewer_than_two", 1);
+  if (groups.n2 < 2) return reason("fewer_than_two", 2);
+  if (groups.areTooLarge()) return reason("groups_too_large");
   return {};
 }
 
@@ -38,8 +38,7 @@ void addTest(BrunnerMunzelResult& result, const Placements& places) {
   const DoubleDouble both = spread1 + spread2;
   if (both.isZero()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    result.reason = excess == 0 ? "all values are equal: there is no order to test"
-                                : "the groups do not overlap: W is infinite, and p is not defined";
+    result.reason = excess == 0 ? reason("all_values_equal") : reason("no_overlap");
     if (excess != 0) result.w = excess > 0 ? kInfinity : -kInfinity;
     return;
   }

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/data/reason.h"
 #include "analysis/data/tied_groups.h"
 
 namespace analysis {
@@ -22,7 +22,7 @@ struct BrunnerMunzelResult {
   std::optional<double> log10P;            ///< holds also where p is too small for a double
   std::optional<double> pLess;             ///< if only group 1 < group 2 were of interest
   std::optional<double> pGreater;          ///< if only group 1 > group 2 were of interest
-  std::string reason;                      ///< why something above is missing; empty if nothing is
+  Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
 /// Brunner & Munzel's test (2000, Biometrical Journal 42): does one group tend to larger values, if

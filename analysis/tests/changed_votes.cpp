@@ -99,17 +99,17 @@ McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo)
   result.changedToYes = changedToYes;
   result.changedToNo = changedToNo;
   if (changedToYes == 0 && changedToNo == 0) {
-    result.reason = "nobody changed";
+    result.reason = reason("nobody_changed");
     return result;
   }
   if (changedToYes > kMostTosses || changedToNo > kMostTosses - changedToYes) {
-    result.reason = "there are too many changes to count their outcomes";
+    result.reason = reason("too_many_changes");
     return result;
   }
   const SmallProbability exact = fairCoinP(changedToYes, changedToYes + changedToNo);
   result.p = exact.p;
   result.log10P = exact.log10P;
-  if (!exact.p) result.reason = "p is too small for a double; its logarithm holds";
+  if (!exact.p) result.reason = reason("p_too_small");
   const Wide difference = static_cast<Wide>(changedToYes) - static_cast<Wide>(changedToNo);
   const auto changes = static_cast<Wide>(changedToYes) + static_cast<Wide>(changedToNo);
   result.chiSquared = exactQuotient(difference * difference, changes).high;
@@ -138,7 +138,7 @@ StuartMaxwellResult stuartMaxwellTest(ChangeTable table) {
     }
   }
   if (result.changed == 0) {
-    result.reason = result.persons == 0 ? "nobody has voted" : "nobody changed";
+    result.reason = result.persons == 0 ? reason("nobody_voted") : reason("nobody_changed");
     return result;
   }
   const auto kept = keptOptions(table);

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -16,7 +17,7 @@ struct McNemarResult {
   std::optional<double> log10P;  ///< holds also where p is too small for a double
   std::optional<double> chiSquared;   ///< (b − c)²/(b + c), one degree of freedom, not corrected
   std::optional<double> pAsymptotic;  ///< of χ²
-  std::string reason;                 ///< why something above is missing; empty if nothing is
+  Reason reason;                      ///< why something above is missing; empty if nothing is
 };
 
 /// McNemar's test (1947) of paired yes and no: who changed is a toss of a fair coin; who did not
@@ -37,7 +38,7 @@ struct StuartMaxwellResult {
       degreesOfFreedom;          ///< k − 1 if changes connect all options; fewer otherwise
   std::optional<double> p;       ///< of χ²
   std::optional<double> log10P;  ///< holds also where p is too small for a double
-  std::string reason;            ///< why something above is missing; empty if nothing is
+  Reason reason;                 ///< why something above is missing; empty if nothing is
 };
 
 /// Stuart's and Maxwell's test (1955, 1970) of equal margins of a square table nᵢⱼ, how many chose

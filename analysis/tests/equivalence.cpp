@@ -30,7 +30,7 @@ EquivalenceResult twoOneSidedTests(
     const std::optional<double>& standardError,
     const std::optional<double>& degreesOfFreedom,
     const EquivalenceBounds& bounds,
-    const std::string& reason) {
+    const Reason& whyNone) {
   if (!(bounds.lower < bounds.upper) || !std::isfinite(bounds.lower) ||
       !std::isfinite(bounds.upper)) {
     throw std::invalid_argument("the lower bound of equivalence lies below the upper one");
@@ -38,7 +38,7 @@ EquivalenceResult twoOneSidedTests(
   EquivalenceResult result;
   result.bounds = bounds;
   if (!difference || !standardError || !degreesOfFreedom) {
-    result.reason = reason;
+    result.reason = whyNone;
     return result;
   }
 
@@ -49,7 +49,7 @@ EquivalenceResult twoOneSidedTests(
   result.belowUpper = below;
   result.p = std::max(above.p, below.p);
   if (above.log10P && below.log10P) result.log10P = std::max(*above.log10P, *below.log10P);
-  if (!result.log10P) result.reason = "t is too large for a double, and p too small";
+  if (!result.log10P) result.reason = reason("t_too_large");
   return result;
 }
 

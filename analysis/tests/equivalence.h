@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "analysis/data/reason.h"
 #include "analysis/tests/paired_t.h"
 #include "analysis/tests/welch.h"
 
@@ -29,7 +29,7 @@ struct EquivalenceResult {
   std::optional<OneSidedTest> belowUpper;  ///< small p: the difference is below the upper bound
   std::optional<double> p;                 ///< of both: the larger one
   std::optional<double> log10P;
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Two one-sided tests (Schuirmann 1987; Lakens 2017): is the difference within the bounds?

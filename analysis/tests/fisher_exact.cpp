@@ -155,18 +155,18 @@ FisherExactResult fisherExactTest(std::span<const Counts> table) {
     return std::ranges::count_if(sums, [](std::uint64_t sum) { return sum > 0; });
   };
   if (filled(margins.rows) < 2 || filled(margins.columns) < 2) {
-    result.reason = "all counts are in one row or one column: there is nothing to compare";
+    result.reason = reason("one_row_or_column");
     return result;
   }
   if (margins.total > kMostCounts) {
-    result.reason = "there are too many counts for an exact p";
+    result.reason = reason("too_many_counts");
     return result;
   }
   const DoubleDouble observed = probabilityOf(table, margins);
   std::erase(margins.rows, 0U);
   std::erase(margins.columns, 0U);
   result.p = Tables(margins.rows, margins.columns, observed).notMoreProbable();
-  if (!result.p) result.reason = "there are too many tables for an exact p";
+  if (!result.p) result.reason = reason("too_many_tables");
   return result;
 }
 

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -13,7 +14,7 @@ namespace analysis {
 struct FisherExactResult {
   std::uint64_t total = 0;
   std::optional<double> p;  ///< exact: the sum over tables that are not more probable
-  std::string reason;       ///< why p is missing; empty if it is not
+  Reason reason;            ///< why p is missing; empty if it is not
 };
 
 /// Fisher's exact test (1935) of an r × c table, in Freeman & Halton's extension (1951): of all

@@ -112,8 +112,8 @@ void addTest(FriedmanResult& result, const Ranking& ranking) {
   result.kendallW = exactQuotient(3 * ranking.inequality, ranking.b * ranking.denominator).high;
   addImanDavenport(result, ranking);
   result.exactP = friedmanPermutationP(ranking.doubledRanks);
-  if (!result.exactP) result.reason = "there are too many blocks for an exact p; that of χ² holds";
-  if (ranking.b < 2) result.reason = "one block alone cannot show F, nor how far blocks agree";
+  if (!result.exactP) result.reason = reason("too_many_blocks");
+  if (ranking.b < 2) result.reason = reason("one_block");
 
   for (std::size_t i = 0; i < ranking.doubledSums.size(); ++i) {
     for (std::size_t j = i + 1; j < ranking.doubledSums.size(); ++j) {
@@ -136,9 +136,9 @@ FriedmanResult friedmanTest(std::span<const std::vector<double>> blocks) {
     result.rankSums.push_back(exactQuotient(sum, 2).high);
   }
   if (blocks.empty()) {
-    result.reason = "there are no blocks";
+    result.reason = reason("no_blocks");
   } else if (ranking.denominator == 0) {
-    result.reason = "every block ties all treatments: there is no order to test";
+    result.reason = reason("all_treatments_tied");
   } else {
     addTest(result, ranking);
   }

@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -43,7 +44,7 @@ struct FriedmanResult {
   std::optional<double> exactP;  ///< under all permutations within blocks, midranks kept
 
   std::vector<RankComparison> pairs;  ///< empty where the test is not defined
-  std::string reason;                 ///< why something above is missing; empty if nothing is
+  Reason reason;                      ///< why something above is missing; empty if nothing is
 };
 
 /// Friedman's test (1937): do treatments differ, if every block ranks them? With Rⱼ the rank sums

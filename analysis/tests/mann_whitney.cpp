@@ -9,16 +9,16 @@
 namespace analysis {
 namespace {
 
-std::string whyNotRanked(const TiedGroups& groups) {
-  if (groups.n1 == 0) return "group 1 has no values";
-  if (groups.n2 == 0) return "group 2 has no values";
-  if (groups.areTooLarge()) return "the groups are too large to be ranked in whole numbers";
+Reason whyNotRanked(const TiedGroups& groups) {
+  if (groups.n1 == 0) return reason("group_is_empty", 1);
+  if (groups.n2 == 0) return reason("group_is_empty", 2);
+  if (groups.areTooLarge()) return reason("groups_too_large");
   return {};
 }
 
 void addExact(MannWhitneyResult& result, const TiedGroups& groups, Wide doubledU) {
   if (!RankSums::canHold(groups)) {
-    result.reason = "there are too many values for an exact p; the asymptotic one holds";
+    result.reason = reason("too_many_values");
     return;
   }
   const RankSums law(groups);
@@ -37,7 +37,7 @@ void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Pl
       exactQuotient(untied, 12 * all * (all - 1)) * exactQuotient(pairs, 1);
   result.variance = variance.high;
   if (untied == 0) {
-    result.reason = "all values are equal: there is no order to test";
+    result.reason = reason("all_values_equal");
     return;
   }
   const Wide excess = places.sum1 - pairs;  // 2 (U − its mean)

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/data/reason.h"
 #include "analysis/data/tied_groups.h"
 
 namespace analysis {
@@ -28,7 +28,7 @@ struct MannWhitneyResult {
   std::optional<double> log10PAsymptotic;       ///< holds also where p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with U moved by ½ towards its mean
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Mann & Whitney's test (1947), which is Wilcoxon's rank sum test: does one group tend to larger

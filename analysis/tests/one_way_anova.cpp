@@ -39,12 +39,12 @@ Squares squaresOf(std::span<const Moments> groups, double n) {
   return squares;
 }
 
-std::string whyImpossible(std::span<const Moments> groups, std::uint64_t n) {
-  if (groups.size() < 2) return "the test needs two groups";
+Reason whyImpossible(std::span<const Moments> groups, std::uint64_t n) {
+  if (groups.size() < 2) return reason("two_groups_needed");
   if (std::ranges::any_of(groups, [](const Moments& group) { return group.n == 0; })) {
-    return "a group has no values";
+    return reason("a_group_is_empty");
   }
-  if (n == groups.size()) return "every group has one value only: there is no spread within them";
+  if (n == groups.size()) return reason("one_value_each");
   return {};
 }
 
@@ -87,14 +87,13 @@ OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
   if (!squares.within.isZero()) {
     addTest(result, squares);
     if (!result.squaresBetween || !result.squaresWithin) {
-      result.reason =
-          "a sum of squares is beyond what a double can hold; F and p hold all the same";
+      result.reason = reason("sum_beyond_double");
     }
   } else if (all.isZero()) {
-    result.reason = "all values are the same: there is no spread to test";
+    result.reason = reason("all_values_same");
   } else {
     result.f = std::numeric_limits<double>::infinity();
-    result.reason = "all groups are constant and differ: F is infinite, and p is not defined";
+    result.reason = reason("constant_groups_differ");
   }
   return result;
 }

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "analysis/data/moments.h"
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -26,7 +26,7 @@ struct OneWayAnovaResult {
   std::optional<double> rSquared;           ///< share of the groups in all squares, 0 … 1; η²
   std::optional<double> residualDeviation;  ///< standard deviation within groups, pooled
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// One-way analysis of variance: do k groups differ in their mean, if all have the same variance?

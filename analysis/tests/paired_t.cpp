@@ -27,13 +27,11 @@ std::vector<double> differencesOf(std::span<const double> x, std::span<const dou
   return differences;
 }
 
-std::string whyUndefined(const Moments& differences) {
-  if (differences.n == 0) return "there are no pairs";
-  if (differences.n == 1) return "there is one pair only, and the test needs two";
+Reason whyUndefined(const Moments& differences) {
+  if (differences.n == 0) return reason("no_pairs");
+  if (differences.n == 1) return reason("one_pair");
   if (!differences.isConstant()) return {};
-  return differences.mean.isZero()
-             ? "all pairs are equal: there is no spread to hold a difference against"
-             : "all differences are the same: t is infinite, and p is not defined";
+  return differences.mean.isZero() ? reason("pairs_equal") : reason("differences_same");
 }
 
 void addProbabilities(PairedTResult& result) {
@@ -68,7 +66,7 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
   PairedTResult result;
   result.n = values.size();
   if (!std::ranges::all_of(values, isNumber)) {
-    result.reason = "a difference is beyond what a double can hold";
+    result.reason = reason("difference_beyond_double");
     return result;
   }
 
@@ -81,8 +79,7 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
   if (!result.reason.empty()) return result;
 
   if (!result.meanDifference || !result.variance || !result.standardError) {
-    result.reason =
-        "a mean or a variance is beyond what a double can hold; t and p hold all the same";
+    result.reason = reason("moment_beyond_double");
   }
   return result;
 }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -24,7 +24,7 @@ struct PairedTResult {
   std::optional<double> pLess;     ///< if only x < y were of interest
   std::optional<double> pGreater;  ///< if only x > y were of interest
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// The paired t-test: do the same people answer differently under two conditions?

@@ -49,11 +49,11 @@ RepeatedMeasuresResult repeatedMeasuresAnova(std::span<const std::vector<double>
   result.participants = layout.rows;
   result.conditions = layout.columns;
   if (layout.rows < 2) {
-    result.reason = "the test needs two participants";
+    result.reason = reason("two_participants_needed");
     return result;
   }
   if (layout.columns < 2) {
-    result.reason = "the test needs two conditions";
+    result.reason = reason("two_conditions_needed");
     return result;
   }
 
@@ -64,10 +64,10 @@ RepeatedMeasuresResult repeatedMeasuresAnova(std::span<const std::vector<double>
   if (!layout.residualSquares.isZero()) {
     addTests(result, layout);
   } else if (both.isZero()) {
-    result.reason = "no participant tells the conditions apart: there is no spread to test";
+    result.reason = reason("conditions_not_told_apart");
   } else {
     result.f = std::numeric_limits<double>::infinity();
-    result.reason = "all participants change in the same way: F is infinite, and p is not defined";
+    result.reason = reason("same_change");
   }
   return result;
 }

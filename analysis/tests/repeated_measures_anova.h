@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -24,7 +25,7 @@ struct RepeatedMeasuresResult {
   std::optional<double> pGreenhouseGeisser;  ///< with both degrees of freedom times ε
   std::optional<double> log10PGreenhouseGeisser;
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Repeated-measures analysis of variance: do k conditions differ in their mean, each of n

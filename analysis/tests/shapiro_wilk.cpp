@@ -129,9 +129,9 @@ ShapiroWilkResult shapiroWilkTest(std::span<const double> values) {
   ShapiroWilkResult result;
   result.n = sorted.size();
   if (sorted.size() < kFewest || sorted.size() > kMost) {
-    result.reason = "the test is made for 3 to 5000 values";
+    result.reason = reason("three_to_5000_values");
   } else if (sorted.front() == sorted.back()) {
-    result.reason = "all values are the same: they have no shape";
+    result.reason = reason("no_shape");
   } else {
     const Statistic statistic = statisticOf(sorted);
     result.w = statistic.w;

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -12,7 +13,7 @@ struct ShapiroWilkResult {
   std::size_t n = 0;
   std::optional<double> w;  ///< in 0 … 1; near 1 for values that lie as normal ones would
   std::optional<double> p;  ///< small for values that a normal law would rarely give
-  std::string reason;       ///< why something above is missing; empty if nothing is
+  Reason reason;            ///< why something above is missing; empty if nothing is
 };
 
 /// Could these values come from a normal law? Shapiro & Wilk 1965 in the approximation of Royston

@@ -128,14 +128,13 @@ SignFlipResult signFlipTest(std::span<const double> differences) {
       numbers.push_back(common ? static_cast<double>(common->multiples[i]) : differences[i]);
   }
   if (numbers.empty()) {
-    result.reason = differences.empty() ? "there are no differences"
-                                        : "every difference is zero: there is no sign to flip";
+    result.reason = differences.empty() ? reason("no_differences") : reason("no_sign_to_flip");
     return result;
   }
   const bool areFew = numbers.size() <= kMostEnumerated;
   const auto integers = common || areFew ? exactIntegers(numbers) : std::nullopt;
   if (!integers && areFew) {
-    result.reason = "the differences are too unlike in size to be added exactly";
+    result.reason = reason("sizes_too_unlike");
     return result;
   }
   const Flips flips = integers ? flipsOf(*integers) : Flips{};
@@ -143,7 +142,7 @@ SignFlipResult signFlipTest(std::span<const double> differences) {
   if (areFew) {
     addEnumerated(result, flips);
   } else {
-    result.reason = "there are too many differences to flip all of their signs";
+    result.reason = reason("too_many_to_flip");
   }
   return result;
 }

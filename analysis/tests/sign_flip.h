@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -13,7 +14,7 @@ struct SignFlipResult {
   std::optional<double> p;         ///< exact, two-sided
   std::optional<double> pLess;     ///< exact P(Σ ≤ observed)
   std::optional<double> pGreater;  ///< exact P(Σ ≥ observed)
-  std::string reason;              ///< why p is missing; empty if it is not
+  Reason reason;                   ///< why p is missing; empty if it is not
 };
 
 /// The permutation test of paired differences (Fisher 1935): had every difference its sign by the

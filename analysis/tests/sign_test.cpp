@@ -24,12 +24,11 @@ SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uin
   result.negative = negative;
   result.zeros = zeros;
   if (positive == 0 && negative == 0) {
-    result.reason = zeros == 0 ? "there are no differences"
-                               : "every difference is zero: there is no sign to test";
+    result.reason = zeros == 0 ? reason("no_differences") : reason("no_sign_to_test");
     return result;
   }
   if (positive > kMostTosses || negative > kMostTosses - positive) {
-    result.reason = "there are too many differences for an exact p";
+    result.reason = reason("too_many_differences");
     return result;
   }
   const std::uint64_t tosses = positive + negative;
@@ -39,7 +38,7 @@ SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uin
   result.pLess = headsAtMost(positive, tosses).p;
   result.pGreater = headsAtMost(negative, tosses).p;
   if (!result.p || !result.pLess || !result.pGreater) {
-    result.reason = "a p is too small for a double; its logarithm holds";
+    result.reason = reason("a_p_too_small");
   }
   return result;
 }

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -16,7 +17,7 @@ struct SignTestResult {
   std::optional<double> log10P;    ///< holds also where p is too small for a double
   std::optional<double> pLess;     ///< exact P(no more positive ones)
   std::optional<double> pGreater;  ///< exact P(no fewer positive ones)
-  std::string reason;              ///< why something above is missing; empty if nothing is
+  Reason reason;                   ///< why something above is missing; empty if nothing is
 };
 
 /// The sign test (Arbuthnott 1710): are there more differences up than down? Zeros are dropped, and

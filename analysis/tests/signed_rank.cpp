@@ -44,7 +44,7 @@ SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
 
 void addExact(SignedRankResult& result, const SignedRanks& ranks) {
   if (!SubsetSums::canHold(ranks.doubled)) {
-    result.reason = "there are too many differences for an exact p; the asymptotic one holds";
+    result.reason = reason("too_many_differences_asymptotic");
     return;
   }
   const SubsetSums law(ranks.doubled);
@@ -76,8 +76,7 @@ SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros
   result.negative = ranks.doubled.size() - result.positive;
   result.zeros = result.n - ranks.doubled.size();
   if (ranks.doubled.empty()) {
-    result.reason = result.n == 0 ? "there are no differences"
-                                  : "every difference is zero: there is no sign to test";
+    result.reason = result.n == 0 ? reason("no_differences") : reason("no_sign_to_test");
     return result;
   }
   result.v = exactQuotient(ranks.positiveSum, 2).high;

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
+
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -33,7 +34,7 @@ struct SignedRankResult {
   std::optional<double> log10PAsymptotic;       ///< holds also where p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with V moved by ½ towards its mean
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Wilcoxon's signed rank test (1945): are paired differences as likely up as down?

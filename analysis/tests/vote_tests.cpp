@@ -65,7 +65,7 @@ EqualSharesResult equalSharesTest(const VoteCounts& votes) {
   EqualSharesResult result;
   result.votes = votes.total();
   if (result.votes == 0) {
-    result.reason = "nobody has voted";
+    result.reason = reason("nobody_voted");
     return result;
   }
   const auto n = static_cast<Wide>(result.votes);
@@ -74,7 +74,7 @@ EqualSharesResult equalSharesTest(const VoteCounts& votes) {
   for (const auto& share : shares)
     squares += static_cast<Wide>(share.votes) * static_cast<Wide>(share.votes);
   result.exactP = equalSharesP(votes);
-  if (!result.exactP) result.reason = "there are too many votes for an exact p; that of χ² holds";
+  if (!result.exactP) result.reason = reason("too_many_votes");
   result.chiSquared = exactQuotient(k * squares - n * n, n).high;
   result.degreesOfFreedom = static_cast<double>(k - 1);
   result.p = chiSquaredP(*result.chiSquared, *result.degreesOfFreedom);
@@ -87,13 +87,13 @@ CochranResult cochranQTest(std::span<const std::vector<bool>> answers) {
   CochranResult result;
   result.persons = answers.size();
   if (answers.empty()) {
-    result.reason = "nobody has answered";
+    result.reason = reason("nobody_answered");
     return result;
   }
   const CochranSums sums = sumsOf(answers);
   result.undecided = sums.undecided;
   if (sums.under == 0) {
-    result.reason = "everybody said the same to all options: there is nothing to compare";
+    result.reason = reason("same_to_all");
     return result;
   }
   const auto k = static_cast<Wide>(answers.front().size());
@@ -102,7 +102,7 @@ CochranResult cochranQTest(std::span<const std::vector<bool>> answers) {
   result.p = chiSquaredP(*result.q, *result.degreesOfFreedom);
   result.log10P = log10ChiSquaredP(*result.q, *result.degreesOfFreedom);
   result.exactP = friedmanTest(asNumbers(answers)).exactP;
-  if (!result.exactP) result.reason = "there are too many answers for an exact p; that of χ² holds";
+  if (!result.exactP) result.reason = reason("too_many_answers");
   return result;
 }
 

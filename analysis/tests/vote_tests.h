@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
+#include "analysis/data/reason.h"
 #include "analysis/data/vote_counts.h"
 
 namespace analysis {
@@ -18,7 +18,7 @@ struct EqualSharesResult {
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< of χ²; for a few votes only roughly
   std::optional<double> log10P;            ///< holds also where p is too small for a double
-  std::string reason;                      ///< why something above is missing; empty if nothing is
+  Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
 /// Had everybody voted by lot, how probable would an outcome as uneven be? The test takes votes as
@@ -35,7 +35,7 @@ struct CochranResult {
   std::optional<double> p;                 ///< of χ²
   std::optional<double> log10P;            ///< holds also where p is too small for a double
   std::optional<double> exactP;            ///< under all permutations within persons
-  std::string reason;                      ///< why something above is missing; empty if nothing is
+  Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
 /// Cochran's Q (1950), with Gⱼ the yes that option j got and Lᵢ those that person i gave:

@@ -10,21 +10,18 @@
 namespace analysis {
 namespace {
 
-std::string tooFew(int group, std::uint64_t n) {
-  return "group " + std::to_string(group) + " has " + (n == 0 ? "no values" : "one value only") +
-         ", and the test needs two in each group";
+Reason tooFew(int group, std::uint64_t n) {
+  return n == 0 ? reason("group_empty_needs_two", group) : reason("group_of_one_needs_two", group);
 }
 
 /// Why the test itself is not defined; empty where it is.
-std::string whyUndefined(const Moments& group1, const Moments& group2) {
+Reason whyUndefined(const Moments& group1, const Moments& group2) {
   if (group1.n < 2) return tooFew(1, group1.n);
   if (group2.n < 2) return tooFew(2, group2.n);
   if (!group1.isConstant() || !group2.isConstant()) return {};
 
   const Contrast contrast = contrastOf(group1, group2);
-  return contrast.difference.isZero()
-             ? "both groups are constant and equal: there is no spread to hold a difference against"
-             : "both groups are constant and differ: t is infinite, and p is not defined";
+  return contrast.difference.isZero() ? reason("constant_equal") : reason("constant_differ");
 }
 
 /// ν for v = s²/n of either group.
@@ -66,15 +63,13 @@ void addTest(WelchResult& result, const Contrast& contrast) {
   if (std::isfinite(t)) addProbabilities(result);
 }
 
-std::string whyIncomplete(const WelchResult& result) {
-  if (result.t && !std::isfinite(*result.t)) return "t is too large for a double, and p too small";
+Reason whyIncomplete(const WelchResult& result) {
+  if (result.t && !std::isfinite(*result.t)) return reason("t_too_large");
   if (!result.variance1 || !result.variance2) {
-    return "a variance is beyond what a double can hold; t, degrees of freedom and p hold all the "
-           "same";
+    return reason("variance_beyond_double");
   }
   if (!result.difference || !result.standardError) {
-    return "a difference is beyond what a double can hold; t, degrees of freedom and p hold all "
-           "the same";
+    return reason("difference_beyond_double_df");
   }
   return {};
 }

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "analysis/data/likert_counts.h"
 #include "analysis/data/moments.h"
+#include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {
@@ -32,7 +32,7 @@ struct WelchResult {
   std::optional<double> pGreater;  ///< if only group 1 > group 2 were of interest
   std::optional<double> pToolpak;  ///< two-sided, as the spreadsheet has it
 
-  std::string reason;  ///< why something above is missing; empty if nothing is
+  Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
 /// Welch's t-test: do two groups differ in their mean, if their variances may differ too?

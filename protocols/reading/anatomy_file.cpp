@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "protocols/model/messages.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {
@@ -137,11 +138,7 @@ class AnatomyReader {
     }
     mendNormals(surface, place);
     if (!surface.hasNormals) {
-      problems_.warn(
-          place,
-          "it has no normals; they are taken from its triangles, and edges of more than 40° stay "
-          "edges",
-          "save it with normals where it should look otherwise");
+      problems_.warn(place, message("no_normals"), message("no_normals.fix"));
     }
     return true;
   }
@@ -159,10 +156,8 @@ class AnatomyReader {
     if (!surface.hasNormals) return;  // told below
     problems_.warn(
         place,
-        std::to_string(lost) +
-            " of its normals have no direction; they are taken from its "
-            "triangles",
-        "save it with normals of length 1, or without any");
+        message("normals_without_direction", lost),
+        message("normals_without_direction.fix"));
   }
 
   void checkCount() {

@@ -1,3 +1,4 @@
+#include "protocols/model/messages.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/companions.h"
 #include "questionnaires/json/document.h"
@@ -8,11 +9,17 @@ namespace {
 using questionnaires::Problems;
 using questionnaires::shown;
 
-/// "tibia, femur".
-std::string surfacesIn(const Anatomy& knee) {
-  std::string words;
-  for (const auto& surface : knee.surfaces) words += (words.empty() ? "" : ", ") + surface.name;
-  return words;
+base::Message nameOf(const std::string& surface) {
+  if (surface == "tibia") return message("source.tibia");
+  if (surface == "femur") return message("source.femur");
+  if (surface == "capsule") return message("source.capsule");
+  return base::Message::verbatim(surface);
+}
+
+std::vector<base::Message> surfacesIn(const Anatomy& knee) {
+  std::vector<base::Message> names;
+  for (const auto& surface : knee.surfaces) names.push_back(nameOf(surface.name));
+  return names;
 }
 
 }  // namespace
@@ -24,7 +31,7 @@ void Companions::readAnatomy(Condition& condition) {
   tellSource(
       {.kind = "anatomy",
        .file = condition.anatomy->name,
-       .title = "The knee that is seen",
+       .title = message("source.knee"),
        .origin = surfacesIn(*condition.knee),
        .isSynthetic = false,
        .conditions = {}},

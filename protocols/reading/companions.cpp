@@ -8,6 +8,7 @@
 #include "haptics/recordings/force_curve.h"
 #include "haptics/recordings/parametric_cut.h"
 #include "protocols/model/instrument_use.h"
+#include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/packing_file.h"
@@ -19,21 +20,24 @@
 namespace protocols {
 namespace {
 
+using base::Message;
 using questionnaires::Problems;
 using questionnaires::shown;
 
-std::string originOf(const haptics::recordings::Provenance& provenance) {
-  if (provenance.sourceFile.empty()) return provenance.statement;
-  const std::string from = "recorded in '" + provenance.sourceFile + "'";
-  return provenance.statement.empty() ? from : provenance.statement + ", " + from;
+std::vector<Message> originOf(const haptics::recordings::Provenance& provenance) {
+  std::vector<Message> origin;
+  if (!provenance.statement.empty()) origin.push_back(Message::verbatim(provenance.statement));
+  if (!provenance.sourceFile.empty()) {
+    origin.push_back(message("source.recorded_in", provenance.sourceFile));
+  }
+  return origin;
 }
 
-std::string originOf(const PackingOrigin& origin) {
-  std::string words = origin.mesh.empty() ? "" : "spheres in '" + origin.mesh + "'";
-  if (!origin.material.empty()) {
-    words += (words.empty() ? "" : ", ") + ("fitted to '" + origin.material + "'");
-  }
-  return words;
+std::vector<Message> originOf(const PackingOrigin& packing) {
+  std::vector<Message> origin;
+  if (!packing.mesh.empty()) origin.push_back(message("source.spheres_in", packing.mesh));
+  if (!packing.material.empty()) origin.push_back(message("source.fitted_to", packing.material));
+  return origin;
 }
 
 bool leavesItsFolder(const std::string& name) {
@@ -44,13 +48,9 @@ bool leavesItsFolder(const std::string& name) {
 }  // namespace
 
 void Companions::passOn(const Problems& found, const std::string& file, Problems& problems) {
-  for (const auto& problem : found.all()) {
-    const std::string path = shown(file) + " " + problem.path;
-    if (problem.severity == questionnaires::Severity::Error) {
-      problems.add(path, problem.what, problem.fix);
-    } else {
-      problems.warn(path, problem.what, problem.fix);
-    }
+  for (auto problem : found.all()) {
+    problem.path = shown(file) + " " + problem.path;
+    problems.add(std::move(problem));
   }
 }
 
@@ -119,7 +119,7 @@ void Companions::readMaterial(Condition& condition) {
     tellSource(
         {.kind = "material",
          .file = {},
-         .title = "A bone of our own making, with the properties that the reaming paper prints",
+         .title = message("source.parametric_material"),
          .origin = {},
          .isSynthetic = true,
          .conditions = {}},
@@ -150,8 +150,8 @@ void Companions::readMaterial(Condition& condition) {
   tellSource(
       {.kind = "material",
        .file = reference.name,
-       .title = material->title,
-       .origin = "test set " + std::string(nameOf(reference.set)),
+       .title = Message::verbatim(material->title),
+       .origin = {message("source.test_set", nameOf(reference.set))},
        .isSynthetic = material->isSynthetic,
        .conditions = {}},
       condition);
@@ -168,7 +168,7 @@ void Companions::readPacking(Condition& condition) {
   tellSource(
       {.kind = "packing",
        .file = isOwn ? std::string() : condition.packing->name,
-       .title = packing.bone->title,
+       .title = isOwn ? message("source.parametric_bone") : Message::verbatim(packing.bone->title),
        .origin = packing.origin,
        .isSynthetic = packing.bone->isSynthetic,
        .conditions = {}},
@@ -219,8 +219,8 @@ void Companions::readCut(Condition& condition) {
   tellSource(
       {.kind = "cut",
        .file = isOwn ? std::string() : condition.cut->name,
-       .title = cut->title,
-       .origin = originOf(cut->provenance),
+       .title = isOwn ? message("source.parametric_cut") : Message::verbatim(cut->title),
+       .origin = isOwn ? std::vector{message("source.parametric")} : originOf(cut->provenance),
        .isSynthetic = cut->isSynthetic,
        .conditions = {}},
       condition);

@@ -38,7 +38,7 @@ class Companions {
  private:
   struct PackingFile {
     std::shared_ptr<const haptics::reaming::PackedBone> bone;  ///< nothing where it is damaged
-    std::string origin;                                        ///< in words
+    std::vector<base::Message> origin;                         ///< in words
   };
   using Knee = std::shared_ptr<const Anatomy>;
   using CutFile = std::optional<haptics::recordings::Cut>;

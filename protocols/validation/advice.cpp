@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "protocols/model/instrument_use.h"
+#include "protocols/model/messages.h"
 #include "protocols/validation/block_advice.h"
 #include "protocols/validation/scene_advice.h"
 #include "questionnaires/model/library.h"
@@ -71,13 +72,15 @@ class Advice {
       const auto& id = protocol_.devices[i].id;
       if (devices.count(id) > 0) continue;
       problems_.warn(
-          at("devices", i), "no condition uses '" + id + "'", "it will not be opened; remove it");
+          at("devices", i), message("device_not_used", id), message("device_not_used.fix"));
     }
     for (std::size_t i = 0; i < protocol_.conditions.size(); ++i) {
       const auto& id = protocol_.conditions[i].id;
       if (felt.count(id) > 0) continue;
       problems_.warn(
-          at("conditions", i), "no block uses '" + id + "'", "nobody will feel it; remove it");
+          at("conditions", i),
+          message("condition_not_used", id),
+          message("condition_not_used.fix"));
     }
   }
 
@@ -85,18 +88,13 @@ class Advice {
   void text(const std::string& path, const LocalizedText& words) {
     for (const auto& language : protocol_.languages) {
       if (!words.has(language)) {
-        problems_.warn(
-            path,
-            "there is no text in '" + language + "'",
-            "English will be shown instead; add \"" + language + "\": \"…\"");
+        problems_.warn(path, message("no_text", language), message("no_text.fix", language));
         continue;
       }
       const std::string placeholders = questionnaires::placeholdersOf(words.in(language));
       if (placeholders.empty()) continue;
       problems_.warn(
-          path,
-          "still to be filled in ('" + language + "'): " + placeholders,
-          "write what holds there");
+          path, message("blank_left_in", language, placeholders), message("blank_left_in.fix"));
     }
   }
 
@@ -105,9 +103,8 @@ class Advice {
       if (isAmong(instrument.languages, language)) continue;
       problems_.warn(
           path,
-          "'" + instrument.id + "' has no texts in '" + language + "'",
-          "English will be shown instead; 'palpate instrument wording " + instrument.id +
-              " --language " + language + "' writes a file for them");
+          message("no_texts_in", instrument.id, language),
+          message("no_texts_in.fix", instrument.id, language));
     }
   }
 
@@ -119,10 +116,7 @@ class Advice {
       return use.instrument == instrument.id;
     });
     if (times > 1) return;
-    problems_.warn(
-        path,
-        "'" + instrument.id + "' is asked once, and its result is the change from before to after",
-        "ask it in a phase before and in a phase after what is felt");
+    problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
   }
 
   /// What lies in a file has its own warnings.
@@ -137,11 +131,7 @@ class Advice {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {
       if (problem.path.ends_with(".relative_to") || isOfATranslation(problem, instrument)) continue;
-      problems_.warn(
-          instrument.id + " " + problem.path,
-          problem.what,
-          "copy it beside the protocol, give it an id of its own, write what holds there in every "
-          "language, and list it in 'instrument_files'");
+      problems_.warn(instrument.id + " " + problem.path, problem.what, message("template.fix"));
     }
   }
 
@@ -156,13 +146,12 @@ class Advice {
 
   void file(const std::string& id, const std::string& path, const std::set<std::string>& used) {
     if (used.count(id) == 0) {
-      problems_.warn(path, "nothing asks '" + id + "'", "name it in a phase, or remove the file");
+      problems_.warn(
+          path, message("instrument_not_asked", id), message("instrument_not_asked.fix"));
     }
     if (isInLibrary(id)) {
       problems_.warn(
-          path,
-          "'" + id + "' takes the place of the instrument of this name in the library",
-          "give it an id of its own, so that nobody takes one for the other");
+          path, message("hides_library_instrument", id), message("hides_library_instrument.fix"));
     }
   }
 

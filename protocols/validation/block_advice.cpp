@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "protocols/model/messages.h"
 #include "protocols/orders/order.h"
 
 namespace protocols {
@@ -41,9 +42,8 @@ class BlockAdvice {
         if (item.reference != questionnaires::Reference::Previous) continue;
         problems_.warn(
             path_ + ".questionnaires[" + std::to_string(index) + "]",
-            "item '" + item.id + "' compares with the previous, and '" + condition +
-                "' can come first in this block, where there is none",
-            "use an order in which it cannot, or a statement that compares with nothing");
+            message("no_previous", item.id, condition),
+            message("no_previous.fix"));
       }
     }
   }
@@ -62,11 +62,7 @@ class BlockAdvice {
 
   void sameForEverybody() {
     if (phase_.trials.conditions.size() < 2) return;
-    problems_.warn(
-        path_ + ".order",
-        "everybody feels this block in the same order",
-        "what comes first or last may be preferred for that alone; 'balancedLatinSquare' avoids "
-        "it");
+    problems_.warn(path_ + ".order", message("same_order"), message("same_order.fix"));
   }
 
   void balance() {
@@ -77,9 +73,8 @@ class BlockAdvice {
       if (static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
       problems_.warn(
           path_ + ".order",
-          std::to_string(cohort.planned) + " participants of '" + cohort.id +
-              "' do not balance this design",
-          "plan a multiple of " + std::to_string(rows));
+          message("not_balanced", cohort.planned, cohort.id),
+          message("not_balanced.fix", rows));
     }
   }
 
@@ -117,10 +112,7 @@ void adviseOnBlocks(const LoadedProtocol& loaded, Problems& problems) {
 void adviseOnAnalysis(const Protocol& protocol, Problems& problems) {
   const auto& families = protocol.analysis.families;
   if (families.empty()) {
-    problems.warn(
-        "$.analysis",
-        "no family of comparisons is declared",
-        "what is compared only after a look at the data is exploratory");
+    problems.warn("$.analysis", message("no_family"), message("no_family.fix"));
   }
   for (std::size_t i = 0; i < families.size(); ++i) {
     const auto unlike =
@@ -130,8 +122,8 @@ void adviseOnAnalysis(const Protocol& protocol, Problems& problems) {
     if (unlike == protocol.phases.end()) continue;
     problems.warn(
         "$.analysis.families[" + std::to_string(i) + "]",
-        "conditions answer different statements in '" + unlike->id + "'",
-        "a difference may be one of wording; the item ids also tell an analyst which is which");
+        message("unlike_statements", unlike->id),
+        message("unlike_statements.fix"));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/models/interpolation.h"
+#include "protocols/model/messages.h"
 
 namespace protocols {
 namespace {
@@ -20,13 +21,8 @@ void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Pro
   const bool isRecordingUnheard = weight < kDeaf;
   problems.warn(
       path + ".parameters",
-      isRecordingUnheard
-          ? "with this noise the recorded cut weighs next to nothing; the finite elements alone "
-            "are felt"
-          : "with this noise the finite elements weigh next to nothing; the recorded cut alone is "
-            "felt",
-      "bring noise.finite_elements and noise.interpolation closer together, or take another "
-      "variant; 'palpate scene play' draws what is felt");
+      isRecordingUnheard ? message("cut_not_felt") : message("elements_not_felt"),
+      message("one_force_felt.fix"));
 }
 
 /// More force on the way out than on the way in pushes the hand on its own account.
@@ -50,9 +46,8 @@ void adviseOnBranches(
   const auto shown = [](double value) { return std::to_string(value).substr(0, 5); };
   problems.warn(
       path + ".parameters",
-      "the opening branch lies up to " + shown(most) + " N above the closing one (at travel " +
-          shown(where) + "), so that opening gives back more than closing took",
-      "choose another closure of the recording, or take closing-only");
+      message("opening_gives_more", shown(most), shown(where)),
+      message("opening_gives_more.fix"));
 }
 
 /// Whether some block shows condition @p id.
@@ -80,9 +75,8 @@ void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& pro
     const auto at = static_cast<std::size_t>(condition - protocol.conditions.data());
     problems.warn(
         "$.conditions[" + std::to_string(at) + "].scene",
-        "'" + condition->id + "' shows another knee than '" + first->id +
-            "', so that they can be told apart by what is seen",
-        "give all conditions of a block the same 'anatomy'");
+        message("other_knee", condition->id, first->id),
+        message("other_knee.fix"));
   }
 }
 
@@ -93,10 +87,7 @@ void adviseOnScenes(const Protocol& protocol, Problems& problems) {
     const std::string path = "$.conditions[" + std::to_string(i) + "].scene";
     const auto& condition = protocol.conditions[i];
     if (condition.anatomy && !isSeen(protocol, condition)) {
-      problems.warn(
-          path + ".anatomy",
-          "it is never seen",
-          "set 'visualisation' to true, in the scene or in a block");
+      problems.warn(path + ".anatomy", message("knee_never_seen"), message("knee_never_seen.fix"));
     }
     const auto parts = engine::partsOf(condition.scene.model);
     if (parts.filter != nullptr) adviseOnWeight(*parts.filter, path, problems);

@@ -22,10 +22,6 @@ void Node::problem(std::string_view key, std::string what, std::string fix) cons
   problems_->add(pathOf(key), std::move(what), std::move(fix));
 }
 
-void Node::warning(std::string_view key, std::string what, std::string fix) const {
-  problems_->warn(pathOf(key), std::move(what), std::move(fix));
-}
-
 bool Node::isObjectWith(std::span<const std::string_view> names) const {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) {

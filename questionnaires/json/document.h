@@ -23,6 +23,7 @@ struct Value {
   using Object = std::vector<Member>;
 
   std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, Array, Object> data;
+  int line = 0;  ///< of the file, from 0: where its key stands, or the value where it has none
 };
 
 struct Value::Member {
@@ -40,6 +41,11 @@ inline constexpr std::size_t kMostElements = 100'000;
 /// NUL characters in texts, nesting deeper than kDeepestNesting, files larger than kLargestFile.
 /// Nothing is returned where the text is no JSON at all.
 std::optional<Value> parseJson(std::string_view text, Problems& problems);
+
+/// The line of @p json, from 0, of what a path means ("$.phases[3].order"); where that is not
+/// there, the line of the nearest thing around it that is. JSON that breaks off is read as far as
+/// it goes.
+int lineOf(std::string_view json, std::string_view path);
 
 /// The whole file as text.
 /// @param most  bytes.
@@ -69,7 +75,6 @@ class Node {
   const std::string& path() const noexcept { return path_; }
   std::string pathOf(std::string_view key) const;
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
-  void warning(std::string_view key, std::string what, std::string fix = {}) const;
 
   /// Refuses every key that is not in @p known, and names the nearest known one. False, and a
   /// problem, where this is no object at all.

@@ -2,6 +2,8 @@
 // let pass (duplicate keys, any depth) is seen here.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <unordered_set>
@@ -13,9 +15,42 @@
 namespace questionnaires {
 namespace {
 
+/// Reads characters and tells how far it has come.
+class WatchedCharacters {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  WatchedCharacters(const char* at, const char*& reached) : at_(at), reached_(&reached) {}
+
+  reference operator*() const { return *at_; }
+  WatchedCharacters& operator++() {
+    *reached_ = ++at_;
+    return *this;
+  }
+  bool operator==(const WatchedCharacters& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  const char** reached_;
+};
+
 class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  TreeBuilder(std::string_view text, Problems& problems) : text_(text), problems_(problems) {}
+  TreeBuilder(std::string_view text, Problems& problems)
+      : text_(text), problems_(problems), reached_(text.data()), counted_(text.data()) {}
+
+  /// Whether all of the text is JSON. What was read up to a mistake is in the tree as well.
+  bool read() {
+    const char* begin = text_.data();
+    return nlohmann::json::sax_parse(
+        WatchedCharacters(begin, reached_),
+        WatchedCharacters(begin + text_.size(), reached_),
+        this);
+  }
 
   Value takeRoot() { return std::move(root_); }
 
@@ -45,7 +80,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   bool start_array(std::size_t /*size*/) override { return open(Value{Value::Array{}}); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    std::get<Value::Object>(open_.back().value->data).push_back({value, {}});
+    std::get<Value::Object>(open_.back().value->data).push_back({value, {.line = line()}});
     checkText(value);
     if (!open_.back().keys.insert(value).second) {
       problems_.add(
@@ -60,15 +95,15 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       const nlohmann::detail::exception& error) override {
     const std::string where = lineAndColumn(text_.substr(0, position));
     if (dynamic_cast<const nlohmann::detail::out_of_range*>(&error) != nullptr) {
-      problems_.add(
-          path(),
+      tell(
+          position,
           where + ": the number " + shown(lastToken) + " is too large",
           "write a finite number");
       return false;
     }
     const std::string near = lastToken.empty() ? "" : ", near '" + ending(lastToken) + "'";
-    problems_.add(
-        path(),
+    tell(
+        position,
         where + ": this is not JSON" + near,
         "look for a missing comma, quote or bracket just before it; JSON has no comments, no NaN "
         "and no text after its last bracket");
@@ -81,6 +116,25 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
     std::size_t elements = 0;
     std::unordered_set<std::string> keys{};
   };
+
+  /// A mistake in the text itself.
+  void tell(std::size_t position, std::string what, std::string fix) {
+    const auto before = text_.substr(0, position);
+    problems_.add(
+        {.path = path(),
+         .what = base::Message::verbatim(std::move(what)),
+         .fix = base::Message::verbatim(std::move(fix)),
+         .line = static_cast<int>(std::count(before.begin(), before.end(), '\n'))});
+  }
+
+  /// Of what has just been read. The character read last is left out: after a number it is the one
+  /// behind it, and may be the end of the line.
+  int line() {
+    const char* const end = reached_ > counted_ ? reached_ - 1 : counted_;
+    line_ += static_cast<int>(std::count(counted_, end, '\n'));
+    counted_ = end;
+    return line_;
+  }
 
   static std::string lineAndColumn(std::string_view before) {
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -123,6 +177,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   Value* put(Value value) {
+    value.line = line();
     if (open_.empty()) {
       root_ = std::move(value);
       return &root_;
@@ -135,6 +190,7 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
       return nullptr;
     }
     if (auto* object = std::get_if<Value::Object>(&open_.back().value->data)) {
+      value.line = object->back().value.line;
       object->back().value = std::move(value);
       return &object->back().value;
     }
@@ -164,11 +220,43 @@ class TreeBuilder final : public nlohmann::json_sax<nlohmann::json> {
 
   std::string_view text_;
   Problems& problems_;
+  const char* reached_;  ///< by the parser
+  const char* counted_;  ///< up to here, line ends
+  int line_ = 0;
   Value root_;
   std::vector<Level> open_;
 };
 
+/// The part of a tree that a path leads to, as far as there is one. Keys may hold points
+/// themselves.
+const Value& nearest(const Value& value, std::string_view path) {
+  const auto next = [&](const Value& part, const std::string& step) -> const Value* {
+    if (!path.starts_with(step)) return nullptr;
+    const auto rest = path.substr(step.size());
+    const bool isWhole = rest.empty() || rest.front() == '.' || rest.front() == '[';
+    return isWhole ? &nearest(part, rest) : nullptr;
+  };
+  if (const auto* object = std::get_if<Value::Object>(&value.data)) {
+    for (const auto& [key, part] : *object) {
+      if (const auto* found = next(part, "." + shown(key))) return *found;
+    }
+  }
+  if (const auto* array = std::get_if<Value::Array>(&value.data)) {
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      if (const auto* found = next((*array)[i], "[" + std::to_string(i) + "]")) return *found;
+    }
+  }
+  return value;
+}
+
 }  // namespace
+
+int lineOf(std::string_view json, std::string_view path) {
+  Problems ignored;
+  TreeBuilder builder(json, ignored);
+  builder.read();
+  return nearest(builder.takeRoot(), path.substr(path.starts_with('$') ? 1 : 0)).line;
+}
 
 std::optional<Value> parseJson(std::string_view text, Problems& problems) {
   if (text.size() > kLargestFile) {
@@ -179,7 +267,7 @@ std::optional<Value> parseJson(std::string_view text, Problems& problems) {
     return std::nullopt;
   }
   TreeBuilder builder(text, problems);
-  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
+  if (!builder.read()) return std::nullopt;
   return builder.takeRoot();
 }
 

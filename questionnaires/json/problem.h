@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "base/message.h"
 
 namespace questionnaires {
 
@@ -14,12 +17,14 @@ enum class Severity {
   Warning,  ///< it can, and its author should know
 };
 
-/// Something about a researcher's file, told so that it can be mended.
+/// Something about a researcher's file, told so that it can be mended. Errors are told in English
+/// only, at a desk; warnings stand in reports as well, and have keys.
 struct Problem {
   Severity severity = Severity::Error;
-  std::string path;  ///< where, as a JSON path from the root: "$.phases[3].order"
-  std::string what;  ///< what is wrong there
-  std::string fix;   ///< what to do about it; may be empty
+  std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"
+  base::Message what;            ///< what is wrong there
+  base::Message fix;             ///< what to do about it; may be empty
+  std::optional<int> line = {};  ///< from 0, where the text is no JSON there
 };
 
 /// How many problems are told; whoever wrote the file has enough to do with them.
@@ -29,13 +34,19 @@ inline constexpr std::size_t kMostProblems = 1000;
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
-    put({Severity::Error, std::move(path), std::move(what), std::move(fix)});
+    using base::Message;
+    add(
+        {Severity::Error,
+         std::move(path),
+         Message::verbatim(std::move(what)),
+         Message::verbatim(std::move(fix))});
   }
-  void warn(std::string path, std::string what, std::string fix = {}) {
-    put({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
+  void warn(std::string path, base::Message what, base::Message fix = {}) {
+    add({Severity::Warning, std::move(path), std::move(what), std::move(fix)});
   }
+  void add(Problem problem);
   void append(const Problems& others) {
-    for (const auto& problem : others.list_) put(problem);
+    for (const auto& problem : others.list_) add(problem);
   }
 
   const std::vector<Problem>& all() const& noexcept { return list_; }
@@ -43,8 +54,6 @@ class Problems {
   bool hasErrors() const noexcept { return hasErrors_; }
 
  private:
-  void put(Problem problem);
-
   std::vector<Problem> list_;
   bool hasErrors_ = false;
 };

@@ -121,11 +121,7 @@ void addWhatIsNew(const Problems& more, Problems& problems) {
   const bool wasSound = !problems.hasErrors();
   for (const auto& problem : more.all()) {
     const bool isError = problem.severity == Severity::Error;
-    if (isError && places.count(problem.path) == 0) {
-      problems.add(problem.path, problem.what, problem.fix);
-    } else if (!isError && wasSound) {
-      problems.warn(problem.path, problem.what, problem.fix);
-    }
+    if (isError ? places.count(problem.path) == 0 : wasSound) problems.add(problem);
   }
 }
 

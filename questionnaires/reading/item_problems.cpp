@@ -6,6 +6,7 @@
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
+#include "questionnaires/reading/warnings.h"
 
 namespace questionnaires {
 namespace {
@@ -59,8 +60,8 @@ void ItemInspection::inspectHead() const {
   if (item_.reference == Reference::Previous) {
     problems_.warn(
         path_ + ".relative_to",
-        "this compares with what was felt just before",
-        "an order must give it a predecessor: whatever is felt first has none");
+        warning("compares_with_previous"),
+        warning("compares_with_previous.fix"));
   }
 }
 

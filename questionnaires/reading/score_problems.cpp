@@ -8,6 +8,7 @@
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 #include "questionnaires/reading/text_problems.h"
+#include "questionnaires/reading/warnings.h"
 
 namespace questionnaires {
 namespace {
@@ -51,10 +52,7 @@ void inspectScoredItems(
     areAlike = areAlike && (!range || *range == *first);
   }
   if (!areAlike) {
-    problems.warn(
-        path + ".items",
-        "these items are answered on different ranges",
-        "the widest weighs most: is that meant?");
+    problems.warn(path + ".items", warning("different_ranges"), warning("different_ranges.fix"));
   }
 }
 
@@ -151,8 +149,8 @@ void inspectPairs(
   if (score.weightsFrom.empty() || pairs.size() >= all) return;
   problems.warn(
       path + ".weights_from",
-      std::to_string(pairs.size()) + " of the " + std::to_string(all) + " pairs are asked",
-      "some items can gather more weight than others: is that meant?");
+      warning("some_pairs_asked", pairs.size(), all),
+      warning("some_pairs_asked.fix"));
 }
 
 void inspectArithmetic(const Score& score, const std::string& path, Problems& problems) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "questionnaires/reading/warnings.h"
+
 namespace questionnaires {
 
 namespace {
@@ -145,15 +147,12 @@ void TextProblems::inspectWhatIsThere(const std::string& path, const LocalizedTe
     if (std::find(languages_.begin(), languages_.end(), language) == languages_.end()) {
       problems_.warn(
           place,
-          "a text in '" + language + "', which is not among the languages of the instrument",
-          "add '" + language + "' to $.languages, or remove the text");
+          warning("language_not_listed", language),
+          warning("language_not_listed.fix", language));
     }
     const std::string placeholders = placeholdersOf(words);
     if (!placeholders.empty()) {
-      problems_.warn(
-          place,
-          "still to be filled in: " + placeholders,
-          "copy the instrument into the study's folder and write what holds there");
+      problems_.warn(place, warning("blank_left", placeholders), warning("blank_left.fix"));
     }
   }
 }

@@ -107,8 +107,10 @@ bool addWording(
   } else if (wording) {
     apply(*wording, instrument, inFile);
   }
-  for (const auto& problem : inFile.all()) {
-    problems.add(file + " " + problem.path, problem.what, problem.fix);
+  for (auto problem : inFile.all()) {
+    problem.path = file + " " + problem.path;
+    problem.severity = Severity::Error;
+    problems.add(std::move(problem));
   }
   return true;
 }

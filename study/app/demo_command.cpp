@@ -65,7 +65,7 @@ report::ReportSection runStudy(
   auto study = Study::create(folder / name, *protocol, clock, seed);
   const int participants = plannedParticipants(protocol->protocol);
   fmt::print("{}: {} simulated participants …\n", protocol->protocol.study.title, participants);
-  simulateCohorts(study, clock, participants, seed, [](const std::string&) {});
+  simulateCohorts(study, clock, participants, seed, [](const auto&) {});
   if (!verify(study).isSound()) throw std::logic_error("the demo's own study does not verify");
   exportStudy(
       study,

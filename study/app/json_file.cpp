@@ -41,7 +41,7 @@ Json asJson(const analysis::WelchResult& r, const std::optional<analysis::Interv
   json["log10_p"] = orNull(r.log10P);
   json["conf_low"] = interval ? Json(interval->low) : Json(nullptr);
   json["conf_high"] = interval ? Json(interval->high) : Json(nullptr);
-  json["reason"] = r.reason.empty() ? Json(nullptr) : Json(r.reason);
+  json["reason"] = r.reason.empty() ? Json(nullptr) : Json(base::describe(r.reason));
   return json;
 }
 
@@ -102,8 +102,8 @@ std::string problemsAsJson(
     json["problems"].push_back(
         {{"severity", isError ? "error" : "warning"},
          {"path", problem.path},
-         {"what", problem.what},
-         {"fix", problem.fix}});
+         {"what", base::describe(problem.what)},
+         {"fix", base::describe(problem.fix)}});
   }
   return printed(json);
 }

@@ -21,8 +21,12 @@ ResultJson nullable(const std::optional<bool>& value) {
   return value ? ResultJson(*value) : ResultJson(nullptr);
 }
 
-ResultJson reasonOf(const std::string& reason) {
-  return reason.empty() ? ResultJson(nullptr) : ResultJson(reason);
+ResultJson textOrNull(const std::string& text) {
+  return text.empty() ? ResultJson(nullptr) : ResultJson(text);
+}
+
+ResultJson reasonOf(const base::Message& reason) {
+  return reason.empty() ? ResultJson(nullptr) : ResultJson(base::describe(reason));
 }
 
 ResultJson limits(const std::optional<analysis::Interval>& interval) {
@@ -58,7 +62,7 @@ ResultJson pooledAsJson(const analysis::PairwiseComparison& row) {
       {"significant", nullable(row.isSignificant)}};
 }
 
-ResultJson testedAsJson(const analysis::AdjustedP& p, const std::string& reason) {
+ResultJson testedAsJson(const analysis::AdjustedP& p, const analysis::Reason& reason) {
   return {
       {"p", nullable(p.p)},
       {"p_adj", nullable(p.adjusted)},
@@ -238,9 +242,9 @@ ResultJson cohortAsJson(const CohortResult& cohort, double alpha) {
     json["flags"].push_back(
         {{"id", flag.id},
          {"what", flag.inEnglish()},
-         {"why", flag.why},
-         {"remedy", flag.remedy},
-         {"source", flag.source}});
+         {"why", base::describe(flag.why)},
+         {"remedy", base::describe(flag.remedy)},
+         {"source", base::describe(flag.source)}});
   }
   return json;
 }
@@ -318,8 +322,8 @@ ResultJson instrumentAsJson(const InstrumentSummary& summary) {
     json["scores"].push_back(
         {{"score", score.score},
          {"cohort", score.cohort},
-         {"condition", reasonOf(score.condition)},
-         {"occasion", reasonOf(score.occasion)},
+         {"condition", textOrNull(score.condition)},
+         {"occasion", textOrNull(score.occasion)},
          {"n", score.values.size()},
          {"missing", score.missing},
          {"mean", nullable(score.mean)},
@@ -330,7 +334,7 @@ ResultJson instrumentAsJson(const InstrumentSummary& summary) {
     json["acceptable"].push_back(
         {{"item", item.item.itemId},
          {"cohort", item.cohort},
-         {"condition", reasonOf(item.condition)},
+         {"condition", textOrNull(item.condition)},
          {"from", item.item.acceptableFrom},
          {"acceptable", item.item.acceptable},
          {"n", item.item.answered},

@@ -84,7 +84,7 @@ int welch(const TestOptions& options) {
         interval->low,
         interval->high);
   }
-  if (!result.reason.empty()) fmt::print("{}\n", result.reason);
+  if (!result.reason.empty()) fmt::print("{}\n", base::describe(result.reason));
   return 0;
 }
 

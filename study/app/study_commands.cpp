@@ -98,9 +98,9 @@ int simulatedSessions(Study& study) {
 
 /// Says now and then how far a long simulation is. Whoever is enrolled follows on one who has
 /// finished.
-void tellProgress(const std::string& what, int& finished, int participants) {
+void tellProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;
-  if (!what.ends_with(" enrolled")) return;
+  if (done.kind != Acknowledged::Kind::Enrolment) return;
   if (finished > 0 && finished % kEvery == 0) {
     fmt::print(stderr, "{} of {} simulated participants have finished\n", finished, participants);
   }
@@ -115,10 +115,10 @@ int simulate(const StudyArguments& options) {
                                : plannedParticipants(study.protocol().protocol);
   const int already = simulatedSessions(study);
   int finished = already;
-  const auto acknowledge = [&](const std::string& what) {
-    tellProgress(what, finished, participants);
+  const auto acknowledge = [&](const Acknowledged& done) {
+    tellProgress(done, finished, participants);
     if (!options.verbose) return;
-    fmt::print("saved {}\n", what);
+    fmt::print("saved {}\n", done.what);
     std::fflush(stdout);
   };
   const auto endings = simulateCohorts(

@@ -25,6 +25,8 @@ constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::chrono::seconds kLongestWait{30};          // for a device to come back
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
+using Done = Acknowledged::Kind;
+
 /// One simulated sitting.
 class Sitting {
  public:
@@ -63,7 +65,7 @@ class Sitting {
         continue;
       }
       session_.step().kind == StepKind::Trial ? feel() : answerStep();
-      acknowledge_(session_.participant() + " " + phase + " done");
+      acknowledge_({Done::Step, session_.participant() + " " + phase + " done"});
     }
   }
 
@@ -105,7 +107,7 @@ class Sitting {
       const auto now = std::chrono::steady_clock::now();
       if (!waitingSince_) waitingSince_ = now;
       if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;
-      acknowledge_(session_.participant() + " waits: " + error.what());
+      acknowledge_({Done::Wait, session_.participant() + " waits: " + error.what()});
       std::this_thread::sleep_for(kBetweenTries);
       return;
     }
@@ -121,7 +123,7 @@ class Sitting {
       failures_ = 0;
       atOnce_ = 0;
       session_.finishTrial(record);
-      acknowledge_(which + "finished");
+      acknowledge_({Done::TrialOnDevice, which + "finished"});
       return;
     }
     session_.breakOffTrial(record);
@@ -130,7 +132,9 @@ class Sitting {
     atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
     const bool isHopeless = ++failures_ >= kMostFailures || atOnce_ >= kMostAtOnce;
     if (isHopeless) session_.giveUpOnDevice(why);
-    acknowledge_(which + "broken off: " + why + (isHopeless ? "; given up" : "; repeated"));
+    acknowledge_(
+        {Done::TrialOnDevice,
+         which + "broken off: " + why + (isHopeless ? "; given up" : "; repeated")});
   }
 
   void answerStep() {
@@ -155,7 +159,7 @@ class Sitting {
            .firstTouch = touched,
            .responseTime = touched,
            .language = session_.language()});
-      acknowledge_(session_.participant() + " " + phase + " " + items[i].id);
+      acknowledge_({Done::Answer, session_.participant() + " " + phase + " " + items[i].id});
     }
     if (session_.step().kind == StepKind::Benchmark) {
       session_.recordBenchmarkCuts(session_.step().minimumCuts);
@@ -280,7 +284,7 @@ std::vector<SimulatedEnding> simulateCohorts(
     setClockFor(study, clock, std::nullopt);
     auto session =
         Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
-    acknowledge(session.participant() + " enrolled");
+    acknowledge({Done::Enrolment, session.participant() + " enrolled"});
     simulate(study, session, clock, seed, acknowledge, devices.get());
     endings.push_back(endingOf(study, session));
     ++finished[cohort];

@@ -62,8 +62,16 @@ struct SimulatedEnding {
   int trialsFinished = 0;
 };
 
-/// Told of everything that has been committed, as soon as it has: "P001 round-1 1.1".
-using Acknowledge = std::function<void(const std::string& what)>;
+/// Something that has been committed, or a wait for a device.
+struct Acknowledged {
+  enum class Kind { Enrolment, Answer, Step, TrialOnDevice, Wait };
+
+  Kind kind = Kind::Answer;
+  std::string what;  ///< "P001 round-1 1.1"
+};
+
+/// Told of everything as soon as it has happened.
+using Acknowledge = std::function<void(const Acknowledged& done)>;
 
 /// Takes @p session from where it is to its end, through the same steps, transactions, engine and
 /// recorder as a real one, in @p clock's time; on @p devices if there are any, in real time.

@@ -117,8 +117,8 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
     Json entry{{"kind", source.kind}, {"synthetic", source.isSynthetic}};
     if (!options.isBlinded) {
       entry["file"] = source.file;
-      entry["title"] = source.title;
-      entry["origin"] = source.origin;
+      entry["title"] = base::describe(source.title);
+      entry["origin"] = protocols::originInWords(source);
       entry["conditions"] = source.conditions;
     }
     head["felt_from"].push_back(std::move(entry));

@@ -103,9 +103,12 @@ void noteExport(Study& study, const ExportOptions& options, const std::string& r
   if (options.publicClass) {
     const auto release = publicRelease(study, options);
     study.note(
-        "public_export",
-        "k = " + std::to_string(release.k) + ", " + std::to_string(release.after.people) +
-            " people, smallest class " + std::to_string(release.after.smallest));
+        {.actor = storage::Actor::Operator,
+         .kind = "public_export",
+         .values = {
+             {"k", base::asArgument(release.k)},
+             {"people", base::asArgument(release.after.people)},
+             {"smallest", base::asArgument(release.after.smallest)}}});
   }
   if (!options.isBlinded) study.note("unblinded_export", reason);
 }

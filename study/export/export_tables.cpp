@@ -166,7 +166,7 @@ class Tables {
           trial.device,
           trial.ending,
           trial.verdict,
-          exportCell(trial.verdictReason),
+          exportCell(base::describe(trial.reasons)),
           trial.duration,
           trial.cuts,
           trial.contact,
@@ -211,7 +211,6 @@ class Tables {
       // How stiff a scene is says which one it is.
       if (options_.isBlinded && (event.kind == "passivity" || event.kind == "view")) continue;
       // Answers stand in responses.csv; here it matters that and when one was given.
-      const bool isAnswer = event.kind == "answered";
       table.rows.push_back(
           {session->second.participant,
            std::int64_t{session->second.number},
@@ -221,7 +220,7 @@ class Tables {
            onsets.of(event),
            std::string(storage::nameOf(event.actor)),
            event.kind,
-           exportCell(isAnswer ? event.detail.substr(0, event.detail.find(' ')) : event.detail)});
+           exportCell(storage::describe(event))});
     }
     return table;
   }

@@ -118,9 +118,7 @@ StatisticsRow omegaRow(const analysis::MethodChecks& checks) {
   row["effect_name"] = std::string("omega_total");
   row["effect"] = cellOf(checks.omega.value);
   addReason(
-      row,
-      checks.omega.isImproper ? "a hint at most: its factor explains a statement completely"
-                              : checks.omega.reason);
+      row, checks.omega.isImproper ? analysis::reason("improper_omega") : checks.omega.reason);
   return row;
 }
 

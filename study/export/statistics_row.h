@@ -41,7 +41,7 @@ std::vector<StatisticsRow> instrumentRows(
 /// What was felt, or why that is not known: one damaged trace keeps no answers back.
 struct FeltResult {
   std::vector<FeltCurve> curves;
-  std::string reason;  ///< empty, or what is wrong with the traces; then there are no curves
+  base::Message reason;  ///< empty, or what is wrong with the traces; then there are no curves
 };
 
 FeltResult feltResult(Study& study, RunMode mode);
@@ -75,8 +75,8 @@ inline void addName(StatisticsRow& row, const std::string& column, const std::st
   if (!name.empty()) row[column] = name;
 }
 
-inline void addReason(StatisticsRow& row, const std::string& reason) {
-  if (!reason.empty()) row["reason"] = reason;
+inline void addReason(StatisticsRow& row, const base::Message& reason) {
+  if (!reason.empty()) row["reason"] = base::describe(reason);
 }
 
 }  // namespace study

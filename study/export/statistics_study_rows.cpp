@@ -1,5 +1,8 @@
 // Rows of the statistics table that belong to no family.
+#include <filesystem>
+
 #include "study/export/statistics_row.h"
+#include "study/model/messages.h"
 
 namespace study {
 namespace {
@@ -49,6 +52,13 @@ StatisticsRow acceptabilityRow(
   return row;
 }
 
+/// What is wrong with the traces, without the folder of the study, which is nobody else's business.
+base::Message withoutFolder(const base::Message& error) {
+  if (error.key() != "traces.damaged") return message("traces.unreadable");
+  const std::filesystem::path file = std::get<std::string>(error.arguments().at(0));
+  return message("traces.damaged", file.filename().string(), error.arguments().at(1));
+}
+
 }  // namespace
 
 std::vector<StatisticsRow> instrumentRows(
@@ -68,10 +78,7 @@ FeltResult feltResult(Study& study, RunMode mode) {
   try {
     return {.curves = feltCurves(study, mode), .reason = {}};
   } catch (const storage::StorageError& error) {
-    std::string reason = error.what();
-    const std::string folder = (study.folder() / "").string();  // is nobody else's business
-    const auto at = reason.find(folder);
-    return {.curves = {}, .reason = at == reason.npos ? reason : reason.erase(at, folder.size())};
+    return {.curves = {}, .reason = withoutFolder(error.message())};
   }
 }
 

@@ -63,7 +63,7 @@ std::vector<Cell> rowOfVotes(
       cellOf(vote.test.chiSquared),
       cellOf(vote.test.degreesOfFreedom),
       cellOf(vote.test.p),
-      vote.test.reason.empty() ? Cell() : Cell(vote.test.reason)};
+      vote.test.reason.empty() ? Cell() : Cell(base::describe(vote.test.reason))};
 }
 
 }  // namespace

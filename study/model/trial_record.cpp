@@ -1,10 +1,9 @@
 #include "study/model/trial_record.h"
 
 #include <array>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "study/words/counted.h"
+#include "study/model/messages.h"
 
 namespace study {
 namespace {
@@ -33,26 +32,30 @@ constexpr double kWarnSaturatedShare = 0.05;
 
 struct Finding {
   Verdict verdict = Verdict::Pass;
-  const char* what = "";
+  base::Message reason;
 };
 
 /// What a participant may have noticed. A force comes on softly in every trial; where that takes
 /// half of it, it hardly came.
-Finding verdictOf(const SafetyEvent& event, double duration) {
+Finding findingOf(const SafetyEvent& event, double duration) {
+  const auto found = [&](Verdict verdict, auto key) {
+    return Finding{verdict, message(key, event.times, event.duration)};
+  };
+  using Key = base::KeyIn<kMessages, 2>;
   switch (event.kind) {
     case SafetyKind::TooFast:
-      return {Verdict::Warn, "the tool was too fast, and the force faded"};
+      return found(Verdict::Warn, Key("trial.too_fast"));
     case SafetyKind::Released:
-      return {Verdict::Warn, "the dead-man switch was released"};
+      return found(Verdict::Warn, Key("trial.released"));
     case SafetyKind::LostBeats:
-      return {Verdict::Warn, "the loop lost beats, and the force faded"};
+      return found(Verdict::Warn, Key("trial.lost_beats"));
     case SafetyKind::NotFinite:
-      return {Verdict::Fail, "the scene asked for a force that is no number"};
+      return found(Verdict::Fail, Key("trial.not_finite"));
     case SafetyKind::Active:
-      return {Verdict::Warn, "the scene gave more energy than it was given: it may have vibrated"};
+      return found(Verdict::Warn, Key("trial.active"));
     case SafetyKind::SoftStart:
       if (event.duration <= 0.5 * duration) return {};
-      return {Verdict::Fail, "the force never came on: the scene asked for too much all along"};
+      return found(Verdict::Fail, Key("trial.soft_start"));
     case SafetyKind::NoSample:
     case SafetyKind::Saturated:
     case SafetyKind::Slewed:
@@ -80,115 +83,97 @@ bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept {
   return static_cast<double>(lateTicks) > kWarnLateShare * static_cast<double>(ticks);
 }
 
-std::string inWords(const haptics::devices::LinkReport& link) {
-  std::string words = fmt::format(
-      "received {}, lost {}, doubled {}, late {}, damaged {}, foreign {}, restarts {}, skipped {}, "
-      "stale {}, poor {}, unsent {}, clipped {}, expired {}; round trip p50 {:.0f} us, p99 {:.0f} "
-      "us, "
-      "largest {:.0f} us; device's 0 at {} ns of our clock",
-      link.received,
-      link.lost,
-      link.doubled,
-      link.late,
-      link.damaged,
-      link.foreign,
-      link.restarts,
-      link.skipped,
-      link.stale,
-      link.poor,
-      link.unsent,
-      link.clipped,
-      link.expired,
-      link.roundTrip.quantile(0.5),
-      link.roundTrip.quantile(0.99),
-      link.roundTrip.largest(),
-      link.clockOffset);
-  if (link.drift) words += fmt::format(", drift {:+.2f} ppm", *link.drift);
-  return words;
+base::NamedArguments valuesOf(const haptics::devices::LinkReport& link) {
+  base::NamedArguments values;
+  const auto add = [&](const char* name, auto value) {
+    values.emplace_back(name, base::asArgument(value));
+  };
+  add("received", link.received);
+  add("lost", link.lost);
+  add("doubled", link.doubled);
+  add("late", link.late);
+  add("damaged", link.damaged);
+  add("foreign", link.foreign);
+  add("restarts", link.restarts);
+  add("skipped", link.skipped);
+  add("stale", link.stale);
+  add("poor", link.poor);
+  add("unsent", link.unsent);
+  add("clipped", link.clipped);
+  add("expired", link.expired);
+  add("trip_p50_us", link.roundTrip.quantile(0.5));
+  add("trip_p99_us", link.roundTrip.quantile(0.99));
+  add("trip_max_us", link.roundTrip.largest());
+  add("clock_offset_ns", link.clockOffset);
+  if (link.drift) add("drift_ppm", *link.drift);
+  return values;
 }
 
 TrialRecord::Judgement TrialRecord::judgement() const {
   Judgement judgement;
-  const auto found = [&](Verdict verdict, std::string reason) {
+  const auto found = [&](Verdict verdict, base::Message reason) {
     if (verdict > judgement.verdict) judgement.verdict = verdict;
-    judgement.reason += (judgement.reason.empty() ? "" : "; ") + reason;
+    judgement.reasons.push_back(std::move(reason));
   };
   if (ending != TrialEnding::Finished) {
-    const std::string why = deviceFault.empty() ? "" : ": " + deviceFault;
-    found(Verdict::Fail, fmt::format("the trial broke off ({}{})", nameOf(ending), why));
-  }
-  if (traceSamples + lostSamples != ticks) {
-    found(Verdict::Fail, fmt::format("{} of {} samples were kept", traceSamples, ticks));
-  }
-  if (lostSamples > 0)
     found(
         Verdict::Fail,
-        words::counted(
-            static_cast<std::uint64_t>(lostSamples), "sample was lost", "samples were lost"));
+        deviceFault.empty() ? message("trial.broke_off", nameOf(ending))
+                            : message("trial.broke_off.fault", nameOf(ending), deviceFault));
+  }
+  if (traceSamples + lostSamples != ticks) {
+    found(Verdict::Fail, message("trial.samples_kept", traceSamples, ticks));
+  }
+  if (lostSamples > 0) {
+    found(
+        Verdict::Fail,
+        lostSamples == 1 ? message("trial.samples_lost.one", lostSamples)
+                         : message("trial.samples_lost", lostSamples));
+  }
   if (invalidTicks > 0) {
     // One missing sample is bridged; a device on a wire misses one now and then.
     const bool isRare = link.isThere && static_cast<double>(invalidTicks) <
                                             kWarnLateShare * static_cast<double>(ticks);
     found(
         isRare ? Verdict::Warn : Verdict::Fail,
-        "the device was silent for " +
-            words::counted(static_cast<std::uint64_t>(invalidTicks), "tick"));
+        invalidTicks == 1 ? message("trial.device_silent.one", invalidTicks)
+                          : message("trial.device_silent", invalidTicks));
   }
-  if (const auto bad = link.lost + link.doubled + link.late + link.damaged + link.foreign;
-      bad > 0) {
+  if (link.lost + link.doubled + link.late + link.damaged + link.foreign > 0) {
     found(
         Verdict::Warn,
-        fmt::format(
-            "on the device's wire {} were lost, {} doubled, {} late, {} damaged, {} foreign",
-            link.lost,
-            link.doubled,
-            link.late,
-            link.damaged,
-            link.foreign));
+        message(
+            "trial.wire_faults", link.lost, link.doubled, link.late, link.damaged, link.foreign));
   }
   if (link.clipped > 0) {
     found(
         Verdict::Warn,
-        "the device gave less than it was asked for in " +
-            words::counted(static_cast<std::uint64_t>(link.clipped), "tick"));
+        link.clipped == 1 ? message("trial.clipped.one", link.clipped)
+                          : message("trial.clipped", link.clipped));
   }
   const double share = achievedRate ? *achievedRate / nominalRate : 1.0;
   if (share < kWarnRate) {
     found(
         share < kFailRate ? Verdict::Fail : Verdict::Warn,
-        fmt::format("{:.0f} of {:.0f} Hz were reached", *achievedRate, nominalRate));
+        message("trial.rate", *achievedRate, nominalRate));
   }
   if (lateTicks && isOftenLate(*lateTicks, ticks)) {
     found(
         Verdict::Warn,
-        fmt::format("{} of {} ticks were late", *lateTicks, ticks) +
-            (holes.value_or(0) > 0
-                 ? fmt::format(", {} of them because the machine itself stood still", *holes)
-                 : ""));
+        holes.value_or(0) > 0 ? message("trial.late.machine", *lateTicks, ticks, *holes)
+                              : message("trial.late", *lateTicks, ticks));
   }
   if (contact > 0.0 && saturated > kWarnSaturatedShare * contact) {
-    found(
-        Verdict::Warn,
-        fmt::format("the force was cut off for {:.2f} s of {:.2f} s", saturated, contact));
+    found(Verdict::Warn, message("trial.cut_off", saturated, contact));
   }
-  if (undefined > 0.0) {
-    found(Verdict::Warn, fmt::format("the scene had no force for {:.3f} s", undefined));
-  }
+  if (undefined > 0.0) found(Verdict::Warn, message("trial.no_force", undefined));
   const double needed = passivity.neededDamping();
   if (needed > deviceDamping) {
-    found(
-        Verdict::Warn,
-        fmt::format(
-            "passivity (b > KT/2) needs {:.3g} N·s/{} of damping, the device has {:.3g}, the rest "
-            "is the hand's",
-            needed,
-            travelUnit,
-            deviceDamping));
+    found(Verdict::Warn, message("trial.damping", needed, travelUnit, deviceDamping));
   }
   for (const auto& event : safety) {
-    if (const auto [verdict, what] = verdictOf(event, duration); verdict != Verdict::Pass) {
-      found(verdict, fmt::format("{} ({}×, {:.3f} s)", what, event.times, event.duration));
-    }
+    auto [verdict, reason] = findingOf(event, duration);
+    if (verdict != Verdict::Pass) found(verdict, std::move(reason));
   }
   return judgement;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "haptics/devices/link_report.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/models/cut_detector.h"
@@ -54,8 +55,8 @@ std::string_view nameOf(Verdict verdict) noexcept;
 /// Whether a loop was late in more ticks than a trial bears without a warning.
 bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept;
 
-/// What came over a device's wire, for the record: "received 5000, lost 2, …".
-std::string inWords(const haptics::devices::LinkReport& link);
+/// What came over a device's wire, for the record: {"received", 5000}, {"lost", 2}, …
+base::NamedArguments valuesOf(const haptics::devices::LinkReport& link);
 
 /// What was felt in a trial, and how well it was rendered: proof of the one, quality of the other.
 struct TrialRecord {
@@ -93,7 +94,7 @@ struct TrialRecord {
   /// Whether what the participant felt may be relied on, and why (not).
   struct Judgement {
     Verdict verdict = Verdict::Pass;
-    std::string reason;
+    std::vector<base::Message> reasons;
   };
   Judgement judgement() const;
 };

@@ -1,23 +1,19 @@
 #include "study/model/view_report.h"
 
-#include <fmt/format.h>
-
 namespace study {
 
-std::string inWords(const ViewReport& view) {
-  return fmt::format(
-      "frames {}, dropped {}, {:.1f} 1/s; from frame to frame p50 {:.1f} ms, p99 {:.1f} ms, meant "
-      "{:.1f} ms; latency p50 {:.1f} ms, p99 {:.1f} ms; changes lost {}; drawn by {}",
-      view.frames,
-      view.dropped,
-      view.rate,
-      view.frameMedian,
-      view.frameP99,
-      view.period,
-      view.latencyMedian,
-      view.latencyP99,
-      view.lostChanges,
-      view.renderer);
+base::NamedArguments valuesOf(const ViewReport& view) {
+  return {
+      {"frames", view.frames},
+      {"dropped", view.dropped},
+      {"rate_per_s", view.rate},
+      {"frame_p50_ms", view.frameMedian},
+      {"frame_p99_ms", view.frameP99},
+      {"period_ms", view.period},
+      {"latency_p50_ms", view.latencyMedian},
+      {"latency_p99_ms", view.latencyP99},
+      {"lost_changes", view.lostChanges},
+      {"renderer", view.renderer}};
 }
 
 }  // namespace study

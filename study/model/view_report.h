@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/message.h"
+
 namespace study {
 
 /// How well a trial was to be seen, where it was visualised.
@@ -20,7 +22,7 @@ struct ViewReport {
   std::int64_t lostChanges = 0;  ///< of a bone, that never came to be seen
 };
 
-/// "frames 512, dropped 3, 59.8 1/s; …": numbers, and who drew.
-std::string inWords(const ViewReport& view);
+/// For the record: {"frames", 512}, {"dropped", 3}, …
+base::NamedArguments valuesOf(const ViewReport& view);
 
 }  // namespace study

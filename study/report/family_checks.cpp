@@ -34,7 +34,7 @@ class ChecksWriter : HtmlWriter {
       if (!slope.p) {
         put("<li>{}: {}</li>",
             cohort(part.cohort),
-            say("no slope over positions: {}.", s_.words.known(slope.reason)));
+            say("no slope over positions: {}.", s_.words(slope.reason)));
         continue;
       }
       put("<li>{}: {}</li>",
@@ -97,16 +97,14 @@ class ChecksWriter : HtmlWriter {
       put("<dt>{}</dt><dd>", escaped(flag->id));
       for (const auto& [name, own] : found) {
         std::string what;
-        for (const auto& [pattern, arguments] : own->what) {
-          what += analysis::filled(s_.words(pattern), arguments);
-        }
+        for (const auto& part : own->what) what += s_.words(part);
         put("<p><em>{}</em>: {}</p>", cohort(name), escaped(what));
       }
       put("<p>{} <strong>{}</strong> {} <span class=\"source\">({})</span></p></dd>",
-          say(flag->why),
+          escaped(s_.words(flag->why)),
           say("What to do:"),
-          say(flag->remedy),
-          escaped(s_.words.knownList(flag->source)));
+          escaped(s_.words(flag->remedy)),
+          escaped(s_.words(flag->source)));
     }
     put("</dl>");
   }

@@ -99,7 +99,7 @@ class FamilyWriter : HtmlWriter {
         condition(comparison.group2));
     if (!w.p) {
       put("<td class=\"words\" colspan=\"6\">{}</td></tr>",
-          say("not defined: {}", s_.words.known(w.reason)));
+          say("not defined: {}", s_.words(w.reason)));
       return;
     }
     put("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",

@@ -135,7 +135,7 @@ class TestsWriter : HtmlWriter {
     if (!c.paired.meanDifference) {
       put("<tr><td>{}</td><td class=\"words\" colspan=\"6\">{}</td></tr>",
           pairOf(c),
-          say("not defined: {}", s_.words.known(c.paired.reason)));
+          say("not defined: {}", s_.words(c.paired.reason)));
       return;
     }
     const auto& g = c.effects.hedgesGz;

@@ -48,7 +48,7 @@ class StudyWriter : HtmlWriter {
   void synthetic() {
     std::string titles;
     for (const auto& source : s_.sources) {
-      if (source.isSynthetic) titles += (titles.empty() ? "" : "; ") + s_.words.known(source.title);
+      if (source.isSynthetic) titles += (titles.empty() ? "" : "; ") + s_.words(source.title);
     }
     if (titles.empty()) return;
     put("<p class=\"banner\">{}</p>",
@@ -96,8 +96,8 @@ class StudyWriter : HtmlWriter {
     put("<ul>");
     for (const auto& warning : s_.warnings) {
       put("<li>{}{} <span class=\"note\">({})</span></li>",
-          escaped(s_.words.known(warning.what)),
-          warning.fix.empty() ? "." : "; " + escaped(s_.words.known(warning.fix)) + ".",
+          escaped(s_.words(warning.what)),
+          warning.fix.empty() ? "." : "; " + escaped(s_.words(warning.fix)) + ".",
           escaped(warning.path));
     }
     put("</ul>");

@@ -1,5 +1,4 @@
 #include <array>
-#include <sstream>
 
 #include "study/model/data_table.h"
 #include "study/report/html_writer.h"
@@ -185,7 +184,7 @@ class MethodsWriter : HtmlWriter {
   }
 
   /// What a change makes of its family, as the end of a sentence.
-  const std::string& cameTo(const FamilyChange& change) const {
+  std::string cameTo(const FamilyChange& change) const {
     return s_.words(
         change.isHarmless ? "; it was put back as it was declared."
                           : ": all of it is exploratory.");
@@ -221,24 +220,16 @@ class MethodsWriter : HtmlWriter {
   }
 
   std::string inWords(const protocols::FeltSource& source) const {
-    const auto title = s_.words.known(source.title);
-    const auto kind = s_.words.known(source.kind);
+    const auto title = s_.words(source.title);
+    const auto kind = s_.words(source.kind);
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";
     text += source.file.empty() ? say("{} ({}, built into the program)", title, kind)
                                 : say("{} ({} '{}')", title, kind, source.file);
-    if (source.origin.empty()) return text;
-    return text + ", " +
-           (source.kind == kSeenKind ? surfaces(source) : escaped(s_.words.known(source.origin)));
-  }
-
-  /// "tibia, femur", each in the report's language.
-  std::string surfaces(const protocols::FeltSource& knee) const {
-    std::istringstream names(knee.origin);
-    std::string words;
-    for (std::string name; std::getline(names >> std::ws, name, ',');) {
-      words += (words.empty() ? "" : ", ") + escaped(s_.words.known(name));
+    std::string origin;
+    for (const auto& part : source.origin) {
+      origin += (origin.empty() ? "" : ", ") + s_.words(part);
     }
-    return words;
+    return origin.empty() ? text : text + ", " + escaped(origin);
   }
 
   void instruments() {

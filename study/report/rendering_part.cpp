@@ -31,8 +31,7 @@ class RenderingWriter : HtmlWriter {
       manipulation();
       againstMaterial();
     } else {
-      put("<p>{}</p>",
-          escaped(say("What was felt is not known: {}", s_.words.known(s_.curvesReason))));
+      put("<p>{}</p>", escaped(say("What was felt is not known: {}", s_.words(s_.curvesReason))));
     }
     quality();
     return std::move(html_);
@@ -111,7 +110,7 @@ class RenderingWriter : HtmlWriter {
     if (q.reasons.empty()) return;
     put("<ul>");
     for (const auto& reason : q.reasons) {
-      put("<li>{}</li>", escaped(s_.words.knownList(reason)));
+      put("<li>{}</li>", escaped(s_.words(reason)));
     }
     put("</ul>");
   }

@@ -41,11 +41,10 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
            .p99 = *trial.latenessP99,
            .largest = trial.latenessLargest.value_or(*trial.latenessP99)});
     }
-    const bool isNew =
-        !trial.verdictReason.empty() &&
-        std::find(quality.reasons.begin(), quality.reasons.end(), trial.verdictReason) ==
-            quality.reasons.end();
-    if (isNew) quality.reasons.push_back(trial.verdictReason);
+    const bool isNew = !trial.reasons.empty() &&
+                       std::find(quality.reasons.begin(), quality.reasons.end(), trial.reasons) ==
+                           quality.reasons.end();
+    if (isNew) quality.reasons.push_back(trial.reasons);
   }
   return quality;
 }

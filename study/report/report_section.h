@@ -47,8 +47,8 @@ struct TrialQuality {
   double saturated = 0.0;  ///< [s]
   double contact = 0.0;    ///< [s]
   std::optional<double>
-      worstLateness;                 ///< the largest p99 of a trial [µs]; nothing in virtual time
-  std::vector<std::string> reasons;  ///< of all that did not pass
+      worstLateness;  ///< the largest p99 of a trial [µs]; nothing in virtual time
+  std::vector<std::vector<base::Message>> reasons;  ///< of all that did not pass
   std::vector<TrialTiming> timings;  ///< in the order of the trials; none in virtual time
 };
 
@@ -63,7 +63,7 @@ struct ReportSection {
   std::string uuid;
   Results results;
   std::vector<FeltCurve> curves;
-  std::string curvesReason;  ///< why there are none, where the traces do not tell
+  base::Message curvesReason;  ///< why there are none, where the traces do not tell
   TrialQuality quality;
   std::vector<questionnaires::Problem> warnings;  ///< that the protocol's check gives
   Figures figures;

@@ -35,7 +35,7 @@ class ApaWriter {
 
   std::string paired(const analysis::WithinComparison& row, const protocols::Family& family) const {
     const auto& t = row.paired;
-    if (!t.p) return w_.say("paired t-test not defined: {}", w_.known(t.reason));
+    if (!t.p) return w_.say("paired t-test not defined: {}", w_(t.reason));
     std::string line = w_.say(
         "t({}) = {}, {}, mean difference {}, {:g} % CI {}",
         freedom(*t.degreesOfFreedom),
@@ -56,20 +56,19 @@ class ApaWriter {
   std::string exact(const analysis::WithinComparison& row, const protocols::Family& family) const {
     std::string line = row.signFlip.p
                            ? w_.say("exact sign flip {}", pBoth(row.signFlipP, family))
-                           : w_.say("sign flip not defined: {}", w_.known(row.signFlip.reason));
+                           : w_.say("sign flip not defined: {}", w_(row.signFlip.reason));
     line += "; ";
-    line += row.signedRank.p
-                ? w_.say(
-                      "signed rank V = {:g}, {}",
-                      row.signedRank.v.value_or(0.0),
-                      pBoth(row.signedRankP, family))
-                : w_.say("signed rank not defined: {}", w_.known(row.signedRank.reason));
+    line += row.signedRank.p ? w_.say(
+                                   "signed rank V = {:g}, {}",
+                                   row.signedRank.v.value_or(0.0),
+                                   pBoth(row.signedRankP, family))
+                             : w_.say("signed rank not defined: {}", w_(row.signedRank.reason));
     if (row.bayes.bf10) line += "; BF10 " + equalsInWords(evidenceInWords(*row.bayes.bf10));
     return line;
   }
 
   std::string mixed(const analysis::WithinComparison& row, const protocols::Family& family) const {
-    if (!row.mixed.p) return w_.say("mixed model: no p value: {}", w_.known(row.mixed.reason));
+    if (!row.mixed.p) return w_.say("mixed model: no p value: {}", w_(row.mixed.reason));
     return w_.say(
         "mixed model: t({}) = {}, {}, difference {}",
         freedom(*row.mixed.degreesOfFreedom),
@@ -91,12 +90,12 @@ class ApaWriter {
   }
 
   std::string equivalence(const analysis::EquivalenceResult& result) const {
-    if (!result.p) return w_.say("equivalence not defined: {}", w_.known(result.reason));
+    if (!result.p) return w_.say("equivalence not defined: {}", w_(result.reason));
     return w_.say("equivalent within ±{:g}: TOST {}", result.bounds.upper, pEquals(result.p));
   }
 
   std::string friedman(const analysis::FriedmanResult& friedman) const {
-    if (!friedman.p) return w_.say("Friedman’s test not defined: {}", w_.known(friedman.reason));
+    if (!friedman.p) return w_.say("Friedman’s test not defined: {}", w_(friedman.reason));
     std::string line = fmt::format(
         "Friedman χ²({}) = {}, {}, W = {}",
         friedman.treatments - 1,
@@ -108,7 +107,7 @@ class ApaWriter {
   }
 
   std::string anova(const analysis::RepeatedMeasuresResult& anova) const {
-    if (!anova.p) return w_.say("Repeated-measures ANOVA not defined: {}", w_.known(anova.reason));
+    if (!anova.p) return w_.say("Repeated-measures ANOVA not defined: {}", w_(anova.reason));
     std::string line = w_.say(
         "Repeated-measures ANOVA F({:g}, {:g}) = {}, {}, partial η² = {}",
         *anova.degreesOfFreedom1,
@@ -126,21 +125,21 @@ class ApaWriter {
   }
 
   std::string variances(const analysis::LinearMixedResult& mixed) const {
-    if (!mixed.fit) return w_.say("Mixed model not fitted: {}", w_.known(mixed.reason));
+    if (!mixed.fit) return w_.say("Mixed model not fitted: {}", w_(mixed.reason));
     std::string list;
     for (const auto& component : mixed.fit->components) {
-      list += fmt::format("{} {:.2f}", w_.known(component.name), component.variance);
+      list += fmt::format("{} {:.2f}", w_(component.name), component.variance);
       list += component.isSingular ? " " + w_("(at its bound)") + ", " : ", ";
     }
     return w_.say("Mixed model, variances: {}residual {:.2f}", list, mixed.fit->residualVariance);
   }
 
   std::string ordinal(const analysis::CumulativeLinkResult& ordinal) const {
-    if (!ordinal.fit) return w_.say("Ordinal mixed model not fitted: {}", w_.known(ordinal.reason));
+    if (!ordinal.fit) return w_.say("Ordinal mixed model not fitted: {}", w_(ordinal.reason));
     std::string list;
     for (const auto& component : ordinal.fit->components) {
       list += fmt::format(
-          "{}{} {:.2f}", list.empty() ? "" : ", ", w_.known(component.name), component.variance);
+          "{}{} {:.2f}", list.empty() ? "" : ", ", w_(component.name), component.variance);
     }
     return w_.say("Ordinal mixed model (logit, Laplace), variances: {}", list);
   }

@@ -154,7 +154,7 @@ class Writer {
                       rounded(slope.meanDifference, 2),
                       intervalInWords(cohort.position.slopeInterval),
                       equalsInWords(pInWords(slope.p)))
-                : "  Order: no slope over positions: " + slope.reason);
+                : "  Order: no slope over positions: " + base::describe(slope.reason));
     for (const auto& method : cohort.checks.methods) {
       line(fmt::format(
           "  Scale, {}: Cronbach's α = {}, ω = {}, Shapiro–Wilk p {}",
@@ -175,7 +175,7 @@ class Writer {
 
   std::string betweenInWords(const BetweenResult& row) const {
     std::string words = cohortTitle(row.cohort1) + " vs. " + cohortTitle(row.cohort2) + ": ";
-    if (!row.mannWhitney.p) return words + "not defined: " + row.mannWhitney.reason;
+    if (!row.mannWhitney.p) return words + "not defined: " + base::describe(row.mannWhitney.reason);
     words += fmt::format(
         "U = {:g}, exact p {}, Cliff's δ = {} {}",
         row.mannWhitney.u.value_or(0.0),
@@ -191,7 +191,7 @@ class Writer {
     const auto& w = row.welch;
     std::string words = "  " + padded(titleOf(row.group1) + " vs. " + titleOf(row.group2), 38);
     if (!w.p) {
-      line(words + "not defined: " + w.reason);
+      line(words + "not defined: " + base::describe(w.reason));
       return;
     }
     words += fmt::format(
@@ -214,8 +214,8 @@ class Writer {
       for (const auto& [cohort, what] : found) {
         line("    " + cohortTitle(cohort) + ": " + what->inEnglish());
       }
-      line(fmt::format("    Why: {}", flag->why));
-      line(fmt::format("    What to do: {}", flag->remedy));
+      line(fmt::format("    Why: {}", base::describe(flag->why)));
+      line(fmt::format("    What to do: {}", base::describe(flag->remedy)));
     }
   }
 

@@ -108,8 +108,11 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
         {.visit = VisitKey{row.id, 0, 1},
          .when = now,
          .kind = "enrolled",
-         .detail = row.participant + " " + row.cohort + " " + std::string(nameOf(row.runMode)) +
-                   ", place " + std::to_string(row.slot + 1)});
+         .values = {
+             {"participant", row.participant},
+             {"cohort", row.cohort},
+             {"run_mode", std::string(nameOf(row.runMode))},
+             {"place", std::int64_t{row.slot} + 1}}});
   });
   return Session(study, std::move(row), std::move(plan), std::move(*lease));
 }
@@ -206,9 +209,18 @@ void Session::settleDoubt() {
 }
 
 void Session::say(Actor actor, const std::string& kind, const std::string& detail) {
-  const Moment now = study_.clock().now();
-  noticeSteppedClock(now);
-  said_.push_back({.visit = visit(), .when = now, .actor = actor, .kind = kind, .detail = detail});
+  keep({.actor = actor, .kind = kind, .detail = detail});
+}
+
+void Session::say(Actor actor, const std::string& kind, base::NamedArguments values) {
+  keep({.actor = actor, .kind = kind, .values = std::move(values)});
+}
+
+void Session::keep(storage::Event event) {
+  event.visit = visit();
+  event.when = study_.clock().now();
+  noticeSteppedClock(event.when);
+  said_.push_back(std::move(event));
 }
 
 void Session::noticeSteppedClock(const Moment& now) {
@@ -221,7 +233,7 @@ void Session::noticeSteppedClock(const Moment& now) {
       {.visit = visit(),
        .when = now,
        .kind = "clock_stepped",
-       .detail = "by " + std::to_string(onWall - really) + " s; durations are not affected"});
+       .values = {{"by_s", onWall - really}}});
 }
 
 std::string Session::utcNow() const {
@@ -231,6 +243,11 @@ std::string Session::utcNow() const {
 void Session::enter(SessionEvent event, Actor actor, const std::string& detail) {
   row_.state = *next(row_.state, event);
   say(actor, std::string(nameOf(event)), detail);
+}
+
+void Session::enter(SessionEvent event, Actor actor, base::NamedArguments values) {
+  row_.state = *next(row_.state, event);
+  say(actor, std::string(nameOf(event)), std::move(values));
 }
 
 void Session::leaveStep(VisitStatus status, const std::string& reason) {

@@ -112,11 +112,14 @@ class Session {
   void transact(const std::function<void()>& action);
   void settleDoubt();
   void say(storage::Actor actor, const std::string& kind, const std::string& detail = {});
+  void say(storage::Actor actor, const std::string& kind, base::NamedArguments values);
+  void keep(storage::Event event);
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;
 
   /// The parts of a transaction.
   void enter(SessionEvent event, storage::Actor actor, const std::string& detail = {});
+  void enter(SessionEvent event, storage::Actor actor, base::NamedArguments values);
   void leaveStep(storage::VisitStatus status, const std::string& reason);
   void moveTo(int step);
   void end(storage::SlotState slot, const std::string& reason);

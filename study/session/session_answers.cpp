@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "study/session/audit_words.h"
 #include "study/session/session.h"
 #include "study/storage/answer_repository.h"
 
@@ -77,7 +76,7 @@ void Session::record(const GivenAnswer& answer) {
   }
   transact([&] {
     storage::AnswerRepository(study_.database()).put(visit(), asKept(item, answer), utcNow());
-    say(Actor::Participant, "answered", auditWords(asKept(item, answer)));
+    say(Actor::Participant, "answered", storage::valuesOf(asKept(item, answer)));
   });
 }
 
@@ -85,7 +84,9 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
   const auto* text = std::get_if<std::string>(&answer.response);
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
   study_.withRoom([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
-  transact([&] { say(Actor::Participant, "answered", item.id + " (kept apart)"); });
+  transact([&] {
+    say(Actor::Participant, "answered", {{"item", item.id}, {"kept_apart", std::int64_t{1}}});
+  });
 }
 
 void Session::retract(const std::string& id) {
@@ -109,7 +110,7 @@ void Session::recordBenchmarkCuts(int cuts) {
         .itemOrder = 1,
         .language = row_.language};
     storage::AnswerRepository(study_.database()).put(visit(), answer, utcNow());
-    say(Actor::Participant, "answered", auditWords(answer));
+    say(Actor::Participant, "answered", storage::valuesOf(answer));
   });
 }
 

@@ -68,8 +68,9 @@ void Session::finishTrial(const TrialRecord& record) {
     enter(
         SessionEvent::FinishedTrial,
         Actor::Program,
-        words::counted(record.cuts.size(), "cut") + ", " +
-            std::string(nameOf(record.judgement().verdict)));
+        base::NamedArguments{
+            {"cuts", static_cast<std::int64_t>(record.cuts.size())},
+            {"verdict", std::string(nameOf(record.judgement().verdict))}});
     moveTo(row_.step + 1);
   });
 }
@@ -89,23 +90,19 @@ void Session::keepTrial(const TrialRecord& record) {
   const auto& passivity = record.passivity;
   say(Actor::Program,
       "passivity",
-      fmt::format(
-          "K {:.4g}, T {:.4g} s, needs b {:.3g}, device has {:.3g}, least energy {:.3g}",
-          passivity.stiffness,
-          passivity.effectivePeriod(),
-          passivity.neededDamping(),
-          record.deviceDamping,
-          record.leastEnergy));
-  if (record.link.isThere) say(Actor::Program, "device_link", inWords(record.link));
+      base::NamedArguments{
+          {"stiffness", passivity.stiffness},
+          {"period_s", passivity.effectivePeriod()},
+          {"needed_damping", passivity.neededDamping()},
+          {"device_damping", record.deviceDamping},
+          {"least_energy", record.leastEnergy}});
+  if (record.link.isThere) say(Actor::Program, "device_link", valuesOf(record.link));
   if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
-  if (record.view) say(Actor::Program, "view", inWords(*record.view));
+  if (record.view) say(Actor::Program, "view", valuesOf(*record.view));
   for (const auto& event : record.safety) {
     say(Actor::Program,
         "safety_" + std::string(nameOf(event.kind)),
-        fmt::format(
-            "{}, {:.3f} s in all",
-            words::counted(static_cast<std::uint64_t>(event.times), "time"),
-            event.duration));
+        base::NamedArguments{{"times", event.times}, {"duration_s", event.duration}});
   }
 }
 

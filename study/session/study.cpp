@@ -120,7 +120,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
         {.when = now,
          .actor = storage::Actor::Operator,
          .kind = "amended_protocol",
-         .detail = "version " + std::to_string(static_cast<std::int64_t>(id)) + ": " + reason});
+         .values = {{"version", static_cast<std::int64_t>(id)}, {"reason", reason}}});
   });
 }
 
@@ -170,10 +170,14 @@ void Study::transact(const std::function<void()>& action) {
   });
 }
 
-void Study::note(const std::string& kind, const std::string& detail) {
+void Study::note(const std::string& kind, const std::string& words) {
+  note({.actor = storage::Actor::Operator, .kind = kind, .detail = words});
+}
+
+void Study::note(storage::Event event) {
   transact([&] {
-    events().append(
-        {.when = clock_->now(), .actor = storage::Actor::Operator, .kind = kind, .detail = detail});
+    event.when = clock_->now();
+    events().append(event);
   });
 }
 

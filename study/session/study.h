@@ -78,7 +78,8 @@ class Study {
   void transact(const std::function<void()>& action);
 
   /// Writes down something that happened to no session: an export, an unblinding.
-  void note(const std::string& kind, const std::string& detail);
+  void note(const std::string& kind, const std::string& words);
+  void note(storage::Event event);
 
  private:
   Study(

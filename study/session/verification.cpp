@@ -8,9 +8,10 @@
 
 #include "protocols/orders/schedule.h"
 #include "study/model/session_plan.h"
-#include "study/session/audit_words.h"
+#include "study/storage/answer_repository.h"
 #include "study/storage/coded_answers.h"
 #include "study/storage/content_hash.h"
+#include "study/storage/events_of_release_0_1.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -68,28 +69,37 @@ Problems contents(Study& study) {
   return problems;
 }
 
+/// Whether the audit trail says of an answer what the table says.
+bool isOf(const storage::Event& event, const GivenAnswer& answer) {
+  const bool isOfRelease01 = !event.detail.empty();
+  return isOfRelease01 ? event.detail == storage::release_0_1::detailOf(answer)
+                       : event.values == storage::valuesOf(answer);
+}
+
 /// The last thing that the audit trail says about each answer must be what the table says.
 Problems answers(Study& study) {
-  std::map<std::pair<VisitKey, std::string>, std::string> said;
-  for (const auto& event : study.events().read()) {
+  std::map<std::pair<VisitKey, std::string>, storage::Event> said;
+  for (auto& event : study.events().read()) {
     if (event.kind == "retracted" && event.visit) said.erase({*event.visit, event.detail});
     if (event.kind != "answered" || !event.visit) continue;
-    const std::string item = event.detail.substr(0, event.detail.find(' '));
-    if (event.detail == item + " (kept apart)") continue;
-    said[{*event.visit, item}] = event.detail;
+    const auto* item = event.value("item");
+    const auto* id = item == nullptr ? nullptr : std::get_if<std::string>(item);
+    if (id == nullptr || event.value("kept_apart") != nullptr) continue;
+    const std::pair key{*event.visit, *id};
+    said.insert_or_assign(key, std::move(event));
   }
   Problems problems;
   for (const auto& record : storage::Records(study.database()).answers()) {
     const std::pair key{record.step.visit, record.answer.item};
     const auto found = said.find(key);
-    if (found == said.end() || found->second != auditWords(record.answer)) {
+    if (found == said.end() || !isOf(found->second, record.answer)) {
       problems.push_back(
           "the answer to " + record.answer.item + " (" + nameOf(record.step.visit) +
           ") is not what the audit trail says");
     }
     if (found != said.end()) said.erase(found);
   }
-  for (const auto& [key, words] : said) {
+  for (const auto& [key, event] : said) {
     problems.push_back("the answer to " + key.second + " (" + nameOf(key.first) + ") is missing");
   }
   return problems;

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "study/storage/protocol_repository.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -109,6 +110,22 @@ std::vector<GivenAnswer> AnswerRepository::of(const VisitKey& visit) const {
   std::vector<GivenAnswer> answers;
   while (select.step()) answers.push_back(answerIn(select));
   return answers;
+}
+
+base::NamedArguments valuesOf(const GivenAnswer& answer) {
+  constexpr std::size_t kLongest = 200;
+  const auto response = stored(answer.response);
+  base::NamedArguments values{{"item", answer.item}};
+  if (response.point) {
+    values.emplace_back("point", *response.point);
+  } else if (response.number) {
+    values.emplace_back("number", *response.number);
+  } else if (const auto text = response.text.value_or(""); text.size() <= kLongest) {
+    values.emplace_back("text", text);
+  } else {
+    values.emplace_back("sha256", sha256(text));
+  }
+  return values;
 }
 
 }  // namespace study::storage

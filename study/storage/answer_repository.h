@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "study/model/given_answer.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
@@ -40,6 +41,10 @@ struct StoredResponse {
   std::optional<double> number;
   std::optional<std::string> text;
 };
+
+/// An answer for the audit trail: {"item", "1.1"} and {"point", 4}, or "number", "text"; a long
+/// text by its "sha256".
+base::NamedArguments valuesOf(const GivenAnswer& answer);
 
 StoredResponse stored(const questionnaires::Response& response);
 questionnaires::Response restored(const StoredResponse& response);

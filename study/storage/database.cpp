@@ -198,6 +198,7 @@ void Database::bringUpToDate(const Schema& schema, Access access) {
   auto version = pragmaNumber(*this, "user_version");
   if (version == newest) return;
   if (access == Access::ReadOnly) {
+    if (version >= static_cast<std::int64_t>(schema.oldestReadable)) return;
     throw StorageError(
         path_ + " is of an older format. Open the study once for writing to bring it up to date.");
   }

@@ -17,6 +17,8 @@ struct Schema {
   std::int32_t applicationId = 0;
   std::string_view name;                    ///< for people: "a palpate study"
   std::span<const std::string_view> steps;  ///< step n takes a file from version n to n + 1
+  /// The oldest version with all of today's tables and columns: such a file is read as it is.
+  std::size_t oldestReadable = steps.size();
 };
 
 /// A connection to a SQLite file. An object that exists is open, is of the right kind and version,

@@ -1,10 +1,16 @@
 #include "study/storage/event_log.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <stdexcept>
+#include <utility>
 
 #include "questionnaires/json/characters.h"
 #include "study/storage/content_hash.h"
+#include "study/storage/events_of_release_0_1.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 
 namespace study::storage {
 namespace {
@@ -54,12 +60,77 @@ Row rowIn(const Statement& statement) {
       .content = statement.blob(10)};
 }
 
+/// What an event says, by its kind; all kinds that are not here have a detail without names.
+struct EventText {
+  std::string_view kind;  ///< one that ends with '_' stands for all that begin so
+  std::string_view english;
+  std::string_view counted = {};  ///< the value that is one in …
+  std::string_view ofOne = {};
+};
+
+constexpr std::array kTexts{
+    EventText{"answered", "{item}"},
+    EventText{"enrolled", "{participant} {cohort} {run_mode}, place {place}"},
+    EventText{"amended_protocol", "version {version}: {reason}"},
+    EventText{"clock_stepped", "by {by_s:.6f} s; durations are not affected"},
+    EventText{
+        "device_link",
+        "received {received}, lost {lost}, doubled {doubled}, late {late}, damaged {damaged}, "
+        "foreign {foreign}, restarts {restarts}, skipped {skipped}, stale {stale}, poor {poor}, "
+        "unsent {unsent}, clipped {clipped}, expired {expired}; round trip p50 {trip_p50_us:.0f} "
+        "us, p99 {trip_p99_us:.0f} us, largest {trip_max_us:.0f} us; device's 0 at "
+        "{clock_offset_ns} ns of our clock"},
+    EventText{"finished_trial", "{cuts} cuts, {verdict}", "cuts", "{cuts} cut, {verdict}"},
+    EventText{
+        "passivity",
+        "K {stiffness:.4g}, T {period_s:.4g} s, needs b {needed_damping:.3g}, device has "
+        "{device_damping:.3g}, least energy {least_energy:.3g}"},
+    EventText{"public_export", "k = {k}, {people} people, smallest class {smallest}"},
+    EventText{
+        "safety_",
+        "{times} times, {duration_s:.3f} s in all",
+        "times",
+        "{times} time, {duration_s:.3f} s in all"},
+    EventText{
+        "view",
+        "frames {frames}, dropped {dropped}, {rate_per_s:.1f} 1/s; from frame to frame p50 "
+        "{frame_p50_ms:.1f} ms, p99 {frame_p99_ms:.1f} ms, meant {period_ms:.1f} ms; latency p50 "
+        "{latency_p50_ms:.1f} ms, p99 {latency_p99_ms:.1f} ms; changes lost {lost_changes}; drawn "
+        "by {renderer}"},
+};
+constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
+
+const EventText* textOf(std::string_view kind) {
+  const auto found = std::find_if(kTexts.begin(), kTexts.end(), [&](const EventText& text) {
+    return text.kind.ends_with('_') ? kind.starts_with(text.kind) : kind == text.kind;
+  });
+  return found == kTexts.end() ? nullptr : &*found;
+}
+
 /// What is no text could be exported by nobody.
-void requireText(const Event& event) {
-  const bool isText =
-      questionnaires::charactersIn(event.detail) && event.detail.find('\0') == std::string::npos;
-  if (!isText) {
+void requireText(const std::string& words) {
+  if (!questionnaires::charactersIn(words) || words.find('\0') != std::string::npos) {
     throw StorageError("What is to be noted is no sound UTF-8 text. Write it with other letters.");
+  }
+}
+
+void requireText(const Event& event) {
+  requireText(event.detail);
+  for (const auto& [name, value] : event.values) {
+    if (const auto* words = std::get_if<std::string>(&value)) requireText(*words);
+  }
+}
+
+/// Detail and values of an event from its column. A sentence of release 0.1 never begins as a list
+/// of values does, in any kind that has values.
+void readDetail(Event& event, const std::string& column) {
+  event.detail = column;
+  if (textOf(event.kind) == nullptr) return;
+  if (!column.starts_with('{')) {
+    event.values = release_0_1::valuesIn(event.kind, column);
+  } else if (auto values = valuesIn(column)) {
+    event.values = std::move(*values);
+    event.detail.clear();
   }
 }
 
@@ -91,6 +162,26 @@ std::string_view nameOf(Actor actor) noexcept {
   return {};
 }
 
+const base::Argument* Event::value(std::string_view name) const noexcept {
+  const auto found = std::find_if(
+      values.begin(), values.end(), [&](const auto& entry) { return entry.first == name; });
+  return found == values.end() ? nullptr : &found->second;
+}
+
+std::string describe(const Event& event) {
+  const EventText* text = textOf(event.kind);
+  if (text == nullptr || event.values.empty()) return event.detail;
+  const auto* counted = event.value(text->counted);
+  const bool isOne = counted != nullptr && *counted == base::Argument(std::int64_t{1});
+  try {
+    std::string words = base::filled(isOne ? text->ofOne : text->english, event.values);
+    if (event.value("drift_ppm") != nullptr) words += base::filled(kDrift, event.values);
+    return words;
+  } catch (const std::runtime_error&) {
+    return asJson(event.values);  // a later release has other values
+  }
+}
+
 void EventLog::append(const Event& event) {
   requireText(event);
   Row row{
@@ -98,7 +189,7 @@ void EventLog::append(const Event& event) {
       .monotonic = event.when.monotonic,
       .actor = std::string(nameOf(event.actor)),
       .kind = event.kind,
-      .detail = event.detail};
+      .detail = event.values.empty() ? event.detail : asJson(event.values)};
   if (event.visit) {
     row.session = static_cast<std::int64_t>(event.visit->session);
     row.step = event.visit->step;
@@ -178,7 +269,8 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   std::vector<Event> events;
   while (select.step()) {
     const Row row = rowIn(select);
-    Event event{.actor = actorNamed(row.actor), .kind = row.kind, .detail = row.detail};
+    Event event{.actor = actorNamed(row.actor), .kind = row.kind};
+    readDetail(event, row.detail);
     if (row.session) {
       event.visit = VisitKey{
           SessionId{*row.session},

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.h"
 #include "study/model/clock.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
@@ -21,8 +22,17 @@ struct Event {
   Moment when;
   Actor actor = Actor::Program;
   std::string kind;    ///< "answered", "finished_step", "note"
-  std::string detail;  ///< may be empty
+  std::string detail;  ///< one value or somebody's own words; may be empty
+  /// Where a kind has more to say, by name: {"times", 3}, {"duration_s", 0.12}. Release 0.1 wrote a
+  /// sentence instead, which is then in @ref detail (docs/decisions/0019).
+  base::NamedArguments values = {};
+
+  /// One of the values; nothing where it is not there.
+  const base::Argument* value(std::string_view name) const noexcept;
 };
+
+/// What the event says besides its kind, in English.
+std::string describe(const Event& event);
 
 /// Everything that happened in a study, in order; only ever added to.
 ///

@@ -2,7 +2,9 @@
 
 #include "study/model/session_state.h"
 #include "study/storage/answer_repository.h"
+#include "study/storage/events_of_release_0_1.h"
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 
 namespace study::storage {
 namespace {
@@ -20,6 +22,11 @@ constexpr int kAfterStep = 10;
 VisitKey visitIn(const Statement& row) {
   return {
       SessionId{row.number(0)}, static_cast<int>(row.number(1)), static_cast<int>(row.number(2))};
+}
+
+std::vector<base::Message> reasonsIn(const std::string& text) {
+  return text.empty() || text.starts_with('[') ? messagesIn(text)
+                                               : release_0_1::trialReasonsIn(text);
 }
 
 StepRecord stepIn(const Statement& row) {
@@ -113,8 +120,9 @@ std::vector<TrialRow> Records::trials() const {
          .device = select.text(k),
          .ending = select.text(k + 1),
          .verdict = select.text(k + 2),
-         .verdictReason = select.text(k + 3),
+
          .travelUnit = select.text(k + 4),
+         .reasons = reasonsIn(select.text(k + 3)),
          .duration = select.real(k + 5),
          .ticks = select.number(k + 6),
          .nominalRate = select.real(k + 7),

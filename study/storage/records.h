@@ -63,7 +63,8 @@ struct CutRecord {
 
 struct TrialRow {
   StepRecord step;
-  std::string device, ending, verdict, verdictReason, travelUnit;
+  std::string device, ending, verdict, travelUnit;
+  std::vector<base::Message> reasons;  ///< why the verdict is not PASS
   double duration = 0.0;
   std::int64_t ticks = 0;
   double nominalRate = 0.0;

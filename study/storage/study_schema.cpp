@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added, never changed:
 // somebody's study is at each of them.
-constexpr std::array<std::string_view, 3> kStudySteps{
+constexpr std::array<std::string_view, 4> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -301,6 +301,10 @@ constexpr std::array<std::string_view, 3> kStudySteps{
       CREATE INDEX sessions_by_outcome ON session (run_mode, state, id, cohort);
       CREATE INDEX visits_that_do_not_count ON visit (session_id) WHERE status <> 'finished';
     )sql",
+    R"sql(
+      -- The same tables. From here on, event.detail and trial.verdict_reason may hold values in JSON
+      -- where release 0.1 wrote English; that release would take such an answer for a changed one.
+    )sql",
 };
 
 constexpr std::array<std::string_view, 1> kTraceSteps{
@@ -346,7 +350,7 @@ constexpr std::int32_t kIdentityId = 0x50616c49;  // "PalI"
 }  // namespace
 
 const Schema& studySchema() {
-  static const Schema kSchema{kStudyId, "a palpate study", kStudySteps};
+  static const Schema kSchema{kStudyId, "a palpate study", kStudySteps, 3};
   return kSchema;
 }
 

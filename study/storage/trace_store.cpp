@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstring>
 
+#include "study/model/messages.h"
 #include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
@@ -70,9 +71,7 @@ std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
                          select.blob(1) == asBytes(hashOf(bytes));
     if (!isSound) {
       throw StorageError(
-          database_.path() + " is damaged: second " + std::to_string(expected + 1) +
-              " of a trial is not what was recorded.",
-          StorageError::Kind::Damaged);
+          message("traces.damaged", database_.path(), expected + 1), StorageError::Kind::Damaged);
     }
     const std::size_t before = samples.size();
     samples.resize(before + count);

@@ -1,6 +1,7 @@
 #include "study/storage/trial_repository.h"
 
 #include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
 
 namespace study::storage {
 
@@ -19,7 +20,7 @@ void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
   insert.bind(4, record.device)
       .bind(5, nameOf(record.ending))
       .bind(6, nameOf(judgement.verdict))
-      .bind(7, judgement.reason)
+      .bind(7, asJson(judgement.reasons))
       .bind(8, record.travelUnit)
       .bind(9, record.duration)
       .bind(10, record.ticks)

@@ -9,33 +9,39 @@
 
 #include <fmt/format.h>
 
+#include "base/message.h"
+
 namespace study::words {
 
-/// What reports say, in one language. Sentences are known by their English words; where the
-/// catalogue of a language lacks one, the English stands. Numbers are the same in all languages:
-/// with a point, as the DGPs' and APA's rules for reporting statistics have it.
+/// A language's words for what reports say.
+struct Catalogue {
+  using Entries = std::map<std::string, std::string, std::less<>>;
+
+  Entries messages;  ///< facts from the rooms below (base::Message), by key
+  Entries texts;     ///< a report's own texts, by their English
+};
+
+/// What reports say, in one language. Where the catalogue lacks something, the English stands.
+/// Numbers are the same in all languages: with a point, as the DGPs' and APA's rules for reporting
+/// statistics have it.
 class Words {
  public:
   /// English.
   Words() = default;
-  Words(std::string language, std::map<std::string, std::string, std::less<>> catalogue)
+  Words(std::string language, Catalogue catalogue)
       : language_(std::move(language)), catalogue_(std::move(catalogue)) {}
 
   const std::string& language() const noexcept { return language_; }
+  const Catalogue& catalogue() const noexcept { return catalogue_; }
 
-  const std::map<std::string, std::string, std::less<>>& catalogue() const noexcept {
-    return catalogue_;
-  }
+  /// A text of the report.
+  std::string operator()(std::string_view english) const;
 
-  const std::string& operator()(std::string_view english) const;
+  /// A fact, with its arguments put in; empty for nothing.
+  std::string operator()(const base::Message& message) const;
 
-  /// The same for what somebody else says, a kernel's reason or a file's word: as it is where the
-  /// catalogue lacks it. Numbers and names in 'quotes' stand as {} in the catalogue; what comes
-  /// after a colon may be left out of it.
-  std::string known(std::string_view words) const;
-
-  /// Several of these, between semicolons.
-  std::string knownList(std::string_view words) const;
+  /// Several facts, between semicolons.
+  std::string operator()(const std::vector<base::Message>& messages) const;
 
   /// With {} where something is put in, in the same order in every language unless numbered.
   template <typename... Args>
@@ -47,18 +53,21 @@ class Words {
   template <typename Number, typename... Args>
   std::string count(
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
-    const auto& ofOne = (*this)(one);
-    const auto& ofMany = (*this)(many);  // both, so that a catalogue that lacks one is found out
+    const auto ofOne = (*this)(one);
+    const auto ofMany = (*this)(many);  // both, so that a catalogue that lacks one is found out
     return fmt::format(
         fmt::runtime(number == 1 ? ofOne : ofMany), number, std::forward<Args>(args)...);
   }
 
-  /// What was asked for and was not in the catalogue.
+  /// What was asked for and was not in the catalogue: texts, and keys of messages.
   const std::set<std::string, std::less<>>& missing() const noexcept { return missing_; }
 
  private:
+  std::string_view patternOf(
+      const Catalogue::Entries& entries, std::string_view key, std::string_view english) const;
+
   std::string language_ = "en";
-  std::map<std::string, std::string, std::less<>> catalogue_;
+  Catalogue catalogue_;
   mutable std::set<std::string, std::less<>> missing_;
 };
 

@@ -18,11 +18,10 @@ Words wordsIn(std::string_view language) {
   if (language == "en") return {};
   for (const auto& file : libraryFiles()) {
     if (file.name.substr(0, file.name.find('.')) != language) continue;
-    std::map<std::string, std::string, std::less<>> catalogue;
     const auto json = nlohmann::json::parse(file.content);
-    for (const auto& [english, translated] : json.items()) {
-      catalogue.emplace(english, translated.get<std::string>());
-    }
+    Catalogue catalogue;
+    json.at("messages").get_to(catalogue.messages);
+    json.at("texts").get_to(catalogue.texts);
     return {std::string(language), std::move(catalogue)};
   }
   std::string known;

@@ -64,7 +64,7 @@ TEST(GoldenBlocks, AreAllReachedToTheirGate) {
         {"rm_anova_p_gg", result.pGreenhouseGeisser}};
     tests::compareWithGolden(dataSet, golden, ours, gate, worst);
     EXPECT_NEAR(result.log10P.value(), std::log10(*result.p), 1e-13);
-    EXPECT_TRUE(result.reason.empty()) << result.reason;
+    EXPECT_TRUE(result.reason.empty()) << base::describe(result.reason);
   }
   EXPECT_EQ(visited, 4);
   EXPECT_EQ(worst.count(), 3 * 7);

@@ -144,7 +144,8 @@ TEST(GoldenTwoSamples, SayWhyWhereSomethingIsMissing) {
     const auto result = analysis::welchTTest(groups.group1.values, groups.group2.values);
     const bool isComplete = result.variance1 && result.variance2 && result.p;
 
-    EXPECT_EQ(result.reason.empty(), isComplete) << entry.key() << ": " << result.reason;
+    EXPECT_EQ(result.reason.empty(), isComplete)
+        << entry.key() << ": " << base::describe(result.reason);
   }
 }
 

@@ -23,7 +23,7 @@ FixedEffects methods() {
   return fixed;
 }
 
-std::string reasonOf(
+analysis::Reason reasonOf(
     const std::vector<double>& y, const FixedEffects& fixed, const std::vector<Factor>& random) {
   const auto result = analysis::fitLinearMixedModel(y, fixed, random);
   EXPECT_FALSE(result.fit.has_value());
@@ -32,65 +32,63 @@ std::string reasonOf(
 
 TEST(LinearMixedModelUndefined, ForOneParticipant) {
   const std::vector<std::string> alone(8, "1");
-  const auto reason = reasonOf(kScores, methods(), {analysis::factorOf("participant", alone)});
-  EXPECT_NE(reason.find("'participant' has one level only"), std::string::npos) << reason;
+  const auto why = reasonOf(kScores, methods(), {analysis::factorOf("participant", alone)});
+  EXPECT_EQ(why, analysis::reason("one_random_level", "participant"));
 }
 
 TEST(LinearMixedModelUndefined, ForOneMethod) {
   FixedEffects fixed(8);
   fixed.add(analysis::factorOf("method", std::vector<std::string>(8, "a")));
-  const auto reason = reasonOf(kScores, fixed, {analysis::factorOf("participant", kPerson)});
-  EXPECT_NE(reason.find("'method' has one level only"), std::string::npos) << reason;
+  const auto why = reasonOf(kScores, fixed, {analysis::factorOf("participant", kPerson)});
+  EXPECT_EQ(why, analysis::reason("one_level", "method"));
 }
 
 TEST(LinearMixedModelUndefined, ForConstantAnswers) {
-  const auto reason = reasonOf(
+  const auto why = reasonOf(
       std::vector<double>(8, 3.7), methods(), {analysis::factorOf("participant", kPerson)});
-  EXPECT_NE(reason.find("do not vary"), std::string::npos) << reason;
+  EXPECT_EQ(why, analysis::reason("no_spread_beyond_fixed"));
 }
 
 TEST(LinearMixedModelUndefined, ForAnswersThatTheMethodsExplain) {
-  const auto reason =
+  const auto why =
       reasonOf({1, 2, 1, 2, 1, 2, 1, 2}, methods(), {analysis::factorOf("participant", kPerson)});
-  EXPECT_NE(reason.find("do not vary"), std::string::npos) << reason;
+  EXPECT_EQ(why, analysis::reason("no_spread_beyond_fixed"));
 }
 
 TEST(LinearMixedModelUndefined, WithoutResidualVariance) {
-  const auto reason =
+  const auto why =
       reasonOf({1, 2, 1, 2, 3, 4, 3, 4}, methods(), {analysis::factorOf("participant", kPerson)});
-  EXPECT_NE(reason.find("no residual variance"), std::string::npos) << reason;
+  EXPECT_EQ(why, analysis::reason("variances_not_estimated"));
 }
 
 TEST(LinearMixedModelUndefined, ForAFactorThatIsFixedAndRandom) {
-  const auto reason = reasonOf(kScores, methods(), {analysis::factorOf("method", kMethod)});
-  EXPECT_NE(reason.find("leave nothing of the random intercept 'method'"), std::string::npos)
-      << reason;
+  const auto why = reasonOf(kScores, methods(), {analysis::factorOf("method", kMethod)});
+  EXPECT_EQ(why, analysis::reason("nothing_left_of_intercept", "method"));
 }
 
 TEST(LinearMixedModelUndefined, ForFactorsThatGroupAlike) {
   auto hospital = analysis::factorOf("hospital", kPerson);
-  const auto reason =
+  const auto why =
       reasonOf(kScores, methods(), {analysis::factorOf("participant", kPerson), hospital});
-  EXPECT_NE(reason.find("'participant' and 'hospital' group the answers alike"), std::string::npos)
-      << reason;
+  EXPECT_EQ(why, analysis::reason("same_grouping", "participant", "hospital"));
 }
 
 TEST(LinearMixedModelUndefined, ForALevelPerAnswer) {
   const std::vector<std::string> each{"1", "2", "3", "4", "5", "6", "7", "8"};
-  const auto reason = reasonOf(kScores, methods(), {analysis::factorOf("answer", each)});
-  EXPECT_NE(reason.find("as many levels as there are answers"), std::string::npos) << reason;
+  const auto why = reasonOf(kScores, methods(), {analysis::factorOf("answer", each)});
+  EXPECT_EQ(why, analysis::reason("as_many_levels", "answer"));
 }
 
 TEST(LinearMixedModelUndefined, ForColumnsThatSayTheSame) {
   auto fixed = methods();
   fixed.addCovariate("stiffness", {0.1, 0.7, 0.1, 0.7, 0.1, 0.7, 0.1, 0.7});
-  const auto reason = reasonOf(kScores, fixed, {analysis::factorOf("participant", kPerson)});
-  EXPECT_NE(reason.find("'stiffness' cannot be told apart"), std::string::npos) << reason;
+  const auto why = reasonOf(kScores, fixed, {analysis::factorOf("participant", kPerson)});
+  EXPECT_EQ(why, analysis::reason("dependent_effect", "stiffness"));
 }
 
 TEST(LinearMixedModelUndefined, ForTooFewAnswers) {
-  const auto reason = reasonOf({}, FixedEffects(0), {});
-  EXPECT_NE(reason.find("0 answers for 1 fixed effects"), std::string::npos) << reason;
+  const auto why = reasonOf({}, FixedEffects(0), {});
+  EXPECT_EQ(why, analysis::reason("too_few_answers", 0, 1));
 }
 
 TEST(LinearMixedModelUndefined, SaysWhereDegreesOfFreedomAreNot) {

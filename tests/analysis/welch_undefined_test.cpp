@@ -24,9 +24,9 @@ TEST(WelchTest, IsUndefinedForFewerThanTwo) {
   const auto none = welchTTest(Values{}, kSleep2);
   const auto one = welchTTest(kSleep1, Values{4.0});
 
-  EXPECT_EQ(none.reason, "group 1 has no values, and the test needs two in each group");
+  EXPECT_EQ(none.reason.key(), "group_empty_needs_two");
   EXPECT_FALSE(none.difference.has_value());
-  EXPECT_EQ(one.reason, "group 2 has one value only, and the test needs two in each group");
+  EXPECT_EQ(one.reason.key(), "group_of_one_needs_two");
   EXPECT_EQ(one.mean2, 4.0);
   EXPECT_DOUBLE_EQ(one.difference.value(), -3.25);
   EXPECT_FALSE(one.variance2.has_value());
@@ -37,9 +37,7 @@ TEST(WelchTest, IsUndefinedForFewerThanTwo) {
 TEST(WelchTest, IsUndefinedForOneVoice) {
   const auto result = welchTTest(Values{6.0, 6.0, 6.0}, Values{6.0, 6.0});
 
-  EXPECT_EQ(
-      result.reason,
-      "both groups are constant and equal: there is no spread to hold a difference against");
+  EXPECT_EQ(result.reason.key(), "constant_equal");
   EXPECT_EQ(result.difference, 0.0);
   EXPECT_EQ(result.standardError, 0.0);
   EXPECT_FALSE(result.t.has_value());
@@ -50,8 +48,7 @@ TEST(WelchTest, IsUndefinedForOneVoice) {
 TEST(WelchTest, HasAnInfiniteTForTwoVoices) {
   const auto result = welchTTest(Values{1.0, 1.0}, Values{5.0, 5.0, 5.0});
 
-  EXPECT_EQ(
-      result.reason, "both groups are constant and differ: t is infinite, and p is not defined");
+  EXPECT_EQ(result.reason.key(), "constant_differ");
   EXPECT_EQ(result.t, -INFINITY);
   EXPECT_FALSE(result.p.has_value());
   EXPECT_FALSE(result.log10P.has_value());
@@ -62,18 +59,16 @@ TEST(WelchTest, IsAnOrdinaryTestIfOnlyOneGroupIsConstant) {
   const auto result = welchTTest(Values{5.0, 5.0, 5.0}, Values{1.0, 3.0, 2.0});
   EXPECT_EQ(result.degreesOfFreedom, 2.0);
   EXPECT_DOUBLE_EQ(result.t.value(), 3.0 * std::sqrt(3.0));
-  EXPECT_EQ(result.reason, "");
+  EXPECT_EQ(result.reason.key(), "");
 }
 
 TEST(WelchTest, IsDefinedWhereTheVarianceIsBeyondADouble) {
-  const char* const why =
-      "a variance is beyond what a double can hold; t, degrees of freedom and p hold all the same";
   for (const double unit : {1e-200, 1e200}) {
     const auto result = welchTTest(stretched(kSleep1, unit), stretched(kSleep2, unit));
     EXPECT_FALSE(result.variance1.has_value());
     EXPECT_NEAR(result.p.value(), 0.07939414018735818, 1e-14);
     EXPECT_TRUE(confidenceInterval(result, 0.95).has_value());
-    EXPECT_EQ(result.reason, why);
+    EXPECT_EQ(result.reason.key(), "variance_beyond_double");
   }
 }
 
@@ -92,7 +87,7 @@ TEST(WelchTest, SaysSoWhereTIsBeyondADouble) {
   const auto result = welchTTest(Values{1e200, 1e200}, Values{1e-200, 2e-200});
   EXPECT_EQ(result.t, INFINITY);
   EXPECT_FALSE(result.p.has_value());
-  EXPECT_EQ(result.reason, "t is too large for a double, and p too small");
+  EXPECT_EQ(result.reason.key(), "t_too_large");
 }
 
 TEST(WelchTest, KeepsItsDigitsWhereAConstantGroupIsFarAway) {

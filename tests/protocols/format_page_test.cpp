@@ -134,7 +134,7 @@ TEST(ProtocolFormatPage, ExplainsEveryKeyOfACut) {
     readCut(wrong.dump(), problems);
     ASSERT_EQ(problems.all().size(), 1U) << questionnaires::inWords(problems.all());
     const std::string opening = "known here: ";
-    std::string known = problems.all()[0].fix;
+    std::string known = base::describe(problems.all()[0].fix);
     ASSERT_TRUE(known.starts_with(opening)) << known;
     known = known.substr(opening.size()) + ", ";
     for (auto end = known.find(", "); end != std::string::npos; end = known.find(", ")) {

@@ -120,7 +120,7 @@ TEST_F(ExportedTrial, HasEachNumberInTheColumnThatIsNamedAfterIt) {
       {"device", "a punch"},
       {"ending", "finished"},
       {"qc_status", "FAIL"},
-      {"qc_reason", judgement.reason},
+      {"qc_reason", base::describe(judgement.reasons)},
       {"duration_s", "1.5"},
       {"cuts", "3"},
       {"contact_s", "15.5"},
@@ -389,7 +389,7 @@ Content contentOf(const fs::path& folder) {
 class BlindedExport : public testing::Test {
  protected:
   void take(int people) {
-    simulateCohorts(*study_, study_.clock, people, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, people, 3, [](const auto&) {});
   }
 
   Content exported(ExportFormat format, std::optional<std::size_t> publicClass = std::nullopt) {

@@ -89,7 +89,7 @@ std::string unzipped(const fs::path& file) {
 class ExportLayoutTest : public testing::Test {
  protected:
   void SetUp() override {
-    simulateCohorts(*study_, study_.clock, 2, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, 2, 3, [](const auto&) {});
   }
 
   /// Everything that there is.
@@ -445,7 +445,7 @@ class ComputedAgainTest : public ExportLayoutTest {
     const std::string alpha = R"("alpha": 0.05)";
     json.insert(json.find(alpha), R"("equivalence_bound": 0.5, )");
     study_->amend(tests::protocolFrom(json), "");
-    simulateCohorts(*study_, study_.clock, 11, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, 11, 3, [](const auto&) {});
   }
 };
 

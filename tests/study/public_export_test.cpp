@@ -39,7 +39,7 @@ std::vector<std::string> columnOf(const analysis::CsvTable& table, const std::st
 class PublicExportTest : public testing::Test {
  protected:
   void take(int people) {
-    simulateCohorts(*study_, study_.clock, people, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, people, 3, [](const auto&) {});
   }
 
   std::map<std::string, std::string> exported(
@@ -207,7 +207,7 @@ TEST_F(PublicExportTest, IsWrittenIntoTheAuditTrail) {
   exported("out");
   const auto last = study_->events().read().back();
   EXPECT_EQ(last.kind, "public_export");
-  EXPECT_EQ(last.detail.substr(0, 15), "k = 5, 6 people");
+  EXPECT_EQ(storage::describe(last).substr(0, 15), "k = 5, 6 people");
 }
 
 TEST_F(PublicExportTest, SaysWhoMayBeFoundAmongWhom) {

@@ -17,8 +17,8 @@ void printVerdicts(int argc, char** argv, const Reader& isAccepted) {
       verdict["problems"].push_back(
           {{"severity", isError ? "error" : "warning"},
            {"path", problem.path},
-           {"what", problem.what},
-           {"fix", problem.fix}});
+           {"what", base::describe(problem.what)},
+           {"fix", base::describe(problem.fix)}});
     }
     std::cout << verdict << '\n';
   }

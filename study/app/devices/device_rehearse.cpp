@@ -107,14 +107,17 @@ bool areFit(
   return false;
 }
 
-/// In words for the screen: without the clock that only the record needs.
-std::string shownOf(const std::string& detail) {
-  const auto clock = detail.find("; device's 0 at ");
-  if (clock == std::string::npos) return detail;
-  constexpr std::string_view kEnd = " of our clock";
-  const auto end = detail.find(kEnd, clock);
-  return detail.substr(0, clock) +
-         (end == std::string::npos ? "" : detail.substr(end + kEnd.size()));
+/// For the screen: a link without the clock that only the record needs.
+std::string shownOf(const storage::Event& event) {
+  if (event.kind != "device_link") return storage::describe(event);
+  constexpr std::string_view kLink =
+      "received {received}, lost {lost}, doubled {doubled}, late {late}, damaged {damaged}, "
+      "foreign {foreign}, restarts {restarts}, skipped {skipped}, stale {stale}, poor {poor}, "
+      "unsent {unsent}, clipped {clipped}, expired {expired}; round trip p50 {trip_p50_us:.0f} "
+      "us, p99 {trip_p99_us:.0f} us, largest {trip_max_us:.0f} us";
+  std::string words = base::filled(kLink, event.values);
+  if (event.value("drift_ppm") == nullptr) return words;
+  return words + base::filled(", drift {drift_ppm:+.2f} ppm", event.values);
 }
 
 void printLinks(Study& study) {
@@ -126,7 +129,7 @@ void printLinks(Study& study) {
         static_cast<std::int64_t>(visit.session),
         visit.step,
         visit.attempt,
-        shownOf(event.detail));
+        shownOf(event));
   }
 }
 
@@ -137,10 +140,10 @@ std::vector<SimulatedEnding> felt(
     SimulatedClock& clock,
     const RehearseArguments& arguments,
     const std::string& deviceFile) {
-  const auto tell = [](const std::string& what) {
-    const auto has = [&](const char* part) { return what.find(part) != std::string::npos; };
-    if (!has(" done") && !has(", attempt ") && !has(" waits: ")) return;
-    fmt::print("{}\n", what);
+  const auto tell = [](const Acknowledged& done) {
+    using Kind = Acknowledged::Kind;
+    if (done.kind == Kind::Answer || done.kind == Kind::Enrolment) return;
+    fmt::print("{}\n", done.what);
     std::fflush(stdout);
   };
   try {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "protocols/reading/anatomy_file.h"
-#include "study/gui/scene/graphics.h"
 #include "study/gui/scene/hip_scene.h"
+#include "study/gui/scene/renderer.h"
 #include "study/model/trial_record.h"
 #include "study/model/view_report.h"
 

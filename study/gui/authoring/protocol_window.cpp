@@ -13,13 +13,28 @@
 #include <QTime>
 #include <QVBoxLayout>
 
-#include "study/gui/authoring/json_places.h"
+#include "questionnaires/json/document.h"
 #include "study/gui/authoring/orders_page.h"
 #include "study/gui/authoring/timeline_page.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
+namespace {
+
+/// The line of the protocol's @p text, from 0, that a problem is about.
+int lineOf(const std::string& text, const questionnaires::Problem& problem) {
+  // "information-punch $.introduction.en" is about another file: shown is where that is named.
+  const auto name = problem.path.substr(0, problem.path.find(' '));
+  if (name.empty() || name.front() == '$') {
+    return problem.line ? *problem.line : questionnaires::lineOf(text, problem.path);
+  }
+  const auto place = text.find('"' + name + '"');
+  if (place == std::string::npos) return 0;
+  return static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(place), '\n'));
+}
+
+}  // namespace
 
 using questionnaires::Severity;
 
@@ -60,7 +75,7 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   connect(problems_, &QTableWidget::cellClicked, this, &ProtocolWindow::goToProblem);
   connect(timeline_, &TimelinePage::phaseChosen, this, [this](int phase) {
     const auto path = "$.phases[" + std::to_string(phase) + "]";
-    mark(lineOf(checked_.text, std::string_view(path)));
+    mark(questionnaires::lineOf(checked_.text, path));
   });
   reload();
 }
@@ -151,8 +166,8 @@ void ProtocolWindow::showProblems() {
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
         QString::fromStdString(problem.path),
-        QString::fromStdString(problem.what),
-        QString::fromStdString(problem.fix)};
+        QString::fromStdString(base::describe(problem.what)),
+        QString::fromStdString(base::describe(problem.fix))};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

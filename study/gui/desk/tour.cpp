@@ -233,7 +233,7 @@ void Tour::showRecord() {
   }
   const auto judgement = felt.judgement();
   const auto verdict = nameOf(judgement.verdict);
-  const QString why = QString::fromStdString(judgement.reason);
+  const QString why = QString::fromStdString(base::describe(judgement.reasons));
   add(tr("Verdict"),
       asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
   record_->resizeRowsToContents();

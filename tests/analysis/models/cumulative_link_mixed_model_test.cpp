@@ -67,7 +67,7 @@ TEST_P(StudyOrdinal, IsReachedWithRandomIntercepts) {
       crossing(answers.participant, answers.method), answers.participant};
   const auto result = analysis::fitCumulativeLinkMixedModel(levelsOf(answers), fixed, random);
 
-  ASSERT_TRUE(result.fit) << result.reason;
+  ASSERT_TRUE(result.fit) << base::describe(result.reason);
   // R's Hessian is taken by differences of a likelihood whose mode is found to 1e-4 only; ours is
   // checked against second differences in LaplaceLikelihood.HasTheDerivativesOfItsValue.
   check(*result.fit, golden["clmm_" + key], {.estimate = 3.0, .standardError = 2.6, .p = 1.5});
@@ -88,7 +88,7 @@ TEST_P(StudyOrdinal, IsReachedWithoutRandomIntercepts) {
 
   const auto result = analysis::fitCumulativeLinkMixedModel(levelsOf(answers), fixed, {});
 
-  ASSERT_TRUE(result.fit) << result.reason;
+  ASSERT_TRUE(result.fit) << base::describe(result.reason);
   check(*result.fit, golden["clm_" + key], {.estimate = 6.0, .standardError = 6.0, .p = 6.0});
   const auto logLikelihood = golden["clm_" + key + "_loglik"].get<std::string>();
   check("log likelihood", result.fit->logLikelihood, logLikelihood, 12.0);

@@ -34,7 +34,7 @@ void expectDifference(const analysis::WithinComparison& row, double difference) 
   EXPECT_NEAR(row.mixed.estimate, difference, 1e-9) << "balanced, so the same as the means'";
   EXPECT_GT(row.mixed.t.value() * difference, 0.0);
   EXPECT_EQ(row.mixed.name, row.group1 + " - " + row.group2);
-  ASSERT_TRUE(row.ordinal.has_value()) << row.ordinalReason;
+  ASSERT_TRUE(row.ordinal.has_value()) << base::describe(row.ordinalReason);
   EXPECT_GT(row.ordinal->estimate * difference, 0.0);
   EXPECT_EQ(row.ordinal->oddsRatio > 1.0, difference > 0.0);
   EXPECT_GT(row.location.estimate.value() * difference, 0.0);

@@ -55,11 +55,11 @@ TEST(RepeatedMeasuresAnova, SaysWhyItIsUndefined) {
   const auto flat = repeatedMeasuresAnova(Table{{0.1, 0.1, 0.1}, {0.3, 0.3, 0.3}});
   EXPECT_FALSE(flat.f.has_value());
   EXPECT_FALSE(flat.partialEtaSquared.has_value());
-  EXPECT_EQ(flat.reason, "no participant tells the conditions apart: there is no spread to test");
+  EXPECT_EQ(flat.reason.key(), "conditions_not_told_apart");
 
-  EXPECT_EQ(repeatedMeasuresAnova(Table{}).reason, "the test needs two participants");
-  EXPECT_EQ(repeatedMeasuresAnova(Table{{1, 2}}).reason, "the test needs two participants");
-  EXPECT_EQ(repeatedMeasuresAnova(Table{{1}, {2}}).reason, "the test needs two conditions");
+  EXPECT_EQ(repeatedMeasuresAnova(Table{}).reason.key(), "two_participants_needed");
+  EXPECT_EQ(repeatedMeasuresAnova(Table{{1, 2}}).reason.key(), "two_participants_needed");
+  EXPECT_EQ(repeatedMeasuresAnova(Table{{1}, {2}}).reason.key(), "two_conditions_needed");
 }
 
 TEST(RepeatedMeasuresAnova, RefusesATableWithHoles) {

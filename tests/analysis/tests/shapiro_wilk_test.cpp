@@ -94,15 +94,14 @@ TEST(ShapiroWilk, RejectsTwoHeapsAndAcceptsNormalQuantiles) {
 
 TEST(ShapiroWilk, IsUndefinedOutsideItsRange) {
   EXPECT_FALSE(shapiroWilkTest(Values{}).w.has_value());
-  EXPECT_EQ(shapiroWilkTest(Values{1, 2}).reason, "the test is made for 3 to 5000 values");
+  EXPECT_EQ(shapiroWilkTest(Values{1, 2}).reason.key(), "three_to_5000_values");
   Values many;
   for (int i = 0; i < 5001; ++i) many.push_back(i);
   EXPECT_FALSE(shapiroWilkTest(many).w.has_value());
   many.pop_back();
   EXPECT_TRUE(shapiroWilkTest(many).p.has_value());
 
-  EXPECT_EQ(
-      shapiroWilkTest(Values{4, 4, 4, 4}).reason, "all values are the same: they have no shape");
+  EXPECT_EQ(shapiroWilkTest(Values{4, 4, 4, 4}).reason.key(), "no_shape");
   EXPECT_THROW(shapiroWilkTest(Values{1, 2, NAN}), std::invalid_argument);
 }
 

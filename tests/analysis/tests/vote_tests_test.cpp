@@ -44,10 +44,10 @@ TEST(EqualSharesTest, IsThatOfTable4) {
 
 TEST(EqualSharesTest, SaysWhyWhereSomethingIsMissing) {
   const auto none = equalSharesTest(preferences(0, 0, 0));
-  EXPECT_EQ(none.reason, "nobody has voted");
+  EXPECT_EQ(none.reason.key(), "nobody_voted");
   EXPECT_FALSE(none.p.has_value());
   const auto many = equalSharesTest(preferences(5000, 1000, 0));
-  EXPECT_EQ(many.reason, "there are too many votes for an exact p; that of χ² holds");
+  EXPECT_EQ(many.reason.key(), "too_many_votes");
   EXPECT_EQ(many.chiSquared, 7000.0);  // (3000² + 1000² + 2000²)/2000
   EXPECT_NEAR(many.log10P.value(), -3500.0 / std::log(10.0), 1e-9);  // two degrees: e^(−χ²/2)
 }
@@ -98,11 +98,11 @@ TEST(McNemarTest, HasThePublishedChiSquaredOfApproval) {
 }
 
 TEST(McNemarTest, SaysWhyWhereNobodyChanged) {
-  EXPECT_EQ(mcNemarTest(0, 0).reason, "nobody changed");
+  EXPECT_EQ(mcNemarTest(0, 0).reason.key(), "nobody_changed");
   EXPECT_FALSE(mcNemarTestOfPairs({true}, {true}).p.has_value());
   EXPECT_THROW(mcNemarTestOfPairs({true}, {}), std::invalid_argument);
   EXPECT_FALSE(mcNemarTest(std::uint64_t{1} << 40, 1).p.has_value());
-  EXPECT_EQ(mcNemarTest(0, 5000).reason, "p is too small for a double; its logarithm holds");
+  EXPECT_EQ(mcNemarTest(0, 5000).reason.key(), "p_too_small");
 }
 
 TEST(StuartMaxwellTest, IsMcNemarsForTwoOptions) {
@@ -133,8 +133,8 @@ TEST(StuartMaxwellTest, LeavesOptionsOutThatNobodyChangedToOrFrom) {
 }
 
 TEST(StuartMaxwellTest, IsUndefinedWhereNobodyChanged) {
-  EXPECT_EQ(stuartMaxwellTest(Table{{5, 0}, {0, 4}}).reason, "nobody changed");
-  EXPECT_EQ(stuartMaxwellTest(Table{{0, 0}, {0, 0}}).reason, "nobody has voted");
+  EXPECT_EQ(stuartMaxwellTest(Table{{5, 0}, {0, 4}}).reason.key(), "nobody_changed");
+  EXPECT_EQ(stuartMaxwellTest(Table{{0, 0}, {0, 0}}).reason.key(), "nobody_voted");
   EXPECT_THROW(stuartMaxwellTest(Table{{5, 0}, {0}}), std::invalid_argument);
   EXPECT_THROW(stuartMaxwellTest(Table{{5}}), std::invalid_argument);
 }
@@ -172,10 +172,8 @@ TEST(CochranQTest, IsMcNemarsTestOfTwoOptions) {
 }
 
 TEST(CochranQTest, SaysWhyWhereThereIsNothingToCompare) {
-  EXPECT_EQ(cochranQTest(Answers{}).reason, "nobody has answered");
-  EXPECT_EQ(
-      cochranQTest(Answers{{true, true}, {false, false}}).reason,
-      "everybody said the same to all options: there is nothing to compare");
+  EXPECT_EQ(cochranQTest(Answers{}).reason.key(), "nobody_answered");
+  EXPECT_EQ(cochranQTest(Answers{{true, true}, {false, false}}).reason.key(), "same_to_all");
   EXPECT_THROW(cochranQTest(Answers{{true, true}, {false}}), std::invalid_argument);
   EXPECT_THROW(cochranQTest(Answers{{true}}), std::invalid_argument);
 }
@@ -235,14 +233,11 @@ TEST(FisherExactTest, DoesNotCareForOrderNorEmptyRows) {
 }
 
 TEST(FisherExactTest, SaysWhyWhereItGivesNoP) {
+  EXPECT_EQ(fisherExactTest(Table{{3, 1}, {0, 0}}).reason.key(), "one_row_or_column");
+  EXPECT_EQ(fisherExactTest(Table{{300, 1}, {1, 3}}).reason.key(), "too_many_counts");
   EXPECT_EQ(
-      fisherExactTest(Table{{3, 1}, {0, 0}}).reason,
-      "all counts are in one row or one column: there is nothing to compare");
-  EXPECT_EQ(
-      fisherExactTest(Table{{300, 1}, {1, 3}}).reason, "there are too many counts for an exact p");
-  EXPECT_EQ(
-      fisherExactTest(Table{{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}}).reason,
-      "there are too many tables for an exact p");
+      fisherExactTest(Table{{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}}).reason.key(),
+      "too_many_tables");
   EXPECT_THROW(fisherExactTest(Table{}), std::invalid_argument);
   EXPECT_THROW(fisherExactTest(Table{{1, 2}, {1}}), std::invalid_argument);
   EXPECT_TRUE(fisherExactTest(Table{{150, 10}, {90, 50}}).p.has_value());

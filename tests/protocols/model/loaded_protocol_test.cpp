@@ -74,7 +74,7 @@ Words errorsIn(const std::string& json, const FileFinder& find = {}) {
   Words said;
   for (const auto& problem : loading.problems) {
     EXPECT_EQ(problem.severity, questionnaires::Severity::Error);
-    said.push_back(problem.path + ": " + problem.what);
+    said.push_back(problem.path + ": " + base::describe(problem.what));
   }
   return said;
 }
@@ -176,8 +176,8 @@ TEST(LoadedProtocol, TellsWhyAFileCannotBeRead) {
   };
   const auto loading = tests::load(naming(R"(["mine.json"])"), broken);
   ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
-  EXPECT_EQ(loading.problems[0].what, "the file 'mine.json' cannot be read");
-  EXPECT_EQ(loading.problems[0].fix, "The disk is on fire.");
+  EXPECT_EQ(base::describe(loading.problems[0].what), "the file 'mine.json' cannot be read");
+  EXPECT_EQ(base::describe(loading.problems[0].fix), "The disk is on fire.");
 }
 
 TEST(LoadedProtocol, PutsTheNameOfAFileBeforeWhatIsWrongInIt) {
@@ -324,7 +324,7 @@ TEST(LoadedProtocolFile, TellsOfAFileBesideItThatIsTooLarge) {
   EXPECT_FALSE(loadProtocolFile(file, problems).has_value());
   ASSERT_EQ(problems.all().size(), 1U) << inWords(problems.all());
   EXPECT_EQ(problems.all()[0].path, "$.instrument_files[0]");
-  EXPECT_NE(problems.all()[0].fix.find("is larger than 5 MB"), std::string::npos);
+  EXPECT_NE(base::describe(problems.all()[0].fix).find("is larger than 5 MB"), std::string::npos);
 }
 
 /// usualProtocol() with the SUS in place of its questionnaire.
@@ -350,8 +350,8 @@ TEST(LoadedProtocol, IsRefusedWhereAnInstrumentLacksItsWords) {
   ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
   EXPECT_EQ(loading.problems[0].path, "$.phases[1].questionnaires[0].instrument");
   EXPECT_NE(
-      loading.problems[0].fix.find(
-          "palpate instrument wording sus --language en --out wording/sus/en.json"),
+      base::describe(loading.problems[0].fix)
+          .find("palpate instrument wording sus --language en --out wording/sus/en.json"),
       std::string::npos);
 }
 

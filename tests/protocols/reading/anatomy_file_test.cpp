@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/load_protocol.h"
+#include "protocols/model/messages.h"
 #include "questionnaires/json/document.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
@@ -86,7 +87,7 @@ TEST(AnatomyFile, MakesNormalsWhereThereAreNoneAndSaysSo) {
   ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
   ASSERT_EQ(problems.all().size(), 1U);
   EXPECT_EQ(problems.all()[0].path, "object 'tibia'");
-  EXPECT_TRUE(says(problems.all()[0].what, "it has no normals"));
+  EXPECT_EQ(problems.all()[0].what, message("no_normals"));
   for (const auto& normal : knee->find(kTibia)->normals) EXPECT_NEAR(normal[1], 1.0F, 1e-5F);
 }
 
@@ -97,7 +98,7 @@ TEST(AnatomyFile, MendsNormalsWithoutADirectionAndSaysSo) {
         readAnatomy(tests::with(square("tibia", 60, 2), "vn 0 1 0\n", none), problems);
     ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
     ASSERT_EQ(problems.all().size(), 1U);
-    EXPECT_TRUE(says(problems.all()[0].what, "4 of its normals have no direction"));
+    EXPECT_EQ(problems.all()[0].what, message("normals_without_direction", 4));
     for (const auto& normal : knee->find(kTibia)->normals) EXPECT_NEAR(normal[1], 1.0F, 1e-5F);
   }
 }

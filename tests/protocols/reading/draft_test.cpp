@@ -18,7 +18,8 @@ Words saidAbout(const std::string& json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
   EXPECT_FALSE(loading.loaded.has_value());
   Words said;
-  for (const auto& problem : loading.problems) said.push_back(problem.path + ": " + problem.what);
+  for (const auto& problem : loading.problems)
+    said.push_back(problem.path + ": " + base::describe(problem.what));
   return said;
 }
 

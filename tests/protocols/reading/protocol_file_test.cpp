@@ -49,8 +49,8 @@ std::vector<tests::Refusal> structuralRefusals() {
 
 bool isAsExpected(const Problem& problem, const tests::Refusal& expected) {
   return problem.severity == Severity::Error && problem.path == expected.path &&
-         problem.what.find(expected.what) != std::string::npos &&
-         problem.fix.find(expected.fix) != std::string::npos;
+         base::describe(problem.what).find(expected.what) != std::string::npos &&
+         base::describe(problem.fix).find(expected.fix) != std::string::npos;
 }
 
 /// Refused, with the problem that is expected, where it is expected, and how to mend it.
@@ -86,7 +86,8 @@ TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
       const auto reading = read(kind, refusal.file);
       std::set<std::pair<std::string, std::string>> said;
       for (const auto& problem : reading.problems) {
-        EXPECT_TRUE(said.insert({problem.path, problem.what}).second) << refusal.file;
+        EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second)
+            << refusal.file;
         EXPECT_EQ(problem.severity, Severity::Error) << refusal.file;
       }
       EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << inWords(reading.problems);
@@ -128,7 +129,8 @@ TEST(ProtocolFile, TellsEverythingAtOnce) {
           "simulation": {"realism": {"w": 0}, "answer_deviation": -1}})");
   EXPECT_FALSE(loading.loaded.has_value());
   std::vector<std::string> places;
-  for (const auto& problem : loading.problems) places.push_back(problem.path + " " + problem.what);
+  for (const auto& problem : loading.problems)
+    places.push_back(problem.path + " " + base::describe(problem.what));
   const std::vector<std::string> expected{
       "$.$schema this is written for 'protocol-2.schema.json'",
       "$.study.versoin unknown key 'versoin'",
@@ -170,9 +172,10 @@ TEST(ProtocolFile, OffersAMendForEveryProblemButOfTypesThatSpeakForThemselves) {
     for (const auto& refusal : refusals) {
       for (const auto& problem : read(kind, refusal.file).problems) {
         const bool isClear = std::any_of(clear.begin(), clear.end(), [&](const auto& words) {
-          return problem.what.starts_with(words);
+          return base::describe(problem.what).starts_with(words);
         });
-        EXPECT_TRUE(isClear || !problem.fix.empty()) << refusal.file << " " << problem.what;
+        EXPECT_TRUE(isClear || !problem.fix.empty())
+            << refusal.file << " " << base::describe(problem.what);
       }
     }
   }

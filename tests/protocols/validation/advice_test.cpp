@@ -27,7 +27,8 @@ std::vector<std::string> adviceOn(std::string_view json, const FileFinder& find 
   std::vector<std::string> said;
   for (const auto& problem : loading.problems) {
     EXPECT_EQ(problem.severity, Severity::Warning);
-    said.push_back(problem.path + ": " + problem.what + "; " + problem.fix);
+    said.push_back(
+        problem.path + ": " + base::describe(problem.what) + "; " + base::describe(problem.fix));
   }
   std::erase(said, kTemplate);
   return said;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/model/messages.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
@@ -20,8 +21,9 @@ Words adviceOn(std::string_view json) {
   Words said;
   for (const auto& problem : loading.problems) {
     EXPECT_EQ(problem.severity, questionnaires::Severity::Warning);
-    EXPECT_FALSE(problem.fix.empty()) << problem.what;
-    if (problem.path.starts_with("$")) said.push_back(problem.path + ": " + problem.what);
+    EXPECT_FALSE(problem.fix.empty()) << base::describe(problem.what);
+    if (problem.path.starts_with("$"))
+      said.push_back(problem.path + ": " + base::describe(problem.what));
   }
   return said;
 }
@@ -69,8 +71,8 @@ TEST(BlockAdvice, SaysWhatNumberOfParticipantsBalancesADesign) {
     const auto loading = tests::load(ordered(type, 7));
     const auto& problem = loading.problems.back();
     EXPECT_EQ(problem.path, "$.phases[1].order") << loading.inWords();
-    EXPECT_EQ(problem.what, "7 participants of 'anyone' do not balance this design");
-    EXPECT_EQ(problem.fix, "plan a multiple of 2");
+    EXPECT_EQ(problem.what, message("not_balanced", 7, "anyone"));
+    EXPECT_EQ(problem.fix, message("not_balanced.fix", 2));
     EXPECT_EQ(adviceOn(ordered(type, 8)), Words{}) << type;
   }
 }
@@ -83,7 +85,7 @@ TEST(BlockAdvice, AsksForTwiceAsManyWhereTheConditionsAreOdd) {
       "\"punch\", \"model\": \"interpolation\", \"parameters\": {}}},\n");
   text = tests::with(text, R"(["soft", "firm"])", R"(["soft", "firm", "third"])");
   const auto loading = tests::load(text);
-  EXPECT_EQ(loading.problems.back().fix, "plan a multiple of 6") << loading.inWords();
+  EXPECT_EQ(loading.problems.back().fix, message("not_balanced.fix", 6)) << loading.inWords();
 }
 
 TEST(BlockAdvice, SpeaksOfEveryCohortThatDoesNotBalance) {

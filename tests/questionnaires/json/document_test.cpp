@@ -64,34 +64,34 @@ TEST(ParseJson, ReadsSixtyFourLevels) {
 }
 
 TEST(ParseJson, RefusesSixtyFiveLevels) {
-  EXPECT_EQ(refusal(nested(65)).what, "nested deeper than 64 levels");
+  EXPECT_EQ(base::describe(refusal(nested(65)).what), "nested deeper than 64 levels");
 }
 
 TEST(ParseJson, SurvivesAHundredThousandLevels) {
-  EXPECT_EQ(refusal(nested(100'000)).what, "nested deeper than 64 levels");
+  EXPECT_EQ(base::describe(refusal(nested(100'000)).what), "nested deeper than 64 levels");
   std::string objects;
   for (int i = 0; i < 100'000; ++i) objects += R"({"a":)";
-  EXPECT_EQ(refusal(objects).what, "nested deeper than 64 levels");
+  EXPECT_EQ(base::describe(refusal(objects).what), "nested deeper than 64 levels");
 }
 
 TEST(ParseJson, ReadsFiveMegabytesAndNoMore) {
   const std::string padding(kLargestFile - 2, ' ');
   EXPECT_TRUE(isFine(read("{" + padding + "}")));
-  EXPECT_EQ(refusal("{ " + padding + "}").what, "the file is larger than 5 MB");
+  EXPECT_EQ(base::describe(refusal("{ " + padding + "}").what), "the file is larger than 5 MB");
 }
 
 TEST(ParseJson, RefusesListsThatAreFarTooLong) {
   std::string list = "[0";
   for (std::size_t i = 1; i < kMostElements; ++i) list += ",0";
   EXPECT_TRUE(isFine(read(list + "]")));
-  EXPECT_EQ(refusal(list + ",0]").what, "more than 100000 elements");
+  EXPECT_EQ(base::describe(refusal(list + ",0]").what), "more than 100000 elements");
 }
 
 TEST(ParseJson, NamesEveryKeyThatStandsTwice) {
   const auto reading = read(R"({"a": {"b": 1, "c": 2, "b": 3}, "d": 0, "a": 0})");
   ASSERT_EQ(reading.problems.all().size(), 2U);
   EXPECT_EQ(reading.problems.all()[0].path, "$.a.b");
-  EXPECT_EQ(reading.problems.all()[0].what, "the key 'b' stands here twice");
+  EXPECT_EQ(base::describe(reading.problems.all()[0].what), "the key 'b' stands here twice");
   EXPECT_EQ(reading.problems.all()[1].path, "$.a");
 }
 
@@ -105,7 +105,7 @@ TEST(ParseJson, RefusesTheCharacterNul) {
   const auto reading = read(R"({"a": ["x", "a\u0000b"]})");
   ASSERT_EQ(reading.problems.all().size(), 1U);
   EXPECT_EQ(reading.problems.all()[0].path, "$.a[1]");
-  EXPECT_EQ(reading.problems.all()[0].what, "a text holds the character NUL");
+  EXPECT_EQ(base::describe(reading.problems.all()[0].what), "a text holds the character NUL");
   EXPECT_TRUE(read(R"({"a\u0000": 1})").problems.hasErrors());
 }
 
@@ -116,12 +116,14 @@ TEST(ParseJson, RefusesTextsThatAreFarTooLong) {
 
 TEST(ParseJson, RefusesNumbersThatAreNone) {
   for (const auto* json : {"NaN", "[Infinity]", "-Infinity", "01", "1.", ".5", "+1", "0x10"}) {
-    EXPECT_NE(refusal(json).what.find("this is not JSON"), std::string::npos) << json;
+    EXPECT_NE(base::describe(refusal(json).what).find("this is not JSON"), std::string::npos)
+        << json;
   }
 }
 
 TEST(ParseJson, RefusesNumbersThatAreTooLarge) {
-  EXPECT_EQ(refusal("[1e999]").what, "line 1, column 6: the number 1e999 is too large");
+  EXPECT_EQ(
+      base::describe(refusal("[1e999]").what), "line 1, column 6: the number 1e999 is too large");
   EXPECT_EQ(refusal("[1e999]").path, "$[0]");
 }
 
@@ -135,7 +137,8 @@ TEST(ParseJson, RefusesTextsThatAreNoUnicode) {
       "\"\xFF\"",
   };
   for (const auto& json : texts) {
-    EXPECT_NE(refusal(json).what.find("this is not JSON"), std::string::npos) << json;
+    EXPECT_NE(base::describe(refusal(json).what).find("this is not JSON"), std::string::npos)
+        << json;
   }
 }
 
@@ -154,15 +157,16 @@ TEST(ParseJson, RefusesWhatJsonHasNot) {
         "{\"a\"",
         "tru"}) {
     const auto problem = refusal(json);
-    EXPECT_NE(problem.what.find("this is not JSON"), std::string::npos) << json;
-    EXPECT_NE(problem.fix.find("JSON has no comments"), std::string::npos) << json;
+    EXPECT_NE(base::describe(problem.what).find("this is not JSON"), std::string::npos) << json;
+    EXPECT_NE(base::describe(problem.fix).find("JSON has no comments"), std::string::npos) << json;
   }
 }
 
 TEST(ParseJson, SaysWhereItStopped) {
   const auto problem = refusal("{\n  \"a\": [1,\n    oops]\n}");
   EXPECT_EQ(problem.path, "$.a[0]");
-  EXPECT_NE(problem.what.find("line 3, column 5"), std::string::npos) << problem.what;
+  EXPECT_NE(base::describe(problem.what).find("line 3, column 5"), std::string::npos)
+      << base::describe(problem.what);
 }
 
 TEST(ParseJson, TakesEveryKindOfText) {

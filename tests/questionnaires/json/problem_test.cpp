@@ -10,14 +10,14 @@ namespace problem_test {
 TEST(Problems, AreToldOnePerLine) {
   Problems problems;
   problems.add("$.id", "this is odd", "mend it");
-  problems.warn("$", "this is unusual");
+  problems.warn("$", base::Message::verbatim("this is unusual"));
   EXPECT_EQ(
       inWords(problems.all()), "error   $.id: this is odd; mend it\nwarning $: this is unusual\n");
 }
 
 TEST(Problems, KnowErrorsFromWarnings) {
   Problems problems;
-  problems.warn("$", "this is unusual");
+  problems.warn("$", base::Message::verbatim("this is unusual"));
   EXPECT_FALSE(problems.hasErrors());
   problems.add("$", "this is odd");
   EXPECT_TRUE(problems.hasErrors());
@@ -27,12 +27,13 @@ TEST(Problems, AreNotToldWithoutEnd) {
   Problems problems;
   for (std::size_t i = 0; i < 2 * kMostProblems; ++i) problems.add("$", std::to_string(i));
   ASSERT_EQ(problems.all().size(), kMostProblems + 1);
-  EXPECT_EQ(problems.all().back().what, "there are more problems");
+  EXPECT_EQ(base::describe(problems.all().back().what), "there are more problems");
 }
 
 TEST(Problems, ForgetNoErrorAmongManyWarnings) {
   Problems problems;
-  for (std::size_t i = 0; i < 2 * kMostProblems; ++i) problems.warn("$", std::to_string(i));
+  for (std::size_t i = 0; i < 2 * kMostProblems; ++i)
+    problems.warn("$", base::Message::verbatim(std::to_string(i)));
   EXPECT_FALSE(problems.hasErrors());
   problems.add("$", "this is odd");
   EXPECT_TRUE(problems.hasErrors());
@@ -45,7 +46,7 @@ TEST(Problems, CanBeWalkedThroughAtOnce) {
     problems.add("$", "this is odd");
     return problems;
   };
-  for (const auto& problem : found().all()) EXPECT_EQ(problem.what, "this is odd");
+  for (const auto& problem : found().all()) EXPECT_EQ(base::describe(problem.what), "this is odd");
 }
 
 }  // namespace problem_test

@@ -58,8 +58,8 @@ void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& 
         all.end(),
         [&](const Problem& problem) {
           return problem.severity == Severity::Error && problem.path == expected.path &&
-                 problem.what.find(expected.what) != std::string::npos &&
-                 problem.fix.find(expected.fix) != std::string::npos;
+                 base::describe(problem.what).find(expected.what) != std::string::npos &&
+                 base::describe(problem.fix).find(expected.fix) != std::string::npos;
         }))
         << expected.file << "\n"
         << inWords(all);
@@ -80,7 +80,7 @@ TEST(InstrumentFile, SaysNothingTwice) {
     const auto reading = read("bad", refusal.file);
     std::set<std::pair<std::string, std::string>> said;
     for (const auto& problem : reading.problems.all()) {
-      EXPECT_TRUE(said.insert({problem.path, problem.what}).second) << refusal.file;
+      EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second) << refusal.file;
     }
     EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << inWords(reading.problems.all());
   }
@@ -105,7 +105,8 @@ TEST(InstrumentFile, TellsEverythingAtOnce) {
       problems);
   EXPECT_FALSE(instrument.has_value());
   std::vector<std::string> places;
-  for (const auto& problem : problems.all()) places.push_back(problem.path + " " + problem.what);
+  for (const auto& problem : problems.all())
+    places.push_back(problem.path + " " + base::describe(problem.what));
   const std::vector<std::string> expected{
       "$.titel unknown key 'titel'",
       "$.$schema this is written for 'instrument-2.schema.json'",

@@ -25,7 +25,7 @@ class StatisticsJson : public testing::Test {
     const std::string alpha = R"("alpha": 0.05)";
     text.insert(text.find(alpha), R"("equivalence_bound": 0.5, )");
     study_.emplace(tests::protocolFrom(text));
-    simulateCohorts(**study_, study_->clock, 12, 3, [](const std::string&) {});
+    simulateCohorts(**study_, study_->clock, 12, 3, [](const auto&) {});
     compute();
     for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
   }

@@ -44,7 +44,7 @@ double deviation(const Values& values) {
 class StatisticsTableTest : public testing::Test {
  protected:
   StatisticsTableTest() {
-    simulateCohorts(*study_, study_.clock, 8, 3, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, 8, 3, [](const auto&) {});
     const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
     statistics_ = rowsOf(statisticsTable(*study_, options));
     for (const auto& table : exportTables(*study_, options)) {

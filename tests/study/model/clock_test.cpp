@@ -54,7 +54,7 @@ TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   session_.finishStep();
   const auto stepped = stepsOf(*study_);
   ASSERT_EQ(stepped.size(), 1U);
-  EXPECT_EQ(stepped[0].detail, "by -3600.000000 s; durations are not affected");
+  EXPECT_EQ(storage::describe(stepped[0]), "by -3600.000000 s; durations are not affected");
 
   const auto events = study_->events().read(session_.id());
   for (std::size_t i = 1; i < events.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocols/model/messages.h"
 #include "study/report/print_html.h"
 #include "tests/study/report/section.h"
 
@@ -107,14 +108,14 @@ TEST(HtmlReport, SaysInPlainSightWhatNobodyMeasured) {
   section.sources = {
       {.kind = "material",
        .file = "bone.json",
-       .title = "Specimen <7>",
-       .origin = "test set static",
+       .title = base::Message::verbatim("Specimen <7>"),
+       .origin = {protocols::message("source.test_set", "static")},
        .isSynthetic = true,
        .conditions = {"interpolation", "kalman"}},
       {.kind = "cut",
        .file = "cut.json",
-       .title = "A recorded cut",
-       .origin = "recorded in 'punch.txt'",
+       .title = base::Message::verbatim("A recorded cut"),
+       .origin = {protocols::message("source.recorded_in", "punch.txt")},
        .isSynthetic = false,
        .conditions = {"finite-elements"}}};
   const auto page = asHtml({section});

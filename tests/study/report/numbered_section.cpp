@@ -95,7 +95,7 @@ analysis::WithinAnalysis withinAnalysis() {
   within.mixed.fit.emplace();
   within.mixed.fit->components = {{.name = "participant", .variance = 4.13}};
   within.mixed.fit->residualVariance = 4.14;
-  within.ordinal.reason = "it was not asked for";
+  within.ordinal.reason = base::Message::verbatim("it was not asked for");
   within.rows = {withinComparison()};
   return within;
 }

@@ -36,7 +36,7 @@ TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
 
 TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
   tests::MadeStudy study;
-  simulateCohorts(*study, study.clock, 2, 3, [](const std::string&) {});
+  simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});
   study->traces().database().execute(
       "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
   const auto section = gather(*study, RunMode::Simulated, words::wordsIn("de"));
@@ -44,7 +44,7 @@ TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
   EXPECT_NE(
       page.find("Was gefühlt wurde, ist nicht bekannt: traces.db ist beschädigt: "),
       std::string::npos)
-      << section.curvesReason;
+      << base::describe(section.curvesReason);
   EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }
 

@@ -2,6 +2,7 @@
 
 #include "analysis/effects/share_interval.h"
 #include "protocols/load_protocol.h"
+#include "study/model/messages.h"
 
 namespace tests {
 
@@ -169,7 +170,7 @@ study::report::ReportSection madeUpSection() {
   section.quality = {.trials = 36, .feltAgain = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;
   for (int i = 0; i < 36; ++i) section.quality.timings.push_back({"punch", 20.0 + i, 60.0 + 3 * i});
-  section.quality.reasons = {"3 of 4000 ticks were late"};
+  section.quality.reasons = {{study::message("trial.late", 3, 4000)}};
   section.warnings = problems.all();
   return section;
 }

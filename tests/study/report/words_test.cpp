@@ -1,18 +1,20 @@
 #include "study/words/words.h"
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <map>
 #include <regex>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "analysis/data/reason.h"
+#include "analysis/summary/flags.h"
+#include "protocols/model/messages.h"
+#include "questionnaires/reading/warnings.h"
+#include "study/model/messages.h"
 #include "study/report/html_report.h"
 #include "study/report/study_parts.h"
 #include "tests/study/made_study.h"
 #include "tests/study/report/section.h"
-#include "tests/support/test_data.h"
 
 namespace study::words {
 namespace words_test {
@@ -56,84 +58,52 @@ TEST_P(WordsTest, SayEverySentenceOfAReport) {
 
 TEST_P(WordsTest, PutTheSameThingsIn) {
   const auto words = wordsIn(GetParam());
-  for (const auto& [english, translated] : words.catalogue()) {
+  for (const auto& [english, translated] : words.catalogue().texts) {
     EXPECT_EQ(placesIn(english), placesIn(translated)) << english;
     EXPECT_FALSE(translated.empty()) << english;
   }
 }
 
-std::string sourceOf(const std::string& file) {
-  std::ifstream stream(tests::repository() / file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-/// Every sentence with which these kernels say why there is no number.
-std::vector<std::string> reasonsIn(const std::string& file) {
-  const std::regex assigned(R"re(reason =\s*((?:[^;"]*"[^"]*")+[^;"]*);)re");
-  const std::regex literal(R"re("([^"]*)")re");
-  const std::string source = sourceOf(file);
-  std::vector<std::string> reasons;
-  for (std::sregex_iterator found(source.begin(), source.end(), assigned), end; found != end;
-       ++found) {
-    const std::string right = (*found)[1];
-    const bool isChoice = right.find('?') != std::string::npos;
-    std::string whole;
-    for (std::sregex_iterator part(right.begin(), right.end(), literal); part != end; ++part) {
-      if (isChoice) reasons.push_back((*part)[1]);
-      whole += (*part)[1];
+/// The messages of all rooms that a report may show.
+std::map<std::string_view, std::string_view> allMessages() {
+  std::map<std::string_view, std::string_view> all;
+  const auto add = [&](const auto& table) {
+    for (const auto& kind : table) {
+      EXPECT_TRUE(all.emplace(kind.key, kind.english).second) << kind.key << " is there twice";
     }
-    if (!isChoice) reasons.push_back(whole);
-  }
-  return reasons;
+  };
+  add(analysis::kReasons);
+  add(analysis::kFlagMessages);
+  add(questionnaires::kWarnings);
+  add(protocols::kMessages);
+  add(kMessages);
+  return all;
 }
 
-TEST_P(WordsTest, KnowEveryReasonOfTheKernels) {
+TEST_P(WordsTest, HaveEveryMessageWithItsArguments) {
+  const auto all = allMessages();
   const auto words = wordsIn(GetParam());
-  std::size_t seen = 0;
-  for (const auto* kernel :
-       {"tests/friedman",
-        "tests/paired_t",
-        "tests/sign_flip",
-        "tests/signed_rank",
-        "tests/equivalence",
-        "models/linear_mixed_model",
-        "models/cumulative_link_mixed_model",
-        "tests/repeated_measures_anova",
-        "summary/position_effect",
-        "summary/within_analysis"}) {
-    for (const auto& reason : reasonsIn("analysis/" + std::string(kernel) + ".cpp")) {
-      EXPECT_NE(words.known(reason), reason) << kernel;
-      ++seen;
-    }
+  const auto& known = words.catalogue().messages;
+  for (const auto& [key, english] : all) {
+    const auto found = known.find(key);
+    ASSERT_NE(found, known.end()) << key;
+    EXPECT_EQ(placesIn(std::string(english)), placesIn(found->second)) << key;
   }
-  EXPECT_GT(seen, 20U);
+  EXPECT_EQ(known.size(), all.size()) << "one of them is in no table any more";
 }
 
-TEST_P(WordsTest, PutNumbersAndNamesIntoWhatOthersSay) {
+TEST_P(WordsTest, PutNumbersAndNamesIntoMessages) {
   const auto words = wordsIn(GetParam());
-  const auto& pattern = words.catalogue().at("{} of {} ticks were late");
-  const auto begin = pattern.find("{}");
-  EXPECT_EQ(words.known("30 of 4000 ticks were late").find("30"), begin);
-  for (const auto* said :
-       {"passivity (b > KT/2) needs 0.0123 N·s/m of damping, the device has 5e-05, the rest is the "
-        "hand's",
-        "the dead-man switch was released (3×, 0.120 s)",
-        "the fixed effect 'method kalman' cannot be told apart from the others: it is a "
-        "combination of them",
-        "group 1 has no values, and the test needs two in each group",
-        "'participant' and 'round' group the answers alike: their variances cannot be told apart",
-        "The punch paper's 0.017 for 0.05/3"}) {
-    const auto translated = words.known(said);
-    EXPECT_NE(translated, said);
-    EXPECT_EQ(translated.find("{}"), std::string::npos) << translated;
-  }
-  EXPECT_NE(
-      words.known("group 1 has no values, and the test needs two in each group").find("1"),
-      std::string::npos);
-  EXPECT_EQ(words.known("nobody ever said 5 of this"), "nobody ever said 5 of this");
-  EXPECT_EQ(
-      words.knownList("Fisher 1935; docs/statistics.md, planning"),
-      "Fisher 1935; " + words.known("docs/statistics.md, planning"));
+  const auto late = message("trial.late", 30, 4000);
+  EXPECT_NE(words(late), base::describe(late));
+  EXPECT_NE(words(late).find("30"), std::string::npos);
+  EXPECT_NE(words(late).find("4000"), std::string::npos);
+  const auto effect = analysis::reason("dependent_effect", "method kalman");
+  EXPECT_NE(words(effect).find("'method kalman'"), std::string::npos) << words(effect);
+  EXPECT_EQ(words(std::vector{late, late}), words(late) + "; " + words(late));
+  EXPECT_EQ(words(base::Message()), "");
+  EXPECT_EQ(words(base::Message::verbatim("5 of this")), "5 of this");
+  EXPECT_TRUE(words.missing().empty());
 }
 
 /// What is read in a page: without its marks, its style and what stands in code.
@@ -167,12 +137,11 @@ TEST_P(WordsTest, LeaveNoEnglishInAReport) {
   for (auto& family : section.protocol.analysis.families) family.title = "x";
   for (auto& instrument : section.instruments) instrument.source.citation.clear();
   std::erase_if(section.warnings, [](const auto& warning) {
-    return warning.what.find("[[") != std::string::npos;  // quotes what is to be filled in
+    return base::describe(warning.what).find("[[") != std::string::npos;  // to be filled in
   });
   EXPECT_FALSE(section.warnings.empty());
   section.quality.reasons = {
-      "30 of 4000 ticks were late, 2 of them because the machine itself stood still; "
-      "1 sample was lost"};
+      {message("trial.late.machine", 30, 4000, 2), message("trial.samples_lost.one", 1)}};
   EXPECT_EQ(englishIn(report::asHtml(sections)), "");
   section.words = {};
   EXPECT_NE(englishIn(report::asHtml(sections)), "") << "or this test sees nothing";
@@ -199,14 +168,14 @@ protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string
 }
 
 TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
-  std::set<std::string> said;
+  std::set<std::string_view> said;
   for (const auto& [normal, show] : {std::pair{"", "true"}, std::pair{"vn 0 0 0\n", "false"}}) {
     tests::MadeStudy study(withAKnee(normal, show));
     const auto section = report::gather(*study, RunMode::Simulated, wordsIn(GetParam()));
     for (const auto& warning : section.warnings) {
-      EXPECT_NE(section.words.known(warning.what), warning.what);
-      EXPECT_NE(section.words.known(warning.fix), warning.fix);
-      said.insert(warning.what);
+      EXPECT_NE(section.words(warning.what), base::describe(warning.what));
+      EXPECT_NE(section.words(warning.fix), base::describe(warning.fix));
+      said.insert(warning.what.key());
     }
     const auto page = report::methodsAsHtml(section);
     const auto& seen = section.words("What was seen came from:");
@@ -214,22 +183,19 @@ TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
     const auto list = page.substr(page.find(seen));
     EXPECT_NE(
         list.find(
-            section.words("tibia") + ", " + section.words("capsule") + ": The title of interp"),
+            section.words(protocols::message("source.tibia")) + ", " +
+            section.words(protocols::message("source.capsule")) + ": The title of interp"),
         std::string::npos)
         << list;
-    EXPECT_NE(list.find(section.words("The knee that is seen")), std::string::npos) << list;
+    EXPECT_NE(list.find(section.words(protocols::message("source.knee"))), std::string::npos)
+        << list;
     EXPECT_EQ(page.find(section.words("What was felt came from:") + "</p><ul></ul>"), page.npos);
     EXPECT_TRUE(section.words.missing().empty()) << *section.words.missing().begin();
-    EXPECT_NE(section.words.known("anatomy"), "anatomy");
+    EXPECT_NE(section.words("anatomy"), "anatomy");
   }
-  for (const auto* what :
-       {"it is never seen",
-        "it has no normals",
-        "of its normals have no direction",
-        "shows another knee than"}) {
-    EXPECT_TRUE(std::any_of(said.begin(), said.end(), [&](const auto& one) {
-      return one.find(what) != std::string::npos;
-    })) << what;
+  for (const auto* key :
+       {"knee_never_seen", "no_normals", "normals_without_direction", "other_knee"}) {
+    EXPECT_EQ(said.count(key), 1U) << key;
   }
 }
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "study/results/results.h"
-#include "study/session/audit_words.h"
 #include "study/session/verification.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/statement.h"
@@ -94,7 +93,8 @@ class PooledAnswersTest : public testing::Test {
     answer.response = std::get<std::int64_t>(answer.response) % 5 + 1;
     study_->transact([&] {
       answers.put(visit, answer, "later");
-      study_->events().append({.visit = visit, .kind = "answered", .detail = auditWords(answer)});
+      study_->events().append(
+          {.visit = visit, .kind = "answered", .values = storage::valuesOf(answer)});
     });
     return visit;
   }

@@ -73,8 +73,11 @@ TEST_F(SessionAnswersTest, ChangesAnAnswerInPlace) {
   EXPECT_EQ(session_.answers().size(), 1U);
   EXPECT_EQ(kept("agree")->response, Response(std::int64_t{4}));
   const auto events = study_->events().read(session_.id());
-  EXPECT_EQ(events.back().detail, "agree = 4");
-  EXPECT_EQ(events[events.size() - 2].detail, "agree = 2");  // nothing is forgotten
+  const auto said = [](std::int64_t point) {
+    return base::NamedArguments{{"item", std::string("agree")}, {"point", point}};
+  };
+  EXPECT_EQ(events.back().values, said(4));
+  EXPECT_EQ(events[events.size() - 2].values, said(2));  // nothing is forgotten
 }
 
 TEST_F(SessionAnswersTest, KeepsTheChangesTimeAndLanguageOfACorrectedAnswer) {

@@ -27,7 +27,7 @@ constexpr const char* kName = "Zaphod Beeblebrox";
 class DamageTest : public testing::Test {
  protected:
   void SetUp() override {
-    simulateCohorts(*study_, study_.clock, 1, 7, [](const std::string&) {});
+    simulateCohorts(*study_, study_.clock, 1, 7, [](const auto&) {});
     {
       auto session = Session::enrol(*study_, {.cohort = "surgeons"});
       auto signature = tests::answerTo(session, session.items().back());
@@ -179,7 +179,7 @@ TEST_F(DamageTest, ByCuttingOffIsAlwaysFound) {
 }
 
 TEST_F(DamageTest, IsNothingWhereNothingWasDone) {
-  lookAfter("study.db", [](const std::string&) {});
+  lookAfter("study.db", [](const auto&) {});
   EXPECT_EQ(outcome_.harmless, 1);
 }
 

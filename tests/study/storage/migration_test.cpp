@@ -43,7 +43,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 3);
+  EXPECT_EQ(format(), 4);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -143,10 +143,20 @@ TEST(FormatTwo, GivesTheSameResults) {
   std::filesystem::rename(made.file("old.db"), made.file("study.db"));
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 3);
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 4);
   EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Live), {}), before);
   EXPECT_TRUE(CodedAnswers(made->database()).misplaced().empty());
   EXPECT_TRUE(verify(*made).isSound());
+}
+
+TEST(FormatThree, IsReadWithoutBeingWritten) {
+  tests::MadeStudy made;
+  made.close();
+  tests::Sql(made.file("study.db")).run("PRAGMA user_version = 3");
+  SimulatedClock clock;
+  auto study = Study::open(made.folder(), clock, Access::ReadOnly);
+  EXPECT_TRUE(verify(study).isSound());
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 3);
 }
 
 TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {

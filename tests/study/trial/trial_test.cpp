@@ -1,6 +1,7 @@
 // What a trial keeps, counts and says of itself.
 #include "study/trial/trial.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,6 +16,12 @@ namespace study {
 namespace trial_test {
 
 using storage::TraceSample;
+
+bool says(const TrialRecord::Judgement& judgement, std::string_view key) {
+  const auto& reasons = judgement.reasons;
+  return std::any_of(
+      reasons.begin(), reasons.end(), [&](const auto& reason) { return reason.key() == key; });
+}
 
 /// A punch in a simulated hand, and a trial on it that keeps everything in memory.
 class TrialTest : public testing::Test {
@@ -60,7 +67,8 @@ TEST_F(TrialTest, IsKeptWholeInChunksOfASecond) {
   EXPECT_EQ(static_cast<std::int64_t>(all.size()), record.ticks);
   EXPECT_EQ(record.traceSamples, record.ticks);
   for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i].tick, i);
-  EXPECT_EQ(record.judgement().verdict, Verdict::Pass) << record.judgement().reason;
+  EXPECT_EQ(record.judgement().verdict, Verdict::Pass)
+      << base::describe(record.judgement().reasons);
 }
 
 TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
@@ -84,8 +92,8 @@ TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
   EXPECT_EQ(timesOf(SafetyKind::TooFast).times, 0);
   const auto judgement = record.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::Warn);
-  EXPECT_NE(judgement.reason.find("dead-man"), std::string::npos) << judgement.reason;
-  EXPECT_NE(judgement.reason.find("lost beats"), std::string::npos) << judgement.reason;
+  EXPECT_TRUE(says(judgement, "trial.released")) << base::describe(judgement.reasons);
+  EXPECT_TRUE(says(judgement, "trial.lost_beats")) << base::describe(judgement.reasons);
   int released = 0;
   for (const auto& sample : samples()) {
     released += (sample.marks & haptics::engine::TickSample::Released) != 0 ? 1 : 0;
@@ -108,7 +116,7 @@ TEST_F(TrialTest, CountsWhatItsTraceShows) {
   EXPECT_GT(record.saturated, 0.0);
   EXPECT_NEAR(record.saturated, saturated, 1e-9);
   EXPECT_EQ(record.judgement().verdict, Verdict::Warn);
-  EXPECT_NE(record.judgement().reason.find("cut off"), std::string::npos);
+  EXPECT_TRUE(says(record.judgement(), "trial.cut_off"));
 }
 
 TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
@@ -122,7 +130,9 @@ TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
   const auto record = trial.finish(TrialEnding::DeviceGone);
   EXPECT_EQ(record.invalidTicks, 1);
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
-  EXPECT_NE(record.judgement().reason.find("aborted_hardware"), std::string::npos);
+  EXPECT_EQ(
+      record.judgement().reasons.front().arguments().front(),
+      base::Argument(std::string("aborted_hardware")));
 }
 
 TEST_F(TrialTest, EndsWithTheDevicesOwnWordsWhereItIsFaulty) {
@@ -180,7 +190,7 @@ Verdict judged(const std::function<void(TrialRecord&)>& change) {
   auto record = sound();
   change(record);
   const auto judgement = record.judgement();
-  EXPECT_EQ(judgement.reason.empty(), judgement.verdict == Verdict::Pass);
+  EXPECT_EQ(judgement.reasons.empty(), judgement.verdict == Verdict::Pass);
   return judgement.verdict;
 }
 
@@ -214,8 +224,8 @@ TEST(TrialJudgement, GivesEveryReasonAndTheWorstVerdict) {
   record.traceSamples = 9'998;
   const auto judgement = record.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::Fail);
-  EXPECT_NE(judgement.reason.find("940 of 1000 Hz"), std::string::npos);
-  EXPECT_NE(judgement.reason.find("2 samples were lost"), std::string::npos);
+  EXPECT_TRUE(says(judgement, "trial.rate"));
+  EXPECT_TRUE(says(judgement, "trial.samples_lost"));
 }
 
 }  // namespace trial_test

@@ -132,7 +132,7 @@ TEST_F(ProtocolWindowTest, SaysThatAFileIsGone) {
   std::filesystem::remove(file.toStdString());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window.checked().loaded.has_value(); }));
   ASSERT_EQ(window.checked().problems.size(), 1U);
-  EXPECT_NE(window.checked().problems[0].what.find("mine.json"), std::string::npos);
+  EXPECT_NE(base::describe(window.checked().problems[0].what).find("mine.json"), std::string::npos);
 }
 
 }  // namespace protocol_window_test

@@ -32,7 +32,7 @@ class StudyDialogsTest : public testing::Test {
     const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
     SimulatedClock clock;
     auto study = Study::create(*made_ / "study", protocol, clock, 7);
-    simulateCohorts(study, clock, 8, 7, [](const std::string&) {});
+    simulateCohorts(study, clock, 8, 7, [](const auto&) {});
   }
   static void TearDownTestSuite() { delete made_; }
 

@@ -1,0 +1,68 @@
+#include "base/message.h"
+
+#include <cstdlib>
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+namespace base {
+namespace {
+
+bool isPseudoLanguage() {
+  static const bool isOn = std::getenv("PALPATE_PSEUDO_LANGUAGE") != nullptr;
+  return isOn;
+}
+
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+std::string pseudo(std::string_view pattern) {
+  std::string text(pattern);
+  // SplitMix64's step: the same pattern is the same text all the time.
+  std::uint64_t state = 0x9e3779b97f4a7c15U * (pattern.size() + 1);
+  int depth = 0;
+  for (char& c : text) {
+    if (c == '{') ++depth;
+    if (c == '}') --depth;
+    if (depth > 0 || !isLetter(c)) continue;
+    state = (state ^ static_cast<unsigned char>(c)) * 0xbf58476d1ce4e5b9U;
+    c = static_cast<char>((c >= 'a' ? 'a' : 'A') + static_cast<char>((state >> 32U) % 26));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string shown(std::string_view pattern) {
+  return isPseudoLanguage() ? pseudo(pattern) : std::string(pattern);
+}
+
+std::string filled(std::string_view pattern, const std::vector<Argument>& arguments) {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const auto& argument : arguments) {
+    std::visit([&](const auto& value) { store.push_back(value); }, argument);
+  }
+  return fmt::vformat(shown(pattern), store);
+}
+
+std::string filled(std::string_view pattern, const NamedArguments& arguments) {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const auto& [name, argument] : arguments) {
+    std::visit(
+        [&](const auto& value) { store.push_back(fmt::arg(name.c_str(), value)); }, argument);
+  }
+  return fmt::vformat(shown(pattern), store);
+}
+
+std::string describe(const Message& message) {
+  return message.empty() ? std::string() : filled(message.english(), message.arguments());
+}
+
+std::string describe(const std::vector<Message>& messages) {
+  std::string text;
+  for (const auto& message : messages) text += (text.empty() ? "" : "; ") + describe(message);
+  return text;
+}
+
+}  // namespace base

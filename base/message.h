@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace base {
+
+/// One kind of message. A room lists its kinds in one table; key and English stand there only.
+struct MessageKind {
+  std::string_view key;      ///< stable: catalogues, tests and stored messages name it
+  std::string_view english;  ///< with {} (or {:.2f}) for each argument, as fmt::format reads it
+};
+
+using Argument = std::variant<std::int64_t, double, std::string>;
+
+template <typename T>
+Argument asArgument(T&& value) {
+  using Plain = std::remove_cvref_t<T>;
+  static_assert(!std::same_as<Plain, bool>, "say it with two kinds of message");
+  if constexpr (std::same_as<Plain, Argument>) {
+    return std::forward<T>(value);
+  } else if constexpr (std::integral<Plain>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::floating_point<Plain>) {
+    return static_cast<double>(value);
+  } else {
+    return std::string(std::forward<T>(value));
+  }
+}
+
+/// A fact that is told to people: why a number is missing, what a file's author should know, what
+/// was wrong with a trial. Code compares and stores kind and arguments; words are made where they
+/// are shown, by describe() or in another language by study::words::Words.
+class Message {
+ public:
+  /// Nothing.
+  Message() = default;
+
+  Message(const MessageKind& kind, std::vector<Argument> arguments)
+      : kind_(&kind), arguments_(std::move(arguments)) {}
+
+  /// Words from elsewhere, shown as they are in every language: what an operating system says, a
+  /// title in a researcher's file, an error in such a file (these are in English only).
+  static Message verbatim(std::string words) {
+    Message message;
+    if (!words.empty()) message.arguments_.emplace_back(std::move(words));
+    return message;
+  }
+
+  bool empty() const noexcept { return kind_ == nullptr && arguments_.empty(); }
+
+  /// Empty for nothing and for words from elsewhere.
+  std::string_view key() const noexcept { return kind_ == nullptr ? "" : kind_->key; }
+  /// "{}" for words from elsewhere.
+  std::string_view english() const noexcept { return kind_ != nullptr ? kind_->english : "{}"; }
+  const std::vector<Argument>& arguments() const noexcept { return arguments_; }
+
+  friend bool operator==(const Message& a, const Message& b) {
+    return a.key() == b.key() && a.arguments_ == b.arguments_;
+  }
+
+ private:
+  const MessageKind* kind_ = nullptr;
+  std::vector<Argument> arguments_;
+};
+
+/// The message in English; empty for nothing.
+std::string describe(const Message& message);
+
+/// Several messages in English, between semicolons.
+std::string describe(const std::vector<Message>& messages);
+
+/// A pattern, in any language, with its arguments put in. In the pseudo-language its letters are
+/// others (see shown()).
+std::string filled(std::string_view pattern, const std::vector<Argument>& arguments);
+
+/// The same with arguments that have names: "{item} = {value}".
+using NamedArguments = std::vector<std::pair<std::string, Argument>>;
+std::string filled(std::string_view pattern, const NamedArguments& arguments);
+
+/// A pattern as it is shown: itself; or, where the environment has PALPATE_PSEUDO_LANGUAGE, with
+/// every letter outside {} replaced by another one, drawn from the pattern. Tests run programs so:
+/// code that reads a sentence as data fails then.
+std::string shown(std::string_view pattern);
+
+constexpr std::size_t placesIn(std::string_view pattern) {
+  std::size_t places = 0;
+  for (const char c : pattern) places += c == '{' ? 1 : 0;
+  return places;
+}
+
+/// A key of the table @p kKinds for a message with @p kArguments arguments. A key that is not
+/// there, and a wrong number of arguments, do not compile.
+template <const auto& kKinds, std::size_t kArguments>
+class KeyIn {
+ public:
+  consteval KeyIn(const char* key) {  // NOLINT(google-explicit-constructor)
+    while (index_ < kKinds.size() && kKinds[index_].key != key) ++index_;
+    if (index_ == kKinds.size()) throw "there is no message of this key";
+    if (placesIn(kKinds[index_].english) != kArguments) throw "wrong number of arguments";
+  }
+
+  const MessageKind& kind() const noexcept { return kKinds[index_]; }
+
+ private:
+  std::size_t index_ = 0;
+};
+
+/// A message of the table @p kKinds.
+template <const auto& kKinds, typename... Arguments>
+Message messageOf(KeyIn<kKinds, sizeof...(Arguments)> key, Arguments&&... arguments) {
+  std::vector<Argument> values;
+  values.reserve(sizeof...(Arguments));
+  (values.push_back(asArgument(std::forward<Arguments>(arguments))), ...);
+  return {key.kind(), std::move(values)};
+}
+
+}  // namespace base

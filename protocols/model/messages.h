@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "base/message.h"
+
+namespace protocols {
+
+/// What a protocol's author is warned of, and what to do about it ("key" and "key.fix"); and where
+/// that comes from which is felt or seen ("source.…").
+inline constexpr auto kMessages = std::to_array<base::MessageKind>({
+    {"no_normals",
+     "it has no normals; they are taken from its triangles, and edges of more than 40° stay edges"},
+    {"no_normals.fix", "save it with normals where it should look otherwise"},
+    {"normals_without_direction",
+     "{} of its normals have no direction; they are taken from its triangles"},
+    {"normals_without_direction.fix", "save it with normals of length 1, or without any"},
+    {"device_not_used", "no condition uses '{}'"},
+    {"device_not_used.fix", "it will not be opened; remove it"},
+    {"condition_not_used", "no block uses '{}'"},
+    {"condition_not_used.fix", "nobody will feel it; remove it"},
+    {"no_text", "there is no text in '{}'"},
+    {"no_text.fix", "English will be shown instead; add \"{}\": \"…\""},
+    {"blank_left_in", "still to be filled in ('{}'): {}"},
+    {"blank_left_in.fix", "write what holds there"},
+    {"no_texts_in", "'{}' has no texts in '{}'"},
+    {"no_texts_in.fix",
+     "English will be shown instead; 'palpate instrument wording {} --language {}' writes a file "
+     "for them"},
+    {"asked_once", "'{}' is asked once, and its result is the change from before to after"},
+    {"asked_once.fix", "ask it in a phase before and in a phase after what is felt"},
+    {"template.fix",
+     "copy it beside the protocol, give it an id of its own, write what holds there in every "
+     "language, and list it in 'instrument_files'"},
+    {"instrument_not_asked", "nothing asks '{}'"},
+    {"instrument_not_asked.fix", "name it in a phase, or remove the file"},
+    {"hides_library_instrument",
+     "'{}' takes the place of the instrument of this name in the library"},
+    {"hides_library_instrument.fix",
+     "give it an id of its own, so that nobody takes one for the other"},
+    {"no_previous",
+     "item '{}' compares with the previous, and '{}' can come first in this block, where there is "
+     "none"},
+    {"no_previous.fix",
+     "use an order in which it cannot, or a statement that compares with nothing"},
+    {"same_order", "everybody feels this block in the same order"},
+    {"same_order.fix",
+     "what comes first or last may be preferred for that alone; 'balancedLatinSquare' avoids it"},
+    {"not_balanced", "{} participants of '{}' do not balance this design"},
+    {"not_balanced.fix", "plan a multiple of {}"},
+    {"no_family", "no family of comparisons is declared"},
+    {"no_family.fix", "what is compared only after a look at the data is exploratory"},
+    {"unlike_statements", "conditions answer different statements in '{}'"},
+    {"unlike_statements.fix",
+     "a difference may be one of wording; the item ids also tell an analyst which is which"},
+    {"cut_not_felt",
+     "with this noise the recorded cut weighs next to nothing; the finite elements alone are felt"},
+    {"elements_not_felt",
+     "with this noise the finite elements weigh next to nothing; the recorded cut alone is felt"},
+    {"one_force_felt.fix",
+     "bring noise.finite_elements and noise.interpolation closer together, or take another "
+     "variant; 'palpate scene play' draws what is felt"},
+    {"opening_gives_more",
+     "the opening branch lies up to {} N above the closing one (at travel {}), so that opening "
+     "gives back more than closing took"},
+    {"opening_gives_more.fix", "choose another closure of the recording, or take closing-only"},
+    {"other_knee",
+     "'{}' shows another knee than '{}', so that they can be told apart by what is seen"},
+    {"other_knee.fix", "give all conditions of a block the same 'anatomy'"},
+    {"knee_never_seen", "it is never seen"},
+    {"knee_never_seen.fix", "set 'visualisation' to true, in the scene or in a block"},
+    {"source.parametric_cut", "A cut of our own making, built from landmarks"},
+    {"source.parametric", "parametric; not a recording"},
+    {"source.parametric_bone", "A cup of our own making"},
+    {"source.parametric_material",
+     "A bone of our own making, with the properties that the reaming paper prints"},
+    {"source.knee", "The knee that is seen"},
+    {"source.tibia", "tibia"},
+    {"source.femur", "femur"},
+    {"source.capsule", "capsule"},
+    {"source.recorded_in", "recorded in '{}'"},
+    {"source.test_set", "test set {}"},
+    {"source.spheres_in", "spheres in '{}'"},
+    {"source.fitted_to", "fitted to '{}'"},
+});
+
+/// One of them, with its arguments.
+template <typename... Arguments>
+base::Message message(base::KeyIn<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
+  return base::messageOf<kMessages>(key, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace protocols

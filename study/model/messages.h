@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "base/message.h"
+
+namespace study {
+
+/// What was wrong with a trial ("trial.…"), and with files of a study. The messages of trials are
+/// stored by key and arguments, so that both stay as they are.
+inline constexpr auto kMessages = std::to_array<base::MessageKind>({
+    {"trial.broke_off", "the trial broke off ({})"},
+    {"trial.broke_off.fault", "the trial broke off ({}: {})"},
+    {"trial.samples_kept", "{} of {} samples were kept"},
+    {"trial.samples_lost", "{} samples were lost"},
+    {"trial.samples_lost.one", "{} sample was lost"},
+    {"trial.device_silent", "the device was silent for {} ticks"},
+    {"trial.device_silent.one", "the device was silent for {} tick"},
+    {"trial.wire_faults",
+     "on the device's wire {} were lost, {} doubled, {} late, {} damaged, {} foreign"},
+    {"trial.clipped", "the device gave less than it was asked for in {} ticks"},
+    {"trial.clipped.one", "the device gave less than it was asked for in {} tick"},
+    {"trial.rate", "{:.0f} of {:.0f} Hz were reached"},
+    {"trial.late", "{} of {} ticks were late"},
+    {"trial.late.machine",
+     "{} of {} ticks were late, {} of them because the machine itself stood still"},
+    {"trial.cut_off", "the force was cut off for {:.2f} s of {:.2f} s"},
+    {"trial.no_force", "the scene had no force for {:.3f} s"},
+    {"trial.damping",
+     "passivity (b > KT/2) needs {:.3g} N·s/{} of damping, the device has {:.3g}, the rest is the "
+     "hand's"},
+    {"trial.too_fast", "the tool was too fast, and the force faded ({}×, {:.3f} s)"},
+    {"trial.released", "the dead-man switch was released ({}×, {:.3f} s)"},
+    {"trial.lost_beats", "the loop lost beats, and the force faded ({}×, {:.3f} s)"},
+    {"trial.not_finite", "the scene asked for a force that is no number ({}×, {:.3f} s)"},
+    {"trial.active",
+     "the scene gave more energy than it was given: it may have vibrated ({}×, {:.3f} s)"},
+    {"trial.soft_start",
+     "the force never came on: the scene asked for too much all along ({}×, {:.3f} s)"},
+    {"traces.damaged", "{} is damaged: second {} of a trial is not what was recorded."},
+    {"traces.unreadable", "the traces cannot be read; 'palpate study verify' says more"},
+});
+
+/// One of them, with its arguments.
+template <typename... Arguments>
+base::Message message(base::KeyIn<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
+  return base::messageOf<kMessages>(key, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace study
