@@ -72,9 +72,9 @@ words::Words withDevices(const words::Words& words, const protocols::Protocol& p
       if (sentence.language != words.language()) continue;
       const std::string english(sentence.english);
       if (protocol.onlyDeviceKind() != nullptr) {
-        catalogue.insert_or_assign(english, sentence.text);
+        catalogue.texts.insert_or_assign(english, sentence.text);
       } else if (words.language() != "en") {
-        catalogue.emplace(english, sentence.text);
+        catalogue.texts.emplace(english, sentence.text);
       }
     }
   }

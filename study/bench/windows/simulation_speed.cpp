@@ -31,6 +31,7 @@ constexpr QSize kPictureSize(1280, 800);
 /// A simulation and the hand that works in it.
 struct Subject {
   std::string name;
+  std::string picture;  ///< what the files of its pictures are called
   const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
@@ -40,7 +41,8 @@ struct Subject {
 };
 
 Subject kneeSubject(const SimulationOptions& options) {
-  Subject subject{.name = "punch and knee", .device = &haptics::devices::punchKind()};
+  Subject subject{
+      .name = "punch and knee", .picture = "knee", .device = &haptics::devices::punchKind()};
   subject.spec = {.model = haptics::engine::FiniteElementsSpec{}, .isVisualised = true};
   subject.limits = {.maxForce = 8.0, .maxRate = 3000.0};
   QElapsedTimer clock;
@@ -60,7 +62,8 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
 }
 
 Subject hipSubject(const SimulationOptions& options) {
-  Subject subject{.name = "reamer and cup", .device = &haptics::devices::reamerKind()};
+  Subject subject{
+      .name = "reamer and cup", .picture = "hip", .device = &haptics::devices::reamerKind()};
   subject.spec.model = haptics::engine::PackingSpec{
       .bone = cupOf(options.spheres), .hardness = 0.5, .forceScale = 0.15};
   subject.spec.isVisualised = true;
@@ -112,6 +115,7 @@ double bytesOfAllSpheres(const haptics::engine::SceneSpec& spec) {
 
 SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   std::fprintf(stderr, "%s\n", subject.name.c_str());
+  const auto picture = QString::fromStdString(subject.picture);
   SimulatedHand hand(subject.person);
   SimulatedDevice device(*subject.device, hand);
   SimulationSpeed measured{.name = subject.name, .making = subject.making};
@@ -133,8 +137,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   for (int i = 0; i < kPictures; ++i) {
     wait(options.seconds / kPictures);
     measured.view = view.report();
-    const auto what = isPunch ? QStringLiteral("knee") : QStringLiteral("hip");
-    savePicture(view, options.folder, QStringLiteral("%1-%2.png").arg(what).arg(i + 1));
+    savePicture(view, options.folder, QStringLiteral("%1-%2.png").arg(picture).arg(i + 1));
   }
   measured.bytesPerFrame = static_cast<double>(view.renderer().sphereBytes() - bytesBefore) /
                            static_cast<double>(std::max<std::int64_t>(1, measured.view.frames));
