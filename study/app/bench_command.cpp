@@ -7,9 +7,7 @@ namespace study::app {
 
 void addBenchCommand(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
-      "bench",
-      "Measure how exact, stable, fast and punctual Palpate is on this computer: hands over to "
-      "palpate-bench, and 'palpate bench --help' lists what it measures");
+      "bench", "Measure errors, stability, speed and punctuality: starts palpate-bench");
   noun->prefix_command();  // all that follows is the other program's
   noun->set_help_flag();   // also --help
   noun->callback([&action, noun] {

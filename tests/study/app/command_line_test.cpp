@@ -76,7 +76,11 @@ void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
   const auto finished = palpate(call);
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.error, "");
-  expectHelpful(finished.out, inWords(path));
+  // 'palpate bench' starts a program of its own, which says its own name.
+  const bool isBench = !path.empty() && path[0] == "bench";
+  auto command = inWords(path);
+  if (isBench) command.replace(0, std::string("palpate bench").size(), "palpate-bench");
+  expectHelpful(finished.out, command);
   const auto verbs = subcommandsIn(finished.out);
   if (verbs.empty()) ++leaves;
   for (const auto& verb : verbs) {

@@ -217,11 +217,7 @@ study::InstrumentSummary instrumentSummary() {
 /// Two curves that are 3 N apart on the whole, and 1 N, 2 N and 4.5 N for three participants.
 std::vector<study::FeltCurve> feltCurves() {
   const auto curve = [](const char* condition, double force, const std::vector<double>& own) {
-    study::FeltCurve made{
-        .condition = condition,
-        .device = "punch",
-        .trials = 4,
-        .points = {}};
+    study::FeltCurve made{.condition = condition, .device = "punch", .trials = 4, .points = {}};
     for (const double travel : {1.0, 2.0}) {
       made.points.push_back({travel, force - 0.5, force, force + 0.5});
     }

@@ -75,11 +75,7 @@ CohortResult cohort(
 }
 
 study::FeltCurve curve(const std::string& condition, double force) {
-  study::FeltCurve curve{
-      .condition = condition,
-      .device = "punch",
-      .trials = 4,
-      .points = {}};
+  study::FeltCurve curve{.condition = condition, .device = "punch", .trials = 4, .points = {}};
   for (int i = 0; i < 20; ++i) {
     curve.points.push_back({0.5 * i, force - 0.2, force, force + 0.2});
   }
