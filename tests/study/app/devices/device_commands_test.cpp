@@ -23,11 +23,12 @@ namespace device_commands_test {
 using tests::EmulatedLaboratory;
 using tests::Emulator;
 
-/// The number behind a word in a text: "lost 2, …".
-std::uint64_t numberAfter(const std::string& text, const std::string& word) {
-  const auto at = text.find(word + " ");
+/// A value of a stored event: {"lost":2,…}.
+std::uint64_t numberAfter(const std::string& text, const std::string& name) {
+  const auto key = '"' + name + "\":";
+  const auto at = text.find(key);
   if (at == std::string::npos) return 0;
-  return std::stoull(text.substr(at + word.size() + 1));
+  return std::stoull(text.substr(at + key.size()));
 }
 
 /// Over all trials on one device, which is told by what its round trip cannot be.
