@@ -68,7 +68,7 @@ struct DeviceKind {
     std::string_view unitName;  ///< behind a number: "travel units", "m"
     double least;               ///< [unit]
     double most;                ///< [unit]
-    double fastest;             ///< a tool that is faster is in nobody's hand [unit/s]
+    double fastest;             ///< faster than any hand moves the tool [unit/s]
     double playSpeed;           ///< of `scene play`, unless another is asked for [unit/s]
   } travel;
 
@@ -108,7 +108,7 @@ struct DeviceKind {
     Range damping;         ///< [N·s/unit]
     double ordinaryReach;  ///< of a pointer's hand, and of an emulator's [unit]
   } hand;
-  PointerHand::Grip grip;  ///< of somebody with a mouse
+  PointerHand::Grip grip;  ///< of a person with a mouse
 
   /// Of a device on a serial line.
   struct Serial {

@@ -13,10 +13,11 @@ namespace haptics::devices {
 
 /// A device at the other end of a wire that sets the pace of the loop: it sends, and is answered.
 ///
-/// One thread talks to the wire at a time. While nobody ticks that is a keeper of its own, which
-/// listens, answers without a force, and notices silence; from the first tick after arm() on it is
-/// the loop's. The connection is given up at the first fault, and only open() makes it again.
-/// A device that derives from this calls close() in its destructor: the keeper uses it.
+/// One thread talks to the wire at a time. Before the first tick after arm() that is a thread of
+/// the device, the keeper: it listens, answers without a force, and notices silence. From that tick
+/// on it is the thread of the loop. The connection is given up at the first fault, and only open()
+/// makes it again. A device that derives from this calls close() in its destructor: the keeper uses
+/// it.
 class WireDevice : public Device, private Beat {
  public:
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
@@ -76,7 +77,7 @@ class WireDevice : public Device, private Beat {
   Capabilities capabilities_;
   LinkReport report_;
   timing::ClockDrift drift_;
-  bool isNew_ = false;                     ///< a message has come that nobody has acted upon
+  bool isNew_ = false;                     ///< a message has come and is not used yet
   bool isUnanswered_ = false;              ///< and one that has not been answered
   std::int64_t deviceTime_ = 0;            ///< of the last message, in the device's own unit
   std::int64_t hostTime_ = 0;              ///< when that came [ns]

@@ -246,7 +246,7 @@ void measureInProcess(
     const AccuracyOptions& options,
     const std::vector<const Family*>& wanted,
     const AccuracyRun& run) {
-  // The shell takes the path from the environment, whatever characters it has.
+  // The path comes from the environment: the shell then needs no quoting of special characters.
   setenv("PALPATE_BENCH", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
   std::string call = "exec \"$PALPATE_BENCH\" accuracy --worker";
   if (options.isShort) call += " --short";

@@ -66,7 +66,7 @@ void present(const std::string& folder, const std::string& name, report::Documen
       fmt::print("\n{}\n{}", table.description, asPlainText(table));
     }
   }
-  std::fflush(stdout);  // what was measured is told, whatever comes of the files
+  std::fflush(stdout);  // the table is printed even if a file cannot be written
   if (folder.empty()) {
     fmt::print("\nNothing was written. Add --out FOLDER for tables, figures and a page.\n");
     return;

@@ -25,7 +25,7 @@ const DeviceKind& reamerKind() {
       .tissue = Tissue::Bone,
       .view = View::Cup,
       .wire = Wire::Fri,
-      // Nobody reams faster than 0.1 m/s.
+      // Reaming by hand stays below 0.1 m/s.
       .travel =
           {.unit = "m",
            .unitName = "m",
