@@ -1,0 +1,91 @@
+// What a punch does when its line is unplugged, its board falls silent, or its hardware fails.
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "tests/haptics/devices/punch/emulated_punch.h"
+
+namespace haptics::devices {
+namespace punch_faults_test {
+
+using namespace emulated_punch;
+
+class PunchFaultsTest : public EmulatedPunch {};
+
+TEST_F(PunchFaultsTest, LetsGoWithinFiftyMillisecondsWhenItIsUnplugged) {
+  connect(atRest());
+  std::optional<double> after;
+  for (int i = 0; i < 3 && !(after && *after < 50.0); ++i) {
+    ASSERT_TRUE(push(4.0));
+    board_->order("unplug");
+    ASSERT_TRUE(exchangeUntil(
+        4.0, [&](const DeviceSample& sample) { return sample.status == DeviceStatus::Gone; }));
+    EXPECT_EQ(device_->lifecycle(), Lifecycle::Faulted);
+    ASSERT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
+    after = board_->ask([](const auto& e) { return e.letGoAfter(); });
+    EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), device_->fault()));
+    EXPECT_TRUE(says(whyNot([&] { device_->open(); }), "no serial port"));
+    board_->order("plug");
+  }
+  ASSERT_TRUE(after);
+  EXPECT_LT(*after, 50.0);
+}
+
+TEST_F(PunchFaultsTest, IsConnectedAnewAfterItWasUnplugged) {
+  connect(atRest());
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_TRUE(endsBy("unplug", "unplugged"));
+    device_->disarm();
+    board_->order("plug");
+  }
+  EXPECT_TRUE(push(4.0));
+  EXPECT_EQ(device_->fault(), "");
+}
+
+TEST_F(PunchFaultsTest, NoticesAPlugThatIsPulledWhileNobodyTicks) {
+  connect(atRest());
+  device_->open();
+  board_->order("unplug");
+  EXPECT_TRUE(waitUntil([&] { return isFaulted(); }));
+  EXPECT_NE(device_->fault(), "");
+}
+
+TEST_F(PunchFaultsTest, GivesUpABoardThatFallsSilent) {
+  connect(atRest());
+  ASSERT_TRUE(push(4.0));
+  const std::int64_t muted = timing::now();
+  board_->order("mute 200");
+  EXPECT_TRUE(exchangeUntil(4.0, [&](const DeviceSample&) { return isFaulted(); }));
+  EXPECT_GT(timing::now() - muted, 45 * kMillisecond);
+  EXPECT_TRUE(says(device_->fault(), "has sent nothing for 50 ms"));
+  EXPECT_EQ(exchange(4.0).status, DeviceStatus::Gone);
+  EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
+  EXPECT_FALSE(board_->isArmed());
+}
+
+TEST_F(PunchFaultsTest, GivesUpABoardThatHasBeenReset) {
+  connect(atRest());
+  EXPECT_TRUE(endsBy("reset", "has sent nothing for 50 ms"));
+  EXPECT_EQ(board_->force(), 0.0);
+  EXPECT_TRUE(push(4.0));  // after open() it is as good as new
+}
+
+TEST_F(PunchFaultsTest, GivesUpABoardThatHangsAndItsWatchdogLetsGo) {
+  connect(atRest());
+  EXPECT_TRUE(endsBy("stall 300", "has sent nothing for 50 ms"));
+  EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
+  EXPECT_TRUE(waitUntil([&] { return whyNot([&] { device_->open(); }).empty(); }));
+}
+
+TEST_F(PunchFaultsTest, SaysWhatTheBoardFoundBroken) {
+  connect(atRest());
+  EXPECT_TRUE(endsBy("leap 5000", "its encoder jumps"));
+  board_->order("mend");
+  EXPECT_TRUE(endsBy("driver-fault", "the motor's driver reports a fault"));
+  EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
+  board_->order("mend");
+  EXPECT_TRUE(push(4.0));
+}
+
+}  // namespace punch_faults_test
+}  // namespace haptics::devices
