@@ -9,8 +9,7 @@
 #include "protocols/reading/draft.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"
-#include "protocols/validation/advice.h"
-#include "protocols/validation/rules.h"
+#include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

@@ -1,13 +1,105 @@
 #include "protocols/model/loaded_protocol.h"
 
 #include <algorithm>
+#include <set>
+
+#include "protocols/model/protocol.h"
+#include "questionnaires/reading/text_problems.h"
 
 namespace protocols {
+
+std::string originInWords(const FeltSource& source) {
+  std::string words;
+  for (const auto& part : source.origin) {
+    words += (words.empty() ? "" : ", ") + base::describe(part);
+  }
+  return words;
+}
+
+std::string inWords(const FeltSource& source) {
+  std::string words = source.isSynthetic ? "SYNTHETIC: " : "";
+  words += base::describe(source.title) + " (" + source.kind;
+  words += source.file.empty() ? ", built into the program)" : " '" + source.file + "')";
+  return source.origin.empty() ? words : words + ", " + originInWords(source);
+}
 
 const questionnaires::Instrument* LoadedProtocol::instrument(std::string_view id) const noexcept {
   const auto found = std::find_if(
       instruments.begin(), instruments.end(), [&](const auto& i) { return i.id == id; });
   return found == instruments.end() ? nullptr : &*found;
+}
+
+namespace {
+
+using questionnaires::Instrument;
+using questionnaires::LocalizedText;
+using questionnaires::Scale;
+using Texts = std::vector<const LocalizedText*>;
+
+void addTexts(Texts& texts, const Scale& scale) {
+  texts.push_back(&scale.lowLabel);
+  texts.push_back(&scale.highLabel);
+  for (const auto& label : scale.pointLabels) texts.push_back(&label);
+}
+
+Texts textsOf(const Instrument& instrument) {
+  Texts texts{&instrument.title, &instrument.introduction};
+  if (instrument.scale) addTexts(texts, *instrument.scale);
+  for (const auto& item : instrument.items) {
+    texts.insert(texts.end(), {&item.text, &item.leftText, &item.rightText});
+    addTexts(texts, item.scale);
+    for (const auto& option : item.options) texts.push_back(&option.text);
+  }
+  return texts;
+}
+
+std::string blanksIn(const Texts& texts, const std::string& language) {
+  std::string words;
+  std::set<std::string> seen;  // items repeat the scale that they share
+  for (const auto* text : texts) {
+    const std::string more = questionnaires::placeholdersOf(text->in(language));
+    if (!more.empty() && seen.insert(more).second) words += (words.empty() ? "" : ", ") + more;
+  }
+  return words;
+}
+
+/// Looks through one place in every language that can be chosen.
+void look(
+    std::vector<Blank>& blanks,
+    const std::string& where,
+    const Texts& texts,
+    const std::vector<std::string>& languages,
+    bool isInProtocol) {
+  Blank blank{.where = {}, .words = {}, .isInProtocol = isInProtocol};
+  std::string which;
+  for (const auto& language : languages) {
+    const auto words = blanksIn(texts, language);
+    if (words.empty()) continue;
+    which += (which.empty() ? "" : ", ") + language;
+    if (blank.words.empty()) blank.words = words;
+  }
+  if (blank.words.empty()) return;
+  blank.where = where + " (" + which + ")";
+  blanks.push_back(std::move(blank));
+}
+
+}  // namespace
+
+std::vector<Blank> blanksOf(const LoadedProtocol& loaded) {
+  std::vector<Blank> blanks;
+  const auto& protocol = loaded.protocol;
+  look(blanks, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages, true);
+  for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
+    const std::string where = "$.phases[" + std::to_string(i) + "].text";
+    look(blanks, where, {&protocol.phases[i].text}, protocol.languages, true);
+  }
+  std::set<std::string> seen;
+  for (const auto& use : instrumentUses(protocol)) {
+    if (!seen.insert(use.instrument).second) continue;
+    const auto& instrument = *loaded.instrument(use.instrument);
+    look(blanks, use.instrument, textsOf(instrument), protocol.languages, false);
+  }
+  return blanks;
 }
 
 }  // namespace protocols

@@ -6,11 +6,28 @@
 #include <string_view>
 #include <vector>
 
-#include "protocols/model/felt_source.h"
+#include "base/message.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/model/instrument.h"
 
 namespace protocols {
+
+/// What conditions are felt from, or seen as, that stands in no protocol: a cut, a material, a bone
+/// of spheres, a knee.
+struct FeltSource {
+  std::string kind;     ///< "cut", "material", "packing" or "anatomy"
+  std::string file;     ///< as the protocol calls it; empty where it is built into the program
+  base::Message title;  ///< for people
+  std::vector<base::Message> origin;    ///< empty where the file says nothing
+  bool isSynthetic = false;             ///< nobody recorded or measured it
+  std::vector<std::string> conditions;  ///< by id
+};
+
+/// Its origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
+std::string originInWords(const FeltSource& source);
+
+/// "Bone of specimen 7 (material 'bone.json'), test set dynamic-1", and its mark.
+std::string inWords(const FeltSource& source);
 
 /// A file that a protocol consists of, as it was read: what a study keeps.
 struct SourceFile {
@@ -32,5 +49,17 @@ struct LoadedProtocol {
 
 /// Finds the text of a file that a protocol names; nothing where there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// What the author of a text left for a laboratory to fill in, and nobody has: a participant would
+/// read the brackets.
+struct Blank {
+  std::string where;          ///< the instrument, or the place in the protocol; and its languages
+  std::string words;          ///< "[[number]], [[institution]]", of the first of them
+  bool isInProtocol = false;  ///< and not in an instrument
+};
+
+/// Those in whatever a participant may come to read, in any language of the protocol, since they
+/// can change it: the protocol's own texts, and all texts of the instruments that it uses.
+std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
 
 }  // namespace protocols

@@ -238,4 +238,14 @@ struct Protocol {
   const Cohort* cohort(std::string_view id) const noexcept;
 };
 
+/// A place where a protocol names an instrument.
+struct InstrumentUse {
+  std::string instrument;
+  std::string path;  ///< of the name: "$.phases[1].instrument"
+  PhaseType phase = PhaseType::Information;
+};
+
+/// All of them, in the order of the session.
+std::vector<InstrumentUse> instrumentUses(const Protocol& protocol);
+
 }  // namespace protocols

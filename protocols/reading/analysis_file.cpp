@@ -1,6 +1,6 @@
-#include "protocols/reading/analysis_file.h"
-
 #include <array>
+
+#include "protocols/reading/protocol_file.h"
 
 namespace protocols {
 namespace {

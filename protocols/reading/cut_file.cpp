@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "protocols/reading/provenance_file.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

@@ -7,6 +7,7 @@
 
 #include "haptics/models/interpolation.h"
 #include "haptics/recordings/cut.h"
+#include "questionnaires/json/document.h"
 #include "questionnaires/json/problem.h"
 
 namespace protocols {
@@ -23,5 +24,10 @@ std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha2
 /// A curve as the force engine wants it.
 std::vector<haptics::models::CurveNode<double>> nodesOf(
     const haptics::recordings::ForceCurve& curve);
+
+/// Reads from a whole cut file where the cut comes from (docs/protocol-format.md, "Cut files");
+/// everything that is wrong with it goes into @p problems.
+haptics::recordings::Provenance readProvenance(
+    const questionnaires::Value& cut, questionnaires::Problems& problems);
 
 }  // namespace protocols

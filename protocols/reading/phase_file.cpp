@@ -1,10 +1,7 @@
-#include "protocols/reading/phase_file.h"
-
 #include <array>
 
-#include "protocols/orders/order.h"
-#include "protocols/reading/choice_file.h"
-#include "protocols/reading/localized_file.h"
+#include "protocols/orders/schedule.h"
+#include "protocols/reading/protocol_file.h"
 
 namespace protocols {
 namespace {

@@ -4,16 +4,24 @@
 #include <array>
 #include <map>
 #include <set>
+#include <string>
 
 #include "haptics/registry/device_kinds.h"
-#include "protocols/reading/analysis_file.h"
-#include "protocols/reading/localized_file.h"
-#include "protocols/reading/phase_file.h"
-#include "protocols/reading/scene_file.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/text_reader.h"
 
 namespace protocols {
+
+questionnaires::LocalizedText readLocalized(
+    const questionnaires::Node& node, std::string_view key) {
+  const questionnaires::TextReader reader({"en"});
+  auto text = reader.required(node, key);
+  if (!text.has("en")) {
+    node.problem(key, "the English text is missing", "add \"en\": every text falls back to it");
+  }
+  return text;
+}
+
 namespace {
 
 using haptics::devices::DeviceKind;

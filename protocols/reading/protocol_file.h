@@ -1,12 +1,48 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 
 #include "protocols/model/protocol.h"
+#include "questionnaires/json/document.h"
 #include "questionnaires/json/problem.h"
+#include "questionnaires/model/localized_text.h"
 
 namespace protocols {
+
+/// A text that people see, in English at least: "…" or {"en": "…", "de": "…"}. Missing or wrong is
+/// a problem.
+questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
+
+/// What the word behind @p key stands for; nothing, and a problem, where it is none of @p choices:
+/// for words that decide what else is read.
+template <typename Choices>
+auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
+  const auto value = node.choice(key, choices);
+  const auto written = node.member(key);
+  const bool isKnown = written && written->isText() &&
+                       std::any_of(choices.begin(), choices.end(), [&](const auto& choice) {
+                         return choice.name == written->asText();
+                       });
+  return isKnown ? std::optional(value) : std::nullopt;
+}
+
+/// Reads one phase (docs/protocol-format.md, "Phases"); problems go where the node's go. One whose
+/// type is not understood has no id.
+Phase readPhase(const questionnaires::Node& node);
+
+/// Reads the model and its parameters of a condition (docs/protocol-format.md, "Scenes") into
+/// @p condition; problems go where the node's go.
+void readScene(const questionnaires::Node& scene, Condition& condition);
+
+/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems go where the
+/// node's go.
+AnalysisPlan readAnalysis(const questionnaires::Node& node);
+
+/// Reads what a simulated cohort feels ("Trying it out").
+SimulationTruth readSimulation(const questionnaires::Node& node);
 
 /// A protocol as JSON says it (docs/protocol-format.md), and everything that is wrong with the way
 /// it is written; nothing where there are errors. What it refers to is not looked at: see

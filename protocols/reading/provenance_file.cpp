@@ -1,9 +1,9 @@
-#include "protocols/reading/provenance_file.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "protocols/reading/cut_file.h"
 
 namespace protocols {
 namespace {

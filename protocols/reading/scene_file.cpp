@@ -1,12 +1,10 @@
-#include "protocols/reading/scene_file.h"
-
 #include <array>
 #include <type_traits>
 #include <variant>
 
 #include "haptics/engine/model_names.h"
 #include "haptics/engine/parametric_material.h"
-#include "protocols/reading/choice_file.h"
+#include "protocols/reading/protocol_file.h"
 
 namespace protocols {
 namespace {

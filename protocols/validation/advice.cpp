@@ -1,14 +1,11 @@
-#include "protocols/validation/advice.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "protocols/model/instrument_use.h"
 #include "protocols/model/messages.h"
-#include "protocols/validation/block_advice.h"
-#include "protocols/validation/scene_advice.h"
+#include "protocols/model/protocol.h"
+#include "protocols/validation/validation.h"
 #include "questionnaires/model/library.h"
 #include "questionnaires/reading/text_problems.h"
 

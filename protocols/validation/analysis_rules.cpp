@@ -1,9 +1,8 @@
-#include "protocols/validation/analysis_rules.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

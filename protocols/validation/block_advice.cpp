@@ -1,11 +1,10 @@
-#include "protocols/validation/block_advice.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
 #include "protocols/model/messages.h"
-#include "protocols/orders/order.h"
+#include "protocols/orders/schedule.h"
+#include "protocols/validation/validation.h"
 
 namespace protocols {
 namespace {

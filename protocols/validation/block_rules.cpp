@@ -1,10 +1,9 @@
-#include "protocols/validation/block_rules.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "protocols/orders/order.h"
+#include "protocols/orders/schedule.h"
+#include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

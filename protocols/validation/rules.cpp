@@ -1,12 +1,9 @@
-#include "protocols/validation/rules.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
-#include "protocols/model/instrument_use.h"
-#include "protocols/validation/analysis_rules.h"
-#include "protocols/validation/block_rules.h"
+#include "protocols/model/protocol.h"
+#include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/library.h"
 

@@ -1,11 +1,10 @@
-#include "protocols/validation/scene_advice.h"
-
 #include <algorithm>
 #include <string>
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/models/interpolation.h"
 #include "protocols/model/messages.h"
+#include "protocols/validation/validation.h"
 
 namespace protocols {
 namespace {

@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "haptics/devices/device_error.h"
-#include "protocols/model/blanks.h"
+#include "protocols/model/loaded_protocol.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_rig.h"
 #include "study/trial/live_trial.h"

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "analysis/planning/power.h"
-#include "protocols/orders/order.h"
 #include "protocols/orders/schedule.h"
 #include "study/results/apa_text.h"
 

@@ -1,6 +1,6 @@
 #include "study/gui/operator/enrolment_check.h"
 
-#include "protocols/model/blanks.h"
+#include "protocols/model/loaded_protocol.h"
 
 namespace study::gui {
 

@@ -1,8 +1,7 @@
 // What a laboratory has still to fill in before somebody takes part.
-#include "protocols/model/blanks.h"
-
 #include <gtest/gtest.h>
 
+#include "protocols/model/loaded_protocol.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

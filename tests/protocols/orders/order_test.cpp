@@ -1,6 +1,4 @@
 // What a design promises, counted; and what was drawn once is drawn for ever.
-#include "protocols/orders/order.h"
-
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/orders/random_stream.h"
+#include "protocols/orders/schedule.h"
 
 namespace protocols {
 namespace order_test {

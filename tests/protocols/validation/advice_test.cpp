@@ -1,11 +1,10 @@
 // What is merely unwise about a protocol is said, once, and leaves it usable.
-#include "protocols/validation/advice.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "protocols/validation/validation.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

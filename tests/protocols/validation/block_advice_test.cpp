@@ -1,12 +1,11 @@
 // Orders, numbers of participants and statements that may mislead an analyst.
-#include "protocols/validation/block_advice.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "protocols/model/messages.h"
+#include "protocols/validation/validation.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

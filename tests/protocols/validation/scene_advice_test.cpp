@@ -1,12 +1,11 @@
 // A filter that listens to one of its forces only is no fusion; its researcher should know.
-#include "protocols/validation/scene_advice.h"
-
 #include <gtest/gtest.h>
 
 #include "haptics/engine/kalman_weight.h"
 #include "haptics/recordings/parametric_cut.h"
 #include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"
+#include "protocols/validation/validation.h"
 
 namespace protocols {
 namespace scene_advice_test {
