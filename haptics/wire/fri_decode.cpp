@@ -388,4 +388,3 @@ Refusal decode(
 }
 
 }  // namespace haptics::wire::fri
-

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "protocols/model/protocol.h"
-#include "questionnaires/reading/text_problems.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace protocols {
 

@@ -10,7 +10,7 @@
 
 #include "haptics/devices/device_kind.h"
 #include "haptics/engine/scene_spec.h"
-#include "questionnaires/model/localized_text.h"
+#include "questionnaires/model/instrument.h"
 
 namespace protocols {
 

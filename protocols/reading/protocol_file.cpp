@@ -8,7 +8,7 @@
 
 #include "haptics/registry/device_kinds.h"
 #include "questionnaires/json/document.h"
-#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/instrument_reader.h"
 
 namespace protocols {
 

@@ -8,7 +8,7 @@
 #include "protocols/model/protocol.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/json/problem.h"
-#include "questionnaires/model/localized_text.h"
+#include "questionnaires/model/instrument.h"
 
 namespace protocols {
 

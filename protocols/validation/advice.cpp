@@ -7,7 +7,7 @@
 #include "protocols/model/protocol.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/model/library.h"
-#include "questionnaires/reading/text_problems.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace protocols {
 namespace {

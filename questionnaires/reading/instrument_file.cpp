@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/reading/item_reader.h"
-#include "questionnaires/reading/score_reader.h"
-#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/instrument_reader.h"
 
 namespace questionnaires {
 namespace {

@@ -1,11 +1,10 @@
+#include "questionnaires/reading/instrument_problems.h"
+
 #include <algorithm>
 #include <set>
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
-#include "questionnaires/reading/item_problems.h"
-#include "questionnaires/reading/score_problems.h"
-#include "questionnaires/reading/text_problems.h"
 
 namespace questionnaires {
 namespace {

@@ -1,12 +1,10 @@
-#include "questionnaires/reading/item_problems.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
-#include "questionnaires/reading/warnings.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
 namespace {

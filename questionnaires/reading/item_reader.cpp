@@ -1,5 +1,3 @@
-#include "questionnaires/reading/item_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "questionnaires/model/instrument.h"
+#include "questionnaires/reading/instrument_reader.h"
 
 namespace questionnaires {
 

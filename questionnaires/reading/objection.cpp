@@ -2,7 +2,6 @@
 #include <cmath>
 #include <set>
 
-#include "questionnaires/json/characters.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/answer.h"
 

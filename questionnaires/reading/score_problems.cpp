@@ -1,5 +1,3 @@
-#include "questionnaires/reading/score_problems.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,8 +5,7 @@
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
-#include "questionnaires/reading/text_problems.h"
-#include "questionnaires/reading/warnings.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
 namespace {

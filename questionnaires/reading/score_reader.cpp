@@ -1,11 +1,9 @@
-#include "questionnaires/reading/score_reader.h"
-
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "questionnaires/reading/item_reader.h"
+#include "questionnaires/reading/instrument_reader.h"
 
 namespace questionnaires {
 namespace {

@@ -1,9 +1,7 @@
-#include "questionnaires/reading/text_problems.h"
-
 #include <algorithm>
 #include <utility>
 
-#include "questionnaires/reading/warnings.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
 

@@ -1,7 +1,7 @@
-#include "questionnaires/reading/text_reader.h"
-
 #include <algorithm>
 #include <map>
+
+#include "questionnaires/reading/instrument_reader.h"
 
 namespace questionnaires {
 namespace {

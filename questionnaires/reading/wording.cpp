@@ -4,7 +4,7 @@
 #include <set>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/reading/text_problems.h"
+#include "questionnaires/reading/instrument_problems.h"
 
 namespace questionnaires {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "questionnaires/json/document.h"
-#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/instrument_reader.h"
 #include "questionnaires/reading/wording.h"
 
 namespace questionnaires {

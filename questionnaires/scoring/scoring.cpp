@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "questionnaires/json/document.h"
 #include "questionnaires/model/answer.h"
 
 namespace questionnaires {
@@ -143,6 +144,76 @@ ScoreChange scoreChange(
   } else {
     result.reason = !first.value ? "before: " + first.reason : "after: " + last.reason;
   }
+  return result;
+}
+
+namespace {
+
+Acceptability acceptabilityOf(
+    const Item& item, double threshold, const std::vector<std::vector<Answer>>& participants) {
+  Acceptability result{.itemId = item.id, .acceptableFrom = threshold, .share = {}, .reason = {}};
+  for (const auto& answers : participants) {
+    const auto number = answerAsNumber(item, answers);
+    if (!number) continue;
+    ++result.answered;
+    if (keyedNumber(item, *number) >= threshold) ++result.acceptable;
+  }
+  if (result.answered == 0) {
+    result.reason = "nobody answered this item";
+  } else {
+    result.share = static_cast<double>(result.acceptable) / static_cast<double>(result.answered);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Acceptability> acceptabilityOf(
+    const Instrument& instrument, const std::vector<std::vector<Answer>>& participants) {
+  std::vector<Acceptability> result;
+  for (const auto& item : instrument.items) {
+    if (!item.acceptableFrom) continue;
+    result.push_back(acceptabilityOf(item, *item.acceptableFrom, participants));
+  }
+  return result;
+}
+
+namespace {
+
+/// Largest minus smallest keyed answer to the items of @p score; 0 with fewer than two.
+double rangeWithin(
+    const Instrument& instrument, const Score& score, const std::vector<Answer>& answers) {
+  std::vector<double> given;
+  for (const auto& id : score.items) {
+    const Item* item = instrument.item(id);
+    const auto number = item == nullptr ? std::nullopt : answerAsNumber(*item, answers);
+    if (number) given.push_back(keyedNumber(*item, *number));
+  }
+  if (given.empty()) return 0.0;
+  const auto [least, most] = std::minmax_element(given.begin(), given.end());
+  return *most - *least;
+}
+
+}  // namespace
+
+std::optional<Consistency> consistencyOf(
+    const Instrument& instrument, const std::vector<Answer>& answers) {
+  if (!instrument.consistency) return std::nullopt;
+  const auto& rule = *instrument.consistency;
+  Consistency result;
+  for (const auto& id : rule.scores) {
+    const Score* score = instrument.score(id);
+    if (score == nullptr) continue;
+    if (rangeWithin(instrument, *score, answers) > rule.widestRange) {
+      result.contradictory.push_back(id);
+    }
+  }
+  result.isSuspicious = result.contradictory.size() >= rule.suspiciousFrom;
+  if (!result.isSuspicious) return result;
+  result.warning = "in " + std::to_string(result.contradictory.size()) + " of " +
+                   std::to_string(rule.scores.size()) + " scales the answers lie more than " +
+                   inWords(rule.widestRange) +
+                   " apart: they may not have been meant; look at them before you count them";
   return result;
 }
 

@@ -58,4 +58,37 @@ ScoreChange scoreChange(
     const std::vector<Answer>& before,
     const std::vector<Answer>& after);
 
+/// How many participants found what an item asks about acceptable.
+struct Acceptability {
+  std::string itemId;
+  double acceptableFrom = 0.0;  ///< the threshold, on the item's own scale
+  std::size_t acceptable = 0;   ///< participants whose keyed answer is at or above it
+  std::size_t answered = 0;     ///< participants who answered the item
+  std::optional<double> share;  ///< acceptable / answered, 0 … 1
+  std::string reason;           ///< why there is no share; empty where there is one
+};
+
+/// For every item of @p instrument that has a threshold, in its order: the share of participants at
+/// or above it. @p participants holds the answers of each; who left the item open is not counted.
+/// An answer to an item with key -1 is turned round first.
+std::vector<Acceptability> acceptabilityOf(
+    const Instrument& instrument, const std::vector<std::vector<Answer>>& participants);
+
+/// Whether one person's answers contradict each other, by the rule of their instrument.
+struct Consistency {
+  std::vector<std::string> contradictory;  ///< ids of the scores whose answers lie too far apart
+  bool isSuspicious = false;               ///< there are as many of them as the rule says
+  std::string warning;                     ///< in words; empty where nothing is suspicious
+};
+
+/// Looks at @p answers by the ConsistencyRule of @p instrument; nothing where it has none.
+///
+/// Within each score of the rule the keyed answers should lie close together, since its items ask
+/// about one thing. A range (largest - smallest) above ConsistencyRule::widestRange is a
+/// contradiction. Suspicious answers are told and never dropped: that is for the researcher to
+/// decide. For the UEQ: a range above 3 in at least three of six scales (UEQ handbook, data
+/// analysis tool).
+std::optional<Consistency> consistencyOf(
+    const Instrument& instrument, const std::vector<Answer>& answers);
+
 }  // namespace questionnaires

@@ -9,7 +9,7 @@
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/library.h"
 #include "questionnaires/reading/instrument_file.h"
-#include "questionnaires/reading/text_reader.h"
+#include "questionnaires/reading/instrument_reader.h"
 #include "questionnaires/reading/wording.h"
 #include "study/app/commands.h"
 #include "study/app/instrument_keys.h"

@@ -5,7 +5,6 @@
 
 #include "analysis/effects/share_interval.h"
 #include "analysis/tests/paired_t.h"
-#include "questionnaires/scoring/consistency.h"
 #include "questionnaires/scoring/scoring.h"
 
 namespace study {

@@ -7,7 +7,7 @@
 
 #include "analysis/numerics/interval.h"
 #include "protocols/model/loaded_protocol.h"
-#include "questionnaires/scoring/acceptability.h"
+#include "questionnaires/scoring/scoring.h"
 #include "study/storage/records.h"
 
 namespace study {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "questionnaires/json/characters.h"
+#include "questionnaires/json/document.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
 #include "study/storage/statement.h"

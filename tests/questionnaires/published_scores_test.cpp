@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/scoring/consistency.h"
 #include "questionnaires/scoring/scoring.h"
 #include "tests/questionnaires/shipped_instruments.h"
 

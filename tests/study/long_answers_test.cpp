@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/json/characters.h"
+#include "questionnaires/json/document.h"
 #include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "tests/study/everything_instrument.h"

@@ -1,8 +1,8 @@
-#include "questionnaires/json/characters.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "questionnaires/json/document.h"
 
 namespace questionnaires {
 namespace characters_test {

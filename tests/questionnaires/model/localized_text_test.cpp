@@ -1,9 +1,9 @@
-#include "questionnaires/model/localized_text.h"
-
 #include <map>
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "questionnaires/model/instrument.h"
 
 namespace questionnaires {
 namespace localized_text_test {

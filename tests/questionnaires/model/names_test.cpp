@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "questionnaires/json/characters.h"
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {

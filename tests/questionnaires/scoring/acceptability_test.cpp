@@ -1,10 +1,9 @@
-#include "questionnaires/scoring/acceptability.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "questionnaires/scoring/scoring.h"
 #include "tests/questionnaires/shipped_instruments.h"
 
 namespace questionnaires {

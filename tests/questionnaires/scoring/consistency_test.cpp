@@ -1,9 +1,9 @@
-#include "questionnaires/scoring/consistency.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "questionnaires/scoring/scoring.h"
 
 namespace questionnaires {
 namespace consistency_test {

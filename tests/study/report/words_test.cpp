@@ -9,7 +9,7 @@
 #include "analysis/data/reason.h"
 #include "analysis/summary/flags.h"
 #include "protocols/model/messages.h"
-#include "questionnaires/reading/warnings.h"
+#include "questionnaires/reading/instrument_problems.h"
 #include "study/model/messages.h"
 #include "study/report/html_report.h"
 #include "study/report/study_parts.h"

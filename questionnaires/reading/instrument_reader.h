@@ -6,12 +6,34 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
-#include "questionnaires/reading/text_reader.h"
 
 namespace questionnaires {
+
+/// Reads texts that may stand in several languages: "…" for English, or {"en": "…", "de": "…"}.
+///
+/// What cannot be read is a problem once, and a dash in every language stands in for it: so that
+/// problemsOf(), which looks at the instrument afterwards, speaks about nothing that was said.
+class TextReader {
+ public:
+  explicit TextReader(std::vector<std::string> languages) : languages_(std::move(languages)) {}
+
+  LocalizedText required(const Node& node, std::string_view key) const;
+  /// Empty where the key is missing.
+  LocalizedText optional(const Node& node, std::string_view key) const;
+  /// The text that @p node itself is.
+  LocalizedText read(const Node& node) const;
+  LocalizedText standIn() const;
+
+ private:
+  std::vector<std::string> languages_;
+};
+
+/// Whether @p tag is a language tag as this format knows them: "en", "nb", "de-CH".
+bool isLanguageTag(std::string_view tag) noexcept;
 
 /// The scale that @p node describes. Where only the points are labelled, the first and the last of
 /// their labels are those of the ends.
@@ -51,5 +73,11 @@ class ItemReader {
 
 /// The id behind @p key, or, where there is none, one that nobody else has.
 std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index);
+
+/// The score that @p node describes, the one with number @p index.
+Score readScore(const Node& node, const TextReader& texts, std::size_t index);
+
+/// The rule that @p node describes; what cannot be read of it is a problem, and left as it is.
+ConsistencyRule readConsistencyRule(const Node& node);
 
 }  // namespace questionnaires
