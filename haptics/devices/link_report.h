@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "haptics/timing/lateness_histogram.h"
+#include "haptics/timing/clock_statistics.h"
 
 namespace haptics::devices {
 

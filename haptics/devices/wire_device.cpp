@@ -4,7 +4,6 @@
 
 #include "haptics/devices/device_error.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 
 namespace haptics::devices {
 

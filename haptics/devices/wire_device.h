@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "haptics/devices/device.h"
-#include "haptics/timing/clock_drift.h"
+#include "haptics/timing/clock_statistics.h"
 
 namespace haptics::devices {
 

@@ -9,7 +9,6 @@
 
 #include "haptics/engine/hole_detector.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 
 namespace haptics::engine {
 namespace {

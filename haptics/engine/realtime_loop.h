@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "haptics/devices/beat.h"
-#include "haptics/timing/lateness_histogram.h"
+#include "haptics/timing/clock_statistics.h"
 
 namespace haptics::engine {
 

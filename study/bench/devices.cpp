@@ -21,7 +21,6 @@
 #include "haptics/devices/punch/punch_device.h"
 #include "haptics/emulators/fri_arm.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 #include "study/app/devices/emulator_process.h"
 #include "study/model/user_error.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/timing/lateness_histogram.h"
+#include "haptics/timing/clock_statistics.h"
 
 namespace study::bench {
 

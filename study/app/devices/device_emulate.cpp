@@ -16,7 +16,6 @@
 #include "haptics/emulators/fri_controller.h"
 #include "haptics/emulators/punch_emulator.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 #include "study/app/devices/qemu_punch.h"
 #include "study/model/user_error.h"
 

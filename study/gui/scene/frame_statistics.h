@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "haptics/timing/lateness_histogram.h"
+#include "haptics/timing/clock_statistics.h"
 #include "study/model/view_report.h"
 
 namespace study::gui::scene {

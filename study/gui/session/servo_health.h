@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "haptics/engine/tick_sample.h"
-#include "haptics/timing/lateness_histogram.h"
+#include "haptics/timing/clock_statistics.h"
 
 namespace study::gui {
 

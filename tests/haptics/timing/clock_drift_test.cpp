@@ -1,9 +1,9 @@
-#include "haptics/timing/clock_drift.h"
-
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "haptics/timing/clock_statistics.h"
 
 namespace haptics::timing {
 namespace clock_drift_test {

@@ -1,6 +1,6 @@
-#include "haptics/timing/lateness_histogram.h"
-
 #include <gtest/gtest.h>
+
+#include "haptics/timing/clock_statistics.h"
 
 namespace haptics::timing {
 namespace lateness_histogram_test {

@@ -15,7 +15,6 @@
 
 #include "haptics/emulators/punch_emulator.h"
 #include "haptics/timing/monotonic_clock.h"
-#include "haptics/timing/urgency.h"
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/findings_dialog.h"
 #include "study/gui/operator/operator_window.h"

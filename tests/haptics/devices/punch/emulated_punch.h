@@ -14,7 +14,7 @@
 
 #include "haptics/devices/punch/punch_device.h"
 #include "haptics/emulators/punch_emulator.h"
-#include "haptics/timing/urgency.h"
+#include "haptics/timing/monotonic_clock.h"
 #include "tests/haptics/devices/device_expectations.h"
 #include "tests/support/scratch_folder.h"
 
