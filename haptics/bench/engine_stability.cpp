@@ -12,7 +12,7 @@
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/engine/published_punch.h"
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 
 namespace haptics::bench {
 namespace {

@@ -1,6 +1,6 @@
 #include "haptics/engine/published_punch.h"
 
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 
 namespace haptics::engine {
 

@@ -1,11 +1,10 @@
-#include "haptics/recordings/cut_choice.h"
-
 #include <algorithm>
 #include <iterator>
 #include <optional>
 #include <span>
 #include <stdexcept>
 
+#include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/force_curve.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"

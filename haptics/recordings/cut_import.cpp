@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "haptics/recordings/cut_choice.h"
-#include "haptics/recordings/decimal.h"
 #include "haptics/recordings/force_curve.h"
 #include "haptics/recordings/recording.h"
 

@@ -1,7 +1,17 @@
 #include "haptics/recordings/recording.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace haptics::recordings {
 
@@ -24,6 +34,255 @@ Sampling samplingOf(const Recording& recording) {
       .stepMin = least * kSecondsPerMillisecond,
       .stepMax = most * kSecondsPerMillisecond,
       .stepMean = duration / steps};
+}
+
+std::string decimal(double value, int digits) {
+  std::array<char, 64> text{};
+  const auto [end, error] = std::to_chars(
+      text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits);
+  return error == std::errc{} ? std::string(text.data(), end) : "a very large number";
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void requirePlainFile(const fs::path& path) {
+  const std::string name = "'" + path.string() + "'";
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) {
+    throw Error("There is no recording " + name + ": check the name and the folder.");
+  }
+  if (error) throw Error("The recording " + name + " cannot be reached: " + error.message() + ".");
+  if (fs::is_directory(status)) {
+    throw Error(name + " is a folder: name one recording in it, a .txt file.");
+  }
+  if (!fs::is_regular_file(status)) {
+    throw Error(name + " is no plain file: copy the recording into one first.");
+  }
+}
+
+void requireModestSize(const fs::path& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error || size <= kLargestRecording) return;
+  throw Error(
+      "'" + path.string() + "' is larger than 200 MB (" + std::to_string(size / 1'000'000) +
+      " MB): a recording of the punch has about 1 MB a minute; check that it is one.");
+}
+
+}  // namespace
+
+Recording readRecordingFile(const fs::path& path) {
+  requirePlainFile(path);
+  requireModestSize(path);
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw Error("'" + path.string() + "' cannot be opened: check that you may read it.");
+  }
+  std::error_code error;
+  std::string text(static_cast<std::size_t>(fs::file_size(path, error)), '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (error || stream.bad()) {
+    throw Error("'" + path.string() + "' could not be read to its end: copy it and try again.");
+  }
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return readRecording(text, path.filename().string());
+}
+
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr std::size_t kColumns = 5;
+constexpr std::size_t kLongestQuote = 20;
+
+/// What a column is called, and what it may hold.
+struct Column {
+  std::string_view name;
+  double lowest;
+  double highest;
+  std::string_view range;
+};
+
+constexpr std::array<Column, kColumns> kRow{{
+    {"force reading", 0.0, 1023.0, "0 to 1023"},
+    {"force in grams", -1e6, 1e6, "-1000000 to 1000000"},
+    {"potentiometer", 0.0, 65535.0, "0 to 65535"},
+    {"travel", -1000.0, 1000.0, "-1000 to 1000"},
+    {"time", 0.0, 1e12, "0 to 1e12 ms"},
+}};
+
+/// A piece of the file that is fit to be shown in a message.
+std::string quoted(std::string_view piece) {
+  std::string shown = "'";
+  for (const char c : piece.substr(0, kLongestQuote)) shown += c >= ' ' && c <= '~' ? c : '~';
+  return shown + (piece.size() > kLongestQuote ? "…'" : "'");
+}
+
+/// A line without what its end brought along.
+struct Core {
+  std::string_view text;
+  bool hadBrace = false;
+};
+
+Core coreOf(std::string_view line) {
+  const auto withoutTail = [](std::string_view text, std::string_view tail) {
+    return text.substr(0, text.find_last_not_of(tail) + 1);  // npos + 1 is 0: nothing remains
+  };
+  const std::string_view unterminated = withoutTail(line, "\r\\");
+  const std::string_view core = withoutTail(unterminated, "}");
+  return {core, core.size() < unterminated.size()};
+}
+
+void countEnd(std::string_view line, Recording::LineEnds& ends) {
+  if (line.ends_with("\r\\")) {
+    ++ends.crBackslashLf;
+  } else if (line.ends_with('\\')) {
+    ++ends.backslashLf;
+  } else if (line.ends_with('\r')) {
+    ++ends.crlf;
+  } else {
+    ++ends.lf;
+  }
+}
+
+std::vector<std::string_view> fieldsOf(std::string_view text) {
+  std::vector<std::string_view> fields;
+  for (std::size_t begin = text.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+    fields.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(kBlanks, end);
+  }
+  return fields;
+}
+
+std::optional<double> numberOf(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// What a line turned out to be: a row, or the reason why not.
+struct ReadLine {
+  std::optional<Recording::Row> row;
+  std::string reason;
+};
+
+ReadLine readLine(std::span<const std::string_view> fields) {
+  std::array<double, kColumns> values{};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::optional<double> value = numberOf(fields[i]);
+    if (!value) return {{}, quoted(fields[i]) + " is no number"};
+    if (i >= kColumns) continue;
+    if (*value < kRow[i].lowest || *value > kRow[i].highest) {
+      const std::string name(kRow[i].name);
+      return {{}, name + " " + quoted(fields[i]) + " is outside " + std::string(kRow[i].range)};
+    }
+    values[i] = *value;
+  }
+  if (fields.size() != kColumns) {
+    const std::string count = std::to_string(fields.size());
+    return {{}, count + (fields.size() == 1 ? " number instead of 5" : " numbers instead of 5")};
+  }
+  return {Recording::Row{values[0], values[1], values[2], values[3], values[4]}, {}};
+}
+
+/// Reads line after line into a recording.
+class Reader {
+ public:
+  explicit Reader(std::string_view source) { recording_.source = source; }
+
+  void read(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = text.find('\n');
+      const bool isWhole = end != std::string_view::npos;
+      const std::string_view line = text.substr(0, end);
+      ++recording_.lines;
+      if (isWhole) countEnd(line, recording_.lineEnds);
+      readLineOf(line, isWhole);
+      text.remove_prefix(isWhole ? end + 1 : text.size());
+    }
+  }
+
+  Recording result() {
+    if (recording_.rows.empty()) throw Error(whyNoRow());
+    return std::move(recording_);
+  }
+
+ private:
+  void readLineOf(std::string_view line, bool isWhole) {
+    const Core core = coreOf(line);
+    const std::vector<std::string_view> fields = fieldsOf(core.text);
+    if (fields.empty()) return;
+    const ReadLine read = readLine(fields);
+    if (!read.row) {
+      refuse(read.reason, fields.size() == kColumns - 1);
+    } else if (keepsTime(*read.row, isWhole)) {
+      recording_.rows.push_back(*read.row);
+      recording_.gluedBraces += core.hadBrace ? 1 : 0;
+    }
+  }
+
+  bool keepsTime(const Recording::Row& row, bool isWhole) {
+    if (recording_.rows.empty() || row.time >= recording_.rows.back().time) return true;
+    if (isWhole) {
+      throw Error(
+          "Time runs backwards in '" + recording_.source + "' at line " +
+          std::to_string(recording_.lines) +
+          ": two recordings in one file? Split it before that line and import the parts.");
+    }
+    refuse("time lies before that of the row above: the row is cut off", false);
+    return false;
+  }
+
+  void refuse(std::string reason, bool isOneShort) {
+    ++recording_.refusedCount;
+    fourColumns_ += isOneShort ? 1 : 0;
+    if (recording_.refusedLines.size() >= Recording::kMaxRefusedLines) return;
+    recording_.refusedLines.push_back({recording_.lines, std::move(reason)});
+  }
+
+  std::string whyNoRow() const {
+    const std::string name = "'" + recording_.source + "'";
+    if (recording_.refusedCount == 0) return name + " has only empty lines: record it again.";
+    if (2 * fourColumns_ > recording_.refusedCount) {
+      return name +
+             " has four columns: the raw potentiometer (column 3) is missing. The recorder sketch "
+             "in the authors' repository prints it so; record with a version that prints five.";
+    }
+    const Recording::RefusedLine& first = recording_.refusedLines.front();
+    return "No line of " + name +
+           " is a row of five numbers (force reading, grams, potentiometer, travel, time in ms); "
+           "line " +
+           std::to_string(first.number) + ": " + first.reason +
+           ". Check that it is a recording of the punch.";
+  }
+
+  Recording recording_;
+  std::size_t fourColumns_ = 0;
+};
+
+void requireText(std::string_view text, const std::string& name) {
+  if (text.empty()) throw Error(name + " is empty: copy or record it again.");
+  const std::size_t zero = text.find('\0');
+  if (zero == std::string_view::npos) return;
+  throw Error(
+      name + " is no text (byte " + std::to_string(zero + 1) +
+      " is zero): choose the recorder's .txt file, saved as plain text and not as UTF-16.");
+}
+
+}  // namespace
+
+Recording readRecording(std::string_view text, std::string_view source) {
+  requireText(text, "'" + std::string(source) + "'");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  Reader reader(source);
+  reader.read(text);
+  return reader.result();
 }
 
 }  // namespace haptics::recordings

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "haptics/engine/parametric_bone.h"
+#include "haptics/recordings/cut.h"
 #include "haptics/recordings/force_curve.h"
-#include "haptics/recordings/parametric_cut.h"
 #include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
 #include "protocols/reading/cut_file.h"

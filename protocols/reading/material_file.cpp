@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "haptics/recordings/decimal.h"
+#include "haptics/recordings/recording.h"
 #include "questionnaires/json/document.h"
 
 namespace protocols {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/recording.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/library.h"
 #include "study/app/commands.h"

@@ -7,7 +7,7 @@
 #include "analysis/tests/welch.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/recordings/cut_import.h"
-#include "haptics/recordings/process_noise.h"
+#include "haptics/recordings/trace.h"
 #include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"
 #include "study/results/results.h"

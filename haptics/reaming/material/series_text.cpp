@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "haptics/recordings/decimal.h"
 #include "haptics/recordings/recording.h"
 
 namespace haptics::reaming {

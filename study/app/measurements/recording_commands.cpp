@@ -7,11 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/recordings/cut_choice.h"
 #include "haptics/recordings/cut_import.h"
-#include "haptics/recordings/process_noise.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/trace.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"

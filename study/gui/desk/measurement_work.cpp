@@ -11,7 +11,7 @@
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/recording.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/packing_file.h"
 #include "study/model/new_file.h"

@@ -15,7 +15,7 @@
 
 #include "haptics/firmware/report.h"
 #include "haptics/models/interpolation.h"
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 #include "tests/support/child_process.h"
 
 namespace haptics::firmware {

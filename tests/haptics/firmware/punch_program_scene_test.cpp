@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 #include "tests/haptics/firmware/board_bench.h"
 
 namespace haptics::firmware {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/cut_choice.h"
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {

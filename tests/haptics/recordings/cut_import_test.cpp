@@ -7,10 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/recordings/cut.h"
 #include "haptics/recordings/force_curve.h"
-#include "haptics/recordings/parametric_cut.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {

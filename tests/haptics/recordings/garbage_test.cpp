@@ -7,7 +7,6 @@
 
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"

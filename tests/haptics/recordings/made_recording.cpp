@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptics/recordings/decimal.h"
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
+#include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
 
 namespace tests {

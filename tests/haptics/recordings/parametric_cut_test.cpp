@@ -1,10 +1,10 @@
-#include "haptics/recordings/parametric_cut.h"
-
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/recordings/cut.h"
 
 namespace haptics::recordings {
 namespace parametric_cut_test {

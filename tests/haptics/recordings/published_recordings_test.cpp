@@ -9,10 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "haptics/recordings/cut_choice.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_file.h"
 #include "tests/support/test_data.h"
 
 // The eight published recordings (docs/references.md, [punch-code]), against the numbers in

@@ -1,5 +1,3 @@
-#include "haptics/recordings/recording_file.h"
-
 #include <sys/stat.h>
 
 #include <filesystem>

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/recording_file.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace haptics::recordings {

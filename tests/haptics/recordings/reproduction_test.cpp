@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/recordings/cut_import.h"
-#include "haptics/recordings/kaiser_low_pass.h"
-#include "haptics/recordings/process_noise.h"
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/recording.h"
+#include "haptics/recordings/trace.h"
 #include "tests/support/test_data.h"
 
 // Does palpate read the published recordings as their authors did? Their own numbers, printed in

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/kaiser_low_pass.h"
 #include "haptics/recordings/trace.h"
 
 namespace haptics::recordings {

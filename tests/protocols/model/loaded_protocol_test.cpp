@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/library.h"
 #include "questionnaires/json/document.h"

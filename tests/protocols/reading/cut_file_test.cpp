@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "haptics/recordings/cut.h"
 #include "haptics/recordings/cut_import.h"
-#include "haptics/recordings/parametric_cut.h"
-#include "haptics/recordings/recording_file.h"
+#include "haptics/recordings/recording.h"
 #include "tests/haptics/recordings/made_recording.h"
 
 namespace protocols {

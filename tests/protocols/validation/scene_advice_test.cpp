@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/engine/kalman_weight.h"
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 #include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"
 #include "protocols/validation/validation.h"

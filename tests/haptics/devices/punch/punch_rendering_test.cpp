@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/recordings/parametric_cut.h"
+#include "haptics/recordings/cut.h"
 #include "tests/haptics/devices/punch/emulated_punch.h"
 
 namespace haptics::devices {
