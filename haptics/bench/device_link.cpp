@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "haptics/engine/parametric_material.h"
-#include "haptics/engine/published_punch.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::bench {

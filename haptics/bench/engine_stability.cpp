@@ -9,9 +9,9 @@
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/passivity.h"
-#include "haptics/engine/published_punch.h"
 #include "haptics/recordings/cut.h"
 
 namespace haptics::bench {

@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include "haptics/bench/measurement.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"
-#include "haptics/engine/published_punch.h"
 
 namespace haptics::bench {
 namespace {

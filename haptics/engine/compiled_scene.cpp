@@ -4,10 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "haptics/engine/kalman_weight.h"
-#include "haptics/engine/material_model.h"
+#include "haptics/engine/bone_models.h"
 #include "haptics/engine/model_names.h"
-#include "haptics/engine/packing_model.h"
 #include "haptics/engine/punch_models.h"
 
 namespace haptics::engine {

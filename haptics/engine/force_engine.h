@@ -6,9 +6,8 @@
 #include "haptics/devices/device.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/energy_observer.h"
-#include "haptics/engine/force_gate.h"
 #include "haptics/engine/force_limiter.h"
-#include "haptics/engine/tick_sample.h"
+#include "haptics/engine/sample_ring.h"
 #include "haptics/models/cut_detector.h"
 
 namespace haptics::engine {

@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "haptics/devices/device.h"
+#include "haptics/models/cut_detector.h"
+
 namespace haptics::engine {
 
 /// Samples on their way from the haptic thread to the recorder: one writer, one reader, no lock, no
@@ -45,6 +48,36 @@ class SampleRing {
   alignas(64) std::atomic<std::size_t> tail_{0};
   std::atomic<std::uint64_t> lost_{0};
   std::array<Sample, kCapacity> samples_{};
+};
+
+/// What happened in one tick, for whoever records, counts or draws it.
+struct TickSample {
+  /// What the engine itself had to say, beside the limiter's interventions, as bits.
+  enum Mark : std::uint8_t {
+    None = 0,
+    Invalid = 1,      ///< the device gave no measurement; travel and velocity are the last ones
+    Undefined = 2,    ///< the scene has no force here
+    Stopped = 4,      ///< somebody pressed stop
+    Bare = 8,         ///< no scene: the hand feels nothing
+    TooFast = 16,     ///< the tool exceeds the limit of velocity; the force fades
+    Released = 32,    ///< nobody holds the dead-man switch; the force fades
+    SoftStart = 64,   ///< the force waits for a small one, or comes on
+    LostBeats = 128,  ///< the clock lost more than one beat; the force fades
+  };
+
+  std::uint64_t tick = 0;
+  double travel = 0.0;    ///< [device's travel unit]
+  double velocity = 0.0;  ///< [device's travel unit / s]
+  double desired = 0.0;   ///< what the scene asked for [N]
+  double force = 0.0;     ///< what the device was told [N]
+  double energy = 0.0;    ///< that this contact has taken up [N·device's travel unit]
+  float lateness = 0.0F;  ///< of this tick against its due time [µs]; 0 where nobody has a clock
+  devices::DeviceStatus status = devices::DeviceStatus::Gone;
+  std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
+  std::uint8_t marks = None;
+  /// A point of a cut that has just become clear.
+  models::CutDetector<double>::Event landmark = models::CutDetector<double>::Event::Nothing;
+  std::uint32_t cuts = 0;  ///< completed since the scene was set
 };
 
 }  // namespace haptics::engine

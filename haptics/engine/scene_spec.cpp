@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "haptics/engine/material_model.h"
+#include "haptics/engine/bone_models.h"
 #include "haptics/reaming/packing/packed_bone.h"
 
 namespace haptics::engine {

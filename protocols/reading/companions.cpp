@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/recordings/cut.h"
 #include "haptics/recordings/force_curve.h"
 #include "protocols/model/messages.h"

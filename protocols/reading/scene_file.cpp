@@ -2,8 +2,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/model_names.h"
-#include "haptics/engine/parametric_material.h"
 #include "protocols/reading/protocol_file.h"
 
 namespace protocols {

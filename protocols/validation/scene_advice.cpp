@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <string>
 
-#include "haptics/engine/kalman_weight.h"
+#include "haptics/engine/punch_models.h"
 #include "haptics/models/interpolation.h"
 #include "protocols/model/messages.h"
 #include "protocols/validation/validation.h"

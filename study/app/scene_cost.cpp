@@ -4,10 +4,8 @@
 #include <functional>
 #include <memory>
 
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"
-#include "haptics/engine/parametric_bone.h"
-#include "haptics/engine/parametric_material.h"
-#include "haptics/engine/published_punch.h"
 
 namespace study::app {
 namespace {

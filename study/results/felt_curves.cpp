@@ -6,7 +6,7 @@
 
 #include "analysis/tests/paired_t.h"
 #include "haptics/engine/compiled_scene.h"
-#include "haptics/engine/tick_sample.h"
+#include "haptics/engine/sample_ring.h"
 #include "study/storage/records.h"
 
 namespace study {

@@ -5,7 +5,7 @@
 
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
-#include "haptics/engine/parametric_material.h"
+#include "haptics/engine/built_in_models.h"
 #include "protocols/reading/protocol_file.h"
 #include "tests/protocols/small_protocol.h"
 

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 #include "protocols/reading/material_file.h"
 #include "questionnaires/json/document.h"
 #include "study/model/user_error.h"

@@ -13,7 +13,7 @@
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
 #include "study/gui/scene/knee_scene.h"

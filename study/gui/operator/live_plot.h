@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "haptics/devices/device.h"
-#include "haptics/engine/tick_sample.h"
+#include "haptics/engine/sample_ring.h"
 
 class QCustomPlot;
 

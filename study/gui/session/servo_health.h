@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "haptics/engine/tick_sample.h"
+#include "haptics/engine/sample_ring.h"
 #include "haptics/timing/clock_statistics.h"
 
 namespace study::gui {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/engine/material_model.h"
-#include "haptics/engine/parametric_material.h"
+#include "haptics/engine/bone_models.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/reaming/material/piecewise.h"
 
 namespace haptics::engine {

@@ -8,7 +8,7 @@
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
-#include "haptics/engine/parametric_material.h"
+#include "haptics/engine/built_in_models.h"
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::engine {

@@ -1,8 +1,8 @@
-#include "haptics/engine/jitter_noise.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "haptics/engine/bone_models.h"
 
 namespace haptics::engine {
 namespace jitter_noise_test {

@@ -1,5 +1,3 @@
-#include "haptics/engine/packing_model.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -7,9 +5,10 @@
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/devices/simulated_hand.h"
+#include "haptics/engine/bone_models.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/force_engine.h"
-#include "haptics/engine/parametric_bone.h"
 
 namespace haptics::engine {
 namespace packing_model_test {

@@ -1,7 +1,7 @@
 // A filter that listens to one of its forces only is no fusion; its researcher should know.
 #include <gtest/gtest.h>
 
-#include "haptics/engine/kalman_weight.h"
+#include "haptics/engine/punch_models.h"
 #include "haptics/recordings/cut.h"
 #include "protocols/model/messages.h"
 #include "protocols/reading/cut_file.h"

@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/problem.h"
 #include "study/gui/scene/colour_legend.h"

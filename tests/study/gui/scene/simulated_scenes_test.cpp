@@ -2,8 +2,8 @@
 // changes when it should.
 #include <gtest/gtest.h>
 
-#include "haptics/engine/packing_model.h"
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/bone_models.h"
+#include "haptics/engine/built_in_models.h"
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/scene/software_renderer.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 #include "study/gui/scene/shapes/bone_tints.h"
 
 namespace study::gui::scene {

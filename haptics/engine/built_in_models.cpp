@@ -1,11 +1,49 @@
-#include "haptics/engine/parametric_bone.h"
+#include "haptics/engine/built_in_models.h"
 
-#include "haptics/engine/parametric_material.h"
 #include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/recordings/cut.h"
 
 namespace haptics::engine {
+
+InterpolationSpec publishedInterpolation() {
+  InterpolationSpec spec;
+  const auto cut = recordings::parametricCut();
+  for (const auto& node : cut.curve.nodes()) spec.curve.push_back({node.travel, node.force});
+  return spec;
+}
+
+FiniteElementsSpec publishedElements(int elements) {
+  FiniteElementsSpec spec;
+  spec.parameters.elements = elements;
+  return spec;
+}
+
+KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements) {
+  return {
+      .interpolation = publishedInterpolation(),
+      .finiteElements = publishedElements(elements),
+      .noise = models::KalmanNoise<double>::published(models::ProcessReading::StateOrder),
+      .scheme = scheme};
+}
+
+std::vector<MaterialNode> parametricMaterial() {
+  return {
+      {0.000, 0.0, 0.0},
+      {0.001, 0.5, 4.0},
+      {0.002, 2.0, 20.0},
+      {0.003, 8.0, 90.0},
+      {0.004, 20.0, 230.0},
+      {0.005, 30.0, 330.0},  // the local peak: the subchondral lamella
+      {0.006, 27.0, 300.0},
+      {0.007, 24.0, 285.0},
+      {0.009, 28.0, 360.0},
+      {0.012, 38.0, 500.0},
+      {0.016, 50.0, 660.0},
+      {0.020, 60.0, 800.0},
+  };
+}
 
 reaming::HardnessCurves parametricCurves() {
   const auto curveAt = [](double share) {

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "haptics/engine/bone_view.h"
+#include "haptics/engine/bucket_table.h"
+#include "haptics/engine/force_model.h"
+#include "haptics/engine/scene_spec.h"
+#include "haptics/models/hermite_curve.h"
+#include "haptics/reaming/bone/bone.h"
+#include "haptics/reaming/bone/chance.h"
+#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/material/material.h"
+#include "haptics/reaming/packing/packed_bone.h"
+
+namespace haptics::engine {
+
+/// The jitter of a measured force as noise in time: a new normal number at every sample of the
+/// measurement, straight from one to the next. It depends on time alone, so it adds no stiffness.
+class JitterNoise {
+ public:
+  /// @param scale  of all forces of the scene.
+  JitterNoise(const reaming::Jitter& jitter, double scale, std::uint64_t seed) noexcept
+      : rms_(scale * jitter.rms), rate_(jitter.rate), seed_(seed), chance_(seed) {
+    reset();
+  }
+
+  /// What is added to @p force [N] after @p dt [s]. Comes in with the force and never turns its
+  /// sign.
+  double step(double force, double dt) noexcept {
+    if (!(rms_ > 0.0)) return 0.0;
+    phase_ += std::min(rate_ * dt, 1.0);
+    if (phase_ >= 1.0) {
+      phase_ -= 1.0;
+      last_ = next_;
+      next_ = chance_.normal();
+    }
+    const double share = std::clamp(force / (kFull * rms_), 0.0, 1.0);
+    const double noise = share * rms_ * (last_ + phase_ * (next_ - last_));
+    return std::max(noise, -std::max(force, 0.0));
+  }
+
+  void reset() noexcept {
+    chance_ = reaming::Chance(seed_);
+    phase_ = 0.0;
+    last_ = 0.0;
+    next_ = rms_ > 0.0 ? chance_.normal() : 0.0;
+  }
+
+ private:
+  static constexpr double kFull = 5.0;  ///< of its RMS: from this force on all of it is felt
+
+  double rms_;   ///< [N]
+  double rate_;  ///< [Hz]
+  std::uint64_t seed_;
+  reaming::Chance chance_;
+  double phase_ = 0.0;  ///< between two samples, from 0 to 1
+  double last_ = 0.0;
+  double next_ = 0.0;
+};
+
+/// Bone of a hardness: the curves are blended once, when it is built, so that the tick
+/// evaluates a single cubic.
+class MaterialModel final : public ForceModel {
+ public:
+  /// @param spec  sound.
+  explicit MaterialModel(const MaterialSpec& spec);
+
+  models::Response<double> respond(const ToolState& tool) noexcept override {
+    auto response = curve_.at(tool.travel, hint_);
+    if (response.isDefined) response.force += jitter_.step(response.force, tool.dt);
+    return response;
+  }
+  void reset() noexcept override {
+    hint_ = 0;
+    jitter_.reset();
+  }
+  double largestStiffness() const noexcept override;
+
+  const std::vector<models::CubicSegment<double>>& segments() const noexcept { return segments_; }
+
+ private:
+  std::vector<models::CubicSegment<double>> segments_;
+  BucketTable table_;
+  models::HermiteCurve<double> curve_;
+  std::size_t hint_ = 0;
+  JitterNoise jitter_;
+};
+
+/// Both measured curves at the material's hardness, scaled: the segments of a material whose nodes
+/// are in order.
+std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec);
+
+/// A bone of spheres that stays as it is: a force for every depth of the plunge.
+class PackingModel final : public ForceModel {
+ public:
+  /// @param spec  sound.
+  explicit PackingModel(const PackingSpec& spec);
+
+  models::Response<double> respond(const ToolState& tool) noexcept override;
+  void reset() noexcept override {}
+  double largestStiffness() const noexcept override { return largestStiffness_; }
+  std::size_t bytes() const noexcept { return field_.bytes(); }
+
+ private:
+  double forceAt(double depth) const noexcept;
+
+  reaming::SphereField field_;
+  reaming::Plunge plunge_;
+  double coverage_;
+  double largestStiffness_ = 0.0;
+};
+
+/// A bone of spheres from which the reamer takes what it goes through.
+class RemovalModel final : public ForceModel {
+ public:
+  /// @param spec  sound. @param isSeen  somebody draws it: only then is there a view of it.
+  explicit RemovalModel(const PackingSpec& spec, bool isSeen = false);
+
+  models::Response<double> respond(const ToolState& tool) noexcept override;
+  void reset() noexcept override { bone_.reset(); }
+  double largestStiffness() const noexcept override { return stiffness_; }
+  std::size_t bytes() const noexcept { return bone_.field().bytes(); }
+
+  const reaming::Bone& bone() const noexcept { return bone_; }
+  /// Nothing where nobody draws it.
+  BoneView* view() const noexcept { return view_.get(); }
+
+ private:
+  void tellTheEye() noexcept;
+
+  reaming::Bone bone_;
+  reaming::Plunge plunge_;
+  double stiffness_;
+  std::unique_ptr<BoneView> view_;
+  std::uint64_t restorations_ = 0;  ///< of the bone, that the reader has been told of
+};
+
+}  // namespace haptics::engine
