@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "haptics/bench/stability.h"
+#include "haptics/devices/hand.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/passivity.h"

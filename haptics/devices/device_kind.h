@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/devices/pointer_hand.h"
+#include "haptics/devices/hand.h"
 #include "haptics/models/cut_detector.h"
 
 namespace haptics::devices {

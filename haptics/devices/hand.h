@@ -1,5 +1,8 @@
 #pragma once
 
+#include <atomic>
+#include <cstdint>
+
 namespace haptics::devices {
 
 /// A hand on a simulated tool.
@@ -12,6 +15,74 @@ class Hand {
 
   /// How hard it pushes [N] on a tool at @p travel with @p velocity, @p dt [s] after the last time.
   virtual double push(double travel, double velocity, double dt) noexcept = 0;
+};
+
+/// A hand that closes and opens (advances and withdraws), again and again: an impedance around a
+/// point of equilibrium that moves as people move,
+///
+///     F = k (x₀(t) − x) + b (ẋ₀(t) − ẋ),
+///
+/// with x₀ on a minimum-jerk path x₀ = a + (b − a)(10 τ³ − 15 τ⁴ + 6 τ⁵) (Flash & Hogan 1985). What
+/// it meets therefore changes what it does: a stiffer tissue is entered less far.
+class SimulatedHand final : public Hand {
+ public:
+  /// One person's hand. Travel in the device's unit.
+  struct Person {
+    double open = 0.0;       ///< where it starts and returns to
+    double closed = 13.5;    ///< where it means to go; resistance keeps it short of that
+    double pauseTime = 0.4;  ///< before each closing [s]
+    double closeTime = 0.6;  ///< [s], > 0
+    double holdTime = 0.15;  ///< [s]
+    double openTime = 0.5;   ///< [s], > 0
+    double stiffness = 3.0;  ///< k [N / travel unit], > 0
+    double damping = 0.12;   ///< b [N·s / travel unit], >= 0
+    double variation =
+        0.0;  ///< how much one closing differs from the next in reach and time, [0, 0.5]
+    std::uint64_t seed = 0;  ///< of these differences
+  };
+
+  /// @throws std::invalid_argument  if a time or the stiffness makes no sense.
+  explicit SimulatedHand(const Person& person);
+
+  double push(double travel, double velocity, double dt) noexcept override;
+
+ private:
+  struct Target {
+    double position = 0.0;
+    double velocity = 0.0;
+  };
+  Target target() const noexcept;
+  void beginCycle() noexcept;
+  double chance() noexcept;
+
+  Person person_;
+  double time_ = 0.0;  ///< since the present cycle began [s]
+  std::uint64_t state_;
+  double closed_ = 0.0;     ///< in this cycle
+  double closeTime_ = 0.0;  ///< in this cycle [s]
+};
+
+/// A hand that follows a pointer: the mouse or the keys of somebody who has no device. Another
+/// thread says where to go.
+class PointerHand final : public Hand {
+ public:
+  struct Grip {
+    double stiffness = 3.0;  ///< [N / travel unit]
+    double damping = 0.12;   ///< [N·s / travel unit]
+    double speed = 40.0;     ///< how fast the grip follows at most [travel units / s]
+  };
+
+  explicit PointerHand(const Grip& grip) noexcept : grip_(grip) {}
+
+  /// Any thread: where the hand means to be [travel unit].
+  void moveTo(double travel) noexcept { wanted_.store(travel, std::memory_order_relaxed); }
+
+  double push(double travel, double velocity, double dt) noexcept override;
+
+ private:
+  Grip grip_;
+  std::atomic<double> wanted_{0.0};
+  double position_ = 0.0;
 };
 
 }  // namespace haptics::devices

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::devices {

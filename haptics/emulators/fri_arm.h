@@ -1,7 +1,7 @@
 #pragma once
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/iiwa/iiwa_kinematics.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/emulators/iiwa_arm.h"
 #include "haptics/emulators/surgeon_hand.h"
 #include "haptics/wire/fri_message.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/devices/iiwa/iiwa_model.h"
+#include "haptics/devices/iiwa/iiwa_kinematics.h"
 #include "haptics/emulators/fri_session.h"
 #include "haptics/wire/fri_message.h"
 

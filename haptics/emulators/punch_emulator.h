@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/emulators/impairment.h"
 #include "haptics/emulators/pseudo_terminal.h"
 #include "haptics/firmware/punch_program.h"

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <thread>
 
-#include "haptics/devices/beat.h"
+#include "haptics/devices/device.h"
 #include "haptics/timing/clock_statistics.h"
 
 namespace haptics::engine {

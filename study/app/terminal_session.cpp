@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_rig.h"

@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 
 #include "haptics/devices/datagram_socket.h"
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/iiwa_device.h"
 #include "haptics/devices/punch/punch_device.h"
 #include "haptics/emulators/fri_arm.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <thread>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_rig.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/message.h"
-#include "haptics/devices/link_report.h"
+#include "haptics/devices/device.h"
 #include "haptics/engine/passivity.h"
 #include "haptics/models/cut_detector.h"
 #include "study/model/view_report.h"

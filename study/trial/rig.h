@@ -6,9 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "haptics/devices/pointer_hand.h"
+#include "haptics/devices/hand.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/scene_spec.h"
 #include "protocols/model/protocol.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/iiwa_device.h"
 #include "haptics/timing/monotonic_clock.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 

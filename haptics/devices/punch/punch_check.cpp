@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/devices/punch/punch_device.h"
 #include "haptics/timing/monotonic_clock.h"
 

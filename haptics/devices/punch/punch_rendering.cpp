@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/devices/punch/punch_device.h"
 #include "haptics/timing/monotonic_clock.h"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "haptics/devices/datagram_socket.h"
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/emulators/fri_arm.h"
 #include "protocols/load_protocol.h"
 #include "study/app/devices/device_report.h"

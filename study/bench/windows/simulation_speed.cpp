@@ -9,10 +9,10 @@
 #include <QEventLoop>
 #include <QTimer>
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/built_in_models.h"
 #include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/devices/device_check.h"
+#include "haptics/devices/device.h"
 #include "haptics/engine/realtime_loop.h"
 #include "protocols/model/protocol.h"
 #include "study/model/progress.h"

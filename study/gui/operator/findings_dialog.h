@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "haptics/devices/device_check.h"
+#include "haptics/devices/device.h"
 
 namespace study::gui {
 

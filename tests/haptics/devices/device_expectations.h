@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/devices/device_check.h"
-#include "haptics/devices/device_error.h"
+#include "haptics/devices/device.h"
 #include "haptics/timing/monotonic_clock.h"
 
 /// What the tests of every device on a wire ask.

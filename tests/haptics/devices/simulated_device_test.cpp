@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/devices/pointer_hand.h"
+#include "haptics/devices/hand.h"
 #include "haptics/devices/punch/punch_kind.h"
 
 namespace haptics::devices {

@@ -1,11 +1,11 @@
-#include "haptics/devices/simulated_hand.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/devices/hand.h"
 
 namespace haptics::devices {
 namespace simulated_hand_test {

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/devices/simulated_hand.h"
+#include "haptics/devices/hand.h"
 #include "haptics/emulators/iiwa_arm.h"
 #include "tests/support/allocation_counter.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/built_in_models.h"
 #include "tests/support/allocation_counter.h"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/engine/bone_models.h"
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/devices/hand.h"
 #include "haptics/devices/simulated_device.h"
-#include "haptics/devices/simulated_hand.h"
 #include "haptics/models/cut_detector.h"
 
 namespace haptics {

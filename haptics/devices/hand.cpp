@@ -1,5 +1,6 @@
-#include "haptics/devices/simulated_hand.h"
+#include "haptics/devices/hand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -66,6 +67,13 @@ double SimulatedHand::push(double travel, double velocity, double dt) noexcept {
   const Target wanted = target();
   return person_.stiffness * (wanted.position - travel) +
          person_.damping * (wanted.velocity - velocity);
+}
+
+double PointerHand::push(double travel, double velocity, double dt) noexcept {
+  const double wanted = wanted_.load(std::memory_order_relaxed);
+  const double step = std::clamp(wanted - position_, -grip_.speed * dt, grip_.speed * dt);
+  position_ += step;
+  return grip_.stiffness * (position_ - travel) + grip_.damping * (step / dt - velocity);
 }
 
 }  // namespace haptics::devices
