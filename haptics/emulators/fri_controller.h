@@ -9,12 +9,10 @@
 #include <string_view>
 
 #include "haptics/devices/datagram_socket.h"
-#include "haptics/emulators/connection_quality.h"
 #include "haptics/emulators/fri_answers.h"
 #include "haptics/emulators/fri_arm.h"
-#include "haptics/emulators/fri_limits.h"
+#include "haptics/emulators/fri_monitoring.h"
 #include "haptics/emulators/fri_orders.h"
-#include "haptics/emulators/fri_report.h"
 #include "haptics/emulators/fri_session.h"
 #include "haptics/emulators/impairment.h"
 #include "haptics/wire/fri_message.h"

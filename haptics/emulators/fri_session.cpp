@@ -2,11 +2,55 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace haptics::emulators {
-namespace {
 
-using wire::fri::ConnectionQuality;
+ConnectionQuality::Level ConnectionQuality::levelOf(const Measures& measures) noexcept {
+  for (const auto& [level, worst] : kThresholds) {
+    const bool isEnough = measures.share >= worst.share && measures.latency <= worst.latency &&
+                          measures.jitter <= worst.jitter;
+    if (isEnough) return level;
+  }
+  return Level::Poor;
+}
+
+void ConnectionQuality::add(double latency) noexcept {
+  latencies_[next_] = latency;
+  next_ = (next_ + 1) % kWindow;
+}
+
+void ConnectionQuality::answered(double latency) noexcept {
+  add(std::max(latency, 0.0));
+}
+
+void ConnectionQuality::missed() noexcept {
+  add(kUnanswered);
+}
+
+ConnectionQuality::Measures ConnectionQuality::measures() const noexcept {
+  Measures sums;
+  int answers = 0;
+  int pairs = 0;
+  double before = kUnanswered;
+  for (std::size_t i = 0; i < kWindow; ++i) {
+    const double latency = latencies_[(next_ + i) % kWindow];
+    if (latency == kUnanswered) continue;
+    ++answers;
+    sums.latency += latency;
+    if (before != kUnanswered) {
+      ++pairs;
+      sums.jitter += std::abs(latency - before);
+    }
+    before = latency;
+  }
+  return {
+      .share = answers / static_cast<double>(kWindow),
+      .latency = sums.latency / std::max(answers, 1),
+      .jitter = sums.jitter / std::max(pairs, 1)};
+}
+
+namespace {
 
 constexpr std::array<std::string_view, 16> kEnds{
     "no motion has ended",
@@ -48,14 +92,14 @@ FriEnd FriSession::reasonToEnd(const Input& input) const noexcept {
     return FriEnd::CommandsTooRare;
   }
   if (input.missed > kMostMissed) return FriEnd::AnswersMissing;
-  if (input.quality < ConnectionQuality::Good) return FriEnd::QualityLost;
+  if (input.quality < ConnectionQuality::Level::Good) return FriEnd::QualityLost;
   if (!isActive()) return periods_ * period > kMirrorTime ? FriEnd::NotMirrored : FriEnd::None;
   const int time = options_.stay.commandingActive;
   return time > 0 && periods_ >= time ? FriEnd::Completed : FriEnd::None;
 }
 
 void FriSession::goOn(const Input& input) noexcept {
-  const bool isGood = input.quality >= ConnectionQuality::Good;
+  const bool isGood = input.quality >= ConnectionQuality::Level::Good;
   const Stay& stay = options_.stay;
   switch (state_) {
     case State::Idle:

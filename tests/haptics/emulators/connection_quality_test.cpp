@@ -1,8 +1,8 @@
-#include "haptics/emulators/connection_quality.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "haptics/emulators/fri_session.h"
 
 namespace haptics::emulators {
 namespace connection_quality_test {
