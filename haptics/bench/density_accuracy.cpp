@@ -9,9 +9,9 @@
 
 #include "haptics/bench/measurement.h"
 #include "haptics/reaming/material/synthetic_series.h"
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/density_fit.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::bench {
 namespace {

@@ -9,10 +9,10 @@
 #include "haptics/bench/measurement.h"
 #include "haptics/bench/peers/sphere_peers.h"
 #include "haptics/reaming/bone/bone.h"
-#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/bone/sphere_kernel.h"
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::bench {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "haptics/bench/stability.h"
 #include "haptics/reaming/bone/bone.h"
-#include "haptics/reaming/bone/plunge.h"
-#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::bench {
 namespace {

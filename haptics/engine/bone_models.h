@@ -13,7 +13,7 @@
 #include "haptics/models/hermite_curve.h"
 #include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/chance.h"
-#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
 

@@ -1,11 +1,57 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/bone/solid.h"
-
 namespace haptics::reaming {
+
+/// A place or a direction in the frame of a bone [m]: the reamer goes in along +z.
+struct Vec3 {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+
+  friend constexpr Vec3 operator+(Vec3 a, Vec3 b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr Vec3 operator-(Vec3 a, Vec3 b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend constexpr Vec3 operator*(double s, Vec3 a) noexcept { return {s * a.x, s * a.y, s * a.z}; }
+};
+
+constexpr double dot(Vec3 a, Vec3 b) noexcept {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+constexpr Vec3 cross(Vec3 a, Vec3 b) noexcept {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(Vec3 a) noexcept {
+  return std::sqrt(dot(a, a));
+}
+
+/// The nearest place of a solid's surface.
+struct Boundary {
+  double distance = 0.0;  ///< signed: above 0 inside [m]
+  Vec3 inward;            ///< where that distance grows: a unit vector
+};
+
+/// A body that can be filled.
+class Solid {
+ public:
+  virtual ~Solid() = default;
+  Solid() = default;
+  Solid(const Solid&) = delete;
+  Solid& operator=(const Solid&) = delete;
+
+  /// Any number of threads.
+  virtual Boundary nearest(Vec3 place) const noexcept = 0;
+
+  virtual Vec3 lowest() const noexcept = 0;   ///< corner of its box
+  virtual Vec3 highest() const noexcept = 0;  ///< and the opposite one
+  virtual double volume() const noexcept = 0;
+};
 
 /// A sphere of a packing, in the numbers in which it is kept.
 struct Sphere {

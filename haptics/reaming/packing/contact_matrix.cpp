@@ -1,8 +1,8 @@
-#include "haptics/reaming/packing/contact_matrix.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "haptics/reaming/packing/density_fit.h"
 
 namespace haptics::reaming {
 

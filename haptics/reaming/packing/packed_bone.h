@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/packing.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/density_fit.h"
@@ -57,5 +58,32 @@ BoneFitReport fitTo(
     const HardnessCurves& curves,
     std::size_t depths = 400,
     const std::function<void(const std::string&)>& goesOn = {});
+
+/// The testing machine of the paper: it drives the reamer in at a feed and stops at a force or a
+/// depth (reaming paper, "Experimental setup").
+struct ExperimentOptions {
+  double feed = 0.03e-3;    ///< [m/s]
+  double step = 4e-6;       ///< of the reamer between two samples [m]
+  double mostDepth = 0.02;  ///< [m]
+  double mostForce = 800;   ///< [N]; a dynamic test has no such limit
+};
+
+/// What the machine would have written.
+struct ExperimentResult {
+  std::vector<double> depth;  ///< of the tool [m], rising
+  std::vector<double> force;  ///< [N]
+  double removedShare = 0.0;  ///< of the bone's mass
+  std::string stop;           ///< why it ended, for people
+};
+
+/// Reams @p bone with the densities of hardness @p h, taking away what it goes through.
+ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options = {});
+
+/// How far @p result is from the force @p wanted at each of @p depths: |felt − wanted| / |wanted|
+/// over those that were reached.
+double errorOf(
+    const ExperimentResult& result,
+    const std::vector<double>& depths,
+    const std::vector<double>& wanted);
 
 }  // namespace haptics::reaming

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "haptics/reaming/bone/vec3.h"
+#include "haptics/reaming/bone/packing.h"
 
 namespace haptics::reaming {
 

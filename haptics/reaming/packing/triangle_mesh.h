@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/reaming/bone/vec3.h"
+#include "haptics/reaming/bone/packing.h"
 
 namespace haptics::reaming {
 

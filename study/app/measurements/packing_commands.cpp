@@ -8,10 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/packing/acetabulum.h"
-#include "haptics/reaming/packing/mesh_solid.h"
+#include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
-#include "haptics/reaming/packing/virtual_experiment.h"
+#include "haptics/reaming/packing/solids.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"
 #include "study/app/commands.h"

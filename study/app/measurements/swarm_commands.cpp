@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/packing/density_fit.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/document.h"

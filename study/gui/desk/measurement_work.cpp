@@ -8,9 +8,9 @@
 
 #include "haptics/reaming/material/material_fit.h"
 #include "haptics/reaming/material/series_text.h"
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 #include "haptics/recordings/recording.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/packing_file.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "haptics/reaming/bone/plunge.h"
+#include "haptics/reaming/bone/sphere_field.h"
 #include "study/gui/scene/shapes/solids.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
 

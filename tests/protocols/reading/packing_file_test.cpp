@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

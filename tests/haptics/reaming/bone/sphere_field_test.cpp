@@ -8,9 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/bone/plunge.h"
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 #include "tests/support/allocation_counter.h"
 
 namespace haptics::reaming {

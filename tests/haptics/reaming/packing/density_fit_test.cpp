@@ -7,10 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/material/synthetic_series.h"
-#include "haptics/reaming/packing/acetabulum.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/reaming/packing/packing_builder.h"
-#include "haptics/reaming/packing/virtual_experiment.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::reaming {
 namespace density_fit_test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/packing/acetabulum.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::reaming {
 namespace packing_builder_test {

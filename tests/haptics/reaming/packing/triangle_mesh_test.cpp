@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "haptics/reaming/packing/mesh_solid.h"
 #include "haptics/reaming/packing/packing_builder.h"
+#include "haptics/reaming/packing/solids.h"
 
 namespace haptics::reaming {
 namespace triangle_mesh_test {

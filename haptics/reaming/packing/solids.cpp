@@ -1,12 +1,34 @@
-#include "haptics/reaming/packing/mesh_solid.h"
+#include "haptics/reaming/packing/solids.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace haptics::reaming {
+
+Acetabulum::Acetabulum(double inner, double outer) : inner_(inner), outer_(outer) {
+  if (!(inner >= 0.0 && inner < outer && outer <= 1.0)) {
+    throw std::invalid_argument("the radii of an acetabulum: 0 ≤ inner < outer ≤ 1 m");
+  }
+}
+
+Boundary Acetabulum::nearest(Vec3 place) const noexcept {
+  const double radius = length(place);
+  const Vec3 outward = radius > 0.0 ? (1.0 / radius) * place : Vec3{0.0, 0.0, 1.0};
+  Boundary found{place.z, {0.0, 0.0, 1.0}};
+  if (outer_ - radius < found.distance) found = {outer_ - radius, -1.0 * outward};
+  if (inner_ > 0.0 && radius - inner_ < found.distance) found = {radius - inner_, outward};
+  return found;
+}
+
+double Acetabulum::volume() const noexcept {
+  return 2.0 / 3.0 * std::numbers::pi * (outer_ * outer_ * outer_ - inner_ * inner_ * inner_);
+}
+
 namespace {
 
 /// Which part of a triangle is nearest: its face, an edge, or a corner.
