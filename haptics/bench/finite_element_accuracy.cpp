@@ -4,7 +4,7 @@
 #include <random>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/peers/string_peers.h"
+#include "haptics/bench/peers/peers.h"
 #include "haptics/bench/string_reference.h"
 #include "haptics/models/finite_elements.h"
 

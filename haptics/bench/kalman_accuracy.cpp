@@ -4,7 +4,7 @@
 #include <random>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/peers/kalman_peers.h"
+#include "haptics/bench/peers/peers.h"
 #include "haptics/bench/string_reference.h"
 #include "haptics/models/kalman_filter.h"
 #include "haptics/models/kalman_noise.h"

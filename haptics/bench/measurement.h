@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "haptics/timing/stopwatch.h"
@@ -85,5 +86,9 @@ struct Repeated {
 
 /// In the order in which things were first measured.
 std::vector<Repeated> gathered(const std::vector<Measurement>& measurements);
+
+/// What a measurement was taken with: processor, kernel, governor, load, compiler, peers. Pairs of
+/// a name and words.
+std::vector<std::pair<std::string, std::string>> machineInWords();
 
 }  // namespace haptics::bench

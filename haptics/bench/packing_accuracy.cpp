@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/peers/sphere_peers.h"
+#include "haptics/bench/peers/peers.h"
 #include "haptics/reaming/bone/bone.h"
 #include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/bone/sphere_kernel.h"

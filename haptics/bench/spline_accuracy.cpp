@@ -5,7 +5,7 @@
 #include <span>
 
 #include "haptics/bench/measurement.h"
-#include "haptics/bench/peers/spline_peers.h"
+#include "haptics/bench/peers/peers.h"
 #include "haptics/engine/bucket_table.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/models/interpolation.h"

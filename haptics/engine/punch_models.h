@@ -8,7 +8,7 @@
 #include "haptics/engine/bucket_table.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
-#include "haptics/models/hysteresis.h"
+#include "haptics/models/interpolation.h"
 
 namespace haptics::engine {
 

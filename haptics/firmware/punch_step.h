@@ -2,10 +2,10 @@
 
 #include "haptics/firmware/cut_table.h"
 #include "haptics/models/finite_elements.h"
+#include "haptics/models/fixed_point.h"
 #include "haptics/models/kalman_filter.h"
 #include "haptics/models/kalman_noise.h"
 #include "haptics/models/steady_filter.h"
-#include "haptics/models/uniform_curve.h"
 
 namespace haptics::firmware {
 

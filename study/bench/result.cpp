@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "haptics/bench/machine.h"
+#include "haptics/bench/measurement.h"
 #include "study/app/write_document.h"
 
 namespace study::bench {

@@ -1,6 +1,6 @@
-#include "haptics/bench/peers/kalman_peers.h"
-
 #include <Eigen/Dense>
+
+#include "haptics/bench/peers/peers.h"
 
 namespace haptics::bench::peers {
 namespace {

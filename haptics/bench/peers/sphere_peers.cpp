@@ -1,8 +1,8 @@
-#include "haptics/bench/peers/sphere_peers.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "haptics/bench/peers/peers.h"
 
 #ifdef PALPATE_HAS_NANOFLANN
 #include <nanoflann.hpp>

@@ -1,14 +1,18 @@
-#include "haptics/bench/peers/spline_peers.h"
-
 #include <math.h>  // boost 1.74's pchip needs it before
 
 #include <memory>
 #include <unsupported/Eigen/Splines>
 
+#include <Eigen/Core>
 #include <boost/math/interpolators/makima.hpp>
 #include <boost/math/interpolators/pchip.hpp>
+#include <boost/version.hpp>
+
+#include "haptics/bench/peers/peers.h"
+
 #ifdef PALPATE_HAS_GSL
 #include <gsl/gsl_spline.h>
+#include <gsl/gsl_version.h>
 #endif
 
 namespace haptics::bench::peers {
@@ -66,6 +70,19 @@ std::vector<Spline> splinePeers(const std::vector<double>& xs, const std::vector
   constexpr std::size_t kFeasible = 100;
   if (xs.size() <= kFeasible) peers.push_back(eigenSpline(xs, ys));
   return peers;
+}
+
+std::string versions() {
+  std::string words =
+      "Eigen " + std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
+      "." + std::to_string(EIGEN_MINOR_VERSION) + ", Boost " +
+      std::to_string(BOOST_VERSION / 100'000) + "." + std::to_string(BOOST_VERSION / 100 % 1000);
+#ifdef PALPATE_HAS_GSL
+  words += ", GSL " GSL_VERSION;
+#else
+  words += "; GSL was not there when this was built (./setup --check installs it)";
+#endif
+  return words;
 }
 
 }  // namespace haptics::bench::peers

@@ -1,10 +1,10 @@
-#include "haptics/bench/peers/string_peers.h"
-
 #include <cmath>
 #include <memory>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+
+#include "haptics/bench/peers/peers.h"
 
 namespace haptics::bench::peers {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "haptics/models/kalman_noise.h"
 #include "haptics/models/steady_filter.h"
-#include "haptics/models/uniform_curve.h"
 
 namespace haptics::models {
 namespace fixed_point_test {

@@ -1,10 +1,10 @@
-#include "haptics/models/hysteresis.h"
-
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "haptics/models/interpolation.h"
 
 namespace haptics::models {
 namespace hysteresis_test {

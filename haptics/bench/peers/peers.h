@@ -1,6 +1,66 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptics/reaming/bone/sphere_field.h"
+
 namespace haptics::bench::peers {
+
+/// A curve through given nodes, by one library.
+struct Spline {
+  std::string name;
+  std::function<double(double x)> at;
+  /// Evaluates at all of xs, each only after the one before: the sum is a latency.
+  std::function<double(std::span<const double> xs)> sweep;
+};
+
+/// @param evaluate  the value at x. It is called directly, so that it is part of the loop.
+template <typename Evaluate>
+Spline splineOf(std::string name, Evaluate evaluate) {
+  const auto sweep = [evaluate](std::span<const double> xs) mutable {
+    double last = 0.0;
+    for (const double x : xs) last = evaluate(x + last * 0.0);  // waits for the one before
+    return last;
+  };
+  return {std::move(name), evaluate, sweep};
+}
+
+/// Boost's PCHIP and makima, GSL's natural cubic and Steffen's spline (where GSL is installed), and
+/// for up to 100 nodes Eigen's cubic spline, whose fit takes O(n³).
+std::vector<Spline> splinePeers(const std::vector<double>& xs, const std::vector<double>& ys);
+
+/// The paper's string of finite elements, solved in one way.
+struct StringSolver {
+  std::string name;
+  /// The force at the tool [N] where it has moved by y [travel units]; works out the displacements
+  /// of all midpoints as well, except where its name says otherwise.
+  std::function<double(double y)> solve;
+};
+
+/// Solvers that form the matrix, for elements of length 1 and boundary A as in StringReference:
+/// dense LU at each step (as the paper's program) and once, both up to 1000 unknowns; sparse LDLᵀ
+/// once; Thomas' algorithm at each step.
+std::vector<StringSolver> stringPeers(
+    const std::vector<double>& elementStiffnesses, double toolPosition);
+
+/// Another way to find the spheres that a reamer's surface cuts; it adds up the same areas one by
+/// one.
+class SpherePeer {
+ public:
+  virtual ~SpherePeer() = default;
+  virtual std::string name() const = 0;
+
+  /// Σ a ρ [N].
+  virtual double pressing(const reaming::Reamer& reamer) = 0;
+};
+
+/// nanoflann, a k-d tree of centres, where it was installed when this was built.
+std::vector<std::unique_ptr<SpherePeer>> spherePeers(
+    const reaming::Packing& packing, const std::vector<double>& densities);
 
 /// Noise of eq. (22)–(24), for everybody alike.
 struct KalmanNumbers {
@@ -86,5 +146,8 @@ struct JosephFilter {
 /// @p travelled between 3 N and 2 N; the last force.
 double eigenFixed(const KalmanNumbers& numbers, int steps, double travelled);
 double eigenDynamic(const KalmanNumbers& numbers, int steps, double travelled);
+
+/// The libraries that we are compared with.
+std::string versions();
 
 }  // namespace haptics::bench::peers
