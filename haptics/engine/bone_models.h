@@ -123,6 +123,7 @@ class RemovalModel final : public ForceModel {
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override { bone_.reset(); }
+  bool isReady() const noexcept override { return bone_.isOutside(); }
   double largestStiffness() const noexcept override { return stiffness_; }
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 

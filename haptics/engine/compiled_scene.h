@@ -50,6 +50,7 @@ class CompiledScene {
   void reset() noexcept { model_->reset(); }
   double largestStiffness() const noexcept { return model_->largestStiffness(); }
   double delay() const noexcept { return model_->delay(); }  ///< [ticks]
+  bool isReady() const noexcept { return model_->isReady(); }
 
   /// Nothing, where the condition is felt without being seen.
   const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }

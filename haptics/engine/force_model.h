@@ -29,6 +29,10 @@ class ForceModel {
   /// The steepest slope that it can render [N per travel unit]: K of eq. (25) of the punch paper.
   virtual double largestStiffness() const noexcept = 0;
 
+  /// Whether the tool may move: a bone that is reamed first looks at all its spheres, some in every
+  /// tick, to see that the tool is outside of them.
+  virtual bool isReady() const noexcept { return true; }
+
   /// How old the force is that it answers with, beyond the tick itself [ticks].
   virtual double delay() const noexcept { return 0.0; }
 };

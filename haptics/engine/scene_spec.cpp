@@ -1,5 +1,6 @@
 #include "haptics/engine/scene_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -144,6 +145,25 @@ ModelParts partsOf(const ModelSpec& model) noexcept {
     ModelParts operator()(const PackingSpec& spec) const { return {.packing = &spec}; }
   };
   return std::visit(Parts{}, model);
+}
+
+std::optional<double> endOfData(const ModelSpec& model) {
+  const auto parts = partsOf(model);
+  if (parts.cut != nullptr && !parts.cut->curve.empty()) {
+    const auto& options = parts.cut->options;
+    const bool isRamp = options.beyond == models::BeyondCurve::RampOut;
+    return parts.cut->curve.back().travel + (isRamp ? options.rampLength : 0.0);
+  }
+  if (parts.material == nullptr) return std::nullopt;
+  const auto& curves = parts.material->curves;
+  if (!curves.isEmpty()) {
+    return std::max(
+        {curves.minimum.back().position,
+         curves.average.back().position,
+         curves.maximum.back().position});
+  }
+  if (parts.material->nodes.empty()) return std::nullopt;
+  return parts.material->nodes.back().depth;
 }
 
 std::optional<ModelSpec> undisturbed(const ModelSpec& model) {

@@ -122,6 +122,10 @@ struct ModelParts {
 };
 ModelParts partsOf(const ModelSpec& model) noexcept;
 
+/// Where the data of a model end: a cut's last point and its ramp, a material's last node [device's
+/// travel unit]. Nothing for a model that has no end of its own.
+std::optional<double> endOfData(const ModelSpec& model);
+
 /// The same model as a curve over travel: without noise, and before anything is taken away. Nothing
 /// for a model whose force depends on more than travel, or is a recording's.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);

@@ -33,6 +33,8 @@ struct PlayOptions {
   std::string profile = "closing";
   std::string out;
   std::string over = "travel";
+  std::optional<double> from;
+  std::optional<double> to;
   std::optional<double> speed;
   std::optional<double> rate;
   double quantum = 0.0;
@@ -138,8 +140,25 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
-Motion motionFor(const PlayOptions& options, const haptics::devices::Capabilities& device) {
-  Motion motion{.least = device.leastTravel, .most = device.mostTravel, .quantum = options.quantum};
+/// From where the device begins to where the data of the last of the scenes end; to the device's
+/// stop where a scene has no end of its own.
+Motion motionFor(
+    const PlayOptions& options,
+    const haptics::devices::Capabilities& device,
+    const std::vector<const protocols::Condition*>& conditions) {
+  Motion motion{.least = options.from.value_or(device.leastTravel), .quantum = options.quantum};
+  motion.most = motion.least;
+  for (const auto* condition : conditions) {
+    const auto end = haptics::engine::endOfData(condition->scene.model);
+    motion.most = std::max(motion.most, end.value_or(device.mostTravel));
+  }
+  if (options.to) motion.most = *options.to;
+  if (!(motion.most > motion.least)) {
+    throw UserError(fmt::format(
+        "The motion would go from {:g} to {:g}: give --from and --to a way to close.",
+        motion.least,
+        motion.most));
+  }
   if (options.profile == "cut") motion.shape = Motion::Shape::Cut;
   if (options.profile == "sine") motion.shape = Motion::Shape::Sine;
   motion.speed = options.speed.value_or(device.kind->travel.playSpeed);
@@ -192,26 +211,34 @@ std::string beside(const std::string& out, const char* extension) {
   return path.string() + extension;
 }
 
+/// The conditions that are asked for, all of one device.
+std::vector<const protocols::Condition*> playedConditions(
+    const PlayOptions& options, const protocols::Protocol& protocol) {
+  std::vector<const protocols::Condition*> conditions;
+  for (const auto& id : options.conditions) {
+    conditions.push_back(&conditionOf(protocol, id));
+    if (standInFor(protocol, *conditions.back()).kind !=
+        standInFor(protocol, *conditions.front()).kind) {
+      throw UserError("These conditions are felt on different devices; play them one by one.");
+    }
+  }
+  return conditions;
+}
+
 int playScene(const PlayOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
+  const auto conditions = playedConditions(options, file->protocol);
+  const auto device = standInFor(file->protocol, *conditions.front());
+  const auto profile = profileOf(motionFor(options, device, conditions));
   std::vector<PlayedCurve> curves;
-  std::optional<haptics::devices::Capabilities> device;
-  TravelProfile profile;
-  for (const auto& id : options.conditions) {
-    const auto& condition = conditionOf(file->protocol, id);
-    const auto own = standInFor(file->protocol, condition);
-    if (device && device->kind != own.kind) {
-      throw UserError("These conditions are felt on different devices; play them one by one.");
-    }
-    device = own;
-    profile = profileOf(motionFor(options, own));
-    playCondition(options, condition, condition.scene, profile, curves);
+  for (const auto* condition : conditions) {
+    playCondition(options, *condition, condition->scene, profile, curves);
   }
   report::Document document{
       .parts = {
           {.figures = {
-               {.chart = asChart(profile, curves, *device->kind, options.over == "time")}}}}};
+               {.chart = asChart(profile, curves, *device.kind, options.over == "time")}}}}};
   paintFigures(document);
   const auto& svg = document.parts.front().figures.front().svg;
   const std::string csv = beside(options.out, ".csv");
@@ -247,6 +274,14 @@ void addPlay(CLI::App& noun, Action& action) {
   play->add_option("--profile", options->profile, "How the tool moves; cut closes and opens again")
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
       ->capture_default_str();
+  play->add_option(
+          "--from", options->from, "Where the tool begins [device's unit] (default: the device's)")
+      ->check(finiteRange(-1e6, 1e6));
+  play->add_option(
+          "--to",
+          options->to,
+          "Where it turns or ends [device's unit] (default: where the scene's data end)")
+      ->check(finiteRange(-1e6, 1e6));
   play->add_option("--speed", options->speed, "[travel units/s, or m/s] (default: 57, or 0.005)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options->rate, "Of the steps [Hz] (default: the device's)")

@@ -1,9 +1,13 @@
 #include "study/app/scene_play.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "haptics/engine/compiled_scene.h"
+#include "study/model/user_error.h"
 
 namespace study::app {
 namespace {
@@ -43,6 +47,19 @@ double secondsOf(const Motion& motion) {
   return 0.0;
 }
 
+/// A bone that is reamed answers only after it has seen the tool outside of all its spheres, some
+/// in each tick: the tool waits at its first place until the scene is ready, as a hand does before
+/// a trial. Most scenes are ready at once.
+haptics::models::Response<double> firstAnswer(
+    engine::CompiledScene& scene, const engine::ToolState& first) {
+  constexpr double kLongest = 10.0;  // [s]: 20 million spheres are looked at
+  auto response = scene.respond(first);
+  for (double waited = 0.0; !scene.isReady() && waited < kLongest; waited += first.dt) {
+    response = scene.respond(first);
+  }
+  return response;
+}
+
 PlayedCurve alongOne(
     const std::string& condition,
     const std::string& title,
@@ -50,12 +67,30 @@ PlayedCurve alongOne(
     const TravelProfile& profile) {
   PlayedCurve curve{.condition = condition, .title = title};
   engine::CompiledScene scene(spec);
-  for (const double travel : profile.travel) {
-    const auto response = scene.respond({.travel = travel});
+  engine::ToolState tool{.travel = profile.travel.front(), .dt = 1.0 / profile.rate};
+  for (std::size_t i = 0; i < profile.travel.size(); ++i) {
+    tool.velocity = (profile.travel[i] - tool.travel) * profile.rate;
+    tool.travel = profile.travel[i];
+    const auto response = i == 0 ? firstAnswer(scene, tool) : scene.respond(tool);
     curve.force.push_back(response.isDefined ? response.force : std::nan(""));
     curve.stiffness.push_back(response.isDefined ? response.stiffness : std::nan(""));
   }
   return curve;
+}
+
+/// @throws UserError  where the scene answers at less than half of the steps.
+void checkNotEmpty(const PlayedCurve& curve, const TravelProfile& profile) {
+  const auto answered = static_cast<std::size_t>(std::count_if(
+      curve.force.begin(), curve.force.end(), [](double force) { return std::isfinite(force); }));
+  if (2 * answered >= curve.force.size()) return;
+  throw UserError(fmt::format(
+      "Condition '{}' answers with a force at {} of {} steps only, so there is nothing to draw. A "
+      "bone that is reamed answers after the tool has been outside of it: let the motion begin "
+      "there (it begins at a travel of {:g}).",
+      curve.condition,
+      answered,
+      curve.force.size(),
+      profile.travel.front()));
 }
 
 }  // namespace
@@ -90,6 +125,7 @@ std::vector<PlayedCurve> play(
     for (auto& curve : curves) curve.isIngredient = true;
   }
   curves.push_back(alongOne(condition, title, spec, profile));
+  checkNotEmpty(curves.back(), profile);
   return curves;
 }
 

@@ -40,7 +40,8 @@ struct PlayedCurve {
 };
 
 /// What @p spec asks for along @p profile; of a filter also the two forces that it fuses, where
-/// @p withIngredients.
+/// @p withIngredients. The tool stays at the first travel until the scene is ready.
+/// @throws UserError  where the scene answers at less than half of the steps.
 std::vector<PlayedCurve> play(
     const std::string& condition,
     const std::string& title,

@@ -58,6 +58,9 @@ class Bone {
   std::span<const std::uint32_t> changed() const noexcept { return changed_; }
   /// Changes that found no room in the list.
   std::uint64_t untoldChanges() const noexcept { return untold_; }
+  /// Whether all spheres have been seen to be clear of the device since it began or was reset.
+  /// Until then some are looked at in every step.
+  bool isOutside() const noexcept { return isOutside_; }
   /// How often it has been made whole again.
   std::uint64_t restorations() const noexcept { return restorations_; }
 

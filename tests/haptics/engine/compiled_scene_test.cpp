@@ -54,6 +54,18 @@ TEST(CompiledScene, RefusesWhatIsUnsoundInWords) {
   EXPECT_THROW(CompiledScene({.model = bone(1.5)}), std::invalid_argument);
 }
 
+TEST(SceneSpec, KnowsWhereItsDataEnd) {
+  auto ramp = kCut;
+  ramp.options.rampLength = 2.0;
+  EXPECT_DOUBLE_EQ(endOfData(ramp).value(), 12.3);
+  auto held = kCut;
+  held.options.beyond = models::BeyondCurve::Hold;
+  EXPECT_DOUBLE_EQ(endOfData(held).value(), 10.3);
+  EXPECT_DOUBLE_EQ(endOfData(KalmanSpec{.interpolation = ramp}).value(), 12.3);
+  EXPECT_DOUBLE_EQ(endOfData(bone(0.5)).value(), parametricMaterial().back().depth);
+  EXPECT_FALSE(endOfData(FiniteElementsSpec{}).has_value());
+}
+
 TEST(CompiledScene, KnowsItsStiffestSlope) {
   EXPECT_DOUBLE_EQ(CompiledScene({.model = FiniteElementsSpec{}}).largestStiffness(), 12.0 / 7.0);
   const InterpolationSpec steep{

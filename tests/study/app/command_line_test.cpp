@@ -368,6 +368,44 @@ TEST_F(CommandLineTest, ImportsARealRecording) {
   EXPECT_TRUE(json::accept(tests::contentOf(cut)));
 }
 
+TEST_F(CommandLineTest, PlaysASceneToTheEndOfItsData) {
+  // The parametric cut ends at 11 travel units; its force fades over another 1.5.
+  const std::string cut = folder_ / "cut";
+  palpate({"scene", "play", "punch-face-validity", "--condition", "interpolation", "--out", cut});
+  // Elements have no end of their own: the punch stops at 11.
+  const std::string elements = folder_ / "elements";
+  palpate(
+      {"scene",
+       "play",
+       "punch-face-validity",
+       "--condition",
+       "finite-elements",
+       "--out",
+       elements});
+  const auto lastTravelOf = [](const std::string& out) {
+    std::istringstream cells(linesOf(tests::contentOf(out + ".csv")).back());
+    std::string cell;
+    for (int i = 0; i < 4; ++i) std::getline(cells, cell, ',');
+    return std::stod(cell);
+  };
+  EXPECT_DOUBLE_EQ(lastTravelOf(cut), 12.5);
+  EXPECT_DOUBLE_EQ(lastTravelOf(elements), 11.0);
+  const auto backwards = palpate(
+      {"scene",
+       "play",
+       "punch-face-validity",
+       "--condition",
+       "kalman",
+       "--from",
+       "5",
+       "--to",
+       "4",
+       "--out",
+       folder_ / "backwards"});
+  EXPECT_EQ(backwards.status, kTheWorldSaidNo);
+  EXPECT_NE(backwards.error.find("from 5 to 4"), std::string::npos) << backwards.error;
+}
+
 TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
   const std::string out = folder_ / "fused";
   const Words call{
@@ -379,6 +417,8 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
       "--interpolation-noise",
       "0.1",
       "50",
+      "--to",
+      "11",
       "--out",
       out};
   const auto played = palpate(call);

@@ -115,8 +115,14 @@ TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
     expectIn(cost, condition == "curve" ? "20,000 spheres that are reamed" : "the curve alone");
     const std::string played = folder_ / (condition + ".csv");
     output({"scene", "play", protocol, "--condition", condition, "--out", played});
-    EXPECT_TRUE(std::filesystem::exists(played));
+    EXPECT_EQ(tests::contentOf(played).find(",,"), std::string::npos) << "a step without a force";
   }
+  const std::string inside = folder_ / "inside";
+  expectIn(
+      refusal(
+          {"scene", "play", protocol, "--condition", "reamed", "--from", "0.005", "--out", inside}),
+      "so there is nothing to draw");
+  EXPECT_FALSE(std::filesystem::exists(inside + ".csv"));
   const std::string study = folder_ / "study";
   output({"study", "create", study, "--protocol", protocol, "--seed", "1"});
   expectIn(output({"study", "simulate", study, "--participants", "1"}), "1 simulated");
