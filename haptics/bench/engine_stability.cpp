@@ -219,7 +219,9 @@ void sweepBadInput(double effort, StabilityResult& result) {
           std::isfinite(device.commanded) && std::abs(device.commanded) <= kLimits.maxForce;
       wrong += isSound ? 0 : 1;
     }
-    // And afterwards it feels as ever: open, then five units into the cut.
+    // And afterwards it feels as ever: open, then five units into the cut. The mean of two ticks,
+    // because in paper-text two forces take turns, and whose turn it is depends on the number of
+    // valid ticks before.
     const auto feelAtFive = [](engine::ForceEngine& what, Mouthpiece& through) {
       what.arm();
       through.sample = {.status = devices::DeviceStatus::Ok, .travel = 0.0};
@@ -228,7 +230,10 @@ void sweepBadInput(double effort, StabilityResult& result) {
         through.sample.travel = 0.01 * i;
         what.tick(1e-3);
       }
-      return through.commanded;
+      for (int i = 0; i < 100; ++i) what.tick(1e-3);
+      const double before = through.commanded;
+      what.tick(1e-3);
+      return 0.5 * (before + through.commanded);
     };
     const double after = feelAtFive(engine, device);
     Mouthpiece fresh;

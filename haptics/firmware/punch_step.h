@@ -54,7 +54,55 @@ class FloatPunch {
   bool hasTravel_ = false;
 };
 
-/// The force of that step in whole numbers: no mesh, and the gains that the filter settles to.
+/// A step of the finite elements alone, with their mesh, as the published study rendered it.
+template <int kElements>
+class ElementsPunch {
+ public:
+  ElementsPunch() noexcept { elements_.writeMeshShape(shape_); }
+
+  /// The force [N] at a travel [travel units].
+  float step(float travel) noexcept {
+    const float force = elements_.at(travel, state_).force;
+    for (int i = 0; i < kElements; ++i) mesh_[i] = shape_[i] * force;
+    return force;
+  }
+
+  const float* mesh() const noexcept { return mesh_; }  ///< [travel units]
+
+ private:
+  using Elements = models::FiniteElements<float>;
+
+  static constexpr Elements::Parameters parameters() noexcept {
+    Elements::Parameters p;
+    p.elements = kElements;
+    return p;
+  }
+
+  Elements elements_{parameters()};
+  Elements::State state_;
+  float shape_[kElements] = {};
+  float mesh_[kElements] = {};
+};
+
+/// A step of the interpolation, with finite elements for the mesh only.
+template <int kElements>
+class InterpolationPunch {
+ public:
+  /// The force [N] at a travel [travel units].
+  float step(float travel) noexcept {
+    elements_.step(travel);
+    return curve_.at(travel, hint_).force;
+  }
+
+  const float* mesh() const noexcept { return elements_.mesh(); }  ///< [travel units]
+
+ private:
+  ElementsPunch<kElements> elements_;
+  models::Interpolation<float> curve_{kCut, kCutPoints, {}};
+  size_t hint_ = 0;
+};
+
+/// The force of a full step in whole numbers: no mesh, and the gains that the filter settles to.
 class FixedPunch {
  public:
   using Fixed = models::Fixed;

@@ -33,6 +33,13 @@ class Report {
     floats<5>("float-5", "instructions-float-5");
     floats<15>("float-15", "instructions-float-15");
     fixed();
+    cost<InterpolationPunch<5>>("instructions-interpolation-5");
+    cost<InterpolationPunch<10>>("instructions-interpolation-10");
+    cost<InterpolationPunch<15>>("instructions-interpolation-15");
+    cost<ElementsPunch<5>>("instructions-elements-5");
+    cost<ElementsPunch<10>>("instructions-elements-10");
+    cost<ElementsPunch<15>>("instructions-elements-15");
+    cost<FloatPunch<10>>("instructions-float-10");
   }
 
  private:
@@ -51,6 +58,22 @@ class Report {
     say_(cost, 0, most);
   }
 
+  /// The most instructions that a step takes.
+  template <typename Punch>
+  void cost(const char* name) {
+    Punch punch;
+    uint32_t most = 0;
+    for (int i = 0; i < kSteps; ++i) {
+      const float travel = static_cast<float>(travelAt(i)) / 65536.0F;
+      start_();
+      force_ = punch.step(travel);
+      mesh_ = punch.mesh()[0];
+      const uint32_t spent = count_();
+      if (spent > most) most = spent;
+    }
+    say_(name, 0, most);
+  }
+
   void fixed() {
     FixedPunch punch;
     uint32_t most = 0;
@@ -65,6 +88,8 @@ class Report {
     say_("instructions-fixed", 0, most);
   }
 
+  volatile float force_ = 0.0F;  ///< written, so that the compiler leaves no step out
+  volatile float mesh_ = 0.0F;
   Say say_;
   Start start_;
   Count count_;

@@ -23,8 +23,8 @@ enum class KalmanScheme {
 ///     K = P Hᵀ (H P Hᵀ + R)⁻¹,   x ← x + K (z − f),   P ← (I − K H) P,   H = [1 0].
 ///
 /// Which of the schemes runs decides what is felt (docs/force-models.md):
-/// with the published noise the interpolation weighs 0.24, 0.48 and nothing in the first three. In
-/// SpaceDomain only R decides.
+/// with the published noise, in the order of the state, the interpolation weighs 0.22, 0.44 and
+/// nothing in the first three. In SpaceDomain only R decides.
 ///
 /// Q is per step in the first three, so that what is felt depends on the rate and on the speed of
 /// the hand. In SpaceDomain a stiffness that wanders by `wandering` per unit of travel gives

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "haptics/bench/measurement.h"
+#include "haptics/bench/refresh_rate.h"
 #include "study/bench/commands.h"
 #include "study/bench/result.h"
 #include "study/model/user_error.h"
@@ -35,6 +36,8 @@ struct Figure {
   bool isLogarithmic = false;  ///< the axis of errors
 };
 
+using Measured = std::vector<Repeated>;
+
 struct Family {
   const char* option;  ///< on the command line, and of its files
   const char* name;    ///< in measurements
@@ -43,7 +46,10 @@ struct Family {
   void (*measure)(const AccuracyRun&);
   bool isOnce;  ///< takes long, and one process is enough
   std::vector<Figure> figures;
+  DataTable (*summary)(const Measured&) = nullptr;  ///< before the table of all measurements
 };
+
+DataTable refreshTable(const Measured& all);
 
 const std::vector<Family>& families() {
   using enum Figure::Shows;
@@ -95,7 +101,8 @@ const std::vector<Family>& families() {
        "N",
        haptics::bench::measureRefresh,
        false,
-       {{"refresh", "a step", "", TimeOverParameter}}},
+       {{"refresh", "a step", "", TimeOverParameter}},
+       refreshTable},
       {"filter",
        "filter",
        "From a measured series to nodes",
@@ -132,8 +139,6 @@ struct AccuracyOptions {
            std::find(families.begin(), families.end(), family.option) != families.end();
   }
 };
-
-using Measured = std::vector<Repeated>;
 
 /// The point of a measurement in a figure, where it has one.
 std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& figure) {
@@ -209,25 +214,60 @@ DataTable tableOf(const Measured& all, const Family& family) {
   return table;
 }
 
-report::Document reportOf(const Measured& all, int processes) {
+/// Updates a second of the three renderings beside those of the punch paper: of its Arduino Due, of
+/// this computer, and what our instructions on a Cortex-M3 allow at the Due's clock.
+DataTable refreshTable(const Measured& all) {
+  DataTable table{
+      .name = "fig-12",
+      .description = "Updates a second, force and mesh (Fig. 12 of the punch paper)",
+      .columns = {
+          {"method", "Method"},
+          {"elements", "N"},
+          {"published_hz", "Published, Arduino Due [Hz]"},
+          {"this_computer_hz", "Here, on this computer [Hz]"},
+          {"cortex_m3_instructions", "Ours on a Cortex-M3 (QEMU) [instructions]"},
+          {"due_hz_at_most", "… at 84 MHz, one a cycle: at most [Hz]"}}};
+  for (const auto& rate : haptics::bench::kRefreshRates) {
+    std::optional<double> here;
+    for (const auto& r : all) {
+      const auto& m = r.measurement;
+      const bool isIt = m.family == "refresh" && m.method == rate.method && m.time &&
+                        m.parameter == static_cast<double>(rate.elements);
+      if (isIt) here = 1e9 / m.time->median;
+    }
+    table.rows.push_back(
+        {std::string(rate.method),
+         std::int64_t{rate.elements},
+         rate.published,
+         cellOf(here),
+         std::int64_t{rate.instructions},
+         haptics::bench::kDueClock / rate.instructions});
+  }
+  return table;
+}
+
+report::Document reportOf(const Measured& all, const AccuracyOptions& options) {
   report::Document document{
       .title = "Error against run time",
       .lead = {fmt::format(
           "Errors are deterministic. Times are medians of {} processes' medians; all methods of a "
           "family are timed in turn, in the same process. docs/benchmarks.md explains the "
           "settings.",
-          processes)}};
+          options.processes)}};
   for (const auto& family : families()) {
-    auto table = tableOf(all, family);
-    if (table.rows.empty()) continue;
     report::DocumentPart part{.heading = family.heading};
+    if (family.summary != nullptr && options.wants(family)) {
+      part.tables.push_back(family.summary(all));
+    }
+    auto table = tableOf(all, family);
+    if (table.rows.empty() && part.tables.empty()) continue;
     for (const auto& figure : family.figures) {
       auto chart = chartOf(all, family, figure);
       if (chart.series.empty()) continue;
       part.figures.push_back(
           {.name = figure.name, .caption = figure.setting, .chart = std::move(chart)});
     }
-    part.tables.push_back(std::move(table));
+    if (!table.rows.empty()) part.tables.push_back(std::move(table));
     document.parts.push_back(std::move(part));
   }
   return document;
@@ -322,7 +362,7 @@ int accuracy(AccuracyOptions options) {
   }
   if (options.isShort) options.processes = 1;  // errors are the same in each
   const auto measured = measure(options);
-  present(options.out, "accuracy", reportOf(measured, options.processes));
+  present(options.out, "accuracy", reportOf(measured, options));
   return areWithinBounds(measured) ? 0 : 1;
 }
 

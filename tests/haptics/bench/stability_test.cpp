@@ -40,6 +40,17 @@ TEST(Stability, WithBadInput) {
   expectAllPassed(sweepBadInput);
 }
 
+TEST(Stability, WithBadInputOfAnyLength) {
+  // 4,000 to 20,000 ticks, so that whose turn it is in paper-text differs at their end.
+  for (const double effort : {0.02, 0.021, 0.03, 0.1}) {
+    StabilityResult result;
+    sweepBadInput(effort, result);
+    for (const auto& check : result.checks) {
+      EXPECT_TRUE(check.isPassed()) << effort << ": " << check.what << ": " << check.measured;
+    }
+  }
+}
+
 TEST(Stability, IsTheSameEveryTime) {
   StabilityResult once;
   StabilityResult again;

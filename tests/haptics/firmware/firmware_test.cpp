@@ -9,10 +9,12 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "haptics/bench/refresh_rate.h"
 #include "haptics/firmware/report.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/recordings/cut.h"
@@ -117,6 +119,21 @@ TEST_F(FirmwareTest, StaysWithinItsInstructions) {
   for (const auto* name :
        {"instructions-float-5", "instructions-float-15", "instructions-fixed", "stack"}) {
     std::cout << name << ": " << said.at(name).at(0) << "\n";
+  }
+}
+
+TEST_F(FirmwareTest, TakesTheInstructionsThatTheTableOfFig12Has) {
+  const auto& said = saidByTheBoard();
+  const std::map<std::string_view, std::string> names{
+      {"interpolation, with mesh", "instructions-interpolation-"},
+      {"finite elements, with mesh", "instructions-elements-"},
+      {"Kalman filter, with mesh", "instructions-float-"}};
+  for (const auto& rate : bench::kRefreshRates) {
+    const auto name = names.at(rate.method) + std::to_string(rate.elements);
+    const double counted = said.at(name).at(0);
+    std::cout << name << ": " << counted << "\n";
+    // Another release of the compiler may take some more or fewer.
+    EXPECT_NEAR(counted, rate.instructions, 0.05 * rate.instructions) << name;
   }
 }
 
