@@ -101,9 +101,11 @@ struct Builder {
     } else {
       model = std::make_unique<FactoredKalmanModel>(spec, spec.noise.factored());
     }
+    const bool isAbsent = spec.interpolation.options.beyond == models::BeyondCurve::Absent;
     interpolation(
         spec.interpolation,
-        "the filter corrects with it",
+        isAbsent ? "the filter corrects with it; beyond it there is no measurement (absent)"
+                 : "the filter corrects with it",
         InterpolationModel(spec.interpolation).bytes());
     in(kFiniteElements,
        "the filter corrects with it: " + inWords(spec.finiteElements.parameters),

@@ -19,6 +19,7 @@ inline constexpr std::array kBeyondNames{
     Named<models::BeyondCurve>{"hold", models::BeyondCurve::Hold},
     Named<models::BeyondCurve>{"zero", models::BeyondCurve::Zero},
     Named<models::BeyondCurve>{"authors-clamp", models::BeyondCurve::AuthorsClamp},
+    Named<models::BeyondCurve>{"absent", models::BeyondCurve::Absent},
 };
 inline constexpr std::array kBranchesNames{
     Named<Branches>{"closing-only", Branches::ClosingOnly},

@@ -89,6 +89,12 @@ double InterpolationModel::largestStiffness() const noexcept {
   return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTurn;
 }
 
+double InterpolationModel::trustAt(double travel) const noexcept {
+  const double closing = closing_.curve().trustAt(travel);
+  if (opening_ == nullptr) return closing;
+  return std::min(closing, opening_->curve.curve().trustAt(travel));
+}
+
 std::size_t InterpolationModel::bytes() const noexcept {
   return sizeof(*this) + closing_.bytes() +
          (opening_ != nullptr ? sizeof(Opening) + opening_->curve.bytes() : 0);
@@ -106,12 +112,13 @@ template <typename Filter>
 models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noexcept {
   const auto recorded = interpolation_.respond(tool);
   const auto elastic = finiteElements_.respond(tool);
-  if (!recorded.isDefined || !elastic.isDefined) return {};
+  const double trust = interpolation_.trustAt(tool.travel);
+  if (!elastic.isDefined || (!recorded.isDefined && trust > 0.0)) return {};
 
   const double travelled = hasTravel_ ? tool.travel - lastTravel_ : 0.0;
   lastTravel_ = tool.travel;
   hasTravel_ = true;
-  const double force = average_.feed(filter_.step(travelled, elastic.force, recorded.force));
+  const double force = average_.feed(filter_.step(travelled, elastic.force, recorded.force, trust));
   if (!std::isfinite(force)) {  // a leap that no hand makes: begin anew
     reset();
     return {};

@@ -42,6 +42,8 @@ class InterpolationModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
+  /// How far the recording is a measurement at @p travel [travel units], in [0, 1].
+  double trustAt(double travel) const noexcept;
   std::size_t bytes() const noexcept;
 
  private:

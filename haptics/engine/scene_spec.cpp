@@ -151,6 +151,7 @@ std::optional<double> endOfData(const ModelSpec& model) {
   const auto parts = partsOf(model);
   if (parts.cut != nullptr && !parts.cut->curve.empty()) {
     const auto& options = parts.cut->options;
+    if (options.beyond == models::BeyondCurve::Absent) return std::nullopt;  // elements go on
     const bool isRamp = options.beyond == models::BeyondCurve::RampOut;
     return parts.cut->curve.back().travel + (isRamp ? options.rampLength : 0.0);
   }

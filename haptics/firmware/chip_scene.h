@@ -93,7 +93,7 @@ class ChipScene {
     const float travelled = hasTravel_ ? travel - last_ : 0.0F;
     last_ = travel;
     hasTravel_ = true;
-    const float force = filter_.step(travelled, elastic, recorded);
+    const float force = filter_.step(travelled, elastic, recorded, curve_.trustAt(travel));
     if (wire::punch::isFinite(force)) return force;
     reset();  // a leap that no hand makes
     return 0.0F;

@@ -15,12 +15,14 @@ struct CurveNode {
   Scalar force{};   ///< [N]
 };
 
-/// What is felt beyond either end of a recorded curve, where the punch paper's eq. (2) is silent.
+/// What is felt beyond either end of a recorded curve, of which eq. (2) of the punch paper says
+/// nothing. The numbers are those of docs/punch-protocol.md.
 enum class BeyondCurve {
   RampOut,       ///< the force at the end fades to nothing over a length: "reduced to zero"
   Hold,          ///< the force at the end stays
   Zero,          ///< nothing, at once
   AuthorsClamp,  ///< 0.01 N; and within the curve never less, nor more than 4.29 N
+  Absent,        ///< there is no measurement: undefined, and within the curve trusted by trustAt()
 };
 
 /// The force of a recorded cut, by straight lines between its points: eq. (2) of the punch paper,
@@ -35,7 +37,9 @@ class Interpolation {
  public:
   struct Options {
     BeyondCurve beyond = BeyondCurve::RampOut;
-    Scalar rampLength{1.5};  ///< RampOut: over which the force fades [travel units], > 0
+    /// [travel units], > 0. RampOut: beyond each end, over which the force fades. Absent: within
+    /// each end, over which the trust grows.
+    Scalar rampLength{1.5};
   };
 
   /// What the authors' program lets through [N].
@@ -64,7 +68,7 @@ class Interpolation {
   }
 
   /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is no
-  /// number.
+  /// number, and beyond the curve where that is Absent.
   /// @param hint  of the interval; start with 0 and hand back what came out.
   constexpr Response<Scalar> at(Scalar travel, size_t& hint) const noexcept {
     const auto& first = nodes_[0];
@@ -81,6 +85,18 @@ class Interpolation {
     return options_.beyond == BeyondCurve::AuthorsClamp ? clamped(response) : response;
   }
 
+  /// How far the curve is a measurement at @p travel [travel units]: 1 for most policies. With
+  /// Absent 0 beyond the curve and 1 from the ramp's length within, straight in between, so that a
+  /// filter takes it up and lets go of it without a step.
+  constexpr Scalar trustAt(Scalar travel) const noexcept {
+    if (options_.beyond != BeyondCurve::Absent) return Scalar{1};
+    const Scalar before = travel - nodes_[0].travel;
+    const Scalar behind = nodes_[count_ - 1].travel - travel;
+    const Scalar within = before < behind ? before : behind;
+    if (!(within > Scalar{0})) return Scalar{0};  // also where it is no number
+    return within < options_.rampLength ? within / options_.rampLength : Scalar{1};
+  }
+
  private:
   static constexpr bool isFinite(const CurveNode<Scalar>& node) noexcept {
     return models::isFinite(node.travel) && models::isFinite(node.force);
@@ -94,7 +110,7 @@ class Interpolation {
 
   constexpr Response<Scalar> beyond(
       Scalar force, Scalar distance, Scalar direction) const noexcept {
-    if (!(distance > Scalar{0})) return {};  // no number
+    if (!(distance > Scalar{0}) || options_.beyond == BeyondCurve::Absent) return {};
     if (options_.beyond == BeyondCurve::AuthorsClamp) return {kAuthorsLeast, Scalar{0}, true};
     if (options_.beyond == BeyondCurve::Hold) return {force, Scalar{0}, true};
     if (options_.beyond == BeyondCurve::Zero || distance >= options_.rampLength) {

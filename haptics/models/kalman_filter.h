@@ -30,6 +30,14 @@ enum class KalmanScheme {
 /// the hand. In SpaceDomain a stiffness that wanders by `wandering` per unit of travel gives
 ///
 ///     Q = q [ |Δθ|³/3  Δθ|Δθ|/2 ; Δθ|Δθ|/2  |Δθ| ].
+///
+/// Where the interpolated force is no measurement (trust 0), its correction is left out: there is a
+/// prediction only, and P grows until the finite elements correct it. Where it is partly trusted,
+/// by a share s in (0, 1), it enters with the variance
+///
+///     R_s = (R + (1 − s) P₁₁) / s,    so that    K₁ = s P₁₁ / (P₁₁ + R):
+///
+/// its gain is s times what it would be. A share that grows with travel takes it up without a step.
 template <typename Scalar, template <typename> typename Covariance = FactoredCovariance>
 class KalmanFilter {
  public:
@@ -55,14 +63,20 @@ class KalmanFilter {
   }
 
   /// One step of the handle by @p travelled [travel units]; both forces in [N].
+  /// @param trust  s: how far the interpolated force is a measurement, in [0, 1].
   constexpr Scalar step(
-      Scalar travelled, Scalar finiteElementForce, Scalar interpolatedForce) noexcept {
+      Scalar travelled,
+      Scalar finiteElementForce,
+      Scalar interpolatedForce,
+      Scalar trust = Scalar{1}) noexcept {
     predict(travelled);
     switch (scheme_) {
       case KalmanScheme::PaperText:
-        correct(
-            isElastic_ ? finiteElementForce : interpolatedForce,
-            isElastic_ ? noise_.finiteElements : noise_.interpolation);
+        if (isElastic_) {
+          correct(finiteElementForce, noise_.finiteElements);
+        } else {
+          correctPartly(interpolatedForce, trust);
+        }
         isElastic_ = !isElastic_;
         return force_;
       case KalmanScheme::AuthorsFirmware:
@@ -74,7 +88,7 @@ class KalmanFilter {
         correct(finiteElementForce, noise_.finiteElements);
         break;
     }
-    correct(interpolatedForce, noise_.interpolation);
+    correctPartly(interpolatedForce, trust);
     return force_;
   }
 
@@ -109,6 +123,13 @@ class KalmanFilter {
     const Scalar innovation = measured - force_;
     force_ += gain.force * innovation;
     stiffness_ += gain.stiffness * innovation;
+  }
+
+  constexpr void correctPartly(Scalar interpolatedForce, Scalar trust) noexcept {
+    if (!(trust > Scalar{0})) return;
+    const Scalar r = noise_.interpolation;
+    const Scalar doubt = (Scalar{1} - trust) * covariance_.variances().force;
+    correct(interpolatedForce, trust < Scalar{1} ? (r + doubt) / trust : r);
   }
 
   Noise noise_;

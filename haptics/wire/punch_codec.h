@@ -147,7 +147,7 @@ inline bool read(const Frame& frame, Model& m) noexcept {
   m.scheme = r.u8();
   for (float& v : m.noise) f32(v);
   return r.hasAll() && isNumber && m.kind <= ModelKind::Kalman && m.tableSize <= kLargestTable &&
-         m.readings < 16 && m.beyond < 4 && m.scheme < 4;
+         m.readings < 16 && m.beyond < 5 && m.scheme < 4;
 }
 
 inline void write(Writer& w, const ModelTable& m) noexcept {

@@ -22,8 +22,11 @@ constexpr std::array kTestSets{
     Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
 };
 
-engine::InterpolationSpec readInterpolation(const Node& node, Condition& condition) {
+/// @param beyond  where the file does not say.
+engine::InterpolationSpec readInterpolation(
+    const Node& node, Condition& condition, models::BeyondCurve beyond) {
   engine::InterpolationSpec spec;
+  spec.options.beyond = beyond;
   if (!node.isObjectWith(
           {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
     return spec;
@@ -124,8 +127,9 @@ engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
   condition.cut = CutReference{std::string(kParametricCut), node.pathOf("interpolation.cut")};
+  spec.interpolation.options.beyond = models::BeyondCurve::Absent;
   if (const auto part = node.object("interpolation")) {
-    spec.interpolation = readInterpolation(*part, condition);
+    spec.interpolation = readInterpolation(*part, condition, models::BeyondCurve::Absent);
   }
   if (const auto part = node.object("finite_elements")) {
     spec.finiteElements = readFiniteElements(*part);
@@ -214,7 +218,14 @@ template <typename Spec>
 engine::ModelSpec readModel(const Node& parameters, Condition& condition) = delete;
 template <>
 engine::ModelSpec readModel<engine::InterpolationSpec>(const Node& node, Condition& condition) {
-  return readInterpolation(node, condition);
+  auto spec = readInterpolation(node, condition, models::BeyondCurve::RampOut);
+  if (spec.options.beyond == models::BeyondCurve::Absent) {
+    node.problem(
+        "beyond",
+        "without the recording nothing would be felt: only a filter has another force",
+        "take \"ramp-out\", or the model \"kalman\"");
+  }
+  return spec;
 }
 template <>
 engine::ModelSpec readModel<engine::FiniteElementsSpec>(const Node& node, Condition&) {

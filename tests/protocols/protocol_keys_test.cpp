@@ -201,6 +201,7 @@ TEST(ProtocolKeys, LeaveModelsAsAreSound) {
   const auto kalman = readGood("usual-kalman");
   EXPECT_EQ(kalman.conditions[0].cut->name, "parametric");
   const auto fused = sceneOf<engine::KalmanSpec>(kalman, "soft");
+  EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Absent);
   EXPECT_EQ(fused.finiteElements.parameters.elements, 5);
   EXPECT_EQ(fused.finiteElements.parameters.yieldForce, 7.0);
   EXPECT_EQ(fused.finiteElements.parameters.contact, 4.0);
