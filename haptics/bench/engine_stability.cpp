@@ -12,10 +12,13 @@
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/engine/passivity.h"
+#include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut.h"
 
 namespace haptics::bench {
 namespace {
+
+constexpr double kPublishedChatter = 4.0;  // [N], of paper-text with quantised travel
 
 using Scenes = std::vector<std::pair<std::string, engine::SceneSpec>>;
 
@@ -105,10 +108,37 @@ double largestStep(const engine::SceneSpec& spec, double quantum, double speed) 
   return largest;
 }
 
+/// A hand that rests feels a force that rests; but for paper-text, whose limit cycle has to be
+/// found.
+void sweepRest(StabilityResult& result) {
+  for (const auto& [name, spec] : allScenes()) {
+    for (const double rate : {375.0, 1000.0}) {
+      const auto slope = engine::renderedSlope(spec, devices::punchKind(), rate);
+      const double amplitude = slope.limitCycle ? slope.limitCycle->amplitude : 0.0;
+      const bool takesTurns = name == "filter, paper-text";
+      result.checks.push_back(
+          {"rest",
+           "force that alternates on a resting hand [N], " + name,
+           "",
+           rate,
+           amplitude,
+           takesTurns ? kPublishedChatter : 1e-3});
+      if (!takesTurns) continue;
+      const double expected = rate / 2.0;
+      result.checks.push_back(
+          {"rest",
+           "its frequency is not found as half the rate, relative, " + name,
+           "",
+           rate,
+           slope.limitCycle ? std::abs(slope.limitCycle->frequency / expected - 1.0) : INFINITY,
+           0.01});
+    }
+  }
+}
+
 /// A grain makes a step of K times itself, and nothing makes a larger one; but for paper-text,
 /// whose two forces take turns whatever the encoder.
 void sweepEncoders(StabilityResult& result) {
-  constexpr double kPublishedChatter = 4.0;  // [N], of paper-text with quantised travel
   for (const auto& [name, spec] : allScenes()) {
     const double stiffness = engine::CompiledScene(spec).largestStiffness();
     for (const double quantum : {0.0439, 0.176}) {
@@ -129,6 +159,7 @@ void sweepEncoders(StabilityResult& result) {
 }  // namespace
 
 void sweepRates(double effort, StabilityResult& result) {
+  sweepRest(result);
   sweepEncoders(result);
   const auto add = [&](const std::string& what, double parameter, double measured, double bound) {
     result.checks.push_back({"rate", what, "", parameter, measured, bound});

@@ -49,6 +49,9 @@ class CompiledScene {
   models::Response<double> respond(const ToolState& tool) noexcept { return model_->respond(tool); }
   void reset() noexcept { model_->reset(); }
   double largestStiffness() const noexcept { return model_->largestStiffness(); }
+  /// K of eq. (25) where the model's equations bound it [N per travel unit]; renderedSlope() has it
+  /// for every scene.
+  std::optional<double> slopeBound() const noexcept { return model_->slopeBound(); }
   double delay() const noexcept { return model_->delay(); }  ///< [ticks]
   bool isReady() const noexcept { return model_->isReady(); }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "haptics/models/response.h"
 
 namespace haptics::engine {
@@ -26,8 +28,12 @@ class ForceModel {
   /// Forgets what has been felt. Not while it is felt.
   virtual void reset() noexcept = 0;
 
-  /// The steepest slope that it can render [N per travel unit]: K of eq. (25) of the punch paper.
+  /// The steepest slope of the curves that it is made of [N per travel unit].
   virtual double largestStiffness() const noexcept = 0;
+
+  /// The same where it bounds what is rendered, whatever the motion: |ΔF| ≤ K |Δx|. Nothing where
+  /// that is not proved, as for a filter: renderedSlope() then measures it.
+  virtual std::optional<double> slopeBound() const noexcept { return largestStiffness(); }
 
   /// Whether the tool may move: a bone that is reamed first looks at all its spheres, some in every
   /// tick, to see that the tool is outside of them.

@@ -65,6 +65,23 @@ double IndexedCurve::largestSlope() const noexcept {
   return largest;
 }
 
+bool IndexedCurve::endsInJump() const noexcept {
+  const double first = nodes_.front().force;
+  const double last = nodes_.back().force;
+  switch (options_.beyond) {
+    case models::BeyondCurve::RampOut:
+    case models::BeyondCurve::Hold:
+      return false;
+    case models::BeyondCurve::Zero:
+    case models::BeyondCurve::Absent:
+      return first != 0.0 || last != 0.0;
+    case models::BeyondCurve::AuthorsClamp:
+      constexpr double kLeast = models::Interpolation<double>::kAuthorsLeast;
+      return first > kLeast || last > kLeast;
+  }
+  return true;
+}
+
 InterpolationModel::InterpolationModel(const InterpolationSpec& spec)
     : closing_(spec.curve, spec.options) {
   if (spec.branches == Branches::ClosingOnly) return;
@@ -87,6 +104,12 @@ double InterpolationModel::largestStiffness() const noexcept {
   const double closing = closing_.largestSlope();
   if (opening_ == nullptr) return closing;
   return std::max(closing, opening_->curve.largestSlope()) + opening_->steepestTurn;
+}
+
+std::optional<double> InterpolationModel::slopeBound() const noexcept {
+  const bool hasJump =
+      closing_.endsInJump() || (opening_ != nullptr && opening_->curve.endsInJump());
+  return hasJump ? std::nullopt : std::optional(largestStiffness());
 }
 
 double InterpolationModel::trustAt(double travel) const noexcept {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,7 @@ class IndexedCurve {
 
   const models::Interpolation<double>& curve() const noexcept { return curve_; }
   double largestSlope() const noexcept;
+  bool endsInJump() const noexcept;
   std::size_t bytes() const noexcept;
 
  private:
@@ -42,6 +44,8 @@ class InterpolationModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
+  /// Nothing where the curve ends in a jump.
+  std::optional<double> slopeBound() const noexcept override;
   /// How far the recording is a measurement at @p travel [travel units], in [0, 1].
   double trustAt(double travel) const noexcept;
   std::size_t bytes() const noexcept;
@@ -88,6 +92,8 @@ class KalmanModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
+  /// Its force depends on what it has felt: not bounded by the slopes of the two that it fuses.
+  std::optional<double> slopeBound() const noexcept override { return std::nullopt; }
   double delay() const noexcept override { return delay_; }
 
  private:

@@ -195,11 +195,20 @@ std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise) {
 std::string passesAsJson(
     const std::string& condition,
     const haptics::engine::CompiledScene& scene,
+    const haptics::engine::RenderedSlope& slope,
     const std::vector<SceneCost>& costs) {
   Json json{
-      {"condition", condition},
-      {"largest_stiffness", scene.largestStiffness()},
-      {"passes", Json::array()}};
+      {"condition", condition}, {"largest_stiffness", slope.steepest}, {"passes", Json::array()}};
+  if (!slope.isProved) {
+    json["sweep"]["largest_step_at_rest_n"] = slope.largestStepAtRest;
+    json["sweep"]["limit_cycle"] = nullptr;
+    if (const auto& cycle = slope.limitCycle) {
+      json["sweep"]["limit_cycle"] = {
+          {"amplitude_n", cycle->amplitude},
+          {"frequency_hz", cycle->frequency},
+          {"travel", cycle->travel}};
+    }
+  }
   for (const auto& cost : costs) {
     json["costs"].push_back(
         {{"what", cost.what}, {"median_ns", cost.time.median}, {"p99_ns", cost.time.p99}});

@@ -6,6 +6,7 @@
 #include "analysis/data/grouped_values.h"
 #include "analysis/tests/welch.h"
 #include "haptics/engine/compiled_scene.h"
+#include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/trace.h"
 #include "questionnaires/json/problem.h"
@@ -46,6 +47,7 @@ std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 std::string passesAsJson(
     const std::string& condition,
     const haptics::engine::CompiledScene& scene,
+    const haptics::engine::RenderedSlope& slope,
     const std::vector<SceneCost>& costs);
 
 }  // namespace study::app

@@ -13,6 +13,7 @@
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/model_names.h"
 #include "haptics/engine/passivity.h"
+#include "haptics/engine/rendered_slope.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/app/commands.h"
@@ -58,9 +59,56 @@ void printSources(const std::vector<protocols::FeltSource>& sources, const std::
   }
 }
 
+std::string verdictOn(
+    const haptics::engine::Passivity& passivity, const haptics::devices::Capabilities& device) {
+  if (const auto& cycle = passivity.limitCycle) {
+    return fmt::format(
+        "FAIL, on a hand that\n  rests the force alternates by {:.4g} N at {:.4g} Hz (largest at a "
+        "travel of {:.4g}): no damping takes that up; take another variant, or smooth it",
+        cycle->amplitude,
+        cycle->frequency,
+        cycle->travel);
+  }
+  if (passivity.isPassiveWith(device.damping)) return "PASS, whatever the hand does";
+  return "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler, \"force_scale\" a "
+         "bone";
+}
+
+/// K, what passivity needs with it, and whether the device has that.
+void printPassivity(
+    const haptics::engine::CompiledScene& scene,
+    const haptics::engine::RenderedSlope& slope,
+    const haptics::devices::Capabilities& device) {
+  const haptics::engine::Passivity passivity{
+      .stiffness = slope.steepest,
+      .period = 1.0 / device.rate,
+      .filterDelay = scene.delay() / device.rate,
+      .limitCycle = slope.limitCycle};
+  const auto unit = device.kind->travel.unit;
+  fmt::print(
+      "\n  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
+      "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
+      slope.steepest,
+      unit,
+      device.rate,
+      passivity.neededDamping(),
+      unit,
+      device.name,
+      device.damping,
+      verdictOn(passivity, device));
+  if (slope.isProved) return;
+  fmt::print(
+      "  the slope is the largest of a sweep, not a proved bound: rest at 40 places, 0.1 to 45 "
+      "{}/s, "
+      "reversals, in and out of the recording;\n  at rest the force stepped by at most {:.3g} N\n",
+      device.kind->shown.unit,
+      slope.largestStepAtRest);
+}
+
 void print(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
+    const haptics::engine::RenderedSlope& slope,
     const haptics::devices::Capabilities& device,
     const std::vector<SceneCost>& costs) {
   fmt::print("{} ({}) on a {}\n\n", condition.id, condition.title, condition.device);
@@ -72,31 +120,13 @@ void print(
         pass.why,
         pass.bytes > 0 ? fmt::format(" ({} bytes)", pass.bytes) : "");
   }
-  const double stiffness = scene.largestStiffness();
-  const haptics::engine::Passivity passivity{
-      .stiffness = stiffness,
-      .period = 1.0 / device.rate,
-      .filterDelay = scene.delay() / device.rate};
-  const bool isPassive = passivity.neededDamping() <= device.damping;
   if (!costs.empty()) {
     fmt::print("\n  what a tick takes on this computer [ns]              median      p99\n");
     for (const auto& cost : costs) {
       fmt::print("  {:<52} {:>6.1f}   {:>6.1f}\n", cost.what, cost.time.median, cost.time.p99);
     }
   }
-  fmt::print(
-      "\n  stiffest slope {:.4g} N/{}; at {:.0f} Hz passivity (eq. (25), b > KT/2) needs {:.3g} "
-      "N·s/{} of damping;\n  the {} has {:.3g} of its own: {}\n",
-      stiffness,
-      device.kind->travel.unit,
-      device.rate,
-      passivity.neededDamping(),
-      device.kind->travel.unit,
-      device.name,
-      device.damping,
-      isPassive ? "PASS, whatever the hand does"
-                : "WARN, the hand must add the rest; \"slope_limit\" makes a cut gentler, "
-                  "\"force_scale\" a bone");
+  printPassivity(scene, slope, device);
 }
 
 /// The protocol, or nothing, and then its problems have been told.
@@ -129,12 +159,13 @@ int explain(const ExplainOptions& options) {
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
   const auto device = standInFor(file->protocol, *condition);
+  const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec);
   if (options.json) {
-    std::fputs(passesAsJson(condition->id, scene, costs).c_str(), stdout);
+    std::fputs(passesAsJson(condition->id, scene, slope, costs).c_str(), stdout);
   } else {
-    print(*condition, scene, device, costs);
+    print(*condition, scene, slope, device, costs);
     printSources(file->sources, condition->id);
   }
   return 0;

@@ -31,6 +31,9 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"trial.damping",
      "passivity (b > KT/2) needs {:.3g} N·s/{} of damping, the device has {:.3g}, the rest is the "
      "hand's"},
+    {"trial.limit_cycle",
+     "on a hand that rests the force alternates by {:.3g} N at {:.4g} Hz: no damping takes that "
+     "up"},
     {"trial.too_fast", "the tool was too fast, and the force faded ({}×, {:.3f} s)"},
     {"trial.released", "the dead-man switch was released ({}×, {:.3f} s)"},
     {"trial.lost_beats", "the loop lost beats, and the force faded ({}×, {:.3f} s)"},

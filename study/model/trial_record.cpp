@@ -167,6 +167,9 @@ TrialRecord::Judgement TrialRecord::judgement() const {
     found(Verdict::Warn, message("trial.cut_off", saturated, contact));
   }
   if (undefined > 0.0) found(Verdict::Warn, message("trial.no_force", undefined));
+  if (const auto& cycle = passivity.limitCycle) {
+    found(Verdict::Fail, message("trial.limit_cycle", cycle->amplitude, cycle->frequency));
+  }
   const double needed = passivity.neededDamping();
   if (needed > deviceDamping) {
     found(Verdict::Warn, message("trial.damping", needed, travelUnit, deviceDamping));

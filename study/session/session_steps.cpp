@@ -88,14 +88,17 @@ void Session::keepTrial(const TrialRecord& record) {
   storage::TrialRepository(study_.database()).add(visit(), record);
   say(Actor::Program, "kept_trace", study_.traces().digest(visit()));
   const auto& passivity = record.passivity;
-  say(Actor::Program,
-      "passivity",
-      base::NamedArguments{
-          {"stiffness", passivity.stiffness},
-          {"period_s", passivity.effectivePeriod()},
-          {"needed_damping", passivity.neededDamping()},
-          {"device_damping", record.deviceDamping},
-          {"least_energy", record.leastEnergy}});
+  base::NamedArguments values{
+      {"stiffness", passivity.stiffness},
+      {"period_s", passivity.effectivePeriod()},
+      {"needed_damping", passivity.neededDamping()},
+      {"device_damping", record.deviceDamping},
+      {"least_energy", record.leastEnergy}};
+  if (passivity.limitCycle) {
+    values.emplace_back("limit_cycle_n", passivity.limitCycle->amplitude);
+    values.emplace_back("limit_cycle_hz", passivity.limitCycle->frequency);
+  }
+  say(Actor::Program, "passivity", std::move(values));
   if (record.link.isThere) say(Actor::Program, "device_link", valuesOf(record.link));
   if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
   if (record.view) say(Actor::Program, "view", valuesOf(*record.view));

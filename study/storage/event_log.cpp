@@ -98,6 +98,8 @@ constexpr std::array kTexts{
         "{latency_p50_ms:.1f} ms, p99 {latency_p99_ms:.1f} ms; changes lost {lost_changes}; drawn "
         "by {renderer}"},
 };
+constexpr std::string_view kLimitCycle =
+    ", at rest the force alternates by {limit_cycle_n:.3g} N at {limit_cycle_hz:.4g} Hz";
 constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
 
 const EventText* textOf(std::string_view kind) {
@@ -176,6 +178,7 @@ std::string describe(const Event& event) {
   try {
     std::string words = base::filled(isOne ? text->ofOne : text->english, event.values);
     if (event.value("drift_ppm") != nullptr) words += base::filled(kDrift, event.values);
+    if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
     return words;
   } catch (const std::runtime_error&) {
     return asJson(event.values);  // a later release has other values

@@ -28,6 +28,8 @@ storage::TraceSample asTrace(const TickSample& sample) {
 Trial::Trial(haptics::devices::Device& device, Setup setup)
     : device_(device),
       scene_(setup.scene),
+      slope_(haptics::engine::renderedSlope(
+          setup.scene, *device.capabilities().kind, device.capabilities().rate)),
       engine_(device, setup.limits),
       keep_(std::move(setup.keep)),
       statistics_(*device.capabilities().kind, device.capabilities().rate) {
@@ -65,9 +67,10 @@ TrialRecord Trial::finish(TrialEnding ending) {
       .travelUnit = std::string(device_.capabilities().kind->travel.unit),
       .ending = ending,
       .passivity =
-          {.stiffness = scene_.largestStiffness(),
+          {.stiffness = slope_.steepest,
            .period = 1.0 / rate(),
-           .filterDelay = scene_.delay() / rate()},
+           .filterDelay = scene_.delay() / rate(),
+           .limitCycle = slope_.limitCycle},
       .deviceDamping = device_.capabilities().damping,
       .link = link,
       .deviceFault = fault};

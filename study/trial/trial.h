@@ -5,6 +5,7 @@
 
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/force_engine.h"
+#include "haptics/engine/rendered_slope.h"
 #include "study/model/trial_record.h"
 #include "study/storage/trace_store.h"
 #include "study/trial/trial_statistics.h"
@@ -62,6 +63,7 @@ class Trial {
 
   haptics::devices::Device& device_;
   haptics::engine::CompiledScene scene_;
+  haptics::engine::RenderedSlope slope_;  ///< of the scene, at the device's rate
   haptics::engine::ForceEngine engine_;
   Keep keep_;
   TrialStatistics statistics_;

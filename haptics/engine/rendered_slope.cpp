@@ -1,0 +1,140 @@
+#include "haptics/engine/rendered_slope.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/engine/compiled_scene.h"
+
+namespace haptics::engine {
+namespace {
+
+constexpr int kPlaces = 40;
+constexpr double kRest = 0.4;          // [s]
+constexpr double kSettled = 0.2;       // of it, after which the force should be still [s]
+constexpr double kStill = 1e-3;        // [N] peak to peak
+constexpr double kSlowStretch = 0.25;  // there, and as long back [s]
+constexpr double kLeastMove = 1e-9;    // of the range: below it the tool rests, but for rounding
+
+/// Feels a scene tick by tick, and keeps the steepest.
+class Sweep {
+ public:
+  Sweep(const SceneSpec& spec, const devices::DeviceKind& kind, double rate)
+      : scene_(spec), rate_(rate), least_(kind.travel.least), unit_(1.0 / kind.shown.factor) {
+    const double end = endOfData(spec.model).value_or(kind.travel.most);
+    const double most = std::max(kind.travel.most, end);
+    most_ = most + 0.05 * (most - least_);
+    travel_ = least_;
+    feel();
+  }
+
+  RenderedSlope run() {
+    for (const double speed : {10.0, 45.0}) {
+      moveTo(most_, speed);
+      moveTo(least_, speed);
+      reverseEveryTenth(speed);
+    }
+    visitPlaces(false);
+    visitPlaces(true);
+    return found_;
+  }
+
+ private:
+  double range() const noexcept { return most_ - least_; }
+
+  void feel() noexcept {
+    const auto response = scene_.respond({.travel = travel_, .dt = 1.0 / rate_});
+    const double moved = travel_ - lastTravel_;
+    if (response.isDefined && hasForce_) {
+      const double step = std::abs(response.force - force_);
+      if (std::abs(moved) > kLeastMove * range()) {
+        found_.steepest = std::max(found_.steepest, step / std::abs(moved));
+      } else {
+        found_.largestStepAtRest = std::max(found_.largestStepAtRest, step);
+      }
+    }
+    hasForce_ = response.isDefined;
+    force_ = response.force;
+    lastTravel_ = travel_;
+  }
+
+  /// @param speed  [shown unit/s]
+  void moveTo(double goal, double speed) noexcept {
+    const double from = travel_;
+    const double seconds = std::abs(goal - from) / (speed * unit_);
+    const auto ticks = std::max(1L, std::lround(seconds * rate_));
+    for (long i = 1; i <= ticks; ++i) {
+      travel_ = from + (goal - from) * static_cast<double>(i) / static_cast<double>(ticks);
+      feel();
+    }
+  }
+
+  void reverseEveryTenth(double speed) noexcept {
+    for (int i = 1; i <= 10; ++i) {
+      moveTo(least_ + 0.1 * i * range(), speed);
+      moveTo(travel_ - 0.05 * range(), speed);
+    }
+    moveTo(least_, speed);
+  }
+
+  void visitPlaces(bool isOpening) noexcept {
+    constexpr double kApproach = 10.0;
+    moveTo(isOpening ? most_ : least_, kApproach);
+    for (int i = 0; i < kPlaces; ++i) {
+      const double share = (i + 0.5) / kPlaces;
+      moveTo(least_ + (isOpening ? 1.0 - share : share) * range(), kApproach);
+      rest();
+      for (const double speed : {0.1, 1.0}) {
+        const double place = travel_;
+        const double stretch = (isOpening ? -1.0 : 1.0) * speed * unit_ * kSlowStretch;
+        moveTo(place + stretch, speed);
+        moveTo(place, speed);
+      }
+    }
+  }
+
+  void rest() noexcept {
+    double low = 0.0;
+    double high = 0.0;
+    int turns = 0;
+    double lastStep = 0.0;
+    const auto settling = std::lround(kSettled * rate_);
+    const auto ticks = std::lround(kRest * rate_);
+    for (long i = 0; i < ticks; ++i) {
+      const double before = force_;
+      feel();
+      if (i < settling) continue;
+      low = i == settling ? force_ : std::min(low, force_);
+      high = i == settling ? force_ : std::max(high, force_);
+      const double step = force_ - before;
+      if (step * lastStep < 0.0) ++turns;
+      if (step != 0.0) lastStep = step;
+    }
+    const double amplitude = high - low;
+    const double known = found_.limitCycle ? found_.limitCycle->amplitude : kStill;
+    if (!(amplitude > known)) return;
+    // Two turns a period.
+    const double frequency = 0.5 * turns * rate_ / static_cast<double>(ticks - settling - 1);
+    if (turns > 1) found_.limitCycle = {amplitude, frequency, travel_};
+  }
+
+  CompiledScene scene_;
+  double rate_;
+  double least_;
+  double most_ = 0.0;
+  double unit_;  ///< the shown unit, in the device's [travel unit]
+  double travel_ = 0.0;
+  double lastTravel_ = 0.0;
+  double force_ = 0.0;
+  bool hasForce_ = false;
+  RenderedSlope found_;
+};
+
+}  // namespace
+
+RenderedSlope renderedSlope(const SceneSpec& spec, const devices::DeviceKind& kind, double rate) {
+  const CompiledScene scene(spec);
+  if (const auto bound = scene.slopeBound()) return {.steepest = *bound, .isProved = true};
+  return Sweep(spec, kind, rate).run();
+}
+
+}  // namespace haptics::engine
