@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/data/answer_table.h"
-#include "analysis/summary/reliability.h"
+#include "analysis/reliability/reliability.h"
 #include "analysis/tests/brown_forsythe.h"
 #include "analysis/tests/shapiro_wilk.h"
 

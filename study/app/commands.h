@@ -32,5 +32,6 @@ void addPlanCommand(CLI::App& program, Action& action);
 /// Adds to a noun instead of to the program.
 void addSwarmCommands(CLI::App& packing, Action& action);
 void addCheckTableCommand(CLI::App& stats, Action& action);
+void addTestCommand(CLI::App& stats, Action& action);
 
 }  // namespace study::app

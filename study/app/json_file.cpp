@@ -25,24 +25,49 @@ std::string printed(const Json& json) {
   return json.dump(2) + "\n";
 }
 
-Json asJson(const analysis::WelchResult& r, const std::optional<analysis::Interval>& interval) {
-  Json json;
-  json["n1"] = r.n1;
-  json["n2"] = r.n2;
-  json["mean1"] = orNull(r.mean1);
-  json["mean2"] = orNull(r.mean2);
-  json["variance1"] = orNull(r.variance1);
-  json["variance2"] = orNull(r.variance2);
-  json["difference"] = orNull(r.difference);
-  json["se"] = orNull(r.standardError);
-  json["t"] = finiteOrNull(r.t);
-  json["df"] = orNull(r.degreesOfFreedom);
-  json["p"] = orNull(r.p);
-  json["log10_p"] = orNull(r.log10P);
-  json["conf_low"] = interval ? Json(interval->low) : Json(nullptr);
-  json["conf_high"] = interval ? Json(interval->high) : Json(nullptr);
-  json["reason"] = r.reason.empty() ? Json(nullptr) : Json(base::describe(r.reason));
-  return json;
+void addInterval(
+    Json& json, const std::string& prefix, const std::optional<analysis::Interval>& interval) {
+  json[prefix + "_low"] = interval ? finiteOrNull(interval->low) : Json(nullptr);
+  json[prefix + "_high"] = interval ? finiteOrNull(interval->high) : Json(nullptr);
+}
+
+void addNumber(Json& json, const analysis::NamedNumber& number) {
+  if (!number.name.empty()) json[std::string(number.name)] = finiteOrNull(number.value);
+}
+
+void addSizes(Json& json, const analysis::TestRow& row) {
+  if (row.n1) json[row.n2 ? "n1" : "n"] = *row.n1;
+  if (row.n2) json["n2"] = *row.n2;
+  if (!row.moments) return;
+  json["mean1"] = orNull((*row.moments)[0].mean);
+  json["mean2"] = orNull((*row.moments)[1].mean);
+  json["variance1"] = orNull((*row.moments)[0].variance);
+  json["variance2"] = orNull((*row.moments)[1].variance);
+}
+
+/// Numbers that the test does not have are left out; those that are not defined are null.
+void addRow(Json& json, const analysis::TestRow& row) {
+  addSizes(json, row);
+  addNumber(json, row.estimate);
+  if (!row.estimate.name.empty()) json["se"] = orNull(row.standardError);
+  addNumber(json, row.statistic);
+  json["df"] = orNull(row.df);
+  if (row.statistic.name == "F") json["df2"] = orNull(row.df2);
+  json["p"] = orNull(row.p);
+  json["log10_p"] = orNull(row.log10P);
+  if (!row.estimate.name.empty()) addInterval(json, "conf", row.interval);
+  addNumber(json, row.effect);
+  if (!row.effect.name.empty()) {
+    addInterval(json, std::string(row.effect.name), row.effectInterval);
+  }
+  for (const auto& number : row.more) addNumber(json, number);
+  json["reason"] = row.reason.empty() ? Json(nullptr) : Json(base::describe(row.reason));
+}
+
+void addNames(Json& json, const analysis::TestRow& row) {
+  if (row.group1.empty()) return;
+  json["group1"] = row.group1;
+  json["group2"] = row.group2;
 }
 
 using haptics::recordings::CurvePoint;
@@ -108,15 +133,23 @@ std::string problemsAsJson(
   return printed(json);
 }
 
-std::string welchAsJson(
-    const analysis::GroupedValues& groups, const analysis::WelchResult& result, double level) {
-  Json json{
-      {"test", "welch"},
-      {"group1", groups.group1.name},
-      {"group2", groups.group2.name},
-      {"missing", groups.missing},
-      {"conf_level", level}};
-  json.update(asJson(result, analysis::confidenceInterval(result, level)));
+std::string testAsJson(
+    const analysis::StatisticalTest& test,
+    const analysis::TestData& data,
+    const std::vector<analysis::TestRow>& rows,
+    double level) {
+  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
+  Json json{{"test", test.id}};
+  if (!isList) addNames(json, rows.front());
+  json["missing"] = data.missing;
+  json["conf_level"] = level;
+  if (!isList) addRow(json, rows.front());
+  for (const auto& row : rows) {
+    if (!isList) break;
+    auto& comparison = json["comparisons"].emplace_back();
+    addNames(comparison, row);
+    addRow(comparison, row);
+  }
   return printed(json);
 }
 

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/data/grouped_values.h"
-#include "analysis/tests/welch.h"
+#include "analysis/registry/registry.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
@@ -21,8 +20,12 @@ namespace study::app {
 std::string problemsAsJson(
     const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems);
 
-std::string welchAsJson(
-    const analysis::GroupedValues& groups, const analysis::WelchResult& result, double level);
+/// One object; of a test with a row for each pair of groups an object with `comparisons`.
+std::string testAsJson(
+    const analysis::StatisticalTest& test,
+    const analysis::TestData& data,
+    const std::vector<analysis::TestRow>& rows,
+    double level);
 
 std::string resultsAsJson(Study& study, const Results& results);
 

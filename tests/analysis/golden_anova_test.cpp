@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/decimal_number.h"
-#include "analysis/summary/reliability.h"
+#include "analysis/reliability/reliability.h"
 #include "analysis/tests/one_way_anova.h"
 #include "analysis/tests/repeated_measures_anova.h"
 #include "tests/analysis/golden_check.h"

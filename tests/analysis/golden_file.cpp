@@ -24,8 +24,10 @@ analysis::CsvTable statsTable(std::string_view relative) {
   return analysis::readCsv(content(std::string(relative)));
 }
 
-analysis::GroupedValues statsGroups(const std::string& dataSet) {
-  return analysis::readGroupedValues(content("two/" + dataSet + ".csv"), "g", "x");
+StatsGroups statsGroups(const std::string& dataSet) {
+  const auto data = analysis::readTestData(
+      content("two/" + dataSet + ".csv"), analysis::DataShape::TwoGroups, {});
+  return {.group1 = data.values.at(0), .group2 = data.values.at(1)};
 }
 
 }  // namespace tests

@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/grouped_values.h"
+#include "analysis/registry/test_data.h"
 
 namespace tests {
 
@@ -15,6 +15,10 @@ nlohmann::json statsJson(std::string_view relative);
 analysis::CsvTable statsTable(std::string_view relative);
 
 /// One of the data sets two/….csv: groups a and b of column g, values in column x.
-analysis::GroupedValues statsGroups(const std::string& dataSet);
+struct StatsGroups {
+  analysis::NamedValues group1;
+  analysis::NamedValues group2;
+};
+StatsGroups statsGroups(const std::string& dataSet);
 
 }  // namespace tests

@@ -1,11 +1,11 @@
-#include "analysis/summary/intraclass_correlation.h"
+#include "analysis/reliability/intraclass_correlation.h"
 
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "analysis/summary/reliability.h"
+#include "analysis/reliability/reliability.h"
 
 namespace intraclass_correlation_test {
 

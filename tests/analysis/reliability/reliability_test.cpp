@@ -1,4 +1,4 @@
-#include "analysis/summary/reliability.h"
+#include "analysis/reliability/reliability.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "analysis/summary/intraclass_correlation.h"
+#include "analysis/reliability/intraclass_correlation.h"
 
 #include <cmath>
 #include <limits>

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "analysis/data/test_row.h"
+#include "analysis/registry/test_data.h"
+
+namespace analysis {
+
+/// What an analyst chooses for a test.
+struct TestSettings {
+  double level = 0.95;          ///< of confidence intervals, between 0 and 1
+  std::optional<double> bound;  ///< of tests of equivalence: smaller differences count as none, > 0
+};
+
+/// A statistical test that can be asked for by name, of any table.
+struct StatisticalTest {
+  enum class Form {
+    OneRow,
+    NeedsBound,     ///< one row, and TestSettings::bound
+    RowOfEachPair,  ///< of groups or columns
+  };
+
+  std::string_view id;        ///< `palpate stats test ID`, and in tables
+  std::string_view title;     ///< "Welch's t-test"
+  std::string_view question;  ///< what it answers
+  std::string_view source;    ///< author and year
+  DataShape shape = DataShape::TwoGroups;
+  std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;
+  Form form = Form::OneRow;
+};
+
+/// Every test, by what it needs: two groups, several, pairs, columns, counts, models. A new test is
+/// one line of this table (docs/developing.md).
+std::span<const StatisticalTest> statisticalTests() noexcept;
+
+/// @throws Error  if there is no such test; names the nearest.
+const StatisticalTest& statisticalTest(std::string_view id);
+
+/// The rows of a test, with its id and the names of what is compared.
+///
+/// @throws Error  for data that the test is not made for, and without the bound that it needs.
+std::vector<TestRow> computeTest(
+    const StatisticalTest& test, const TestData& data, const TestSettings& settings);
+
+}  // namespace analysis

@@ -1,0 +1,274 @@
+#include "analysis/registry/test_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "analysis/data/csv_table.h"
+#include "analysis/data/decimal_number.h"
+#include "analysis/data/error.h"
+#include "analysis/data/nearest_name.h"
+
+namespace analysis {
+namespace {
+
+using Kind = DataColumn::Kind;
+
+constexpr std::array kGroupsData{
+    DataColumn{.role = "group", .kind = Kind::Name, .what = "names the group"},
+    DataColumn{.role = "value", .what = "numbers"}};
+constexpr std::array kPairsData{
+    DataColumn{.role = "first", .what = "numbers"},
+    DataColumn{.role = "second", .what = "numbers of the same people or cases"}};
+constexpr std::array kColumnsData{DataColumn{
+    .role = "columns", .kind = Kind::Numbers, .what = "numbers, one column a condition or rater"}};
+constexpr std::array kValuesData{DataColumn{.role = "value", .what = "numbers"}};
+constexpr std::array kCategoriesData{
+    DataColumn{.role = "first", .kind = Kind::Name, .what = "names"},
+    DataColumn{.role = "second", .kind = Kind::Name, .what = "names"},
+    DataColumn{
+        .role = "count", .kind = Kind::Count, .isRequired = false, .what = "cases of a line"}};
+constexpr std::array kVotesData{
+    DataColumn{.role = "value", .kind = Kind::Name, .what = "what was voted for"},
+    DataColumn{
+        .role = "count", .kind = Kind::Count, .isRequired = false, .what = "votes of a line"}};
+constexpr std::array kClustersData{
+    DataColumn{.role = "cluster", .kind = Kind::Name, .what = "names the participant"},
+    DataColumn{.role = "group", .kind = Kind::Name, .what = "names the group"},
+    DataColumn{.role = "value", .what = "numbers"},
+    DataColumn{
+        .role = "round", .kind = Kind::Name, .isRequired = false, .what = "names the round"}};
+
+bool isMissing(const std::string& cell) {
+  return cell.empty() || cell == "NA";
+}
+
+std::string noNumber(std::size_t line, const std::string& cell, char separator) {
+  const bool hasComma = cell.find(',') != std::string::npos && separator != ';';
+  return "line " + std::to_string(line) + ": '" + cell + "' is no number" +
+         (hasComma ? "; write the decimals after a point" : "");
+}
+
+void checkTwo(const std::vector<NamedValues>& groups, const std::string& column) {
+  if (groups.size() == 2) return;
+  std::vector<std::string> names;
+  names.reserve(groups.size());
+  for (const auto& group : groups) names.push_back(group.name);
+  std::string there = "no groups";
+  if (names.size() == 1) there = "one group only, " + enumerated(names);
+  if (names.size() > 2) there = std::to_string(names.size()) + " groups, " + enumerated(names);
+  throw Error("the column '" + column + "' has " + there + "; two are compared");
+}
+
+/// A role and the places of its columns in the file.
+struct Placed {
+  const DataColumn* column = nullptr;
+  std::vector<std::size_t> places;
+};
+
+std::string optionsOf(std::span<const DataColumn> columns) {
+  std::string text;
+  for (const auto& column : columns) {
+    text += (text.empty() ? "--" : ", --") + std::string(column.role);
+  }
+  return text;
+}
+
+void checkRoles(std::span<const DataColumn> columns, const ChosenColumns& chosen) {
+  for (const auto& [role, names] : chosen) {
+    const bool isThere = std::ranges::find(columns, role, &DataColumn::role) != columns.end();
+    if (!isThere && !names.empty()) {
+      throw Error("the test does not use --" + role + "; it uses " + optionsOf(columns));
+    }
+  }
+}
+
+std::vector<Placed> placed(
+    const CsvTable& table, std::span<const DataColumn> columns, const ChosenColumns& chosen) {
+  checkRoles(columns, chosen);
+  std::vector<Placed> result;
+  std::size_t next = 0;
+  for (const auto& column : columns) {
+    Placed one{.column = &column, .places = {}};
+    const auto named = chosen.find(std::string(column.role));
+    if (named != chosen.end() && !named->second.empty()) {
+      for (const auto& name : named->second) one.places.push_back(table.columnIndex(name));
+    } else if (column.kind == Kind::Numbers) {
+      for (std::size_t i = 0; i < table.columns.size(); ++i) one.places.push_back(i);
+    } else if (column.isRequired) {
+      if (next >= table.columns.size()) {
+        throw Error(
+            "the file has " + std::to_string(table.columns.size()) +
+            " columns, and the test needs " + optionsOf(columns));
+      }
+      one.places.push_back(next);
+    }
+    if (column.isRequired) ++next;
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// Reads lines into TestData.
+class Reader {
+ public:
+  Reader(const CsvTable& table, std::vector<Placed> roles, bool isGrouped)
+      : table_(table), roles_(std::move(roles)), isGrouped_(isGrouped) {
+    for (const auto& role : roles_) {
+      const auto kind = role.column->kind;
+      if (kind == Kind::Name) data_.names.push_back({std::string(role.column->role), {}});
+      if (isGrouped_ || (kind != Kind::Number && kind != Kind::Numbers)) continue;
+      for (const auto place : role.places) {
+        data_.values.push_back({.name = table.columns[place], .values = {}});
+      }
+    }
+  }
+
+  TestData all() {
+    for (const auto& row : table_.rows) line(row);
+    if (!problems_.empty()) throw Error(problems_);
+    return std::move(data_);
+  }
+
+ private:
+  void line(const CsvRow& row) {
+    std::vector<double> numbers;
+    std::vector<std::string> names;
+    std::uint64_t count = 1;
+    bool isComplete = true;
+    for (const auto& role : roles_) {
+      for (const auto place : role.places) {
+        const auto& cell = row.cells[place];
+        isComplete = isComplete && !isMissing(cell);
+        if (role.column->kind == Kind::Name) {
+          names.push_back(cell);
+        } else if (isComplete) {
+          const auto number = numberIn(row.line, cell, role.column->kind == Kind::Count);
+          if (role.column->kind == Kind::Count) {
+            count = static_cast<std::uint64_t>(number);
+          } else {
+            numbers.push_back(number);
+          }
+        }
+      }
+    }
+    // A group that is named without a value is a group all the same: an empty one.
+    if (isGrouped_ && !isMissing(names.front())) group(names.front());
+    if (!isComplete) {
+      ++data_.missing;
+      return;
+    }
+    if (isGrouped_) {
+      group(names.front()).values.push_back(numbers.front());
+      return;
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) data_.values[i].values.push_back(numbers[i]);
+    for (std::size_t i = 0; i < names.size(); ++i) data_.names[i].values.push_back(names[i]);
+    data_.counts.push_back(count);
+  }
+
+  NamedValues& group(const std::string& name) {
+    const auto found = std::ranges::find(data_.values, name, &NamedValues::name);
+    if (found != data_.values.end()) return *found;
+    return data_.values.emplace_back(NamedValues{.name = name, .values = {}});
+  }
+
+  double numberIn(std::size_t line, const std::string& cell, bool isCount) {
+    constexpr double kMostCases = 1e9;
+    const auto mark = table_.separator == ';' ? DecimalMark::PointOrComma : DecimalMark::Point;
+    const auto number = decimalNumber(cell, mark);
+    const bool isSound =
+        number &&
+        (!isCount || (*number >= 0.0 && *number <= kMostCases && *number == std::floor(*number)));
+    if (isSound) return *number;
+    problems_.push_back(
+        isCount ? "line " + std::to_string(line) + ": '" + cell +
+                      "' is no number of cases, which is whole and not negative"
+                : noNumber(line, cell, table_.separator));
+    return 0.0;
+  }
+
+  const CsvTable& table_;
+  std::vector<Placed> roles_;
+  bool isGrouped_;
+  TestData data_;
+  std::vector<std::string> problems_;
+};
+
+}  // namespace
+
+std::span<const DataColumn> columnsOf(DataShape shape) noexcept {
+  switch (shape) {
+    case DataShape::TwoGroups:
+    case DataShape::Groups:
+      return kGroupsData;
+    case DataShape::Pairs:
+      return kPairsData;
+    case DataShape::Columns:
+      return kColumnsData;
+    case DataShape::Values:
+      return kValuesData;
+    case DataShape::Categories:
+    case DataShape::BeforeAfter:
+      return kCategoriesData;
+    case DataShape::Votes:
+      return kVotesData;
+    case DataShape::Clusters:
+      return kClustersData;
+  }
+  return {};
+}
+
+std::vector<std::vector<double>> TestData::lines() const {
+  std::vector<std::vector<double>> result(values.empty() ? 0 : values.front().values.size());
+  for (const auto& column : values) {
+    for (std::size_t i = 0; i < result.size(); ++i) result[i].push_back(column.values[i]);
+  }
+  return result;
+}
+
+Factor TestData::factor(std::string_view role) const {
+  for (const auto& column : names) {
+    if (column.role == role) return factorOf(column.role, column.values);
+  }
+  return {.name = std::string(role), .levels = {}, .levelOfAnswer = {}};
+}
+
+CrossTable crossTableOf(const TestData& data, bool isSquare) {
+  auto first = data.names.at(0).values;
+  auto second = data.names.at(1).values;
+  const auto cases = first.size();
+  if (isSquare) {
+    const auto ofSecond = second;
+    second.insert(second.begin(), first.begin(), first.end());
+    first.insert(first.end(), ofSecond.begin(), ofSecond.end());
+  }
+  const auto rows = factorOf("first", first);
+  const auto columns = isSquare ? rows : factorOf("second", second);
+  const auto columnOf = [&](std::size_t i) {
+    return isSquare ? rows.levelOfAnswer[cases + i] : columns.levelOfAnswer[i];
+  };
+  CrossTable table{
+      .rows = rows.levels,
+      .columns = columns.levels,
+      .counts = {rows.levels.size(), std::vector<std::uint64_t>(columns.levels.size())}};
+  for (std::size_t i = 0; i < cases; ++i) {
+    table.counts[rows.levelOfAnswer[i]][columnOf(i)] += data.counts[i];
+  }
+  return table;
+}
+
+TestData readTestData(std::string_view csv, DataShape shape, const ChosenColumns& chosen) {
+  const CsvTable table = readCsv(csv);
+  auto roles = placed(table, columnsOf(shape), chosen);
+  if (table.rows.empty()) throw Error("the file has a header and no rows");
+  const bool isGrouped = shape == DataShape::TwoGroups || shape == DataShape::Groups;
+  const auto groupColumn = isGrouped ? table.columns[roles.front().places.front()] : std::string();
+  auto data = Reader(table, std::move(roles), isGrouped).all();
+  if (shape == DataShape::TwoGroups) checkTwo(data.values, groupColumn);
+  return data;
+}
+
+}  // namespace analysis

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "analysis/data/test_row.h"
+#include "analysis/effects/bayes_factor.h"
+#include "analysis/effects/cliff_delta.h"
+#include "analysis/effects/effect_size.h"
+#include "analysis/effects/hodges_lehmann.h"
+#include "analysis/models/linear_mixed_model.h"
+#include "analysis/models/wald_estimate.h"
+#include "analysis/reliability/intraclass_correlation.h"
+#include "analysis/reliability/reliability.h"
+#include "analysis/tests/brown_forsythe.h"
+#include "analysis/tests/brunner_munzel.h"
+#include "analysis/tests/changed_votes.h"
+#include "analysis/tests/equivalence.h"
+#include "analysis/tests/fisher_exact.h"
+#include "analysis/tests/friedman.h"
+#include "analysis/tests/mann_whitney.h"
+#include "analysis/tests/one_way_anova.h"
+#include "analysis/tests/paired_t.h"
+#include "analysis/tests/repeated_measures_anova.h"
+#include "analysis/tests/shapiro_wilk.h"
+#include "analysis/tests/sign_flip.h"
+#include "analysis/tests/sign_test.h"
+#include "analysis/tests/signed_rank.h"
+#include "analysis/tests/student.h"
+#include "analysis/tests/vote_tests.h"
+#include "analysis/tests/welch.h"
+
+// The row of each result. A result holds all that its test can say; the row holds what a table
+// shows of it.
+namespace analysis {
+
+// Two groups or more
+TestRow rowOf(const WelchResult& result, const std::optional<Interval>& interval);
+TestRow rowOf(const StudentResult& result);
+TestRow rowOf(const MannWhitneyResult& result, const CliffDelta& delta);
+TestRow rowOf(const BrunnerMunzelResult& result);
+TestRow rowOf(const OneWayAnovaResult& result);
+TestRow rowOf(const BrownForsytheResult& result);
+TestRow rowOf(const ShapiroWilkResult& result);
+
+// Pairs
+TestRow rowOf(
+    const PairedTResult& result,
+    const std::optional<Interval>& interval,
+    const PairedEffects& effects);
+TestRow rowOf(const SignFlipResult& result);
+TestRow rowOf(const SignedRankResult& result, const HodgesLehmannResult& location);
+TestRow rowOf(const SignTestResult& result);
+TestRow rowOf(const BayesFactor& factor, std::size_t pairs);
+TestRow rowOf(const EquivalenceResult& result, const PairedTResult& test);
+TestRow rowOf(const EquivalenceResult& result, const WelchResult& test);
+
+// One participant a line
+TestRow rowOf(const FriedmanResult& result);
+TestRow rowOf(const RepeatedMeasuresResult& result);
+TestRow rowOf(const CochranResult& result);
+TestRow rowOf(const IntraclassCorrelations& all, const IntraclassCorrelation& one);
+TestRow rowOf(const CronbachAlpha& alpha);
+TestRow rowOf(const OmegaTotal& omega);
+
+// Counts
+TestRow rowOf(const FisherExactResult& result);
+TestRow rowOf(const McNemarResult& result);
+TestRow rowOf(const StuartMaxwellResult& result);
+TestRow rowOf(const EqualSharesResult& result);
+
+// Models
+/// @param answers  all that the model was fitted to.
+TestRow rowOf(const TEstimate& estimate, std::size_t answers);
+TestRow rowOf(const WaldEstimate& estimate, std::size_t answers, double level);
+
+}  // namespace analysis

@@ -1,0 +1,90 @@
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+#include "study/app/run_mode_option.h"
+#include "study/results/pooled_answers.h"
+#include "study/results/results_text.h"
+#include "study/session/unblinding.h"
+
+namespace study::app {
+namespace {
+
+struct RunOptions {
+  std::string folder;
+  std::string profile = "as-published";
+  std::string runMode;
+  std::string reason;
+  bool json = false;
+  bool isWatched = false;
+};
+
+/// The pooled tables, and again whenever something has happened; until somebody interrupts it.
+[[noreturn]] void watch(Study& study, RunMode mode) {
+  constexpr std::chrono::milliseconds kBetweenLooks{500};
+  PooledAnswers pooled(study, mode);
+  while (true) {
+    fmt::print(
+        "{}\nINTERIM, {}: whoever stops because of what is seen here, or goes on until p is small, "
+        "has no p.\n\n",
+        resultsAsText(study, pooledResults(study, pooled), Profile::AsPublished),
+        asUtc(study.clock().now().wall));
+    std::fflush(stdout);
+    while (!pooled.refresh()) std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+int run(const RunOptions& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, accessToNote(options.reason));
+  const auto mode = chosenRunMode(study, options.runMode);
+  noteUnblinding(study, mode, "results", options.reason);
+  if (options.isWatched) watch(study, mode);
+  const auto results = computeResults(study, mode);
+  const auto profile =
+      options.profile == "recommended" ? Profile::Recommended : Profile::AsPublished;
+  std::fputs(
+      (options.json ? resultsAsJson(study, results) : resultsAsText(study, results, profile))
+          .c_str(),
+      stdout);
+  return 0;
+}
+
+}  // namespace
+
+void addStatsCommands(CLI::App& program, Action& action) {
+  auto* noun = program.add_subcommand("stats", "Tables of a study; tests of any table");
+  noun->require_subcommand(1);
+
+  auto running = std::make_shared<RunOptions>();
+  auto* run = noun->add_subcommand(
+      "run", "The tables of a study: means and variances, declared comparisons, preferences");
+  run->add_option("DIR", running->folder, "The study's folder")->required();
+  run->add_option(
+         "--profile",
+         running->profile,
+         "as-published: pooled answers, as the punch paper did; recommended: within people")
+      ->check(CLI::IsMember({"as-published", "recommended"}))
+      ->capture_default_str();
+  addRunModeOption(*run, running->runMode);
+  addReasonOption(*run, running->reason);
+  auto* json = run->add_flag("--json", running->json, "For programs, full precision");
+  run->add_flag(
+         "--watch",
+         running->isWatched,
+         "Pooled answers only, again whenever somebody has answered; ends with Ctrl-C")
+      ->excludes(json);
+  run->callback([&action, running] { action = [running] { return app::run(*running); }; });
+
+  addTestCommand(*noun, action);
+  addCheckTableCommand(*noun, action);
+}
+
+}  // namespace study::app

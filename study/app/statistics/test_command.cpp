@@ -1,0 +1,187 @@
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "analysis/data/error.h"
+#include "analysis/data/summary.h"
+#include "analysis/registry/registry.h"
+#include "questionnaires/json/document.h"
+#include "study/app/commands.h"
+#include "study/app/finite_range.h"
+#include "study/app/json_file.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+struct TestOptions {
+  std::string test;
+  std::string file;
+  analysis::ChosenColumns columns;
+  analysis::TestSettings settings;
+  bool isList = false;
+  bool json = false;
+};
+
+std::string orMissing(const std::optional<double>& value) {
+  return value ? fmt::format("{:.10g}", *value) : "–";
+}
+
+/// "log_odds_ratio" as a reader has it: "log odds ratio".
+std::string spelled(std::string_view name) {
+  std::string text(name);
+  for (char& c : text) c = c == '_' ? ' ' : c;
+  return text;
+}
+
+/// "--group and --value"; those that may be left out in brackets.
+std::string columnsOf(const analysis::StatisticalTest& test) {
+  std::string text;
+  for (const auto& column : analysis::columnsOf(test.shape)) {
+    const auto option = "--" + std::string(column.role);
+    text += (text.empty() ? "" : " ") + (column.isRequired ? option : "[" + option + "]");
+  }
+  if (test.form == analysis::StatisticalTest::Form::NeedsBound) text += " --bound";
+  return text;
+}
+
+int list() {
+  for (const auto& test : analysis::statisticalTests()) {
+    fmt::print("{:<20} {:<35} {}\n", test.id, columnsOf(test), test.title);
+    fmt::print("{:<20} {:<35} {}\n", "", "", test.question);
+  }
+  return 0;
+}
+
+/// What the groups or columns are like.
+void printGroups(const analysis::TestData& data) {
+  if (data.values.empty()) return;
+  fmt::print("{:<12} {:>8} {:>16} {:>16}\n", "group", "n", "mean", "variance");
+  for (const auto& group : data.values) {
+    const auto summary = analysis::summarise(group.values);
+    fmt::print(
+        "{:<12} {:>8} {:>16} {:>16}\n",
+        group.name,
+        summary.n,
+        orMissing(summary.mean),
+        orMissing(summary.variance));
+  }
+  fmt::print("\n");
+}
+
+void printRow(const analysis::TestRow& row, double level) {
+  std::string line;
+  const auto add = [&](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
+  const auto addNumber = [&](const analysis::NamedNumber& number, const char* between) {
+    if (!number.name.empty()) add(spelled(number.name) + between + orMissing(number.value));
+  };
+  addNumber(row.estimate, " ");
+  addNumber(row.statistic, " = ");
+  if (row.statistic.name == "F") {
+    add(fmt::format("df = {} and {}", orMissing(row.df), orMissing(row.df2)));
+  } else if (row.df || row.statistic.name == "t") {
+    add("df = " + orMissing(row.df));
+  }
+  if (row.p || row.effect.name.empty()) add("p = " + orMissing(row.p));
+  addNumber(row.effect, " = ");
+  fmt::print("{}\n", line);
+  const auto interval = [&](const std::optional<analysis::Interval>& limits, std::string_view of) {
+    if (!limits) return;
+    fmt::print(
+        "{:g} % confidence interval of the {}: {:.10g} to {:.10g}\n",
+        100.0 * level,
+        spelled(of),
+        limits->low,
+        limits->high);
+  };
+  interval(row.interval, row.estimate.name);
+  interval(row.effectInterval, row.effect.name);
+  for (const auto& number : row.more) {
+    fmt::print("{} = {}\n", spelled(number.name), orMissing(number.value));
+  }
+  if (!row.reason.empty()) fmt::print("{}\n", base::describe(row.reason));
+}
+
+void print(
+    const analysis::StatisticalTest& test,
+    const analysis::TestData& data,
+    const std::vector<analysis::TestRow>& rows,
+    double level) {
+  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
+  const auto names = [](const analysis::TestRow& row) { return row.group1 + " − " + row.group2; };
+  const bool hasNames = !isList && !rows.front().group1.empty();
+  fmt::print("{}{}\n\n", test.title, hasNames ? ", " + names(rows.front()) : "");
+  printGroups(data);
+  if (data.missing > 0) {
+    const bool isGrouped = test.shape == analysis::DataShape::TwoGroups;
+    fmt::print(
+        "{} left out, {}.\n",
+        words::counted(data.missing, "row was", "rows were"),
+        isGrouped ? "without a group or a value" : "because a cell is empty or NA");
+  }
+  for (const auto& row : rows) {
+    if (isList && !row.group1.empty()) fmt::print("{}\n", names(row));
+    printRow(row, level);
+  }
+}
+
+int runTest(const TestOptions& options) {
+  if (options.isList) return list();
+  const auto& test = analysis::statisticalTest(options.test);
+  const auto text = questionnaires::readTextFile(options.file);
+  try {
+    const auto data = analysis::readTestData(text, test.shape, options.columns);
+    const auto rows = analysis::computeTest(test, data, options.settings);
+    const double level = options.settings.level;
+    if (options.json) {
+      std::fputs(testAsJson(test, data, rows, level).c_str(), stdout);
+    } else {
+      print(test, data, rows, level);
+    }
+  } catch (const analysis::Error& error) {
+    throw analysis::Error(options.file + " cannot be tested:\n" + error.what());
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addTestCommand(CLI::App& stats, Action& action) {
+  auto options = std::make_shared<TestOptions>();
+  auto* command = stats.add_subcommand("test", "A test of any table of your own");
+  auto* list = command->add_flag(
+      "--list", options->isList, "All tests, the columns that each needs, and what it answers");
+  auto* name = command->add_option("TEST", options->test, "One of --list, for instance welch");
+  auto* file = command->add_option("FILE", options->file, "A CSV file with a header line");
+  name->excludes(list);
+  file->excludes(list);
+  const auto column = [&](const char* role, const char* text) {
+    return command->add_option(std::string("--") + role, options->columns[role], text);
+  };
+  column("group", "Column that names the group; columns that are not named are taken in order")
+      ->expected(1);
+  column("value", "Column of numbers; of votes, of names")->expected(1);
+  column("first", "Column of the first of two measurements or names")->expected(1);
+  column("second", "Column of the second")->expected(1);
+  column("columns", "Columns of numbers, a line being a participant; all columns if not given");
+  column("count", "Column that says how many cases a line stands for")->expected(1);
+  column("cluster", "Column that names the participant")->expected(1);
+  column("round", "Column that names the round")->expected(1);
+  command->add_option("--bound", options->settings.bound, "Of equivalence: smaller counts as none")
+      ->check(finiteRange(1e-300, 1e300));
+  command->add_option("--level", options->settings.level, "Of the confidence interval")
+      ->check(finiteRange(1e-9, 1.0 - 1e-9))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "For programs, full precision");
+  command->callback([&action, options] {
+    if (!options->isList && options->test.empty()) throw CLI::RequiredError("TEST");
+    if (!options->isList && options->file.empty()) throw CLI::RequiredError("FILE");
+    action = [options] { return runTest(*options); };
+  });
+}
+
+}  // namespace study::app

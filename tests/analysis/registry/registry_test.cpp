@@ -1,0 +1,120 @@
+#include "analysis/registry/registry.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "analysis/data/error.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
+
+namespace registry_test {
+
+using analysis::StatisticalTest;
+
+std::string errorOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const analysis::Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// The columns of a test as docs/statistics.md has them: "group, value, count".
+std::string columnsOf(const StatisticalTest& test) {
+  std::string text;
+  for (const auto& column : analysis::columnsOf(test.shape)) {
+    text += (text.empty() ? "" : ", ") + std::string(column.role);
+  }
+  return text;
+}
+
+TEST(StatisticalTests, StandInTheManualAsTheyAre) {
+  const auto page = tests::contentOf((tests::repository() / "docs/statistics.md").string());
+  const auto begin = page.find("## Tests by name");
+  ASSERT_NE(begin, std::string::npos);
+  const auto section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+  std::string expected;
+  for (const auto& test : analysis::statisticalTests()) {
+    expected += "| `" + std::string(test.id) + "` | " + columnsOf(test) + " | " +
+                std::string(test.title) + ": " + std::string(test.question) + " | " +
+                std::string(test.source) + " |\n";
+  }
+  EXPECT_NE(section.find(expected), std::string::npos)
+      << "the table of docs/statistics.md, \"Tests by name\", has to be:\n"
+      << expected;
+}
+
+TEST(StatisticalTests, HaveANameOfTheirOwn) {
+  std::set<std::string_view> ids;
+  for (const auto& test : analysis::statisticalTests()) {
+    EXPECT_TRUE(ids.insert(test.id).second) << test.id;
+    EXPECT_FALSE(test.title.empty()) << test.id;
+    EXPECT_NE(test.rows, nullptr) << test.id;
+  }
+  EXPECT_GE(ids.size(), 16U);
+}
+
+TEST(StatisticalTests, NameTheNearestWhereOneIsNotThere) {
+  EXPECT_EQ(
+      errorOf([] { analysis::statisticalTest("fischer_exact"); }),
+      "there is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
+      "lists all");
+}
+
+analysis::TestData dataFor(const StatisticalTest& test, std::string_view csv) {
+  return analysis::readTestData(csv, test.shape, {});
+}
+
+TEST(StatisticalTests, AskForABoundOnlyWhereTheyNeedOne) {
+  const auto& tost = analysis::statisticalTest("tost");
+  EXPECT_NE(
+      errorOf([&] {
+        computeTest(tost, dataFor(tost, "x,y\n1,2\n2,2\n4,3\n"), {});
+      }).find("--bound"),
+      std::string::npos);
+  const auto& sign = analysis::statisticalTest("sign_test");
+  EXPECT_NE(
+      errorOf([&] {
+        computeTest(sign, dataFor(sign, "x,y\n1,2\n"), {.bound = 1.0});
+      }).find("--bound"),
+      std::string::npos);
+}
+
+TEST(StatisticalTests, SayWhyTheyAreNotDefined) {
+  for (const auto& [id, csv] : std::vector<std::pair<std::string, std::string>>{
+           {"welch", "g,x\na,1\nb,1\n"},
+           {"student", "g,x\na,1\nb,1\n"},
+           {"paired_t", "x,y\n1,2\n"},
+           {"sign_test", "x,y\n1,1\n"},
+           {"friedman", "a,b\n1,1\n"},
+           {"nemenyi", "a,b\n1,1\n"},
+           {"icc_2_1", "a,b\n1,1\n"},
+           {"fisher_exact", "a,b\nx,y\n"},
+           {"mcnemar", "a,b\nx,x\ny,y\n"},
+           {"cluster_robust", "who,g,x\nP1,a,1\nP1,b,2\n"},
+           {"mixed_model", "who,g,x\nP1,a,1\nP1,b,2\n"},
+           {"ordinal_model", "who,g,x\nP1,a,1\nP1,b,2\n"}}) {
+    SCOPED_TRACE(id);
+    const auto& test = analysis::statisticalTest(id);
+    const auto rows = computeTest(test, dataFor(test, csv), {});
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows[0].id, id);
+    EXPECT_FALSE(rows[0].p);
+    EXPECT_FALSE(rows[0].reason.empty());
+  }
+}
+
+TEST(StatisticalTests, RefuseDataOfAnotherKind) {
+  const auto refused = [](const char* id, std::string_view csv) {
+    const auto& test = analysis::statisticalTest(id);
+    return errorOf([&] { computeTest(test, dataFor(test, csv), {}); });
+  };
+  EXPECT_EQ(refused("cochran_q", "a,b\n1,2\n"), "Cochran's Q needs 0 for no and 1 for yes");
+  EXPECT_NE(refused("mcnemar", "a,b\nx,y\nz,x\n").find("there are 3"), std::string::npos);
+  EXPECT_NE(refused("ordinal_model", "p,g,x\nP1,a,1.5\n").find("whole"), std::string::npos);
+  EXPECT_NE(refused("friedman", "a\n1\n"), "no error");
+}
+
+}  // namespace registry_test
