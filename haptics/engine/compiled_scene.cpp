@@ -1,5 +1,7 @@
 #include "haptics/engine/compiled_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -145,28 +147,32 @@ struct Builder {
   }
 };
 
-/// The tissue that is drawn while a punch is felt, whatever renders its force.
+/// The tissue that is drawn while a punch is felt: the model's own elements, or like its cut.
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
-  const auto* elements = partsOf(spec.model).elements;
-  return elements == nullptr ? FiniteElementsSpec{} : *elements;
+  const auto parts = partsOf(spec.model);
+  return parts.elements == nullptr ? elementsLike(*parts.cut) : *parts.elements;
 }
 
 }  // namespace
 
-MeshView::MeshView(const FiniteElementsSpec& spec) {
+MeshView::MeshView(const FiniteElementsSpec& spec, SeenTissue law)
+    : law_(law), contact_(spec.parameters.contact) {
   const models::FiniteElements<double> elements(spec.asParameters());
   std::vector<double> displacements(static_cast<std::size_t>(elements.elements()));
   elements.writeMeshShape(displacements.data());
   shape_.push_back({elements.position(0), 0.0});
+  const double scale = law == SeenTissue::Penetration ? elements.stiffness() : 1.0;
   for (int node = 1; node <= elements.elements(); ++node) {
-    shape_.push_back({elements.position(node), displacements[static_cast<std::size_t>(node) - 1]});
+    const double displacement = scale * displacements[static_cast<std::size_t>(node) - 1];
+    shape_.push_back({elements.position(node), std::isfinite(displacement) ? displacement : 0.0});
   }
   shape_.push_back({elements.position(elements.elements() + 1), 0.0});
 }
 
-std::vector<MeshView::Point> MeshView::under(double force) const {
+std::vector<MeshView::Point> MeshView::at(double travel, double force) const {
   std::vector<Point> points = shape_;
-  for (auto& point : points) point.displacement *= force;
+  const double pressed = law_ == SeenTissue::Penetration ? std::max(travel - contact_, 0.0) : force;
+  for (auto& point : points) point.displacement *= pressed;
   return points;
 }
 
@@ -179,8 +185,10 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   std::visit(builder, spec.model);
   const bool isMeniscus = factsOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {
-    mesh_.emplace(shownTissue(spec));
-    builder.in(kMesh, "the tissue is shown; solved when a picture is drawn, not in the tick", 0);
+    mesh_.emplace(shownTissue(spec), spec.seenTissue);
+    std::string why = "the tissue is shown and follows the ";
+    why.append(nameIn(kSeenTissueNames, spec.seenTissue));
+    builder.in(kMesh, why + "; solved when a picture is drawn, not in the tick", 0);
   } else {
     builder.out(kMesh, isMeniscus ? "nothing is shown" : "no meniscus is shown");
   }

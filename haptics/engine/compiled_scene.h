@@ -14,20 +14,27 @@ namespace haptics::engine {
 
 /// The tissue as it is seen: how the finite-element mesh gives way under the tool. Its shape is
 /// solved once; drawing it is a product per point, at the display's rate, never in the tick.
+///
+///     penetration: y_mesh = K⁻¹ c (θ − θ_contact) / (cᵀ K⁻¹ c), so that cᵀ y_mesh = θ − θ_contact:
+///                  the tissue stays at the tool (eq. (9) to (11) of the punch paper);
+///     force:       y_mesh = K⁻¹ c f, with f the force at the handle, whatever renders it.
 class MeshView {
  public:
-  explicit MeshView(const FiniteElementsSpec& spec);
+  explicit MeshView(const FiniteElementsSpec& spec, SeenTissue law = SeenTissue::Penetration);
 
   struct Point {
     double position = 0.0;      ///< along the tissue [string units]
     double displacement = 0.0;  ///< [travel units]
   };
 
-  /// The ends and all midpoints, under @p force at the tool [N].
-  std::vector<Point> under(double force) const;
+  /// The ends and all midpoints, with the handle at @p travel [travel units] and a force @p force
+  /// at it [N]. Nothing gives way before the contact.
+  std::vector<Point> at(double travel, double force) const;
 
  private:
-  std::vector<Point> shape_;  ///< under one newton
+  SeenTissue law_;
+  double contact_;            ///< [travel units]
+  std::vector<Point> shape_;  ///< under one newton, or one travel unit of penetration
 };
 
 /// A part of a scene, built or left out.

@@ -56,6 +56,11 @@ inline constexpr std::array kSmoothingNames{
     Named<models::Smoothing>{"authors-firmware", models::Smoothing::AuthorsFirmware},
 };
 
+inline constexpr std::array kSeenTissueNames{
+    Named<SeenTissue>{"penetration", SeenTissue::Penetration},
+    Named<SeenTissue>{"force", SeenTissue::Force},
+};
+
 /// @param value  one of @p names.
 template <typename Value, std::size_t kCount>
 constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names, Value value) {

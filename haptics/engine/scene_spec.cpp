@@ -147,6 +147,31 @@ ModelParts partsOf(const ModelSpec& model) noexcept {
   return std::visit(Parts{}, model);
 }
 
+FiniteElementsSpec elementsLike(const InterpolationSpec& cut) {
+  const auto& curve = cut.curve;
+  double largest = 0.0;
+  for (const auto& node : curve) largest = std::max(largest, node.force);
+  FiniteElementsSpec spec;
+  if (!(largest > 0.0)) return spec;
+  // The yield: the first local maximum of at least half the largest force.
+  std::size_t yield = 0;
+  while (yield + 1 < curve.size() &&
+         (curve[yield].force < 0.5 * largest || curve[yield + 1].force >= curve[yield].force)) {
+    ++yield;
+  }
+  // The contact: the last point before it where there is hardly a force.
+  std::size_t contact = yield;
+  while (contact > 0 && curve[contact].force > 0.01 * largest) --contact;
+  const double way = curve[yield].travel - curve[contact].travel;
+  if (!(way > 0.0)) return spec;
+  auto& p = spec.parameters;
+  p.contact = curve[contact].travel;
+  p.yieldForce = curve[yield].force;
+  const double own = models::FiniteElements<double>(p).stiffness();
+  p.elementStiffness *= (curve[yield].force - curve[contact].force) / way / own;
+  return spec;
+}
+
 std::optional<double> endOfData(const ModelSpec& model) {
   const auto parts = partsOf(model);
   if (parts.cut != nullptr && !parts.cut->curve.empty()) {

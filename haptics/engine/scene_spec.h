@@ -130,10 +130,22 @@ std::optional<double> endOfData(const ModelSpec& model);
 /// for a model whose force depends on more than travel, or is a recording's.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);
 
+/// What the meniscus that is seen follows: MeshView.
+enum class SeenTissue {
+  Penetration,  ///< the tool, as eq. (9) to (11) of the punch paper have it
+  Force,        ///< the force at the handle: tissue rises again where that falls
+};
+
+/// The elements whose mesh shows a recorded cut: five alike, which begin to give way where the
+/// recorded force begins and are as stiff at the tool as the cut is on the way to its yield.
+/// @param cut  sound.
+FiniteElementsSpec elementsLike(const InterpolationSpec& cut);
+
 /// All that a condition says about what is to be felt and seen.
 struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
+  SeenTissue seenTissue = SeenTissue::Penetration;
 };
 
 /// Everything that is wrong with @p spec, in words; empty where it can be compiled.

@@ -255,9 +255,13 @@ constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 }  // namespace
 
 void readScene(const Node& scene, Condition& condition) {
-  if (!scene.isObjectWith({"device", "model", "parameters", "visualisation", "anatomy"})) return;
+  if (!scene.isObjectWith(
+          {"device", "model", "parameters", "visualisation", "tissue_follows", "anatomy"}))
+    return;
   condition.device = scene.id("device");
   condition.scene.isVisualised = scene.flag("visualisation", false);
+  condition.scene.seenTissue =
+      scene.choice("tissue_follows", engine::kSeenTissueNames, engine::SeenTissue::Penetration);
   if (scene.has("anatomy")) {
     condition.anatomy = AnatomyReference{scene.text("anatomy"), scene.pathOf("anatomy")};
   }

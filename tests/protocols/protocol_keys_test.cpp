@@ -62,6 +62,7 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_EQ(recorded->title, "Recorded");
   EXPECT_EQ(recorded->device, "punch");
   EXPECT_TRUE(recorded->scene.isVisualised);
+  EXPECT_EQ(recorded->scene.seenTissue, engine::SeenTissue::Force);
   EXPECT_EQ(recorded->cut->name, "cuts/two-points.json");
   EXPECT_EQ(recorded->anatomy->name, "anatomies/square.obj");
   EXPECT_EQ(recorded->anatomy->path, "$.conditions[0].scene.anatomy");
@@ -82,6 +83,7 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_EQ(elastic.weights, models::ToolWeights::ExactKink);
   EXPECT_EQ(elastic.yielding, models::Yielding::ReturnMap);
   EXPECT_FALSE(protocol.condition("elastic")->scene.isVisualised);
+  EXPECT_EQ(protocol.condition("elastic")->scene.seenTissue, engine::SeenTissue::Penetration);
   EXPECT_FALSE(protocol.condition("elastic")->cut.has_value());
 }
 

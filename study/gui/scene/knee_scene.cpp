@@ -76,7 +76,7 @@ void KneeScene::follow(const Look& look, double seconds) {
   scene_.parts[Lever].pose = punch * leverPose(openness);
 
   Meniscus::Squeeze squeeze{.string = {}, .openness = openness};
-  if (look.mesh != nullptr) squeeze.string = look.mesh->under(look.force);
+  if (look.mesh != nullptr) squeeze.string = look.mesh->at(look.travel, look.force);
   meniscus_.squeeze(squeeze);
   scene_.parts[Tissue].mesh = meniscus_.body();
   ++scene_.parts[Tissue].revision;

@@ -38,8 +38,49 @@ TEST(CompiledScene, HoldsAMeshOnlyWhereSomebodyLooks) {
   EXPECT_EQ(CompiledScene({.model = kCut}).mesh(), nullptr);
   const CompiledScene seen({.model = kCut, .isVisualised = true});
   ASSERT_NE(seen.mesh(), nullptr);
-  EXPECT_EQ(seen.mesh()->under(3.0).size(), 7U);  // five midpoints and both ends
-  EXPECT_EQ(seen.mesh()->under(3.0).front().displacement, 0.0);
+  EXPECT_EQ(seen.mesh()->at(8.0, 3.0).size(), 7U);  // five midpoints and both ends
+  EXPECT_EQ(seen.mesh()->at(8.0, 3.0).front().displacement, 0.0);
+}
+
+/// How far the tissue gives way at the tool, straight between the two points beside it.
+double seenAtTheTool(const MeshView& mesh, double tool, double travel, double force) {
+  const auto points = mesh.at(travel, force);
+  std::size_t i = 1;
+  while (points[i].position < tool) ++i;
+  const auto& a = points[i - 1];
+  const auto& b = points[i];
+  const double share = (tool - a.position) / (b.position - a.position);
+  return (1.0 - share) * a.displacement + share * b.displacement;
+}
+
+TEST(MeshView, StaysAtTheToolAsThePenetrationDoes) {
+  // Eq. (9) to (11): cᵀ y_mesh = θ − θ_contact; contact 4, the tool at 1.5.
+  for (const int elements : {1, 5, 10, 15}) {
+    FiniteElementsSpec spec;
+    spec.parameters.elements = elements;
+    const MeshView mesh(spec);
+    EXPECT_NEAR(seenAtTheTool(mesh, 1.5, 8.0, 3.76), 4.0, 1e-12) << elements;
+    EXPECT_NEAR(seenAtTheTool(mesh, 1.5, 10.0, 7.0), 6.0, 1e-12) << "beyond its yield force";
+    EXPECT_EQ(seenAtTheTool(mesh, 1.5, 3.9, 0.0), 0.0) << "before the contact";
+  }
+}
+
+TEST(MeshView, FollowsTheForceWhereThatIsAskedFor) {
+  const MeshView mesh(FiniteElementsSpec{}, SeenTissue::Force);
+  EXPECT_NEAR(seenAtTheTool(mesh, 1.5, 8.0, 3.76), 3.76 / (12.0 / 7.0), 1e-12);  // 2.19
+}
+
+TEST(MeshView, OfARecordedCutBeginsAndIsStiffAsTheCut) {
+  // No force up to 3.8, from where it rises slowly; 4.4 N at 7.2.
+  const auto like = elementsLike(publishedInterpolation());
+  EXPECT_NEAR(like.parameters.contact, 3.9, 0.11);
+  EXPECT_NEAR(like.parameters.yieldForce, 4.4, 0.01);
+  const CompiledScene seen(
+      {.model = publishedInterpolation(), .isVisualised = true, .seenTissue = SeenTissue::Force});
+  const double slope = 4.4 / (7.2 - like.parameters.contact);
+  EXPECT_NEAR(seenAtTheTool(*seen.mesh(), 1.5, 7.2, 4.4), 4.4 / slope, 0.05);
+  const CompiledScene follows({.model = publishedInterpolation(), .isVisualised = true});
+  EXPECT_NEAR(seenAtTheTool(*follows.mesh(), 1.5, 10.0, 3.3), 10.0 - like.parameters.contact, 1e-9);
 }
 
 TEST(CompiledScene, SaysWhyForEveryPass) {

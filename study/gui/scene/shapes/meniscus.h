@@ -17,8 +17,8 @@ class Meniscus {
 
   /// What presses on it.
   struct Squeeze {
-    /// The string of finite elements under the present force; the largest displacement is where
-    /// the tool is. None: nothing presses.
+    /// The string of finite elements under the tool; the largest displacement is where the tool
+    /// is. None: nothing presses.
     std::vector<haptics::engine::MeshView::Point> string;
     float openness = 1.0F;  ///< of the jaw
   };

@@ -71,12 +71,25 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
 }
 
 TEST(KneeScene, GivesWayWithTheFiniteElements) {
-  const haptics::engine::MeshView mesh{haptics::engine::FiniteElementsSpec{}};
+  const haptics::engine::MeshView mesh{
+      haptics::engine::FiniteElementsSpec{}, haptics::engine::SeenTissue::Force};
   KneeScene knee;
   knee.follow({.travel = 3.9}, 0.016);
   const QImage before = pictureOf(knee);
   knee.follow({.travel = 3.9, .force = 6.0, .mesh = &mesh}, 0.016);
   EXPECT_GT(differences(before, pictureOf(knee), kScope), 300);
+}
+
+TEST(KneeScene, ShowsTissueThatStaysAtTheToolWhateverTheForce) {
+  const haptics::engine::MeshView mesh{haptics::engine::FiniteElementsSpec{}};
+  const auto volumeAt = [&](double travel, double force, bool isPressed) {
+    KneeScene knee;
+    knee.follow({.travel = travel, .force = force, .mesh = isPressed ? &mesh : nullptr}, 0.016);
+    return volumeOf(knee.meniscus().body());
+  };
+  EXPECT_LT(volumeAt(5.5, 2.0, true), volumeAt(5.5, 2.0, false));
+  EXPECT_EQ(volumeAt(5.5, 2.0, true), volumeAt(5.5, 0.0, true));
+  EXPECT_EQ(volumeAt(3.9, 2.0, true), volumeAt(3.9, 2.0, false)) << "before the contact";
 }
 
 TEST(KneeScene, PartsTheTissueOnceInAClosureAndBringsUpTheNextBite) {
