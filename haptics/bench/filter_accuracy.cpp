@@ -102,7 +102,7 @@ void measurePreparation(const AccuracyRun& run) {
     const double cutoff = reaming::cutoffOf(series.force, series.rate, CutoffRule::Floor);
     const auto filtered = reaming::zeroPhaseLowPass(series.force, series.rate, cutoff);
     const auto curve = reaming::normalised(reaming::curveOver(series.displacement, filtered), 2001);
-    return reaming::chooseNodes(curve, 0.05, 10.0, NodeRule::Greedy).nodes.size();
+    return reaming::chooseNodes(curve, reaming::NodeWish()).nodes.size();
   });
   run.report(
       {.family = kFilterFamily,
@@ -146,7 +146,8 @@ void measureNodes(const AccuracyRun& run) {
                .time = Timing{time, time}});
         };
     const auto count = [&](const reaming::SampledCurve& curve, NodeRule rule) {
-      return static_cast<double>(reaming::chooseNodes(curve, wanted, 10.0, rule).nodes.size());
+      const reaming::NodeWish wish{.rule = rule, .error = wanted};
+      return static_cast<double>(reaming::chooseNodes(curve, wish).nodes.size());
     };
     double greedy = 0.0;
     const double time = nanoseconds([&] { greedy = count(many, NodeRule::Greedy); });

@@ -52,10 +52,13 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
 }
 
 reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
-  if (!node.isObjectWith({"minimum", "average", "maximum"})) return {};
+  // Curves of single specimens have a middle one instead of a mean.
+  const bool isOfSpecimens = node.has("middle_specimen") && !node.has("average");
+  const char* middle = isOfSpecimens ? "middle_specimen" : "average";
+  if (!node.isObjectWith({"minimum", middle, "maximum"})) return {};
   return {
       readNodes(node, "minimum", keys),
-      readNodes(node, "average", keys),
+      readNodes(node, middle, keys),
       readNodes(node, "maximum", keys)};
 }
 
@@ -130,19 +133,22 @@ Json asJson(const reaming::FittedCurve& curve, const Keys& keys) {
   return nodes;
 }
 
-Json asJson(const reaming::FittedEnvelope& envelope, const Keys& keys) {
+/// What the curve between minimum and maximum is called.
+const char* middleKeyOf(reaming::EnvelopeRule rule) {
+  return rule == reaming::EnvelopeRule::Pointwise ? "average" : "middle_specimen";
+}
+
+Json asJson(const reaming::FittedEnvelope& envelope, const Keys& keys, const char* middle) {
   return {
       {"minimum", asJson(envelope.minimum, keys)},
-      {"average", asJson(envelope.average, keys)},
+      {middle, asJson(envelope.average, keys)},
       {"maximum", asJson(envelope.maximum, keys)}};
 }
 
-Json errorsOf(const reaming::FittedEnvelope& envelope) {
+Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
   Json json;
   const std::pair<const char*, const reaming::FittedCurve*> curves[]{
-      {"minimum", &envelope.minimum},
-      {"average", &envelope.average},
-      {"maximum", &envelope.maximum}};
+      {"minimum", &envelope.minimum}, {middle, &envelope.average}, {"maximum", &envelope.maximum}};
   for (const auto& [name, curve] : curves) {
     const auto& e = curve->error;
     json[name] = {
@@ -158,6 +164,16 @@ Json errorsOf(const reaming::FittedEnvelope& envelope) {
   return json;
 }
 
+/// How many specimens the curves are made of, from each depth at which that changes.
+Json specimensLeft(const reaming::FittedEnvelope& envelope) {
+  Json stretches = Json::array();
+  for (const auto& stretch : reaming::specimensLeftOf(envelope)) {
+    stretches.push_back(
+        {{"from_m", stretch.from}, {"measured", stretch.measured}, {"held", stretch.held}});
+  }
+  return stretches;
+}
+
 Json seriesAsJson(const reaming::PreparedSeries& series, const MaterialSource& source) {
   Json json{{"name", series.name}, {"test_set", nameOf(series.set)}};
   if (!source.file.empty()) json["file"] = source.file;
@@ -165,7 +181,9 @@ Json seriesAsJson(const reaming::PreparedSeries& series, const MaterialSource& s
   json["used"] = !series.exclusion.isExcluded();
   if (series.exclusion.isExcluded()) json["excluded_because"] = series.exclusion.words;
   if (series.cutoff > 0.0) json["cutoff_hz"] = series.cutoff;
+  if (series.torqueCutoff > 0.0) json["torque_cutoff_hz"] = series.torqueCutoff;
   if (series.largestDisplacement > 0.0) json["largest_depth_m"] = series.largestDisplacement;
+  if (series.isCensored) json["ended_at_force_limit"] = true;
   return json;
 }
 
@@ -182,6 +200,10 @@ std::string_view nameOf(reaming::SplineKind kind) noexcept {
 }
 std::string_view nameOf(reaming::EnvelopeRule rule) noexcept {
   return rule == reaming::EnvelopeRule::Pointwise ? "pointwise" : "single-sample";
+}
+std::string_view nameOf(reaming::DepthAxis axis) noexcept {
+  constexpr std::array<std::string_view, 3> kNames{"depth", "normalised", "normalised-series"};
+  return kNames[static_cast<std::size_t>(axis)];
 }
 std::string_view nameOf(reaming::CutoffRule rule) noexcept {
   return rule == reaming::CutoffRule::Floor ? "detrended-hann" : "plain";
@@ -208,28 +230,43 @@ std::string materialAsJson(
       {"format", kMaterialFormat}, {"name", name}, {"title", title}, {"synthetic", isSynthetic}};
   json["sets"] = Json::array();
   Json errors = Json::object();
+  const char* middle = middleKeyOf(options.envelope);
   for (const auto& set : fit.sets) {
-    Json entry{{"test_set", nameOf(set.set)}, {"force", asJson(set.force, kForceKeys)}};
-    if (set.torque) entry["torque"] = asJson(*set.torque, kTorqueKeys);
+    Json entry{{"test_set", nameOf(set.set)}, {"force", asJson(set.force, kForceKeys, middle)}};
+    if (set.torque) entry["torque"] = asJson(*set.torque, kTorqueKeys, middle);
     if (set.jitter.rms > 0.0) {
       entry["jitter"] = {{"rms_n", set.jitter.rms}, {"rate_hz", set.jitter.rate}};
     }
     json["sets"].push_back(std::move(entry));
-    errors[std::string(nameOf(set.set))] = {
-        {"series", set.used}, {"scale_m", set.scale}, {"force", errorsOf(set.force)}};
+    auto& of = errors[std::string(nameOf(set.set))];
+    of = {
+        {"series", set.used},
+        {"scale_m", set.scale},
+        {"specimens", specimensLeft(set.force)},
+        {"force", errorsOf(set.force, middle)}};
+    if (set.torque) of["torque"] = errorsOf(*set.torque, middle);
   }
   Json provenance{
       {"settings",
-       {{"cutoff_rule", nameOf(options.cutoffRule)},
+       {{"axis", nameOf(options.axis)},
+        {"cutoff_rule", nameOf(options.cutoffRule)},
         {"envelope", nameOf(options.envelope)},
         {"nodes", nameOf(options.nodes)},
         {"spline", nameOf(options.spline)},
         {"wanted_error", options.wantedError},
         {"force_floor_n", options.forceFloor},
-        {"torque_floor_nm", options.torqueFloor}}},
+        {"torque_floor_nm", options.torqueFloor},
+        {"force_limit_n", options.forceLimit}}},
       {"errors", std::move(errors)},
       {"series", Json::array()}};
-  if (options.cutoff) provenance["settings"]["cutoff_hz"] = *options.cutoff;
+  auto& settings = provenance["settings"];
+  if (options.cutoff) settings["cutoff_hz"] = *options.cutoff;
+  if (options.torqueCutoff) settings["torque_cutoff_hz"] = *options.torqueCutoff;
+  if (options.nodeCount) {
+    settings["nodes"] = *options.nodeCount;
+    settings.erase("wanted_error");
+  }
+  if (options.nodesOf) settings["nodes_of"] = nameOf(*options.nodesOf);
   for (std::size_t i = 0; i < fit.series.size(); ++i) {
     provenance["series"].push_back(seriesAsJson(fit.series[i], sources[i]));
   }

@@ -2,33 +2,86 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "haptics/reaming/material/ordered_splines.h"
 
 namespace haptics::reaming {
 namespace {
 
-constexpr std::size_t kPlaces = 2001;  // of a normalised curve
+NodeWish wishOf(const FitOptions& options, double floor) {
+  return {options.nodes, options.nodesOf.value_or(options.spline), options.wantedError, floor};
+}
 
-/// The data at given displacements as a spline.
-FittedCurve fitted(
-    const SampledCurve& shares, double scale, double floor, const FitOptions& options) {
-  FittedCurve curve{.data = shares};
-  for (double& x : curve.data.x) x *= scale;
-  const auto choice = chooseNodes(curve.data, options.wantedError, floor, options.nodes);
-  curve.spline = splineThrough(curve.data, dataSlopes(curve.data), choice.nodes, options.spline);
-  curve.error = errorOf(curve.data, curve.spline, floor);
+/// Whether the splines are in order by construction.
+bool isOrdered(const FitOptions& options) {
+  return options.envelope == EnvelopeRule::Pointwise && !options.nodeCount && !options.nodesOf &&
+         canBeOrdered(wishOf(options, 1.0));
+}
+
+NodeChoice nodesOf(const SampledCurve& data, double floor, const FitOptions& options) {
+  const auto wish = wishOf(options, floor);
+  return options.nodeCount ? chooseNodes(data, std::min(*options.nodeCount, data.size()), wish)
+                           : chooseNodes(data, wish);
+}
+
+/// The data at given displacements as a spline of its own.
+FittedCurve fitted(const SampledCurve& data, double floor, const FitOptions& options) {
+  FittedCurve curve{.data = data};
+  const auto choice = nodesOf(data, floor, options);
+  curve.spline = splineThrough(data, dataSlopes(data), choice.nodes, options.spline);
+  curve.error = errorOf(data, curve.spline, floor);
+  curve.isMet = options.nodeCount || choice.isMet;
   return curve;
 }
 
-FittedEnvelope fitted(
-    const std::vector<SampledCurve>& curves,
+FittedEnvelope fitted(DepthEnvelope envelope, double floor, const FitOptions& options) {
+  FittedEnvelope result{
+      .isOrdered = isOrdered(options),
+      .measured = std::move(envelope.measured),
+      .held = std::move(envelope.held)};
+  const SampledCurve* const data[]{
+      &envelope.curves.minimum, &envelope.curves.average, &envelope.curves.maximum};
+  FittedCurve* const curves[]{&result.minimum, &result.average, &result.maximum};
+  if (!result.isOrdered) {
+    for (std::size_t c = 0; c < std::size(curves); ++c) {
+      *curves[c] = fitted(*data[c], floor, options);
+    }
+    return result;
+  }
+  auto splines = orderedSplines(envelope.curves, wishOf(options, floor));
+  for (std::size_t c = 0; c < std::size(curves); ++c) {
+    const auto error = errorOf(*data[c], splines[c], floor);
+    *curves[c] = {*data[c], std::move(splines[c]), error};
+  }
+  return result;
+}
+
+/// A curve at the places of its test set, as the axis has it.
+SpecimenCurve specimenOf(
+    const SampledCurve& curve, bool isCensored, double scale, const FitOptions& options) {
+  if (options.axis == DepthAxis::NormalisedSeries) {
+    SampledCurve stretched = curve;
+    for (double& x : stretched.x) x *= scale / curve.x.back();
+    return {std::move(stretched), scale, curve.y.back(), isCensored};
+  }
+  const double step = scale / static_cast<double>(kPlaces - 1);
+  return {atPlaces(curve, scale, kPlaces), curve.x.back(), endOf(curve, step), isCensored};
+}
+
+DepthEnvelope envelopeOf(
+    const std::vector<const PreparedSeries*>& all,
+    SampledCurve PreparedSeries::*quantity,
     double scale,
-    double floor,
     const FitOptions& options) {
-  const Envelope envelope = envelopeOf(curves, options.envelope);
-  return {
-      fitted(envelope.minimum, scale, floor, options),
-      fitted(envelope.average, scale, floor, options),
-      fitted(envelope.maximum, scale, floor, options)};
+  std::vector<SpecimenCurve> specimens;
+  for (const auto* series : all) {
+    const auto& curve = series->*quantity;
+    if (curve.size() == 0) continue;
+    specimens.push_back(specimenOf(curve, series->isCensored, scale, options));
+  }
+  return options.axis == DepthAxis::Depth ? depthEnvelopeOf(specimens, options.envelope)
+                                          : presentEnvelopeOf(specimens, options.envelope);
 }
 
 double rmsBetween(std::span<const double> a, std::span<const double> b) {
@@ -43,26 +96,87 @@ std::vector<double> filtered(
   return zeroPhaseLowPass(samples, series.rate, cutoff);
 }
 
+/// A signal over depth from the beginning [m].
+SampledCurve overDepth(const Series& series, const std::vector<double>& samples) {
+  const auto all = curveOver(series.displacement, samples);
+  auto curve = normalised(all, kPlaces);
+  for (double& x : curve.x) x *= all.x.back();
+  return curve;
+}
+
+/// A force this near to the limit has come to it: a controller stops a sample early or late.
+constexpr double kAtTheLimit = 0.98;
+
+TestSetFit fitOf(
+    TestSet set, const std::vector<const PreparedSeries*>& used, const FitOptions& options) {
+  TestSetFit result{.set = set, .used = static_cast<int>(used.size())};
+  double variance = 0.0;
+  bool hasTorque = false;
+  for (const auto* series : used) {
+    variance += series->jitter * series->jitter;
+    result.scale = std::max(result.scale, series->largestDisplacement);
+    hasTorque |= series->torque.size() > 0;
+  }
+  result.jitter.rms = std::sqrt(variance / static_cast<double>(used.size()));
+  result.force = fitted(
+      envelopeOf(used, &PreparedSeries::force, result.scale, options), options.forceFloor, options);
+  if (hasTorque) {
+    result.torque = fitted(
+        envelopeOf(used, &PreparedSeries::torque, result.scale, options),
+        options.torqueFloor,
+        options);
+  }
+  return result;
+}
+
 }  // namespace
+
+std::optional<std::string> problemOf(const FitOptions& options) {
+  return options.nodeCount ? std::nullopt : problemOf(wishOf(options, 1.0));
+}
 
 PreparedSeries prepared(const Series& series, const FitOptions& options) {
   PreparedSeries result{.name = series.name, .set = series.set, .exclusion = exclusionOf(series)};
   if (result.exclusion.isExcluded()) return result;
-  if (series.set != TestSet::Static) {
-    result.cutoff =
-        options.cutoff.value_or(cutoffOf(series.force, series.rate, options.cutoffRule));
-  }
+  const bool isFiltered = series.set != TestSet::Static;
+  const auto cutoffFor = [&](const std::vector<double>& samples, std::optional<double> wanted) {
+    return wanted ? *wanted : cutoffOf(samples, series.rate, options.cutoffRule);
+  };
+  if (isFiltered) result.cutoff = cutoffFor(series.force, options.cutoff);
   const auto cleaned = filtered(series.force, series, result.cutoff);
   result.jitter = rmsBetween(series.force, cleaned);
-  const auto force = curveOver(series.displacement, cleaned);
-  result.largestDisplacement = force.x.back();
-  result.force = normalised(force, kPlaces);
-  if (!series.torque.empty()) {
-    const auto torque =
-        curveOver(series.displacement, filtered(series.torque, series, result.cutoff));
-    result.torque = normalised(torque, kPlaces);
-  }
+  result.force = overDepth(series, cleaned);
+  result.largestDisplacement = result.force.x.back();
+  result.isCensored = !isFiltered && result.force.y.back() >= kAtTheLimit * options.forceLimit;
+  if (series.torque.empty()) return result;
+  if (isFiltered) result.torqueCutoff = cutoffFor(series.torque, options.torqueCutoff);
+  result.torque = overDepth(series, filtered(series.torque, series, result.torqueCutoff));
   return result;
+}
+
+std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope) {
+  std::vector<SpecimensLeft> left;
+  const auto& depths = envelope.average.data.x;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const SpecimensLeft here{depths[i], envelope.measured[i], envelope.held[i]};
+    const bool isSame =
+        !left.empty() && left.back().measured == here.measured && left.back().held == here.held;
+    if (!isSame) left.push_back(here);
+  }
+  return left;
+}
+
+std::vector<std::string> whatKeepsTheOrder(const FitOptions& options) {
+  std::vector<std::string> changes;
+  if (options.envelope != EnvelopeRule::Pointwise) changes.emplace_back("--envelope pointwise");
+  if (options.spline == SplineKind::NaturalCubic) {
+    changes.emplace_back("--spline hermite-data-slope");
+  }
+  if (options.nodeCount || !canBeOrdered({options.nodes, SplineKind::HermiteDataSlope})) {
+    changes.emplace_back("--nodes greedy");
+  }
+  if (options.nodesOf) changes.emplace_back("no --nodes-of");
+  return changes;
 }
 
 std::vector<Crossing> crossingsOf(const FittedEnvelope& envelope, double tolerance) {
@@ -83,27 +197,17 @@ MaterialFit fitMaterial(std::span<const Series> series, const FitOptions& option
   MaterialFit fit;
   for (const auto& each : series) fit.series.push_back(prepared(each, options));
   for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
-    TestSetFit result{.set = set};
-    std::vector<SampledCurve> forces;
-    std::vector<SampledCurve> torques;
-    double variance = 0.0;
+    std::vector<const PreparedSeries*> used;
+    double rate = Jitter{}.rate;
     for (std::size_t i = 0; i < series.size(); ++i) {
       const auto& each = fit.series[i];
       if (each.set != set || each.exclusion.isExcluded()) continue;
-      variance += each.jitter * each.jitter;
-      result.jitter.rate = series[i].rate;
-      forces.push_back(each.force);
-      if (each.torque.size() > 0) torques.push_back(each.torque);
-      result.scale = std::max(result.scale, each.largestDisplacement);
+      rate = series[i].rate;
+      used.push_back(&each);
     }
-    if (forces.empty()) continue;
-    result.used = static_cast<int>(forces.size());
-    result.jitter.rms = std::sqrt(variance / static_cast<double>(forces.size()));
-    result.force = fitted(forces, result.scale, options.forceFloor, options);
-    if (!torques.empty()) {
-      result.torque = fitted(torques, result.scale, options.torqueFloor, options);
-    }
-    fit.sets.push_back(std::move(result));
+    if (used.empty()) continue;
+    fit.sets.push_back(fitOf(set, used, options));
+    fit.sets.back().jitter.rate = rate;
   }
   return fit;
 }

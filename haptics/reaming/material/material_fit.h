@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/reaming/material/envelope.h"
 #include "haptics/reaming/material/exclusion.h"
 #include "haptics/reaming/material/low_pass.h"
 #include "haptics/reaming/material/material.h"
@@ -15,17 +16,40 @@
 
 namespace haptics::reaming {
 
+/// What the curves of a test set lie over.
+enum class DepthAxis {
+  Depth,  ///< [m]: a specimen counts at the depths at which it was measured
+  /// Shares of the largest displacement of the test set, tests that have ended being absent: one
+  /// reading of the paper's "normalized with reference to the maximum vertical displacement for
+  /// each test set".
+  Normalised,
+  /// Shares of a series' own largest displacement: the other reading. Every test is stretched to
+  /// the length of the longest, so that a stiff specimen, whose test ended early, becomes soft.
+  NormalisedSeries,
+};
+
 /// How measured series become a material: every choice that the reaming paper leaves open, by name.
 struct FitOptions {
+  DepthAxis axis = DepthAxis::Depth;
   CutoffRule cutoffRule = CutoffRule::Floor;
-  std::optional<double> cutoff;  ///< of every dynamic series, instead of its own [Hz]
-  EnvelopeRule envelope = EnvelopeRule::SingleSample;
+  std::optional<double> cutoff;        ///< of every dynamic force, instead of its own [Hz]
+  std::optional<double> torqueCutoff;  ///< of every torque, instead of its own [Hz]
+  EnvelopeRule envelope = EnvelopeRule::Pointwise;
   NodeRule nodes = NodeRule::Greedy;
+  std::optional<std::size_t> nodeCount;  ///< so many, 2 to 200, instead of a rule and an error
   SplineKind spline = SplineKind::HermiteDataSlope;
-  double wantedError = 0.05;  ///< at the nodes' choice: max |v − v̂| / max(|v|, floor), > 0
-  double forceFloor = 10.0;   ///< [N], > 0
-  double torqueFloor = 0.3;   ///< [N·m], > 0
+  std::optional<SplineKind> nodesOf;  ///< nodes are chosen for this spline instead
+  double wantedError = 0.05;          ///< of each spline: NodeWish, > 0
+  double forceFloor = 10.0;           ///< [N], > 0
+  double torqueFloor = 0.3;           ///< [N·m], > 0
+  double forceLimit = 800.0;          ///< at which static tests were stopped [N], > 0
 };
+
+/// Why nothing can be fitted with these @p options; nothing where it can.
+std::optional<std::string> problemOf(const FitOptions& options);
+
+/// How many places a curve has, even over its depth.
+inline constexpr std::size_t kPlaces = 2001;
 
 /// A series as it went into a material, or why it did not.
 struct PreparedSeries {
@@ -33,9 +57,11 @@ struct PreparedSeries {
   TestSet set = TestSet::Dynamic1;
   Exclusion exclusion;
   double cutoff = 0.0;               ///< of its low-pass [Hz]; 0 where there was none
+  double torqueCutoff = 0.0;         ///< of the torque's own [Hz]; 0 where there was none
   double jitter = 0.0;               ///< of what the low-pass took from the force, RMS [N]
   double largestDisplacement = 0.0;  ///< [m]
-  SampledCurve force;                ///< filtered [N], over shares of the largest displacement
+  bool isCensored = false;           ///< a static test that ended at its force limit
+  SampledCurve force;                ///< filtered [N], at kPlaces of depth from the beginning [m]
   SampledCurve torque;               ///< [N·m]; empty where there is none
 };
 
@@ -44,20 +70,34 @@ struct FittedCurve {
   SampledCurve data;  ///< over displacement [m]
   Spline spline;
   ApproximationError error;
+  bool isMet = true;  ///< the spline has the error that was wanted, or none was
 };
 
-/// The softest, the middle and the hardest curve of a test set.
+/// The smallest, the mean (or the middle specimen) and the largest curve of a test set.
 struct FittedEnvelope {
   FittedCurve minimum;
   FittedCurve average;
   FittedCurve maximum;
+  bool isOrdered = false;     ///< everywhere, by construction: orderedSplines()
+  std::vector<int> measured;  ///< at each place of the data: whose tests go on
+  std::vector<int> held;      ///< and that count with the force limit at which they ended
 };
+
+/// A stretch of depth over which the same specimens count.
+struct SpecimensLeft {
+  double from = 0.0;  ///< [m]
+  int measured = 0;
+  int held = 0;
+};
+
+/// The stretches of an envelope from its beginning.
+std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope);
 
 /// What became of the series of a test set.
 struct TestSetFit {
   TestSet set = TestSet::Dynamic1;
   int used = 0;
-  double scale = 0.0;  ///< the largest displacement of all: shares become metres by it [m]
+  double scale = 0.0;  ///< the largest displacement of all [m]
   FittedEnvelope force;
   std::optional<FittedEnvelope> torque;  ///< nothing where no series has any
   Jitter jitter;                         ///< of all its series
@@ -68,8 +108,13 @@ struct MaterialFit {
   std::vector<TestSetFit> sets;  ///< those of which a series is left
 };
 
-/// A series checked, filtered (dynamic ones only, as in the paper) and normalised.
+/// A series checked, and filtered (dynamic ones only, as in the paper), the torque by a low-pass of
+/// its own.
 PreparedSeries prepared(const Series& series, const FitOptions& options);
+
+/// What has to be chosen otherwise so that curves are in order everywhere, as options of `palpate
+/// material fit`; nothing where they are.
+std::vector<std::string> whatKeepsTheOrder(const FitOptions& options);
 
 /// Where a harder curve of an envelope lies below a softer one: there a higher hardness feels
 /// softer.

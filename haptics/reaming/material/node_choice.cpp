@@ -6,57 +6,10 @@
 
 #include <queue>
 
-#include "haptics/reaming/material/piecewise.h"
+#include "haptics/reaming/material/node_error.h"
 
 namespace haptics::reaming {
 namespace {
-
-/// A curve, its slopes, and how far a Hermite piece over some of it is off.
-class Data {
- public:
-  Data(const SampledCurve& curve, double floor)
-      : curve_(curve), slopes_(dataSlopes(curve)), floor_(floor) {}
-
-  std::size_t size() const { return curve_.size(); }
-  const SampledCurve& curve() const { return curve_; }
-  const std::vector<double>& slopes() const { return slopes_; }
-
-  struct Worst {
-    double error = 0.0;
-    std::size_t at = 0;
-  };
-
-  /// Of the piece between two samples; stops looking where it is above @p enough.
-  Worst worstBetween(
-      std::size_t from,
-      std::size_t to,
-      double enough = std::numeric_limits<double>::infinity()) const {
-    const auto piece = models::CubicSegment<double>::between(
-        {curve_.x[from], curve_.y[from], slopes_[from]}, {curve_.x[to], curve_.y[to], slopes_[to]});
-    Worst worst{.at = from + (to - from) / 2};
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const double y = curve_.y[i];
-      const double off = std::abs(piece.at(curve_.x[i]).force - y);
-      const double error = off / std::max(std::abs(y), floor_);
-      if (error > worst.error) worst = {error, i};
-      if (worst.error > enough) break;
-    }
-    return worst;
-  }
-
-  double errorOf(const std::vector<std::size_t>& nodes) const {
-    double worst = 0.0;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-      worst = std::max(worst, worstBetween(nodes[i], nodes[i + 1]).error);
-    }
-    return worst;
-  }
-
- private:
-  const SampledCurve& curve_;
-  std::vector<double> slopes_;
-  double floor_;
-};
 
 /// A piece that may have to be split, the worst first.
 struct Piece {
@@ -68,14 +21,15 @@ struct Piece {
   bool operator<(const Piece& other) const { return error < other.error; }
 };
 
-std::vector<std::size_t> greedy(const Data& data, double wanted) {
+/// Of a local kind: only what was split has to be looked at again.
+std::vector<std::size_t> greedyByPieces(const NodeError& error, double wanted) {
   const auto pieceOf = [&](std::size_t from, std::size_t to) {
-    const auto worst = data.worstBetween(from, to);
+    const auto worst = error.between(from, to);
     return Piece{worst.error, worst.at, from, to};
   };
   std::priority_queue<Piece> pieces;
-  pieces.push(pieceOf(0, data.size() - 1));
-  std::vector<std::size_t> nodes{0, data.size() - 1};
+  pieces.push(pieceOf(0, error.size() - 1));
+  std::vector<std::size_t> nodes{0, error.size() - 1};
   while (pieces.top().error > wanted) {
     const Piece worst = pieces.top();
     pieces.pop();
@@ -89,12 +43,21 @@ std::vector<std::size_t> greedy(const Data& data, double wanted) {
   return nodes;
 }
 
+/// Of a kind whose pieces depend on each other: every node changes all of them.
+std::vector<std::size_t> greedyAsAWhole(const NodeError& error, double wanted) {
+  std::vector<std::size_t> nodes{0, error.size() - 1};
+  for (auto worst = error.through(nodes); worst.error > wanted; worst = error.through(nodes)) {
+    nodes.insert(std::upper_bound(nodes.begin(), nodes.end(), worst.at), worst.at);
+  }
+  return nodes;
+}
+
 /// |f″| of each sample, by the slopes of its neighbours.
-std::vector<double> curvatures(const Data& data) {
-  const auto& x = data.curve().x;
-  const auto& s = data.slopes();
-  std::vector<double> result(data.size(), 0.0);
-  for (std::size_t i = 1; i + 1 < data.size(); ++i) {
+std::vector<double> curvatures(const NodeError& error) {
+  const auto& x = error.curve().x;
+  const auto& s = error.slopes();
+  std::vector<double> result(error.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < error.size(); ++i) {
     result[i] = std::abs((s[i + 1] - s[i - 1]) / (x[i + 1] - x[i - 1]));
   }
   return result;
@@ -117,28 +80,28 @@ std::vector<std::size_t> above(
 }
 
 /// The threshold falls from the largest curvature on, by a hundredth part each time.
-std::vector<std::size_t> byThreshold(const Data& data, double wanted, bool isThinned) {
+std::vector<std::size_t> byThreshold(const NodeError& error, double wanted, bool isThinned) {
   constexpr double kFall = 0.99;
   constexpr int kMostFalls = 3000;
-  const auto curvature = curvatures(data);
+  const auto curvature = curvatures(error);
   double threshold = *std::max_element(curvature.begin(), curvature.end());
   std::vector<std::size_t> best = above(curvature, threshold, isThinned);
-  double bestError = data.errorOf(best);
+  double bestError = error.through(best).error;
   for (int fall = 0; fall < kMostFalls && bestError > wanted; ++fall) {
     threshold *= kFall;
     auto nodes = above(curvature, threshold, isThinned);
     if (nodes.size() == best.size() && !isThinned) continue;
-    const double error = data.errorOf(nodes);
-    if (error >= bestError && isThinned) continue;
-    bestError = error;
+    const double now = error.through(nodes).error;
+    if (now >= bestError && isThinned) continue;
+    bestError = now;
     best = std::move(nodes);
   }
   return best;
 }
 
 /// Shortest path over the samples: an edge where one piece does it.
-std::vector<std::size_t> optimal(const Data& data, double wanted) {
-  const std::size_t n = data.size();
+std::vector<std::size_t> optimal(const NodeError& error, double wanted) {
+  const std::size_t n = error.size();
   constexpr auto kUnreached = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> count(n, kUnreached);
   std::vector<std::size_t> before(n, 0);
@@ -147,7 +110,7 @@ std::vector<std::size_t> optimal(const Data& data, double wanted) {
     if (count[from] == kUnreached) continue;
     for (std::size_t to = from + 1; to < n; ++to) {
       if (count[from] + 1 >= count[to]) continue;
-      if (data.worstBetween(from, to, wanted).error > wanted) continue;
+      if (error.between(from, to, wanted).error > wanted) continue;
       count[to] = count[from] + 1;
       before[to] = from;
     }
@@ -167,41 +130,64 @@ std::vector<std::size_t> thinnedOut(std::size_t count, std::size_t most) {
   return kept;
 }
 
-std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, double wanted, double floor) {
-  constexpr std::size_t kFeasible = 2000;
+std::vector<std::size_t> optimalOfThinned(const SampledCurve& curve, const NodeWish& wish) {
+  constexpr std::size_t kFeasible = 2001;
   const auto kept = thinnedOut(curve.size(), kFeasible);
   SampledCurve thin;
   for (const std::size_t i : kept) {
     thin.x.push_back(curve.x[i]);
     thin.y.push_back(curve.y[i]);
   }
-  const Data data(thin, floor);
   std::vector<std::size_t> nodes;
-  for (const std::size_t node : optimal(data, wanted)) nodes.push_back(kept[node]);
+  for (const std::size_t node : optimal(NodeError(thin, wish), wish.error)) {
+    nodes.push_back(kept[node]);
+  }
   return nodes;
+}
+
+std::vector<std::size_t> nodesBy(
+    const SampledCurve& curve, const NodeError& error, const NodeWish& wish) {
+  switch (wish.rule) {
+    case NodeRule::Greedy:
+      return isLocal(wish.kind) ? greedyByPieces(error, wish.error)
+                                : greedyAsAWhole(error, wish.error);
+    case NodeRule::PaperLiteral:
+      return byThreshold(error, wish.error, false);
+    case NodeRule::Thinned:
+      return byThreshold(error, wish.error, true);
+    case NodeRule::Optimal:
+      return optimalOfThinned(curve, wish);
+  }
+  return {};
 }
 
 }  // namespace
 
-NodeChoice chooseNodes(const SampledCurve& curve, double wanted, double floor, NodeRule rule) {
-  const Data data(curve, floor);
-  NodeChoice choice;
-  switch (rule) {
-    case NodeRule::Greedy:
-      choice.nodes = greedy(data, wanted);
-      break;
-    case NodeRule::PaperLiteral:
-      choice.nodes = byThreshold(data, wanted, false);
-      break;
-    case NodeRule::Thinned:
-      choice.nodes = byThreshold(data, wanted, true);
-      break;
-    case NodeRule::Optimal:
-      choice.nodes = optimalOfThinned(curve, wanted, floor);
-      break;
-  }
-  choice.error = data.errorOf(choice.nodes);
+std::optional<std::string> problemOf(const NodeWish& wish) {
+  if (wish.rule != NodeRule::Optimal || isLocal(wish.kind)) return std::nullopt;
+  return "the fewest nodes are only found for a spline whose pieces depend on their two nodes "
+         "alone";
+}
+
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish) {
+  const NodeError error(curve, wish);
+  NodeChoice choice{.nodes = nodesBy(curve, error, wish)};
+  choice.error = error.through(choice.nodes).error;
+  choice.isMet = choice.error <= wish.error;
   return choice;
+}
+
+NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeWish& wish) {
+  const NodeError error(curve, wish);
+  NodeChoice choice{.nodes = nodesOfLeastError(error, count, wish)};
+  choice.error = error.through(choice.nodes).error;
+  choice.isMet = choice.error <= wish.error;
+  return choice;
+}
+
+double largestError(
+    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish) {
+  return NodeError(curve, wish).through(nodes).error;
 }
 
 }  // namespace haptics::reaming

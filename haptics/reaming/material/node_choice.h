@@ -1,28 +1,64 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/material/sampled_curve.h"
 
 namespace haptics::reaming {
 
-/// Which samples of a curve become nodes of its Hermite spline.
+/// Which samples of a curve become nodes of its spline.
 enum class NodeRule {
   Greedy,        ///< split the worst piece where it is worst, until the error is met
   PaperLiteral,  ///< every sample whose |f″| is above a threshold, which falls until it is met
   Thinned,       ///< of each run of such samples its middle
-  Optimal,       ///< as few as there can be, by dynamic programming over at most 2,000 samples
+  Optimal,       ///< as few as there can be, by dynamic programming over at most 2,001 samples
 };
 
-/// Nodes as indices into the curve, rising, with both ends; the error that they leave is at most
-/// what was wanted, but for Thinned and PaperLiteral where no threshold does it.
+/// What nodes are chosen for. The error is that of the spline of this kind through them:
+/// max |v − v̂| / max(|v|, floor). PaperLiteral takes the paper's own e_a instead,
+/// max |v − v̂| / |v| over v ≠ 0, whatever the floor.
+struct NodeWish {
+  NodeRule rule = NodeRule::Greedy;
+  SplineKind kind = SplineKind::HermiteDataSlope;
+  double error = 0.05;  ///< the largest that is wanted, as a share, > 0
+  double floor = 10.0;  ///< [unit of y], > 0
+};
+
+/// Nodes as indices into the curve, rising, with both ends.
 struct NodeChoice {
   std::vector<std::size_t> nodes;
-  double error = 0.0;  ///< max |v − v̂| / max(|v|, floor) of the Hermite spline with data slopes
+  double error = 0.0;  ///< what they leave, by the measure of the wish
+  bool isMet = true;   ///< the error is at most what was wanted
 };
 
-/// @param wanted  the largest error, as a share, > 0. @param floor  see ApproximationError, > 0.
-NodeChoice chooseNodes(const SampledCurve& curve, double wanted, double floor, NodeRule rule);
+/// Whether a piece of such a spline depends on its two nodes alone.
+constexpr bool isLocal(SplineKind kind) noexcept {
+  return kind == SplineKind::HermiteDataSlope || kind == SplineKind::Linear;
+}
+
+/// Why no nodes can be chosen so; nothing where they can. Optimal wants a kind that is local.
+std::optional<std::string> problemOf(const NodeWish& wish);
+
+/// Nodes until the error is met. Greedy always gets there; Thinned may not, and says so.
+///
+/// @param wish  without a problem.
+NodeChoice chooseNodes(const SampledCurve& curve, const NodeWish& wish);
+
+/// As many nodes as were asked for, at which the largest error of the spline of this kind is least:
+/// of a local kind by dynamic programming over 400 places, then every node moved sample by sample
+/// while that helps; of the others by the same moves from several starts. The rule is not looked
+/// at.
+///
+/// @param count  from 2 to the size of the curve.
+NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeWish& wish);
+
+/// The largest error of a kind of spline through @p nodes, by the measure of a wish.
+double largestError(
+    const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish);
 
 }  // namespace haptics::reaming

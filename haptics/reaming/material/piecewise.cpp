@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace haptics::reaming {
 
@@ -156,6 +157,15 @@ double Spline::at(double x) const noexcept {
         return value < segment.begin;
       });
   return (after - 1)->at(x).force;
+}
+
+Spline splineOf(std::vector<models::HermiteNode<double>> nodes) {
+  Spline spline{.nodes = std::move(nodes)};
+  for (std::size_t i = 0; i + 1 < spline.nodes.size(); ++i) {
+    spline.segments.push_back(
+        models::CubicSegment<double>::between(spline.nodes[i], spline.nodes[i + 1]));
+  }
+  return spline;
 }
 
 Spline splineThrough(

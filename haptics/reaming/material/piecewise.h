@@ -37,6 +37,9 @@ struct Spline {
   double at(double x) const noexcept;
 };
 
+/// The cubics between nodes with given slopes, two or more.
+Spline splineOf(std::vector<models::HermiteNode<double>> nodes);
+
 /// Through the samples @p nodes (indices, rising, two or more) of a curve.
 ///
 /// @param slopes  of every sample of the curve; only HermiteDataSlope looks at them.

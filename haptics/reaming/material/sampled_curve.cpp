@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 
 namespace haptics::reaming {
 
@@ -24,67 +23,76 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
   return curve;
 }
 
+namespace {
+
+/// Reads a curve at rising places.
+class Reader {
+ public:
+  Reader(const SampledCurve& curve, double half) : curve_(curve), half_(half) {}
+
+  /// The mean of the samples within half a step of @p x; straight between two where there are none.
+  double at(double x) {
+    while (before_ + 2 < curve_.size() && curve_.x[before_ + 1] < x) ++before_;
+    double sum = 0.0;
+    double near = 0.0;
+    for (std::size_t j = before_ + 1; j-- > 0 && curve_.x[j] >= x - half_;) {
+      sum += curve_.y[j];
+      near += 1.0;
+    }
+    for (std::size_t j = before_ + 1; j < curve_.size() && curve_.x[j] < x + half_; ++j) {
+      sum += curve_.y[j];
+      near += 1.0;
+    }
+    if (near > 0.0) return sum / near;
+    const std::size_t k = before_;
+    const double part = (x - curve_.x[k]) / (curve_.x[k + 1] - curve_.x[k]);
+    return curve_.y[k] + part * (curve_.y[k + 1] - curve_.y[k]);
+  }
+
+ private:
+  const SampledCurve& curve_;
+  double half_;
+  std::size_t before_ = 0;
+};
+
+}  // namespace
+
 SampledCurve normalised(const SampledCurve& curve, std::size_t count) {
   SampledCurve result;
   const double whole = curve.x.back();
-  const double half = 0.5 * whole / static_cast<double>(count - 1);
-  std::size_t k = 0;
+  Reader reader(curve, 0.5 * whole / static_cast<double>(count - 1));
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double x = share * whole;
-    while (k + 2 < curve.size() && curve.x[k + 1] < x) ++k;
-    double sum = 0.0;
-    double near = 0.0;
-    for (std::size_t j = k + 1; j-- > 0 && curve.x[j] >= x - half;) {
-      sum += curve.y[j];
-      near += 1.0;
-    }
-    for (std::size_t j = k + 1; j < curve.size() && curve.x[j] < x + half; ++j) {
-      sum += curve.y[j];
-      near += 1.0;
-    }
+    const double read = reader.at(share * whole);
     result.x.push_back(share);
-    if (i == 0 || i + 1 == count) {
-      result.y.push_back(i == 0 ? curve.y.front() : curve.y.back());
-    } else if (near > 0.0) {
-      result.y.push_back(sum / near);
-    } else {
-      const double part = (x - curve.x[k]) / (curve.x[k + 1] - curve.x[k]);
-      result.y.push_back(curve.y[k] + part * (curve.y[k + 1] - curve.y[k]));
-    }
+    result.y.push_back(i == 0 ? curve.y.front() : i + 1 == count ? curve.y.back() : read);
   }
   return result;
 }
 
-namespace {
-
-Envelope pointwise(std::span<const SampledCurve> curves) {
-  Envelope envelope{curves[0], curves[0], curves[0]};
-  for (std::size_t i = 0; i < curves[0].size(); ++i) {
-    double sum = 0.0;
-    for (const auto& curve : curves) {
-      envelope.minimum.y[i] = std::min(envelope.minimum.y[i], curve.y[i]);
-      envelope.maximum.y[i] = std::max(envelope.maximum.y[i], curve.y[i]);
-      sum += curve.y[i];
-    }
-    envelope.average.y[i] = sum / static_cast<double>(curves.size());
+SampledCurve atPlaces(const SampledCurve& curve, double whole, std::size_t count) {
+  SampledCurve result;
+  const auto last = static_cast<double>(count - 1);
+  Reader reader(curve, 0.5 * whole / last);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = static_cast<double>(i) / last * whole;
+    if (x > curve.x.back()) break;
+    const double read = reader.at(x);
+    result.x.push_back(x);
+    result.y.push_back(i == 0 ? curve.y.front() : read);
   }
-  return envelope;
+  return result;
 }
 
-}  // namespace
-
-Envelope envelopeOf(std::span<const SampledCurve> curves, EnvelopeRule rule) {
-  if (rule == EnvelopeRule::Pointwise) return pointwise(curves);
-  std::vector<std::size_t> order(curves.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto total = [&](std::size_t i) {
-    return std::accumulate(curves[i].y.begin(), curves[i].y.end(), 0.0);
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return total(a) < total(b);
-  });
-  return {curves[order.front()], curves[order[order.size() / 2]], curves[order.back()]};
+double endOf(const SampledCurve& curve, double width) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = curve.size(); i-- > 0;) {
+    if (count > 0.0 && curve.x[i] < curve.x.back() - width) break;
+    sum += curve.y[i];
+    count += 1.0;
+  }
+  return sum / count;
 }
 
 }  // namespace haptics::reaming

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
-
-#include "haptics/reaming/material/series.h"
 
 namespace haptics::reaming {
 
@@ -24,20 +23,13 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
 /// between two where there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
-/// The largest, the mean and the smallest of several curves on the same places.
-struct Envelope {
-  SampledCurve minimum;
-  SampledCurve average;
-  SampledCurve maximum;
-};
+/// @p curve at those of @p count places, even from 0 to @p whole, that it reaches: each as
+/// normalised() has it, the first is that of the curve.
+///
+/// @param whole  at least the largest x of the curve.
+SampledCurve atPlaces(const SampledCurve& curve, double whole, std::size_t count);
 
-/// How an envelope is made of samples.
-enum class EnvelopeRule {
-  Pointwise,     ///< at each place of all samples, as in the paper: no specimen has such a curve
-  SingleSample,  ///< the softest, the middle and the hardest sample, by their mean force
-};
-
-/// @param curves  one or more, on the same places.
-Envelope envelopeOf(std::span<const SampledCurve> curves, EnvelopeRule rule);
+/// The mean of the last samples of @p curve, over @p width of x.
+double endOf(const SampledCurve& curve, double width);
 
 }  // namespace haptics::reaming

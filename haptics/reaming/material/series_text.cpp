@@ -61,14 +61,14 @@ std::string trimmed(std::string_view text) {
 
 constexpr std::string_view kSyntheticMark = "# SYNTHETIC";
 
-struct Line {
+struct TextLine {
   std::string_view text;
   std::size_t number = 0;  ///< in the file, from 1
 };
 
 /// The lines that say something, without remarks (#) above the head.
 struct Lines {
-  std::vector<Line> all;
+  std::vector<TextLine> all;
   bool isSynthetic = false;  ///< a remark says so
 };
 
@@ -183,7 +183,7 @@ std::optional<Column> columnOf(
 
 /// The rate of evenly taken samples. @throws Error  where there is a gap.
 double rateOf(
-    const std::vector<double>& time, const std::vector<Line>& lines, const std::string& name) {
+    const std::vector<double>& time, const std::vector<TextLine>& lines, const std::string& name) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
   const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);

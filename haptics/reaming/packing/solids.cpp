@@ -32,15 +32,15 @@ double Acetabulum::volume() const noexcept {
 namespace {
 
 /// Which part of a triangle is nearest: its face, an edge, or a corner.
-struct Nearest {
+struct NearestPart {
   Vec3 place;
   enum class Part { Face, Edge, Corner } part = Part::Face;
   std::size_t which = 0;  ///< of the three
 };
 
 /// By the regions of Voronoi (Ericson 2004, 5.1.5).
-Nearest nearestOn(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
-  using Part = Nearest::Part;
+NearestPart nearestOn(Vec3 p, Vec3 a, Vec3 b, Vec3 c) noexcept {
+  using Part = NearestPart::Part;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const Vec3 ap = p - a;
@@ -114,7 +114,7 @@ MeshSolid::MeshSolid(TriangleMesh mesh)
 
 Boundary MeshSolid::nearest(Vec3 place) const noexcept {
   double square = std::numeric_limits<double>::infinity();
-  Nearest best;
+  NearestPart best;
   std::uint32_t triangle = 0;
   tree_.eachNearer(place, square, [&](std::uint32_t i) {
     const auto& t = mesh_.triangles[i];
@@ -129,9 +129,9 @@ Boundary MeshSolid::nearest(Vec3 place) const noexcept {
     return square;
   });
   const auto& normals = normals_[triangle];
-  const Vec3 outward = best.part == Nearest::Part::Face   ? normals.face
-                       : best.part == Nearest::Part::Edge ? normals.edge[best.which]
-                                                          : normals.corner[best.which];
+  const Vec3 outward = best.part == NearestPart::Part::Face   ? normals.face
+                       : best.part == NearestPart::Part::Edge ? normals.edge[best.which]
+                                                              : normals.corner[best.which];
   const Vec3 off = place - best.place;
   const double gap = std::sqrt(square);
   const double sign = dot(off, outward) > 0.0 ? -1.0 : 1.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "haptics/reaming/material/synthetic_series.h"
 #include "tests/protocols/small_protocol.h"
@@ -46,6 +47,43 @@ TEST(MaterialFile, ComesBackAsItWas) {
     EXPECT_EQ(found[i].slope, wanted[i].slope);
   }
   EXPECT_FALSE(material->sets[0].torque.isEmpty());
+}
+
+TEST(MaterialFile, CallsTheMiddleSpecimenByItsName) {
+  std::vector<reaming::Series> series;
+  for (const double hardness : {0.2, 0.5, 0.9}) {
+    series.push_back(reaming::syntheticSeries({.hardness = hardness, .seed = 1}));
+  }
+  const reaming::FitOptions options{
+      .envelope = reaming::EnvelopeRule::SingleSample, .wantedError = 0.2};
+  const auto fit = reaming::fitMaterial(series, options);
+  const auto json = materialAsJson("bone", "Bone", true, fit, options, {{}, {}, {}});
+  EXPECT_NE(json.find("\"middle_specimen\""), std::string::npos);
+  EXPECT_EQ(json.find("\"average\""), std::string::npos);
+  questionnaires::Problems problems;
+  const auto material = readMaterial(json, problems);
+  ASSERT_TRUE(material) << questionnaires::inWords(problems.all());
+  EXPECT_EQ(material->sets[0].force.average.size(), fit.sets[0].force.average.spline.nodes.size());
+}
+
+TEST(MaterialFile, SaysHowManySpecimensCountAtEachDepth) {
+  std::vector<reaming::Series> series;
+  for (const double hardness : {0.2, 0.9}) {
+    series.push_back(
+        reaming::syntheticSeries({.set = reaming::TestSet::Static, .hardness = hardness}));
+  }
+  const auto fit = reaming::fitMaterial(series, {});
+  const auto json = nlohmann::json::parse(materialAsJson("bone", "Bone", true, fit, {}, {{}, {}}));
+  const auto& provenance = json.at("provenance");
+  EXPECT_EQ(provenance.at("settings").at("axis"), "depth");
+  EXPECT_EQ(provenance.at("series").at(1).at("ended_at_force_limit"), true);
+  const auto& specimens = provenance.at("errors").at("static").at("specimens");
+  ASSERT_EQ(specimens.size(), 2U);
+  EXPECT_EQ(specimens.at(0).at("measured"), 2);
+  EXPECT_EQ(specimens.at(0).at("held"), 0);
+  EXPECT_EQ(specimens.at(1).at("measured"), 1);
+  EXPECT_EQ(specimens.at(1).at("held"), 1);
+  EXPECT_NEAR(specimens.at(1).at("from_m").get<double>(), fit.series[1].largestDisplacement, 1e-5);
 }
 
 TEST(MaterialFile, SaysWhatIsWrong) {

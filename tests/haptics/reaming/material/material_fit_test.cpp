@@ -40,29 +40,21 @@ TEST(MaterialFit, FiltersOnlyWhatIsReamed) {
   }
 }
 
-double sumOf(const FittedCurve& curve) {
-  return std::accumulate(curve.data.y.begin(), curve.data.y.end(), 0.0);
-}
-
-/// The softest sample is the minimum, and the hardest the maximum.
-void expectOrdered(const FittedEnvelope& envelope) {
-  EXPECT_LT(sumOf(envelope.minimum), sumOf(envelope.average));
-  EXPECT_LT(sumOf(envelope.average), sumOf(envelope.maximum));
-}
-
 TEST(MaterialFit, OrdersItsEnvelopesBothWays) {
   const auto study = syntheticStudy(1);
   const auto pointwise = fitMaterial(study, {.envelope = EnvelopeRule::Pointwise});
   const auto single = fitMaterial(study, {.envelope = EnvelopeRule::SingleSample});
   for (std::size_t s = 0; s < pointwise.sets.size(); ++s) {
-    expectOrdered(single.sets[s].force);
-    if (single.sets[s].torque) expectOrdered(*single.sets[s].torque);
     const auto& all = pointwise.sets[s].force;
+    const auto& one = single.sets[s].force;
+    EXPECT_TRUE(all.isOrdered);
+    EXPECT_FALSE(one.isOrdered);
     for (std::size_t i = 0; i < all.minimum.data.size(); ++i) {
       ASSERT_LE(all.minimum.data.y[i], all.average.data.y[i]);
       ASSERT_LE(all.average.data.y[i], all.maximum.data.y[i]);
-      // A single sample lies within what all of them span.
-      const auto& one = single.sets[s].force;
+    }
+    // Where all specimens are measured, a single one lies within what they span.
+    for (std::size_t i = 0; all.measured[i] == all.measured[0]; ++i) {
       ASSERT_GE(one.minimum.data.y[i], all.minimum.data.y[i]);
       ASSERT_LE(one.maximum.data.y[i], all.maximum.data.y[i]);
     }
@@ -106,15 +98,112 @@ TEST(MaterialFit, MeasuresTheJitterThatItTakesOut) {
   EXPECT_EQ(fit.sets[0].jitter.rate, 100.0);
 }
 
-TEST(MaterialFit, SaysWhereCurvesCross) {
+TEST(MaterialFit, KeepsItsCurvesInOrderEverywhere) {
   const auto study = syntheticStudy(1);
-  const auto single = fitMaterial(study, {.envelope = EnvelopeRule::SingleSample});
-  const auto pointwise = fitMaterial(study, {.envelope = EnvelopeRule::Pointwise});
-  const auto crossings = crossingsOf(single.sets[1].force, 1.0);
-  ASSERT_FALSE(crossings.empty());  // softer specimens of this study begin earlier
-  for (const auto& crossing : crossings) EXPECT_LE(crossing.from, crossing.to);
-  // Where the data are in order, splines that are 5 % off may still touch.
-  EXPECT_TRUE(crossingsOf(pointwise.sets[1].force, 10.0).empty());
+  for (const auto spline : {SplineKind::HermiteDataSlope, SplineKind::Pchip, SplineKind::Makima}) {
+    for (const double wanted : {0.3, 0.05}) {
+      const auto fit = fitMaterial(study, {.spline = spline, .wantedError = wanted});
+      for (const auto& set : fit.sets) {
+        for (const auto* envelope : {&set.force, set.torque ? &*set.torque : &set.force}) {
+          EXPECT_TRUE(envelope->isOrdered);
+          EXPECT_LE(envelope->minimum.error.floored, wanted);
+          EXPECT_LE(envelope->average.error.floored, wanted);
+          EXPECT_LE(envelope->maximum.error.floored, wanted);
+          for (int i = 0; i <= 20'000; ++i) {
+            const double x = set.scale * i / 20'000.0;
+            const double middle = envelope->average.spline.at(x);
+            ASSERT_LE(envelope->minimum.spline.at(x), middle + 1e-9) << x;
+            ASSERT_LE(middle, envelope->maximum.spline.at(x) + 1e-9) << x;
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Force = start + slope · depth, over 1001 samples.
+Series ramp(double start, double slope, double end) {
+  Series series{.set = TestSet::Static};
+  for (int i = 0; i <= 1000; ++i) {
+    series.displacement.push_back(end * i / 1000.0);
+    series.force.push_back(start + slope * series.displacement.back());
+  }
+  return series;
+}
+
+TEST(MaterialFit, SaysWhereCurvesCrossAndWhatKeepsTheirOrder) {
+  const std::vector study{ramp(30.0, 10e3, 0.010), ramp(10.0, 20e3, 0.010)};
+  const FitOptions options{
+      .envelope = EnvelopeRule::SingleSample, .spline = SplineKind::NaturalCubic};
+  const auto fit = fitMaterial(study, options);
+  const auto crossings = crossingsOf(fit.sets[0].force, 1.0);
+  ASSERT_EQ(crossings.size(), 1U);  // to 2 mm, where both have 50 N
+  EXPECT_EQ(crossings[0].from, 0.0);
+  EXPECT_NEAR(crossings[0].to, 0.002, 0.0002);
+  EXPECT_EQ(
+      whatKeepsTheOrder(options),
+      (std::vector<std::string>{"--envelope pointwise", "--spline hermite-data-slope"}));
+  // What is on is not recommended.
+  EXPECT_TRUE(whatKeepsTheOrder({}).empty());
+  EXPECT_EQ(whatKeepsTheOrder({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
+}
+
+TEST(MaterialFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
+  const auto fit = fitMaterial(syntheticStudy(1), {});
+  const auto left = specimensLeftOf(fit.sets[0].force);
+  EXPECT_EQ(left.front().measured, 24);
+  EXPECT_EQ(left.front().held, 0);
+  for (const auto& stretch : left) EXPECT_EQ(stretch.measured + stretch.held, 24);
+  EXPECT_EQ(left.back().measured, 1);
+  // Those that stalled leave.
+  const auto reamed = specimensLeftOf(fit.sets[1].force);
+  EXPECT_EQ(reamed.front().measured, 22);
+  EXPECT_LT(reamed.back().measured, 22);
+  for (const auto& stretch : reamed) EXPECT_EQ(stretch.held, 0);
+}
+
+TEST(MaterialFit, FiltersATorqueByItsOwnSpectrum) {
+  auto series = syntheticSeries({.seed = 6});
+  const auto before = prepared(series, {});
+  std::reverse(series.torque.begin(), series.torque.end());
+  for (double& torque : series.torque) torque = torque * torque;
+  const auto after = prepared(series, {});
+  EXPECT_EQ(after.cutoff, before.cutoff);
+  EXPECT_EQ(after.torqueCutoff, cutoffOf(series.torque, series.rate, CutoffRule::Floor));
+  EXPECT_NE(after.torqueCutoff, after.cutoff);
+  const auto asked = prepared(series, {.cutoff = 0.2, .torqueCutoff = 0.3});
+  EXPECT_EQ(asked.cutoff, 0.2);
+  EXPECT_EQ(asked.torqueCutoff, 0.3);
+}
+
+TEST(MaterialFit, NormalisesInBothReadingsOfThePaper) {
+  // A stiff specimen that ended at half the depth of a soft one.
+  const std::vector study{ramp(0.0, 160e3, 0.005), ramp(0.0, 80e3, 0.010)};
+  const auto maximumAt = [&](DepthAxis axis, double x) {
+    const auto fit = fitMaterial(study, {.axis = axis, .wantedError = 1e-3});
+    return fit.sets[0].force.maximum.spline.at(x);
+  };
+  EXPECT_NEAR(maximumAt(DepthAxis::Depth, 0.004), 640.0, 1.0);
+  EXPECT_NEAR(maximumAt(DepthAxis::Normalised, 0.004), 640.0, 1.0);
+  EXPECT_NEAR(maximumAt(DepthAxis::NormalisedSeries, 0.004), 320.0, 1.0);
+  // Beyond the stiff one's end it is held at its limit, absent, or still there, stretched.
+  EXPECT_NEAR(maximumAt(DepthAxis::Depth, 0.008), 800.0, 1.0);
+  EXPECT_NEAR(maximumAt(DepthAxis::Normalised, 0.008), 640.0, 1.0);
+  EXPECT_NEAR(maximumAt(DepthAxis::NormalisedSeries, 0.008), 640.0, 1.0);
+}
+
+TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
+  const std::vector study{syntheticSeries({.seed = 4})};
+  const auto nodesWith = [&](SplineKind spline, std::optional<SplineKind> nodesOf) {
+    const auto fit = fitMaterial(study, {.nodeCount = 12, .spline = spline, .nodesOf = nodesOf});
+    std::vector<double> depths;
+    for (const auto& node : fit.sets[0].force.maximum.spline.nodes) depths.push_back(node.position);
+    return depths;
+  };
+  const auto ofCubic = nodesWith(SplineKind::NaturalCubic, {});
+  EXPECT_EQ(ofCubic.size(), 12U);
+  EXPECT_EQ(nodesWith(SplineKind::HermiteDataSlope, SplineKind::NaturalCubic), ofCubic);
+  EXPECT_NE(nodesWith(SplineKind::HermiteDataSlope, {}), ofCubic);
 }
 
 TEST(MaterialFit, LeavesASetOutOfWhichNothingIsLeft) {

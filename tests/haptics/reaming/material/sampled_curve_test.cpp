@@ -5,45 +5,42 @@
 namespace haptics::reaming {
 namespace sampled_curve_test {
 
-SampledCurve curve(const std::vector<double>& y) {
-  return {.x = {0.0, 0.5, 1.0}, .y = y};
+/// 1000 samples of y = 3 x to x = 2.
+SampledCurve ramp() {
+  SampledCurve curve;
+  for (int i = 0; i <= 1000; ++i) {
+    curve.x.push_back(0.002 * i);
+    curve.y.push_back(0.006 * i);
+  }
+  return curve;
 }
 
-void expectOrdered(const Envelope& envelope) {
-  for (std::size_t i = 0; i < envelope.average.size(); ++i) {
-    EXPECT_LE(envelope.minimum.y[i], envelope.average.y[i]) << i;
-    EXPECT_LE(envelope.average.y[i], envelope.maximum.y[i]) << i;
+TEST(SampledCurve, AtPlacesGoesAsFarAsItsOwnEnd) {
+  const auto curve = atPlaces(ramp(), 5.0, 101);
+  ASSERT_EQ(curve.size(), 41U);  // 0 to 2.0 of 5.0
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    EXPECT_NEAR(curve.x[i], 0.05 * static_cast<double>(i), 1e-12);
+    if (i == 0 || i == 40) continue;
+    EXPECT_NEAR(curve.y[i], 3.0 * curve.x[i], 1e-3);
   }
 }
 
-TEST(Envelope, HasTheSoftestTheMiddleAndTheHardestOfItsSamples) {
-  const std::vector<SampledCurve> curves{
-      curve({20.0, 30.0, 41.0}), curve({2.0, 3.0, 4.0}), curve({5.0, 6.0, 7.0})};
-  const auto envelope = envelopeOf(curves, EnvelopeRule::SingleSample);
-  EXPECT_EQ(envelope.minimum.y, curves[1].y);
-  EXPECT_EQ(envelope.average.y, curves[2].y);
-  EXPECT_EQ(envelope.maximum.y, curves[0].y);
-  expectOrdered(envelope);
+TEST(SampledCurve, AtPlacesThatAreFinerThanItsSamplesLiesBetweenThem) {
+  const SampledCurve coarse{{0.0, 1.0, 2.0}, {0.0, 10.0, 0.0}};
+  const auto curve = atPlaces(coarse, 2.0, 9);
+  EXPECT_EQ(curve.y, (std::vector<double>{0.0, 2.5, 5.0, 7.5, 10.0, 7.5, 5.0, 2.5, 0.0}));
 }
 
-TEST(Envelope, HasTheSmallestTheMeanAndTheLargestForceAtEachPlace) {
-  const std::vector<SampledCurve> crossing{
-      curve({9.0, 1.0, 5.0}), curve({1.0, 9.0, 6.0}), curve({2.0, 2.0, 10.0})};
-  const auto envelope = envelopeOf(crossing, EnvelopeRule::Pointwise);
-  EXPECT_EQ(envelope.minimum.y, (std::vector<double>{1.0, 1.0, 5.0}));
-  EXPECT_EQ(envelope.average.y, (std::vector<double>{4.0, 4.0, 7.0}));
-  EXPECT_EQ(envelope.maximum.y, (std::vector<double>{9.0, 9.0, 10.0}));
-  expectOrdered(envelope);
+TEST(SampledCurve, NormalisedHasSharesOfItsOwnEnd) {
+  const auto curve = normalised(ramp(), 11);
+  EXPECT_EQ(curve.x.front(), 0.0);
+  EXPECT_EQ(curve.x.back(), 1.0);
+  EXPECT_NEAR(curve.y[5], 3.0, 0.01);
 }
 
-TEST(Envelope, OfOneSampleIsThatSample) {
-  const std::vector<SampledCurve> one{curve({3.0, 1.0, 2.0})};
-  for (const auto rule : {EnvelopeRule::Pointwise, EnvelopeRule::SingleSample}) {
-    const auto envelope = envelopeOf(one, rule);
-    for (const auto* part : {&envelope.minimum, &envelope.average, &envelope.maximum}) {
-      EXPECT_EQ(part->y, one[0].y);
-    }
-  }
+TEST(SampledCurve, EndsWithTheMeanOfItsLastSamples) {
+  EXPECT_NEAR(endOf(ramp(), 0.0), 6.0, 1e-12);
+  EXPECT_NEAR(endOf(ramp(), 0.0041), (6.0 + 5.994 + 5.988) / 3.0, 1e-12);
 }
 
 }  // namespace sampled_curve_test

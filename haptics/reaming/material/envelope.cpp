@@ -1,0 +1,200 @@
+#include "haptics/reaming/material/envelope.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace haptics::reaming {
+namespace {
+
+/// What a specimen has at a place, and how much it counts there.
+struct Member {
+  double value = 0.0;
+  double share = 1.0;  ///< from 0 to 1
+};
+
+Member memberAt(const SpecimenCurve& specimen, std::size_t place, double depth) {
+  if (place < specimen.curve.size()) return {specimen.curve.y[place], 1.0};
+  if (specimen.isCensored) return {specimen.last, 1.0};
+  return {specimen.last, std::clamp(1.0 - (depth - specimen.end) / kLeavesOver, 0.0, 1.0)};
+}
+
+double meanOf(std::span<const Member> members) {
+  double sum = 0.0;
+  double shares = 0.0;
+  for (const auto& member : members) {
+    sum += member.share * member.value;
+    shares += member.share;
+  }
+  return sum / shares;
+}
+
+/// The expected extreme of a sample in which each member is with the probability of its share; one
+/// at least has a share of 1.
+template <typename Before>
+double extremeOf(std::span<const Member> members, Before before) {
+  std::vector<Member> sorted(members.begin(), members.end());
+  std::sort(sorted.begin(), sorted.end(), [&](const Member& a, const Member& b) {
+    return before(a.value, b.value);
+  });
+  double expected = 0.0;
+  double left = 1.0;  // the probability that none so far is in the sample
+  for (const auto& member : sorted) {
+    expected += left * member.share * member.value;
+    left *= 1.0 - member.share;
+    if (left <= 0.0) break;
+  }
+  return expected;
+}
+
+double smallestOf(std::span<const Member> members) {
+  return extremeOf(members, [](double a, double b) { return a < b; });
+}
+double largestOf(std::span<const Member> members) {
+  return extremeOf(members, [](double a, double b) { return a > b; });
+}
+
+/// A statistic along the depth that does not fall because a specimen leaves.
+class Following {
+ public:
+  using Statistic = double (*)(std::span<const Member>);
+
+  explicit Following(Statistic statistic) : statistic_(statistic) {}
+
+  double next(const std::vector<Member>& now) {
+    const double value = statistic_(now);
+    if (!before_.empty()) {
+      auto moved = now;  // today's values with the shares of the place before
+      for (std::size_t i = 0; i < moved.size(); ++i) moved[i].share = before_[i].share;
+      const double values = statistic_(moved);
+      follow(values - value_, value - values);
+    }
+    before_ = now;
+    value_ = value;
+    return value + added_;
+  }
+
+ private:
+  /// @param rise  because values have changed. @param change  because shares have.
+  void follow(double rise, double change) {
+    risen_ += rise;
+    if (added_ == 0.0) highest_ = risen_;
+    if (risen_ > highest_) {
+      added_ = std::max(0.0, added_ - (risen_ - highest_));
+      highest_ = risen_;
+    }
+    if (change != 0.0) added_ = std::max(0.0, added_ - change);
+  }
+
+  Statistic statistic_;
+  std::vector<Member> before_;
+  double value_ = 0.0;
+  double added_ = 0.0;
+  double risen_ = 0.0;    // by values alone, since the beginning
+  double highest_ = 0.0;  // of risen_ while something is added
+};
+
+const SampledCurve& longestOf(std::span<const SpecimenCurve> specimens) {
+  return std::max_element(
+             specimens.begin(),
+             specimens.end(),
+             [](const auto& a, const auto& b) { return a.curve.size() < b.curve.size(); })
+      ->curve;
+}
+
+/// One specimen over all places, level beyond its end.
+SampledCurve extended(const SpecimenCurve& specimen, const std::vector<double>& places) {
+  SampledCurve curve{places, specimen.curve.y};
+  curve.y.resize(places.size(), specimen.last);
+  return curve;
+}
+
+Envelope specimensOf(std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
+  std::size_t common = places.size();
+  for (const auto& specimen : specimens) common = std::min(common, specimen.curve.size());
+  std::vector<std::size_t> order(specimens.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto total = [&](std::size_t i) {
+    const auto& y = specimens[i].curve.y;
+    return std::accumulate(y.begin(), y.begin() + static_cast<std::ptrdiff_t>(common), 0.0);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return total(a) < total(b);
+  });
+  return {
+      extended(specimens[order.front()], places),
+      extended(specimens[order[order.size() / 2]], places),
+      extended(specimens[order.back()], places)};
+}
+
+Envelope statisticsOf(std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
+  Envelope envelope;
+  for (auto* curve : {&envelope.minimum, &envelope.average, &envelope.maximum}) curve->x = places;
+  Following smallest(smallestOf);
+  Following mean(meanOf);
+  Following largest(largestOf);
+  std::vector<Member> members(specimens.size());
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      members[i] = memberAt(specimens[i], place, places[place]);
+    }
+    const double low = smallest.next(members);
+    const double high = std::max(low, largest.next(members));
+    envelope.minimum.y.push_back(low);
+    envelope.average.y.push_back(std::clamp(mean.next(members), low, high));
+    envelope.maximum.y.push_back(high);
+  }
+  return envelope;
+}
+
+Envelope statisticsOfPresent(
+    std::span<const SpecimenCurve> specimens, const std::vector<double>& places) {
+  Envelope envelope;
+  for (auto* curve : {&envelope.minimum, &envelope.average, &envelope.maximum}) curve->x = places;
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    std::vector<Member> members;
+    for (const auto& specimen : specimens) {
+      if (place < specimen.curve.size()) members.push_back({specimen.curve.y[place], 1.0});
+    }
+    envelope.minimum.y.push_back(smallestOf(members));
+    envelope.average.y.push_back(meanOf(members));
+    envelope.maximum.y.push_back(largestOf(members));
+  }
+  return envelope;
+}
+
+/// Who counts at each place.
+DepthEnvelope counted(std::span<const SpecimenCurve> specimens, bool canBeHeld) {
+  DepthEnvelope result;
+  for (std::size_t place = 0; place < longestOf(specimens).size(); ++place) {
+    int measured = 0;
+    int held = 0;
+    for (const auto& specimen : specimens) {
+      const bool isMeasured = place < specimen.curve.size();
+      measured += isMeasured ? 1 : 0;
+      held += !isMeasured && canBeHeld && specimen.isCensored ? 1 : 0;
+    }
+    result.measured.push_back(measured);
+    result.held.push_back(held);
+  }
+  return result;
+}
+
+}  // namespace
+
+DepthEnvelope depthEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
+  const auto& places = longestOf(specimens).x;
+  DepthEnvelope result = counted(specimens, true);
+  result.curves = rule == EnvelopeRule::Pointwise ? statisticsOf(specimens, places)
+                                                  : specimensOf(specimens, places);
+  return result;
+}
+
+DepthEnvelope presentEnvelopeOf(std::span<const SpecimenCurve> specimens, EnvelopeRule rule) {
+  const auto& places = longestOf(specimens).x;
+  DepthEnvelope result = counted(specimens, false);
+  result.curves = rule == EnvelopeRule::Pointwise ? statisticsOfPresent(specimens, places)
+                                                  : specimensOf(specimens, places);
+  return result;
+}
+
+}  // namespace haptics::reaming

@@ -1,0 +1,265 @@
+// A given number of nodes, placed so that the largest error of a spline is least.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "haptics/reaming/bone/chance.h"
+#include "haptics/reaming/material/node_error.h"
+
+namespace haptics::reaming {
+namespace {
+
+using Nodes = std::vector<std::size_t>;
+
+/// @p count of the samples from the first to the last, as even as can be.
+Nodes evenNodes(std::size_t samples, std::size_t count) {
+  Nodes nodes;
+  for (std::size_t i = 0; i < count; ++i) nodes.push_back(i * (samples - 1) / (count - 1));
+  return nodes;
+}
+
+/// Denser where the curve bends: each piece has the same share of the integral of √|f″|.
+Nodes bentNodes(const NodeError& error, std::size_t count) {
+  const auto& x = error.curve().x;
+  const auto& slopes = error.slopes();
+  std::vector<double> sum(error.size(), 0.0);
+  for (std::size_t i = 1; i < sum.size(); ++i) {
+    const double bend = std::abs(slopes[i] - slopes[i - 1]) / (x[i] - x[i - 1]);
+    sum[i] = sum[i - 1] + std::sqrt(bend) * (x[i] - x[i - 1]);
+  }
+  Nodes nodes = evenNodes(sum.size(), count);
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double wanted = sum.back() * static_cast<double>(k) / static_cast<double>(count - 1);
+    const auto found = std::lower_bound(sum.begin(), sum.end(), wanted) - sum.begin();
+    nodes[k] =
+        std::clamp(static_cast<std::size_t>(found), nodes[k - 1] + 1, sum.size() - (count - k));
+  }
+  return nodes;
+}
+
+/// Of a local kind: the least largest error of count − 1 pieces between some of the places.
+Nodes byDynamicProgramming(const NodeError& error, std::size_t count) {
+  constexpr std::size_t kPlaces = 400;
+  const Nodes places = evenNodes(error.size(), std::max(count, std::min(error.size(), kPlaces)));
+  const std::size_t n = places.size();
+  std::vector<double> cost(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      cost[i * n + j] = error.between(places[i], places[j]).error;
+    }
+  }
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  std::vector<double> least(n, kNever);
+  least[0] = 0.0;
+  std::vector<std::vector<std::size_t>> before;
+  for (std::size_t piece = 1; piece < count; ++piece) {
+    std::vector<double> next(n, kNever);
+    std::vector<std::size_t> from(n, 0);
+    for (std::size_t j = piece; j < n; ++j) {
+      for (std::size_t i = piece - 1; i < j; ++i) {
+        const double with = std::max(least[i], cost[i * n + j]);
+        if (with < next[j]) {
+          next[j] = with;
+          from[j] = i;
+        }
+      }
+    }
+    least = std::move(next);
+    before.push_back(std::move(from));
+  }
+  Nodes nodes{places[n - 1]};
+  for (std::size_t at = n - 1; !before.empty(); before.pop_back()) {
+    at = before.back()[at];
+    nodes.push_back(places[at]);
+  }
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// Of a local kind: each node to the best of the samples around it, all of them together, until
+/// none moves any more.
+Nodes settledByPieces(const NodeError& error, Nodes nodes) {
+  constexpr std::ptrdiff_t kAround = 12;
+  constexpr int kMostRounds = 40;
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<Nodes> layers;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const bool isEnd = k == 0 || k + 1 == nodes.size();
+      Nodes layer;
+      for (std::ptrdiff_t by = isEnd ? 0 : -kAround; by <= (isEnd ? 0 : kAround); ++by) {
+        const auto at = static_cast<std::ptrdiff_t>(nodes[k]) + by;
+        const auto last = static_cast<std::ptrdiff_t>(error.size() - 1);
+        if (isEnd || (at > 0 && at < last)) layer.push_back(static_cast<std::size_t>(at));
+      }
+      layers.push_back(std::move(layer));
+    }
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    std::vector<double> least{0.0};
+    std::vector<std::vector<std::size_t>> before;
+    for (std::size_t k = 1; k < layers.size(); ++k) {
+      std::vector<double> next(layers[k].size(), kNever);
+      std::vector<std::size_t> from(layers[k].size(), 0);
+      for (std::size_t j = 0; j < layers[k].size(); ++j) {
+        for (std::size_t i = 0; i < layers[k - 1].size(); ++i) {
+          if (layers[k - 1][i] >= layers[k][j] || least[i] >= next[j]) continue;
+          const double piece = error.between(layers[k - 1][i], layers[k][j], next[j]).error;
+          const double with = std::max(least[i], piece);
+          if (with >= next[j]) continue;
+          next[j] = with;
+          from[j] = i;
+        }
+      }
+      least = std::move(next);
+      before.push_back(std::move(from));
+    }
+    Nodes moved(nodes.size());
+    std::size_t at = 0;
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+      moved[k] = layers[k][at];
+      if (k > 0) at = before[k - 1][at];
+    }
+    if (moved == nodes) break;
+    nodes = std::move(moved);
+  }
+  return nodes;
+}
+
+/// One after another where the spline is worst.
+Nodes worstFirst(const NodeError& error, std::size_t count) {
+  Nodes nodes{0, error.size() - 1};
+  while (nodes.size() < count) {
+    const auto worst = error.through(nodes);
+    const auto place = std::lower_bound(nodes.begin(), nodes.end(), worst.at);
+    if (place != nodes.end() && *place == worst.at) return evenNodes(error.size(), count);
+    nodes.insert(place, worst.at);
+  }
+  return nodes;
+}
+
+/// Differential evolution (Storn & Price 1997, best/1/bin with a dithered weight) over the places
+/// of the inner nodes, and then every node moved by itself. The same each time.
+class Evolution {
+ public:
+  Evolution(const NodeError& error, std::span<const Nodes> starts)
+      : error_(error), count_(starts.front().size()) {
+    for (std::size_t m = 0; m < kMembers; ++m) {
+      auto places = innerOf(starts[m % starts.size()]);
+      // The starts as they are, and then scattered further and further.
+      const double reach = 0.3 * static_cast<double>(m / starts.size()) *
+                           static_cast<double>(error.size()) / static_cast<double>(kMembers);
+      for (double& place : places) place += reach * chance_.normal();
+      const auto cost = error_.through(nodesOf(places)).error;
+      members_.push_back({std::move(places), cost});
+    }
+  }
+
+  Nodes run() {
+    constexpr int kGenerations = 400;
+    for (int generation = 0; generation < kGenerations; ++generation) {
+      const double weight = 0.3 + 0.6 * chance_.uniform();
+      for (auto& member : members_) evolve(member, weight);
+    }
+    Nodes nodes = nodesOf(best().places);
+    settle(nodes);
+    return nodes;
+  }
+
+ private:
+  static constexpr std::size_t kMembers = 100;
+  struct Member {
+    std::vector<double> places;
+    double cost = 0.0;
+  };
+
+  static std::vector<double> innerOf(const Nodes& nodes) {
+    return {nodes.begin() + 1, nodes.end() - 1};
+  }
+
+  /// Rising samples with both ends, each once.
+  Nodes nodesOf(std::vector<double> places) const {
+    std::sort(places.begin(), places.end());
+    Nodes nodes{0};
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const auto last = static_cast<double>(error_.size() - 1 - (places.size() - k));
+      const auto first = static_cast<double>(nodes.back() + 1);
+      nodes.push_back(static_cast<std::size_t>(std::clamp(std::round(places[k]), first, last)));
+    }
+    nodes.push_back(error_.size() - 1);
+    return nodes;
+  }
+
+  const Member& best() const {
+    return *std::min_element(members_.begin(), members_.end(), [](const auto& a, const auto& b) {
+      return a.cost < b.cost;
+    });
+  }
+
+  const Member& any() { return members_[chance_.bits() % kMembers]; }
+
+  void evolve(Member& member, double weight) {
+    constexpr double kCrossed = 0.7;
+    const auto& origin = best().places;
+    const auto& one = any().places;
+    const auto& other = any().places;
+    auto tried = member.places;
+    const std::size_t sure = chance_.bits() % std::max<std::size_t>(1, tried.size());
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      if (chance_.uniform() < kCrossed || k == sure) {
+        tried[k] = origin[k] + weight * (one[k] - other[k]);
+      }
+    }
+    std::sort(tried.begin(), tried.end());
+    const double cost = error_.through(nodesOf(tried), member.cost).error;
+    if (cost <= member.cost) member = {std::move(tried), cost};
+  }
+
+  /// Every node moved by itself, in large steps and small ones, while the largest error falls.
+  void settle(Nodes& nodes) const {
+    double least = error_.through(nodes).error;
+    const auto improves = [&](std::size_t k, std::ptrdiff_t by) {
+      const std::size_t kept = nodes[k];
+      nodes[k] = static_cast<std::size_t>(std::clamp(
+          static_cast<std::ptrdiff_t>(kept) + by,
+          static_cast<std::ptrdiff_t>(nodes[k - 1]) + 1,
+          static_cast<std::ptrdiff_t>(nodes[k + 1]) - 1));
+      const double with = error_.through(nodes, least).error;
+      if (with >= least) {
+        nodes[k] = kept;
+        return false;
+      }
+      least = with;
+      return true;
+    };
+    for (bool isBetter = true; isBetter;) {
+      isBetter = false;
+      for (std::size_t k = 1; k + 1 < count_; ++k) {
+        for (std::ptrdiff_t by = 64; by > 0; by /= 2) {
+          while (improves(k, by) || improves(k, -by)) isBetter = true;
+        }
+      }
+    }
+  }
+
+  const NodeError& error_;
+  std::size_t count_;
+  Chance chance_{1};
+  std::vector<Member> members_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> nodesOfLeastError(
+    const NodeError& error, std::size_t count, const NodeWish& wish) {
+  if (isLocal(wish.kind)) return settledByPieces(error, byDynamicProgramming(error, count));
+  NodeWish local = wish;
+  local.kind = SplineKind::HermiteDataSlope;
+  const Nodes starts[]{
+      byDynamicProgramming(NodeError(error.curve(), local), count),
+      worstFirst(error, count),
+      bentNodes(error, count),
+      evenNodes(error.size(), count)};
+  return count > 2 ? Evolution(error, starts).run() : evenNodes(error.size(), count);
+}
+
+}  // namespace haptics::reaming
