@@ -1,9 +1,8 @@
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -12,114 +11,56 @@
 #include "haptics/reaming/material/series_text.h"
 #include "haptics/reaming/material/synthetic_series.h"
 #include "protocols/reading/material_file.h"
-#include "questionnaires/json/document.h"
 #include "study/app/commands.h"
-#include "study/app/finite_range.h"
+#include "study/app/measurements/material_inputs.h"
 #include "study/app/measurements/material_report.h"
 #include "study/app/write_document.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
-#include "study/storage/protocol_repository.h"
 
 namespace study::app {
 namespace {
 
 namespace reaming = haptics::reaming;
-using reaming::TestSet;
 
 struct FitCommand {
-  std::vector<std::string> files[3];  ///< by test set
-  std::vector<std::string> columns;
-  std::vector<std::string> units;
+  MaterialInputs inputs;
   std::string out;
   std::string report;
   std::string name = "material";
   std::string title = "A reaming material";
-  std::string cutoffRule = "detrended-hann";
-  std::string envelope = "single-sample";
-  std::string nodes = "greedy";
-  std::string spline = "hermite-data-slope";
-  reaming::FitOptions options;
-  bool isSynthetic = false;
 };
 
-/// "force=Kraft" to a pair.
-std::map<std::string, std::string> pairs(const std::vector<std::string>& words) {
-  std::map<std::string, std::string> result;
-  for (const auto& word : words) {
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw UserError("'" + word + "' names nothing. Write WHAT=NAME, e.g. force=Kraft.");
-    }
-    result[word.substr(0, equals)] = word.substr(equals + 1);
-  }
-  return result;
-}
-
-/// The choice whose name is @p name; CLI11 has made sure that there is one.
-template <typename Enum, std::size_t kCount>
-Enum named(const std::string& name, const Enum (&choices)[kCount]) {
-  for (const auto choice : choices) {
-    if (protocols::nameOf(choice) == name) return choice;
-  }
-  return choices[0];
-}
-
-using reaming::CutoffRule;
-using reaming::EnvelopeRule;
-using reaming::NodeRule;
-using reaming::SplineKind;
-constexpr CutoffRule kCutoffRules[]{CutoffRule::Floor, CutoffRule::Plain};
-constexpr EnvelopeRule kEnvelopes[]{EnvelopeRule::SingleSample, EnvelopeRule::Pointwise};
-constexpr NodeRule kNodeRules[]{
-    NodeRule::Greedy, NodeRule::PaperLiteral, NodeRule::Thinned, NodeRule::Optimal};
-constexpr SplineKind kSplines[]{
-    SplineKind::HermiteDataSlope,
-    SplineKind::Pchip,
-    SplineKind::Makima,
-    SplineKind::NaturalCubic,
-    SplineKind::Linear};
-
-template <typename Enum, std::size_t kCount>
-CLI::IsMember oneOf(const Enum (&choices)[kCount]) {
-  std::vector<std::string> names;
-  for (const auto choice : choices) names.emplace_back(protocols::nameOf(choice));
-  return CLI::IsMember(names);
-}
-
-/// All files of all test sets, and where each comes from.
-std::vector<reaming::Series> readAll(
-    const FitCommand& command, std::vector<protocols::MaterialSource>& sources) {
-  const reaming::SeriesMapping mapping{pairs(command.columns), pairs(command.units)};
-  std::vector<reaming::Series> all;
-  for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
-    for (const auto& file : command.files[static_cast<std::size_t>(set)]) {
-      all.push_back(reaming::readSeriesFile(file, set, mapping));
-      all.back().isSynthetic |= command.isSynthetic;
-      sources.push_back(
-          {std::filesystem::path(file).filename().string(),
-           storage::sha256(reaming::contentOfSeriesFile(file))});
-    }
-  }
-  return all;
-}
-
-/// Says where a harder bone would feel softer.
-void warnOfCrossings(const reaming::TestSetFit& set) {
+/// Says where a harder bone would feel softer, and what keeps the order.
+void warnOfCrossings(const reaming::FittedEnvelope& envelope, const reaming::FitOptions& options) {
+  if (envelope.isOrdered) return;
   constexpr double kFelt = 1.0;  // [N]
   std::string where;
-  for (const auto& crossing : reaming::crossingsOf(set.force, kFelt)) {
+  for (const auto& crossing : reaming::crossingsOf(envelope, kFelt)) {
     where += fmt::format(
         "{}{:.1f} to {:.1f} mm", where.empty() ? "" : ", ", 1e3 * crossing.from, 1e3 * crossing.to);
   }
   if (where.empty()) return;
   fmt::print(
-      "           its curves cross ({}): there a higher hardness feels softer. With --envelope "
-      "pointwise they keep their order, and are no specimen's.\n",
-      where);
+      "           its curves cross ({}): there a higher hardness feels softer. They keep their "
+      "order with {}.\n",
+      where,
+      fmt::join(reaming::whatKeepsTheOrder(options), " and "));
 }
 
-void print(const reaming::MaterialFit& fit) {
+/// "24, from 6.94 mm 23 and 1 at the limit, …"
+std::string specimensLeft(const reaming::TestSetFit& set) {
+  const auto stretches = reaming::specimensLeftOf(set.force);
+  const auto& last = stretches.back();
+  const auto common = stretches.size() > 1 ? stretches[1].from : set.scale;
+  return fmt::format(
+      "all of them to {:.2f} mm; at the end {} measured, {} held at the force limit",
+      1e3 * common,
+      last.measured,
+      last.held);
+}
+
+void print(const reaming::MaterialFit& fit, const reaming::FitOptions& options) {
   for (const auto& series : fit.series) {
     if (!series.exclusion.isExcluded()) continue;
     fmt::print("left out  {} ({}): {}\n", series.name, nameOf(series.set), series.exclusion.words);
@@ -127,51 +68,81 @@ void print(const reaming::MaterialFit& fit) {
   for (const auto& set : fit.sets) {
     const auto& force = set.force;
     fmt::print(
-        "{:<10} {:>2} series to {:.2f} mm; nodes {} / {} / {} (minimum, average, maximum); largest "
-        "error {:.2g} / {:.2g} / {:.2g} N\n",
+        "{:<10} {:>2} series to {:.2f} mm; nodes {} / {} / {} (minimum, {}, maximum); largest "
+        "error {:.2g} / {:.2g} / {:.2g} N\n           {}\n",
         nameOf(set.set),
         set.used,
         1000.0 * set.scale,
         force.minimum.spline.nodes.size(),
         force.average.spline.nodes.size(),
         force.maximum.spline.nodes.size(),
+        middleNameOf(options.envelope),
         force.minimum.error.largest,
         force.average.error.largest,
-        force.maximum.error.largest);
-    warnOfCrossings(set);
+        force.maximum.error.largest,
+        specimensLeft(set));
+    warnOfCrossings(force, options);
   }
 }
 
-int fit(FitCommand& command) {
-  command.options.cutoffRule = named(command.cutoffRule, kCutoffRules);
-  command.options.envelope = named(command.envelope, kEnvelopes);
-  command.options.nodes = named(command.nodes, kNodeRules);
-  command.options.spline = named(command.spline, kSplines);
-  std::vector<protocols::MaterialSource> sources;
-  const auto series = readAll(command, sources);
-  if (series.empty()) {
-    throw UserError("No series were named. Say which test each is of: --dynamic-1 FILE …");
+/// @throws UserError  where a spline does not have the error that was wanted.
+void checkErrors(const reaming::MaterialFit& fit, const reaming::FitOptions& options) {
+  const bool isPublished = options.nodes == reaming::NodeRule::PaperLiteral;
+  for (const auto& curve : curvesOf(fit, options)) {
+    if (curve.curve->isMet) continue;
+    const auto& error = curve.curve->error;
+    throw UserError(fmt::format(
+        "The {} of {} ({}) cannot be had with an error of {:g}: {} nodes of the kind '{}' leave "
+        "{:.3g}. Choose --nodes greedy, or a larger --error.",
+        curve.curveName,
+        curve.setName,
+        curve.quantity,
+        options.wantedError,
+        curve.curve->spline.nodes.size(),
+        protocols::nameOf(options.nodes),
+        isPublished ? error.published : error.floored));
   }
-  const bool isSynthetic =
-      std::any_of(series.begin(), series.end(), [](const auto& each) { return each.isSynthetic; });
-  const auto result = reaming::fitMaterial(series, command.options);
-  print(result);
-  if (isSynthetic) {
+}
+
+/// What cannot be felt is not written as a material.
+void checkCanBeFelt(const FitCommand& command, const reaming::FitOptions& options) {
+  if (command.out.empty()) return;
+  if (options.axis != reaming::DepthAxis::Depth) {
+    throw UserError(
+        "--axis " + command.inputs.axis +
+        " is for comparing figures: a material that is felt lies over depth. Leave --out away, or "
+        "use --axis depth.");
+  }
+  if (options.spline == reaming::SplineKind::Linear) {
+    throw UserError(
+        "A material file holds cubics with one slope at each node, and straight lines have two. "
+        "Leave --out away, or use another --spline, e.g. pchip.");
+  }
+}
+
+int fit(FitCommand& command, const CLI::App& verb) {
+  const auto options = command.inputs.chosen(verb);
+  checkCanBeFelt(command, options);
+  const auto read = readAll(command.inputs);
+  const auto result = reaming::fitMaterial(read.series, options);
+  print(result, options);
+  if (read.isSynthetic) {
     fmt::print("SYNTHETIC: nobody measured these series, and what comes of them says so.\n");
   }
   if (result.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
+  if (!options.nodesOf) checkErrors(result, options);
   if (!command.out.empty()) {
     writeNewFile(
         command.out,
         protocols::materialAsJson(
-            command.name, command.title, isSynthetic, result, command.options, sources));
+            command.name, command.title, read.isSynthetic, result, options, read.sources));
     fmt::print(
         "\n{0} holds the material. Put it beside a protocol and name it there: \"material\": "
         "\"{0}\".\n",
         command.out);
   }
   if (!command.report.empty()) {
-    writeDocument(command.report, "material", materialReport(series, result, command.options));
+    writeDocument(command.report, "material", materialReport(read.series, result, options));
     fmt::print("{}/material.html holds tables and figures.\n", command.report);
   }
   if (command.out.empty() && command.report.empty()) {
@@ -183,42 +154,74 @@ int fit(FitCommand& command) {
 void addFit(CLI::App& noun, Action& action) {
   auto command = std::make_shared<FitCommand>();
   auto* verb = noun.add_subcommand("fit", "Measured series of reaming to a material file");
-  verb->add_option("--static", command->files[0], "Series of static tests (CSV or TSV)");
-  verb->add_option("--dynamic-1", command->files[1], "Series of the first dynamic tests");
-  verb->add_option("--dynamic-2", command->files[2], "Series of the second dynamic tests");
-  verb->add_option(
-      "--column", command->columns, "WHAT=HEAD where a head does not say it, e.g. force=Kanal2");
-  verb->add_option("--unit", command->units, "WHAT=UNIT where a head has none, e.g. force=kN");
+  command->inputs.addTo(*verb);
   verb->add_option("--out", command->out, "The material file to write; nothing is overwritten");
   verb->add_option("--report", command->report, "A folder for tables, figures and a page");
   verb->add_option("--name", command->name, "Of the material")->capture_default_str();
   verb->add_option("--title", command->title, "For people")->capture_default_str();
-  verb->add_option("--cutoff-rule", command->cutoffRule, "How a low-pass finds its cut-off")
-      ->check(oneOf(kCutoffRules))
+  verb->callback(
+      [&action, command, verb] { action = [command, verb] { return app::fit(*command, *verb); }; });
+}
+
+struct CompareCommand {
+  MaterialInputs inputs;
+  std::string curve = "dynamic-1/force/maximum";
+  std::string report;
+};
+
+/// Every curve that there is, as --curve wants it.
+std::string namesOf(const std::vector<NamedCurve>& curves) {
+  std::string names;
+  for (const auto& curve : curves) names += (names.empty() ? "" : ", ") + pathOf(curve);
+  return names;
+}
+
+int compare(CompareCommand& command, const CLI::App& verb) {
+  const auto options = command.inputs.chosen(verb);
+  auto figure = forFigure7(options);
+  if (verb.count("--error") > 0 || verb.count("--nodes") > 0) figure.nodeCount = options.nodeCount;
+  if (const auto problem = problemOf(figure)) {
+    throw UserError("Such nodes cannot be found: " + *problem + ". Choose another --nodes.");
+  }
+  const auto read = readAll(command.inputs);
+  auto curvesAlone = options;
+  curvesAlone.nodeCount.reset();
+  curvesAlone.nodesOf.reset();
+  const auto result = reaming::fitMaterial(read.series, curvesAlone);
+  const auto curves = curvesOf(result, options);
+  report::Document document{.title = "Two splines through the same nodes"};
+  for (const auto& curve : curves) {
+    if (command.curve != "all" && pathOf(curve) != command.curve) continue;
+    auto part = splineComparisonPart(curve, figure);
+    fmt::print("{}\n", part.heading);
+    for (const auto& line : part.paragraphs) fmt::print("  {}\n", line);
+    document.parts.push_back(std::move(part));
+  }
+  if (document.parts.empty()) {
+    throw UserError(
+        "There is no curve '" + command.curve + "'. There are " + namesOf(curves) + ", and all.");
+  }
+  if (!command.report.empty()) {
+    if (read.isSynthetic) document.lead.emplace_back("SYNTHETIC: nobody measured these series.");
+    writeDocument(command.report, "figure-7", std::move(document));
+    fmt::print("{}/figure-7.html holds the figure.\n", command.report);
+  }
+  return 0;
+}
+
+void addCompare(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<CompareCommand>();
+  auto* verb = noun.add_subcommand(
+      "compare",
+      "Fig. 7 of the reaming paper: the natural cubic and the Hermite spline through the same 12 "
+      "nodes of a curve");
+  command->inputs.addTo(*verb);
+  verb->add_option("--curve", command->curve, "TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
-  verb->add_option("--cutoff", command->options.cutoff, "The same for all, instead [Hz]")
-      ->check(finiteRange(1e-4, 1e4));
-  verb->add_option("--envelope", command->envelope, "What minimum and maximum are made of")
-      ->check(oneOf(kEnvelopes))
-      ->capture_default_str();
-  verb->add_option("--nodes", command->nodes, "How nodes are chosen")
-      ->check(oneOf(kNodeRules))
-      ->capture_default_str();
-  verb->add_option("--spline", command->spline, "How slopes at the nodes are come by")
-      ->check(oneOf(kSplines))
-      ->capture_default_str();
-  verb->add_option("--error", command->options.wantedError, "Largest error of the spline, a share")
-      ->check(finiteRange(1e-4, 1.0))
-      ->capture_default_str();
-  verb->add_option(
-          "--force-floor", command->options.forceFloor, "Below it errors count as if at it [N]")
-      ->check(finiteRange(1e-6, 1e4))
-      ->capture_default_str();
-  verb->add_flag(
-      "--synthetic",
-      command->isSynthetic,
-      "Nobody measured these series, even if their files do not say so");
-  verb->callback([&action, command] { action = [command] { return app::fit(*command); }; });
+  verb->add_option("--report", command->report, "A folder for the figure and a page");
+  verb->callback([&action, command, verb] {
+    action = [command, verb] { return app::compare(*command, *verb); };
+  });
 }
 
 struct SynthesiseCommand {
@@ -261,6 +264,7 @@ void addMaterialCommands(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand("material", "Measured reaming to bone that can be felt");
   noun->require_subcommand(1);
   addFit(*noun, action);
+  addCompare(*noun, action);
   addSynthesise(*noun, action);
 }
 

@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "haptics/reaming/material/spline_comparison.h"
+#include "protocols/reading/material_file.h"
+#include "study/app/measurements/material_figures.h"
+
 namespace study::app {
 namespace {
 
@@ -12,164 +16,62 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-constexpr double kMillimetres = 1000.0;
+/// What a figure of a test set has on its x axis.
+struct DepthScale {
+  std::string title;
+  double factor;  ///< of depths in metres
+};
 
-/// Every so many points, so that a figure of 200,000 samples stays one that opens.
-template <typename X, typename Y>
-ChartSeries thinned(const std::string& title, std::size_t count, X x, Y y) {
-  constexpr std::size_t kMost = 3000;
-  ChartSeries series{.title = title};
-  const std::size_t stride = std::max<std::size_t>(1, count / kMost);
-  for (std::size_t i = 0; i < count; i += stride) series.points.push_back({x(i), y(i)});
-  return series;
+DepthScale depthScaleOf(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
+  if (options.axis == reaming::DepthAxis::Depth) return {"displacement [mm]", kMillimetres};
+  return {"share of the largest displacement", 1.0 / set.scale};
 }
 
-ChartSeries lineOf(const std::string& title, const reaming::SampledCurve& curve, double scale) {
-  return thinned(
-      title,
-      curve.size(),
-      [&](std::size_t i) { return scale * curve.x[i]; },
-      [&](std::size_t i) { return curve.y[i]; });
-}
-
-/// The first dynamic series that was used, or the first that was: an example for figures 4 and 5.
-std::size_t exampleOf(const reaming::MaterialFit& fit) {
-  std::size_t example = fit.series.size();
-  for (std::size_t i = 0; i < fit.series.size(); ++i) {
-    if (fit.series[i].exclusion.isExcluded()) continue;
-    if (fit.series[i].cutoff > 0.0) return i;
-    example = std::min(example, i);
+/// Figure 3: all series of a test set as they were measured.
+Chart seriesChart(
+    const std::vector<reaming::Series>& series,
+    const reaming::MaterialFit& fit,
+    reaming::TestSet set,
+    bool isTorque) {
+  constexpr std::size_t kPoints = 300;
+  Chart chart{
+      .x = {.title = "displacement [mm]"}, .y = {.title = isTorque ? "torque [N·m]" : "force [N]"}};
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    if (series[i].set != set || fit.series[i].exclusion.isExcluded()) continue;
+    const auto& samples = isTorque ? series[i].torque : series[i].force;
+    if (samples.empty()) continue;
+    const auto curve = reaming::curveOver(series[i].displacement, samples);
+    chart.series.push_back(lineOf("", curve, kMillimetres, kPoints));
   }
-  return example;
-}
-
-report::DocumentPart seriesPart(
-    const reaming::Series& series,
-    const reaming::PreparedSeries& prepared,
-    const reaming::FitOptions& options) {
-  const auto raw = reaming::curveOver(series.displacement, series.force);
-  Chart filtered{.x = {.title = "displacement [mm]"}, .y = {.title = "force [N]"}};
-  filtered.series.push_back(lineOf("measured", raw, kMillimetres));
-  filtered.series.push_back(
-      lineOf("filtered", prepared.force, kMillimetres * prepared.largestDisplacement));
-  const auto spectrum = reaming::spectrumOf(series.force, series.rate, options.cutoffRule);
-  Chart shown{
-      .x = {.title = "frequency [Hz]", .isLogarithmic = true},
-      .y = {.title = "amplitude [N]", .isLogarithmic = true}};
-  ChartSeries line{.title = "spectrum"};
-  double next = 0.0;
-  for (std::size_t i = 1; i < spectrum.amplitude.size(); ++i) {
-    const double frequency = spectrum.step * static_cast<double>(i);
-    if (frequency < next) continue;
-    line.points.push_back({frequency, spectrum.amplitude[i]});
-    next = frequency * 1.002;
-  }
-  ChartSeries cutoff{.title = "cut-off", .style = ChartSeries::Style::Dashed};
-  const double highest = *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end());
-  if (prepared.cutoff > 0.0) {
-    cutoff.points = {{prepared.cutoff, 1e-6 * highest}, {prepared.cutoff, highest}};
-  }
-  shown.series = {std::move(line), std::move(cutoff)};
-  Chart normalised{
-      .x = {.title = "share of the largest displacement"}, .y = {.title = "force [N]"}};
-  normalised.series.push_back(lineOf("force", prepared.force, 1.0));
-  Chart torque{.x = {.title = "share of the largest displacement"}, .y = {.title = "torque [N·m]"}};
-  torque.series.push_back(lineOf("torque", prepared.torque, 1.0));
-
-  report::DocumentPart part{
-      .heading = "One series: " + series.name,
-      .paragraphs = {fmt::format(
-          "{} samples at {:.4g} Hz. {}",
-          series.force.size(),
-          series.rate,
-          prepared.cutoff > 0.0
-              ? fmt::format(
-                    "Low-pass at {:.4g} Hz ({}), forwards and backwards, without delay.",
-                    prepared.cutoff,
-                    options.cutoff ? "as asked for" : "from its spectrum")
-              : "Not filtered, as in the paper: the reamer was off.")},
-      .figures = {
-          {.name = "filtered", .caption = "Measured and filtered force.", .chart = filtered},
-          {.name = "spectrum", .caption = "Its spectrum and the cut-off.", .chart = shown},
-          {.name = "normalised", .caption = "Normalised force.", .chart = normalised}}};
-  if (prepared.torque.size() > 0) {
-    part.figures.push_back(
-        {.name = "torque", .caption = "Normalised torque.", .chart = std::move(torque)});
-  }
-  return part;
+  return chart;
 }
 
 /// The splines of an envelope, drawn over its data.
-Chart envelopeChart(const reaming::FittedEnvelope& envelope, const std::string& unit) {
-  Chart chart{.x = {.title = "displacement [mm]"}, .y = {.title = unit}};
-  const std::pair<const char*, const reaming::FittedCurve*> curves[]{
+Chart envelopeChart(
+    const reaming::FittedEnvelope& envelope,
+    const std::string& unit,
+    const DepthScale& depth,
+    const reaming::FitOptions& options) {
+  Chart chart{.x = {.title = depth.title}, .y = {.title = unit}};
+  const std::pair<std::string, const reaming::FittedCurve*> curves[]{
       {"maximum", &envelope.maximum},
-      {"average", &envelope.average},
+      {middleNameOf(options.envelope), &envelope.average},
       {"minimum", &envelope.minimum}};
   int colour = 0;
   for (const auto& [name, curve] : curves) {
-    auto data = lineOf(name, curve->data, kMillimetres);
+    auto data = lineOf(name, curve->data, depth.factor);
     data.colour = colour;
     ChartSeries nodes{
         .title = fmt::format("{}: {} nodes", name, curve->spline.nodes.size()),
         .style = ChartSeries::Style::Markers,
         .colour = colour++};
     for (const auto& node : curve->spline.nodes) {
-      nodes.points.push_back({kMillimetres * node.position, node.force});
+      nodes.points.push_back({depth.factor * node.position, node.force});
     }
     chart.series.push_back(std::move(data));
     chart.series.push_back(std::move(nodes));
   }
   return chart;
-}
-
-/// The paper's Fig. 7: the same nodes, two splines.
-report::DocumentFigure cubicAgainstHermite(
-    const reaming::TestSetFit& set, const reaming::FitOptions& options) {
-  const auto& curve = set.force.maximum;
-  std::vector<std::size_t> nodes;
-  for (const auto& node : curve.spline.nodes) {
-    const auto at = std::lower_bound(curve.data.x.begin(), curve.data.x.end(), node.position);
-    nodes.push_back(static_cast<std::size_t>(at - curve.data.x.begin()));
-  }
-  const auto slopes = reaming::dataSlopes(curve.data);
-  Chart chart{.x = {.title = "displacement [mm]"}, .y = {.title = "force [N]"}};
-  chart.series.push_back(lineOf("data", curve.data, kMillimetres));
-  std::string errors;
-  const std::pair<const char*, reaming::SplineKind> kinds[]{
-      {"natural cubic", reaming::SplineKind::NaturalCubic},
-      {"cubic Hermite", reaming::SplineKind::HermiteDataSlope}};
-  for (const auto& [name, kind] : kinds) {
-    const auto spline = reaming::splineThrough(curve.data, slopes, nodes, kind);
-    const auto error = reaming::errorOf(curve.data, spline, options.forceFloor);
-    auto line = thinned(
-        name,
-        curve.data.size(),
-        [&](std::size_t i) { return kMillimetres * curve.data.x[i]; },
-        [&](std::size_t i) { return spline.at(curve.data.x[i]); });
-    line.style = ChartSeries::Style::Dashed;
-    chart.series.push_back(std::move(line));
-    errors += fmt::format(
-        "{}{}: |e_a| up to {:.3g} % at {:.3g} mm as published, {:.3g} % at {:.3g} mm with a floor "
-        "of "
-        "{:g} N, {:.3g} N at most",
-        errors.empty() ? "" : "; ",
-        name,
-        100.0 * error.published,
-        kMillimetres * error.publishedAt,
-        100.0 * error.floored,
-        kMillimetres * error.flooredAt,
-        options.forceFloor,
-        error.largest);
-  }
-  return {
-      .name = "cubic-and-hermite-" + std::string(nameOf(set.set)),
-      .caption = fmt::format(
-          "Maximum force of {} through the same {} nodes. {}.",
-          nameOf(set.set),
-          nodes.size(),
-          errors),
-      .chart = std::move(chart)};
 }
 
 DataTable seriesTable(const reaming::MaterialFit& fit) {
@@ -182,7 +84,9 @@ DataTable seriesTable(const reaming::MaterialFit& fit) {
           {"used", "Used"},
           {"excluded_because", "Left out because"},
           {"cutoff_hz", "Cut-off [Hz]"},
-          {"largest_depth_mm", "Largest depth [mm]"}}};
+          {"torque_cutoff_hz", "… of the torque [Hz]"},
+          {"largest_depth_mm", "Largest depth [mm]"},
+          {"ended", "Ended"}}};
   for (const auto& series : fit.series) {
     const bool isUsed = !series.exclusion.isExcluded();
     table.rows.push_back(
@@ -191,12 +95,16 @@ DataTable seriesTable(const reaming::MaterialFit& fit) {
          isUsed,
          isUsed ? Cell(std::monostate()) : Cell(series.exclusion.words),
          series.cutoff > 0.0 ? Cell(series.cutoff) : Cell(std::monostate()),
-         isUsed ? Cell(kMillimetres * series.largestDisplacement) : Cell(std::monostate())});
+         series.torqueCutoff > 0.0 ? Cell(series.torqueCutoff) : Cell(std::monostate()),
+         isUsed ? Cell(kMillimetres * series.largestDisplacement) : Cell(std::monostate()),
+         !isUsed             ? Cell(std::monostate())
+         : series.isCensored ? Cell(std::string("at the force limit"))
+                             : Cell(std::string("stalled, or at the last depth"))});
   }
   return table;
 }
 
-DataTable errorTable(const reaming::MaterialFit& fit) {
+DataTable errorTable(const std::vector<NamedCurve>& curves) {
   DataTable table{
       .name = "curves",
       .description = "How far the splines are from the data",
@@ -208,38 +116,224 @@ DataTable errorTable(const reaming::MaterialFit& fit) {
           {"e_a_published", "|e_a| as published"},
           {"e_a_at_mm", "… at [mm]"},
           {"floored", "with a floor"},
+          {"floored_at_mm", "… at [mm]"},
           {"largest", "Largest [N, N·m]"},
           {"rms", "RMS [N, N·m]"},
           {"r_squared", "R²"}}};
-  const auto add =
-      [&](const reaming::TestSetFit& set, const char* of, const reaming::FittedEnvelope& envelope) {
-        const std::pair<const char*, const reaming::FittedCurve*> curves[]{
-            {"minimum", &envelope.minimum},
-            {"average", &envelope.average},
-            {"maximum", &envelope.maximum}};
-        for (const auto& [name, curve] : curves) {
-          const auto& e = curve->error;
-          table.rows.push_back(
-              {std::string(nameOf(set.set)),
-               std::string(of),
-               std::string(name),
-               static_cast<std::int64_t>(curve->spline.nodes.size()),
-               e.published,
-               kMillimetres * e.publishedAt,
-               e.floored,
-               e.largest,
-               e.rms,
-               e.rSquared});
-        }
-      };
-  for (const auto& set : fit.sets) {
-    add(set, "force", set.force);
-    if (set.torque) add(set, "torque", *set.torque);
+  for (const auto& curve : curves) {
+    const auto& e = curve.curve->error;
+    table.rows.push_back(
+        {curve.setName,
+         curve.quantity,
+         curve.curveName,
+         static_cast<std::int64_t>(curve.curve->spline.nodes.size()),
+         e.published,
+         kMillimetres * e.publishedAt,
+         e.floored,
+         kMillimetres * e.flooredAt,
+         e.largest,
+         e.rms,
+         e.rSquared});
   }
   return table;
 }
 
+/// Of which specimens the curves of a test set are made.
+DataTable leftTable(const reaming::TestSetFit& set) {
+  DataTable table{
+      .name = "specimens-" + std::string(nameOf(set.set)),
+      .description = "Specimens that count, from each depth at which that changes",
+      .columns = {
+          {"from_mm", "From [mm]"}, {"measured", "Measured"}, {"held", "Held at the limit"}}};
+  for (const auto& stretch : reaming::specimensLeftOf(set.force)) {
+    table.rows.push_back(
+        {kMillimetres * stretch.from, std::int64_t{stretch.measured}, std::int64_t{stretch.held}});
+  }
+  return table;
+}
+
+/// An envelope and its splines, place by place, for a CSV file.
+DataTable envelopeTable(
+    const reaming::TestSetFit& set,
+    const char* quantity,
+    const char* unit,
+    const reaming::FittedEnvelope& envelope,
+    const reaming::FitOptions& options) {
+  auto middle = middleNameOf(options.envelope);
+  std::replace(middle.begin(), middle.end(), '-', '_');
+  DataTable table{
+      .name = fmt::format("envelope-{}-{}", nameOf(set.set), quantity),
+      .columns = {{"depth_mm", ""}, {"share_of_test_set", ""}, {"measured", ""}, {"held", ""}}};
+  for (const std::string& curve : {std::string("minimum"), middle, std::string("maximum")}) {
+    table.columns.push_back({curve + "_" + unit, ""});
+    table.columns.push_back({curve + "_spline_" + unit, ""});
+  }
+  const reaming::FittedCurve* const curves[]{
+      &envelope.minimum, &envelope.average, &envelope.maximum};
+  for (std::size_t i = 0; i < envelope.average.data.size(); ++i) {
+    const double depth = envelope.average.data.x[i];
+    std::vector<Cell> row{
+        kMillimetres * depth,
+        depth / set.scale,
+        std::int64_t{envelope.measured[i]},
+        std::int64_t{envelope.held[i]}};
+    for (const auto* curve : curves) {
+      row.emplace_back(curve->data.y[i]);
+      row.emplace_back(curve->spline.at(depth));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string axisInWords(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
+  switch (options.axis) {
+    case reaming::DepthAxis::Depth:
+      return fmt::format(
+          "{} series, each at the depths at which it was measured, to {:.3f} mm. A test that ended "
+          "at its force limit counts on with that force; one that ended otherwise leaves over {} "
+          "mm, and no curve falls because of it.",
+          set.used,
+          kMillimetres * set.scale,
+          kMillimetres * reaming::kLeavesOver);
+    case reaming::DepthAxis::Normalised:
+      return fmt::format(
+          "{} series over shares of the largest displacement of the test set, {:.3f} mm; tests "
+          "that have ended are absent. For comparing figures.",
+          set.used,
+          kMillimetres * set.scale);
+    case reaming::DepthAxis::NormalisedSeries:
+      return fmt::format(
+          "{} series, each over shares of its own largest displacement; the largest of all is "
+          "{:.3f} mm. For comparing figures: a test that ended early is stretched.",
+          set.used,
+          kMillimetres * set.scale);
+  }
+  return {};
+}
+
+report::DocumentPart setPart(
+    const std::vector<reaming::Series>& series,
+    const reaming::MaterialFit& fit,
+    const reaming::TestSetFit& set,
+    const reaming::FitOptions& options) {
+  const std::string name(nameOf(set.set));
+  const auto depth = depthScaleOf(set, options);
+  report::DocumentPart part{
+      .heading = "Test set " + name, .paragraphs = {axisInWords(set, options)}};
+  const auto add = [&](const char* quantity,
+                       const char* unit,
+                       const char* column,
+                       const reaming::FittedEnvelope& envelope,
+                       bool isTorque) {
+    part.figures.push_back(
+        {.name = fmt::format("all-{}-{}", quantity, name),
+         .caption = fmt::format("All series as measured: {}.", quantity),
+         .chart = seriesChart(series, fit, set.set, isTorque)});
+    part.figures.push_back(
+        {.name = fmt::format("{}-{}", quantity, name),
+         .caption = fmt::format("Envelope of the {}: data and nodes.", quantity),
+         .chart = envelopeChart(envelope, fmt::format("{} [{}]", quantity, unit), depth, options)});
+    part.tables.push_back(envelopeTable(set, quantity, column, envelope, options));
+  };
+  part.tables.push_back(leftTable(set));
+  add("force", "N", "n", set.force, false);
+  if (set.torque) add("torque", "N·m", "nm", *set.torque, true);
+  return part;
+}
+
 }  // namespace
+
+std::string middleNameOf(reaming::EnvelopeRule rule) {
+  return rule == reaming::EnvelopeRule::Pointwise ? "average" : "middle-specimen";
+}
+
+std::vector<NamedCurve> curvesOf(
+    const reaming::MaterialFit& fit, const reaming::FitOptions& options) {
+  std::vector<NamedCurve> curves;
+  const auto add = [&](const reaming::TestSetFit& set,
+                       const std::string& quantity,
+                       const reaming::FittedEnvelope& envelope,
+                       double floor) {
+    const std::string name(nameOf(set.set));
+    curves.push_back({name, quantity, "minimum", &envelope.minimum, floor});
+    curves.push_back({name, quantity, middleNameOf(options.envelope), &envelope.average, floor});
+    curves.push_back({name, quantity, "maximum", &envelope.maximum, floor});
+  };
+  for (const auto& set : fit.sets) {
+    add(set, "force", set.force, options.forceFloor);
+    if (set.torque) add(set, "torque", *set.torque, options.torqueFloor);
+  }
+  return curves;
+}
+
+std::string pathOf(const NamedCurve& curve) {
+  return curve.setName + "/" + curve.quantity + "/" + curve.curveName;
+}
+
+reaming::FitOptions forFigure7(reaming::FitOptions options) {
+  if (!options.nodeCount) options.nodeCount = kPaperNodes;
+  if (!options.nodesOf) options.nodesOf = reaming::SplineKind::NaturalCubic;
+  return options;
+}
+
+report::DocumentPart splineComparisonPart(
+    const NamedCurve& curve, const reaming::FitOptions& options) {
+  const auto& data = curve.curve->data;
+  const auto kind = options.nodesOf.value_or(options.spline);
+  const reaming::NodeWish wish{options.nodes, kind, options.wantedError, curve.floor};
+  const auto choice =
+      options.nodeCount ? chooseNodes(data, *options.nodeCount, wish) : chooseNodes(data, wish);
+  const auto comparison = reaming::compareSplines(data, choice.nodes, curve.floor);
+  const bool isForce = curve.quantity == "force";
+  report::DocumentPart part{
+      .heading = fmt::format(
+          "{}: {} nodes, placed for {}",
+          pathOf(curve),
+          comparison.nodes.size(),
+          protocols::nameOf(kind))};
+  Chart chart{
+      .x = {.title = "displacement [mm]"}, .y = {.title = isForce ? "force [N]" : "torque [N·m]"}};
+  chart.series.push_back(lineOf("data", data, kMillimetres));
+  ChartSeries nodes{.title = "nodes", .style = ChartSeries::Style::Markers};
+  for (const auto node : comparison.nodes) {
+    nodes.points.push_back({kMillimetres * data.x[node], data.y[node]});
+  }
+  chart.series.push_back(std::move(nodes));
+  const auto percent = [](double share) { return fmt::format("{:.3g} %", 100.0 * share); };
+  for (const auto& spline : comparison.splines) {
+    const std::string name(protocols::nameOf(spline.kind));
+    auto line = thinned(
+        name,
+        data.size(),
+        [&](std::size_t i) { return kMillimetres * data.x[i]; },
+        [&](std::size_t i) { return spline.spline.at(data.x[i]); });
+    line.style = ChartSeries::Style::Dashed;
+    chart.series.push_back(std::move(line));
+    const auto& first = comparison.splines.front().error;
+    part.paragraphs.push_back(fmt::format(
+        "{}: largest |e_a| {} at {:.2f} mm with a floor of {:g} {}, {} at {:.2f} mm; as published "
+        "{} at {:.2f} mm, {} at {:.2f} mm; {:.3g} {} at most",
+        name,
+        percent(spline.error.floored),
+        kMillimetres * spline.error.flooredAt,
+        curve.floor,
+        isForce ? "N" : "N·m",
+        percent(spline.flooredThere),
+        kMillimetres * first.flooredAt,
+        percent(spline.error.published),
+        kMillimetres * spline.error.publishedAt,
+        percent(spline.publishedThere),
+        kMillimetres * first.publishedAt,
+        spline.error.largest,
+        isForce ? "N" : "N·m"));
+  }
+  part.figures.push_back(
+      {.name = fmt::format("splines-{}-{}-{}", curve.setName, curve.quantity, curve.curveName),
+       .caption = "Data, nodes, and both splines through them.",
+       .chart = std::move(chart)});
+  return part;
+}
 
 report::Document materialReport(
     const std::vector<reaming::Series>& series,
@@ -253,32 +347,20 @@ report::Document materialReport(
         "SYNTHETIC: nobody measured these series. They have the published properties and no more.");
   }
   document.parts.push_back({.heading = "Series", .tables = {seriesTable(fit)}});
-  const std::size_t example = exampleOf(fit);
-  if (example < series.size()) {
-    document.parts.push_back(seriesPart(series[example], fit.series[example], options));
+  for (const auto& set : fit.sets) document.parts.push_back(setPart(series, fit, set, options));
+  const auto curves = curvesOf(fit, options);
+  document.parts.push_back({.heading = "Errors", .tables = {errorTable(curves)}});
+  for (const auto& curve : curves) {
+    document.parts.push_back(splineComparisonPart(curve, forFigure7(options)));
   }
-  for (const auto& set : fit.sets) {
-    const std::string name(nameOf(set.set));
-    report::DocumentPart part{
-        .heading = "Test set " + name,
-        .paragraphs = {fmt::format(
-            "{} series; shares of the largest displacement times {:.3f} mm.",
-            set.used,
-            kMillimetres * set.scale)},
-        .figures = {
-            {.name = "force-" + name,
-             .caption = "Force: data and nodes.",
-             .chart = envelopeChart(set.force, "force [N]")}}};
-    if (set.torque) {
-      part.figures.push_back(
-          {.name = "torque-" + name,
-           .caption = "Torque: data and nodes.",
-           .chart = envelopeChart(*set.torque, "torque [N·m]")});
-    }
-    part.figures.push_back(cubicAgainstHermite(set, options));
-    document.parts.push_back(std::move(part));
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const auto& prepared = fit.series[i];
+    if (prepared.exclusion.isExcluded()) continue;
+    const auto set = std::find_if(fit.sets.begin(), fit.sets.end(), [&](const auto& each) {
+      return each.set == prepared.set;
+    });
+    document.parts.push_back(seriesPart(series[i], prepared, i + 1, set->scale, options));
   }
-  document.parts.push_back({.heading = "Errors", .tables = {errorTable(fit)}});
   return document;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "haptics/reaming/material/material_fit.h"
@@ -7,14 +8,56 @@
 
 namespace study::app {
 
-/// Figures 4 to 7 of the reaming paper for any data: a spectrum, raw and filtered force, normalised
-/// force and torque, envelopes, and the cubic against the Hermite spline on the same nodes; and
-/// tables of every series and every curve.
+/// As many nodes as Fig. 7 of the reaming paper has.
+inline constexpr std::size_t kPaperNodes = 12;
+
+/// A curve of a fit, and what it is called.
+struct NamedCurve {
+  std::string setName;
+  std::string quantity;   ///< "force" or "torque"
+  std::string curveName;  ///< "minimum", "average" or "middle-specimen", "maximum"
+  const haptics::reaming::FittedCurve* curve = nullptr;
+  double floor = 0.0;  ///< of its errors [N, N·m]
+};
+
+/// Every curve of @p fit, which outlives them.
+std::vector<NamedCurve> curvesOf(
+    const haptics::reaming::MaterialFit& fit, const haptics::reaming::FitOptions& options);
+
+/// "dynamic-1/force/maximum"
+std::string pathOf(const NamedCurve& curve);
+
+/// What the curve between minimum and maximum is called.
+std::string middleNameOf(haptics::reaming::EnvelopeRule rule);
+
+/// Figures 3 to 7 of the reaming paper for any data: all series; of each series, force and torque,
+/// measured and filtered, their spectra, and normalised; envelopes; the cubic against the Hermite
+/// spline on the same nodes; tables of every series and every curve; and all data as CSV files.
 ///
 /// @param series  as the fit was made of, in the same order.
 report::Document materialReport(
     const std::vector<haptics::reaming::Series>& series,
     const haptics::reaming::MaterialFit& fit,
     const haptics::reaming::FitOptions& options);
+
+/// The part of a report about one series: figures 4 and 5 of the paper, and its data as a table for
+/// a CSV file.
+///
+/// @param number  of the series, from 1. @param scale  largest displacement of its test set [m].
+report::DocumentPart seriesPart(
+    const haptics::reaming::Series& series,
+    const haptics::reaming::PreparedSeries& prepared,
+    std::size_t number,
+    double scale,
+    const haptics::reaming::FitOptions& options);
+
+/// What a fit chose, with the nodes of Fig. 7 of the paper where nothing else was said: 12, placed
+/// for the natural cubic.
+haptics::reaming::FitOptions forFigure7(haptics::reaming::FitOptions options);
+
+/// Fig. 7 of the paper for a curve: the natural cubic and the Hermite spline through the nodes that
+/// @p options choose, with both errors and where they are.
+report::DocumentPart splineComparisonPart(
+    const NamedCurve& curve, const haptics::reaming::FitOptions& options);
 
 }  // namespace study::app

@@ -1,8 +1,11 @@
 // From measured series to a bone that a protocol names, by the commands that people use.
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/synthetic_series.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
@@ -46,6 +49,14 @@ class ReamingCommands : public testing::Test {
         "f 3 7 4\nf 4 7 8\nf 1 5 3\nf 3 5 7\nf 2 4 6\n";
     if (!isOpen) text += "f 4 8 6\n";
     return folder_.write(name, text);
+  }
+
+  /// A file of a static test of one specimen.
+  std::string staticTest(double hardness) const {
+    const auto series = haptics::reaming::syntheticSeries(
+        {.set = haptics::reaming::TestSet::Static, .hardness = hardness});
+    return folder_.write(
+        "static-" + std::to_string(hardness) + ".csv", haptics::reaming::asText(series));
   }
 
   tests::ScratchFolder folder_;
@@ -133,6 +144,51 @@ TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
   expectIn(page, "class=\"banner\">SYNTHETIC");
   expectIn(page, "bone.json");
   expectIn(page, "bone.packing");
+}
+
+TEST_F(ReamingCommands, FitOnlyWhatCanBeFeltAndWithTheErrorThatWasAsked) {
+  std::vector<std::string> call{"material", "fit", "--static"};
+  for (const double hardness : {0.1, 0.5, 0.9}) call.push_back(staticTest(hardness));
+  const auto with = [&](const std::vector<std::string>& more) {
+    auto longer = call;
+    longer.insert(longer.end(), more.begin(), more.end());
+    return longer;
+  };
+  const std::string out = folder_ / "m.json";
+  expectIn(refusal(with({"--axis", "normalised", "--out", out})), "lies over depth");
+  expectIn(refusal(with({"--axis", "normalised-series", "--out", out})), "lies over depth");
+  expectIn(refusal(with({"--spline", "linear", "--out", out})), "straight lines have two");
+  expectIn(refusal(with({"--nodes", "12", "--error", "0.1"})), "Leave one of the two away");
+  expectIn(refusal(with({"--nodes", "optimal", "--spline", "pchip"})), "cannot be found for pchip");
+  expectIn(refusal(with({"--nodes", "thinned", "--error", "0.0005"})), "cannot be had");
+  EXPECT_FALSE(std::filesystem::exists(out));
+  expectIn(output(with({"--nodes", "12"})), "nodes 12 / 12 / 12 (minimum, average, maximum)");
+  expectIn(output(with({"--envelope", "single-sample"})), "(minimum, middle-specimen, maximum)");
+  const std::string report = folder_ / "report";
+  output(with({"--spline", "cubic-natural", "--error", "0.41", "--report", report}));
+  for (const std::string file :
+       {"material-series-01.csv",
+        "material-series-01-force-normalised.svg",
+        "material-envelope-static-force.csv",
+        "material-specimens-static.csv",
+        "material-splines-static-force-maximum.svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(report + "/" + file)) << file;
+  }
+  // The error in the report is that of the spline that was asked for.
+  const auto curves = tests::contentOf(report + "/material-curves.csv");
+  EXPECT_EQ(std::count(curves.begin(), curves.end(), '\n'), 4) << curves;
+}
+
+TEST_F(ReamingCommands, CompareTwoSplinesOnTwelveNodes) {
+  std::vector<std::string> call{"material", "compare", "--static", staticTest(0.5)};
+  expectIn(refusal(call), "There are static/force/minimum, static/force/average");
+  call.insert(call.end(), {"--curve", "static/force/maximum", "--report", folder_ / "figure"});
+  const auto said = output(call);
+  expectIn(said, "static/force/maximum: 12 nodes, placed for cubic-natural");
+  expectIn(said, "cubic-natural: largest |e_a| ");
+  expectIn(said, "hermite-data-slope: largest |e_a| ");
+  EXPECT_TRUE(
+      std::filesystem::exists(folder_ / "figure/figure-7-splines-static-force-maximum.svg"));
 }
 
 TEST_F(ReamingCommands, FitABoneOfRealShapeToASyntheticMaterialAndSaySo) {

@@ -1,0 +1,166 @@
+#include "study/app/measurements/material_inputs.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+
+#include "haptics/reaming/material/series_text.h"
+#include "study/app/finite_range.h"
+#include "study/model/user_error.h"
+#include "study/storage/protocol_repository.h"
+
+namespace study::app {
+namespace {
+
+namespace reaming = haptics::reaming;
+using reaming::CutoffRule;
+using reaming::DepthAxis;
+using reaming::EnvelopeRule;
+using reaming::NodeRule;
+using reaming::SplineKind;
+using reaming::TestSet;
+
+constexpr DepthAxis kAxes[]{DepthAxis::Depth, DepthAxis::Normalised, DepthAxis::NormalisedSeries};
+constexpr CutoffRule kCutoffRules[]{CutoffRule::Floor, CutoffRule::Plain};
+constexpr EnvelopeRule kEnvelopes[]{EnvelopeRule::Pointwise, EnvelopeRule::SingleSample};
+constexpr NodeRule kNodeRules[]{
+    NodeRule::Greedy, NodeRule::PaperLiteral, NodeRule::Thinned, NodeRule::Optimal};
+constexpr SplineKind kSplines[]{
+    SplineKind::HermiteDataSlope,
+    SplineKind::Pchip,
+    SplineKind::Makima,
+    SplineKind::NaturalCubic,
+    SplineKind::Linear};
+constexpr int kFewestNodes = 2;
+constexpr int kMostNodes = 200;
+
+/// "force=Kraft" to a pair.
+std::map<std::string, std::string> pairs(const std::vector<std::string>& words) {
+  std::map<std::string, std::string> result;
+  for (const auto& word : words) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw UserError("'" + word + "' names nothing. Write WHAT=NAME, e.g. force=Kraft.");
+    }
+    result[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+  return result;
+}
+
+/// The choice whose name is @p name; CLI11 has made sure that there is one.
+template <typename Enum, std::size_t kCount>
+Enum named(const std::string& name, const Enum (&choices)[kCount]) {
+  for (const auto choice : choices) {
+    if (protocols::nameOf(choice) == name) return choice;
+  }
+  return choices[0];
+}
+
+template <typename Enum, std::size_t kCount>
+CLI::IsMember oneOf(const Enum (&choices)[kCount]) {
+  std::vector<std::string> names;
+  for (const auto choice : choices) names.emplace_back(protocols::nameOf(choice));
+  return CLI::IsMember(names);
+}
+
+/// A number of nodes; nothing where a rule is named.
+std::optional<std::size_t> numberIn(const std::string& nodes) {
+  std::size_t count = 0;
+  const auto* end = nodes.data() + nodes.size();
+  const auto read = std::from_chars(nodes.data(), end, count);
+  if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+  return count;
+}
+
+}  // namespace
+
+void MaterialInputs::addTo(CLI::App& verb) {
+  verb.add_option("--static", files[0], "Series of static tests (CSV or TSV)");
+  verb.add_option("--dynamic-1", files[1], "Series of the first dynamic tests");
+  verb.add_option("--dynamic-2", files[2], "Series of the second dynamic tests");
+  verb.add_option("--column", columns, "WHAT=HEAD where a head does not say it, e.g. force=Kanal2");
+  verb.add_option("--unit", units, "WHAT=UNIT where a head has none, e.g. force=kN");
+  verb.add_option("--axis", axis, "What curves lie over; only depth can be felt")
+      ->check(oneOf(kAxes))
+      ->capture_default_str();
+  verb.add_option("--force-limit", options.forceLimit, "At which static tests were stopped [N]")
+      ->check(finiteRange(1.0, 1e5))
+      ->capture_default_str();
+  verb.add_option("--cutoff-rule", cutoffRule, "How a low-pass finds its cut-off")
+      ->check(oneOf(kCutoffRules))
+      ->capture_default_str();
+  verb.add_option("--cutoff", options.cutoff, "The same for all forces, instead [Hz]")
+      ->check(finiteRange(1e-4, 1e4));
+  verb.add_option("--torque-cutoff", options.torqueCutoff, "The same for all torques, instead [Hz]")
+      ->check(finiteRange(1e-4, 1e4));
+  verb.add_option("--envelope", envelope, "What minimum, average and maximum are made of")
+      ->check(oneOf(kEnvelopes))
+      ->capture_default_str();
+  verb.add_option("--nodes", nodes, "How nodes are chosen, or how many there are")
+      ->check(oneOf(kNodeRules) | CLI::Range(kFewestNodes, kMostNodes))
+      ->capture_default_str();
+  verb.add_option("--nodes-of", nodesOf, "Take the nodes that are best for another spline")
+      ->check(oneOf(kSplines));
+  verb.add_option("--spline", spline, "How slopes at the nodes are come by")
+      ->check(oneOf(kSplines))
+      ->capture_default_str();
+  verb.add_option("--error", options.wantedError, "Largest error of the spline, a share")
+      ->check(finiteRange(1e-4, 1.0))
+      ->capture_default_str();
+  verb.add_option("--force-floor", options.forceFloor, "Below it errors count as if at it [N]")
+      ->check(finiteRange(1e-6, 1e4))
+      ->capture_default_str();
+  verb.add_option("--torque-floor", options.torqueFloor, "The same of torques [N·m]")
+      ->check(finiteRange(1e-6, 1e4))
+      ->capture_default_str();
+  verb.add_flag(
+      "--synthetic",
+      isSynthetic,
+      "Nobody measured these series, even if their files do not say so");
+}
+
+reaming::FitOptions MaterialInputs::chosen(const CLI::App& verb) const {
+  auto result = options;
+  result.axis = named(axis, kAxes);
+  result.cutoffRule = named(cutoffRule, kCutoffRules);
+  result.envelope = named(envelope, kEnvelopes);
+  result.spline = named(spline, kSplines);
+  if (!nodesOf.empty()) result.nodesOf = named(nodesOf, kSplines);
+  result.nodeCount = numberIn(nodes);
+  if (!result.nodeCount) result.nodes = named(nodes, kNodeRules);
+  if (result.nodeCount && verb.count("--error") > 0) {
+    throw UserError(
+        "--nodes " + nodes +
+        " places so many nodes at the least error that they allow; --error says how many there "
+        "have to be. Leave one of the two away.");
+  }
+  if (const auto problem = problemOf(result)) {
+    throw UserError(
+        "'" + nodes + "' nodes cannot be found for " +
+        std::string(protocols::nameOf(result.nodesOf.value_or(result.spline))) + ": " + *problem +
+        ". Choose --nodes greedy, or a number.");
+  }
+  return result;
+}
+
+ReadSeries readAll(const MaterialInputs& inputs) {
+  const reaming::SeriesMapping mapping{pairs(inputs.columns), pairs(inputs.units)};
+  ReadSeries all;
+  for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
+    for (const auto& file : inputs.files[static_cast<std::size_t>(set)]) {
+      all.series.push_back(reaming::readSeriesFile(file, set, mapping));
+      all.series.back().isSynthetic |= inputs.isSynthetic;
+      all.isSynthetic |= all.series.back().isSynthetic;
+      all.sources.push_back(
+          {std::filesystem::path(file).filename().string(),
+           storage::sha256(reaming::contentOfSeriesFile(file))});
+    }
+  }
+  if (all.series.empty()) {
+    throw UserError("No series were named. Say which test each is of: --dynamic-1 FILE …");
+  }
+  return all;
+}
+
+}  // namespace study::app
