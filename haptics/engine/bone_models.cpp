@@ -75,7 +75,15 @@ double MaterialModel::largestStiffness() const noexcept {
 
 namespace {
 
-constexpr double kDeepest = 0.02;  // of a plunge [m]
+/// How deep a reamer goes until it is through the bone [m].
+double depthOf(const reaming::SphereField& field, const reaming::Plunge& plunge) {
+  double last = plunge.start;
+  for (std::size_t slot = 0; slot < field.slotCount(); ++slot) {
+    const double radius = field.group(slot).radius[slot % reaming::kLanes];
+    if (radius > 0.0) last = std::max(last, field.centre(slot).z + radius);
+  }
+  return last + plunge.radius - plunge.start;
+}
 
 reaming::BoneOptions optionsOf(const PackingSpec& spec) {
   auto options = spec.options;
@@ -91,12 +99,12 @@ PackingModel::PackingModel(const PackingSpec& spec)
     : field_(spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale)),
       plunge_(reaming::plungeInto(field_, spec.bone->reamerRadius)),
       coverage_(spec.bone->packing.coverage()) {
-  constexpr int kSteps = 1000;
-  const double step = kDeepest / kSteps;
+  constexpr double kStep = 20e-6;  // [m]
+  const double deepest = spec.mostTravel > 0.0 ? spec.mostTravel : depthOf(field_, plunge_);
   double before = 0.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double force = forceAt(step * i);
-    largestStiffness_ = std::max(largestStiffness_, std::abs(force - before) / step);
+  for (int i = 0; i * kStep <= deepest; ++i) {
+    const double force = forceAt(kStep * i);
+    largestStiffness_ = std::max(largestStiffness_, std::abs(force - before) / kStep);
     before = force;
   }
 }

@@ -102,6 +102,7 @@ struct PackingSpec {
   double hardness = 0.5;         ///< h, from 0 (minimum curve) to 1 (maximum curve)
   double forceScale = 1.0;       ///< everything times this, in (0, 1]
   bool isRemoved = true;         ///< the reamer takes away what it goes through
+  double mostTravel = 0.0;       ///< how deep the device goes [m]; 0: through the bone
   reaming::BoneOptions options;  ///< of a bone that is cut; the coverage is the bone's own
 };
 

@@ -163,6 +163,8 @@ void Companions::readPacking(Condition& condition) {
   if (!packing.bone) return;
   auto spec = *haptics::engine::partsOf(condition.scene.model).packing;
   spec.bone = packing.bone;
+  const auto* device = draft_.loaded.protocol.device(condition.device);
+  if (device != nullptr) spec.mostTravel = device->kind->travel.most;
   condition.scene.model = std::move(spec);
   const bool isOwn = condition.packing->name == kParametricBone;
   tellSource(

@@ -161,7 +161,7 @@ int explain(const ExplainOptions& options) {
   const auto device = standInFor(file->protocol, *condition);
   const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
-  if (options.cost) costs = costsOf(spec);
+  if (options.cost) costs = costsOf(spec, *device.kind);
   if (options.json) {
     std::fputs(passesAsJson(condition->id, scene, slope, costs).c_str(), stdout);
   } else {

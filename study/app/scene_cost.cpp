@@ -56,10 +56,11 @@ Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-void addMeniscus(const engine::SceneSpec& spec, std::vector<timing::Contestant>& contestants) {
-  constexpr double kMiddle = 5.5;  // [travel units]
+/// @param middle  of the device's travel [device's travel unit]; so below.
+void addMeniscus(
+    const engine::SceneSpec& spec, double middle, std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, Besides besides) {
-    contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
+    contestants.push_back(contestant(what, spec, middle, std::move(besides)));
   };
   const auto parts = engine::partsOf(spec.model);
   const auto shown = parts.elements != nullptr ? *parts.elements : engine::publishedElements(5);
@@ -78,15 +79,14 @@ void addMeniscus(const engine::SceneSpec& spec, std::vector<timing::Contestant>&
   add("… and the mesh in every tick", alsoDrawn(shown, 1));
 }
 
-constexpr double kMiddle = 0.01;  // of a reamer's travel [m]
-
 /// A curve alone, and what spheres would cost besides.
 void addMaterial(
     const engine::SceneSpec& spec,
     const engine::MaterialSpec& material,
+    double middle,
     std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, Besides besides) {
-    contestants.push_back(contestant(what, spec, kMiddle, std::move(besides)));
+    contestants.push_back(contestant(what, spec, middle, std::move(besides)));
   };
   add("as it is", nullptr);
   auto lower = material;
@@ -104,9 +104,12 @@ void addMaterial(
 }
 
 /// Spheres, and what it would be without some of it.
-void addPacking(const engine::PackingSpec& packing, std::vector<timing::Contestant>& contestants) {
+void addPacking(
+    const engine::PackingSpec& packing,
+    double middle,
+    std::vector<timing::Contestant>& contestants) {
   const auto add = [&](const char* what, const auto& model) {
-    contestants.push_back(contestant(what, {.model = model}, kMiddle, nullptr));
+    contestants.push_back(contestant(what, {.model = model}, middle, nullptr));
   };
   add("as it is", packing);
   auto other = packing;
@@ -117,15 +120,17 @@ void addPacking(const engine::PackingSpec& packing, std::vector<timing::Contesta
 
 }  // namespace
 
-std::vector<SceneCost> costsOf(const engine::SceneSpec& spec) {
+std::vector<SceneCost> costsOf(
+    const engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind) {
+  const double middle = 0.5 * (kind.travel.least + kind.travel.most);
   std::vector<timing::Contestant> contestants;
   const auto parts = engine::partsOf(spec.model);
   if (parts.packing != nullptr) {
-    addPacking(*parts.packing, contestants);
+    addPacking(*parts.packing, middle, contestants);
   } else if (parts.material != nullptr) {
-    addMaterial(spec, *parts.material, contestants);
+    addMaterial(spec, *parts.material, middle, contestants);
   } else {
-    addMeniscus(spec, contestants);
+    addMeniscus(spec, middle, contestants);
   }
   const auto timings = timing::race(contestants);
   std::vector<SceneCost> costs;

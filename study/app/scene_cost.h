@@ -16,6 +16,8 @@ struct SceneCost {
 
 /// A tick of @p spec as it is, and then with each thing put in that this scene does without –
 /// worked out and thrown away –, all in turn on this computer. The first is the scene itself.
-std::vector<SceneCost> costsOf(const haptics::engine::SceneSpec& spec);
+/// The tool goes to and fro over the travel of a device of @p kind.
+std::vector<SceneCost> costsOf(
+    const haptics::engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind);
 
 }  // namespace study::app

@@ -7,62 +7,11 @@
 #include "analysis/tests/paired_t.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/sample_ring.h"
+#include "study/results/felt_bins.h"
 #include "study/storage/records.h"
 
 namespace study {
 namespace {
-
-constexpr int kBins = 80;
-constexpr std::size_t kFewest = 20;  // samples in a bin that say something
-
-/// Forces by bins of travel.
-class Bins {
- public:
-  explicit Bins(double most) : width_(most / kBins), forces_(kBins) {}
-
-  void add(const std::vector<storage::TraceSample>& samples) {
-    using haptics::engine::TickSample;
-    const double closing = 5.0 * width_;  // [units/s]: slower is no movement
-    for (const auto& sample : samples) {
-      const bool isBad = (sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0;
-      if (isBad || static_cast<double>(sample.velocity) < closing) continue;
-      const auto bin = static_cast<std::int64_t>(std::floor(sample.travel / width_));
-      if (bin >= 0 && bin < kBins) forces_[static_cast<std::size_t>(bin)].push_back(sample.force);
-    }
-  }
-
-  /// The middle sample of every bin that was felt.
-  std::map<int, double> medians() {
-    std::map<int, double> medians;
-    for (int bin = 0; bin < kBins; ++bin) {
-      auto& forces = forces_[static_cast<std::size_t>(bin)];
-      if (forces.empty()) continue;
-      const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
-      std::nth_element(forces.begin(), middle, forces.end());
-      medians[bin] = *middle;
-    }
-    return medians;
-  }
-
-  std::vector<FeltCurve::Point> points() {
-    std::vector<FeltCurve::Point> points;
-    for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
-      auto& forces = forces_[bin];
-      if (forces.size() < kFewest) continue;
-      std::sort(forces.begin(), forces.end());
-      const auto at = [&](double share) {
-        return static_cast<double>(
-            forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);
-      };
-      points.push_back({(static_cast<double>(bin) + 0.5) * width_, at(0.1), at(0.5), at(0.9)});
-    }
-    return points;
-  }
-
- private:
-  double width_;
-  std::vector<std::vector<float>> forces_;
-};
 
 /// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
 /// any is gone, without jitter. Nothing for what depends on more than travel.
@@ -92,9 +41,9 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   std::vector<FeltCurve> curves;
   for (const auto& condition : protocol.conditions) {
     FeltCurve curve{.condition = condition.id, .device = condition.device};
-    const double most = protocol.device(condition.device)->kind->travel.most;
-    Bins bins(most);
-    std::map<std::string, Bins> byParticipant;
+    const FeltBins none(*protocol.device(condition.device)->kind, condition.scene);
+    FeltBins bins = none;
+    std::map<std::string, FeltBins> byParticipant;
     for (const auto& trial : trials) {
       const bool counts = trial.step.condition == condition.id &&
                           trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain() &&
@@ -102,7 +51,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
       if (!counts) continue;
       const auto samples = study.traces().read(trial.step.visit);
       bins.add(samples);
-      byParticipant.try_emplace(counted.at(trial.step.visit.session), most)
+      byParticipant.try_emplace(counted.at(trial.step.visit.session), none)
           .first->second.add(samples);
       ++curve.trials;
     }

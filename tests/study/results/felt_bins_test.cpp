@@ -1,0 +1,83 @@
+// Which samples of a trial say what was felt while the tool advanced.
+#include "study/results/felt_bins.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "haptics/devices/iiwa/reamer_kind.h"
+#include "haptics/devices/punch/punch_kind.h"
+#include "haptics/engine/built_in_models.h"
+
+namespace study {
+namespace felt_bins_test {
+
+using haptics::devices::punchKind;
+using haptics::devices::reamerKind;
+using haptics::engine::MaterialSpec;
+using storage::TraceSample;
+
+/// A reamer that advances from @p from at @p speed [m/s] for @p ticks at 1 kHz, against 10 N.
+std::vector<TraceSample> advancing(double from, double speed, int ticks) {
+  std::vector<TraceSample> samples;
+  for (int i = 0; i < ticks; ++i) {
+    samples.push_back(
+        {.travel = static_cast<float>(from + 1e-3 * speed * i),
+         .velocity = static_cast<float>(speed),
+         .force = 10.0F});
+  }
+  return samples;
+}
+
+haptics::engine::SceneSpec bone() {
+  return {.model = MaterialSpec{.nodes = haptics::engine::parametricMaterial()}};
+}
+
+TEST(FeltBins, CountReamingAsSlowAsItWasMeasured) {
+  for (const double feed : {0.01e-3, 0.03e-3}) {  // reaming paper, "Experimental setup"
+    FeltBins bins(reamerKind(), bone());
+    bins.add(advancing(0.005, feed, 2000));
+    const auto points = bins.points();
+    ASSERT_EQ(points.size(), 1U) << feed;
+    EXPECT_EQ(points.front().median, 10.0);
+  }
+}
+
+TEST(FeltBins, CountNoHandThatRestsInAStroke) {
+  FeltBins bins(reamerKind(), bone());
+  auto samples = advancing(0.0, 0.03, 100);            // 3 mm, fast
+  const auto resting = advancing(0.0105, 1e-5, 5000);  // trembles
+  samples.insert(samples.end(), resting.begin(), resting.begin() + 4);
+  bins.add(samples);
+  const auto medians = bins.medians();
+  EXPECT_EQ(medians.count(42), 0U);  // 10.5 mm in bins of 0.25 mm
+  EXPECT_EQ(medians.size(), 12U);
+}
+
+TEST(FeltBins, CountAsBeforeWhereTheHandIsFast) {
+  // A punch: an eightieth of 11 travel units a bin; slower than 0.6875 units/s is rest.
+  FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+  std::vector<TraceSample> samples;
+  for (int i = 0; i < 100; ++i)
+    samples.push_back({.travel = 5.0F, .velocity = 20.0F, .force = 2.0F});
+  for (int i = 0; i < 3; ++i) samples.push_back({.travel = 8.0F, .velocity = 0.6F, .force = 3.0F});
+  for (int i = 0; i < 3; ++i) samples.push_back({.travel = 9.0F, .velocity = 0.7F, .force = 3.0F});
+  bins.add(samples);
+  const auto medians = bins.medians();
+  EXPECT_EQ(medians.size(), 2U);
+  EXPECT_EQ(medians.count(static_cast<int>(8.0 / (11.0 / 80.0))), 0U);
+}
+
+TEST(FeltBins, ReachAsDeepAsTheDataOfTheScene) {
+  MaterialSpec deep{.nodes = haptics::engine::parametricMaterial()};
+  deep.nodes.push_back({0.03, 900.0, 950.0});
+  FeltBins bins(reamerKind(), {.model = deep});
+  bins.add(advancing(0.0290, 0.002, 100));
+  EXPECT_FALSE(bins.points().empty());
+  FeltBins ordinary(reamerKind(), bone());
+  ordinary.add(advancing(0.0290, 0.002, 100));  // behind the device's stop at 20 mm
+  EXPECT_TRUE(ordinary.points().empty());
+}
+
+}  // namespace felt_bins_test
+}  // namespace study
