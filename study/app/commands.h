@@ -30,7 +30,6 @@ void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);
 
 /// Adds to a noun instead of to the program.
-void addSwarmCommands(CLI::App& packing, Action& action);
 void addCheckTableCommand(CLI::App& stats, Action& action);
 void addTestCommand(CLI::App& stats, Action& action);
 

@@ -193,26 +193,72 @@ DensityFit fitMultiplicative(
   return fit;
 }
 
+namespace {
+
+/// Of every sphere that of its layer; below the last layer that is touched it goes on as there.
+std::vector<double> spread(
+    const ContactMatrix& few,
+    std::span<const std::uint32_t> layerOf,
+    const std::vector<double>& densities) {
+  double below = 0.0;
+  for (std::size_t layer = 0; layer < densities.size(); ++layer) {
+    if (few.isTouched(layer)) below = densities[layer];
+  }
+  std::vector<double> all;
+  all.reserve(layerOf.size());
+  for (const auto layer : layerOf) {
+    all.push_back(layer < densities.size() ? densities[layer] : below);
+  }
+  return all;
+}
+
+double touchedShare(const ContactMatrix& matrix) {
+  std::size_t touched = 0;
+  for (std::size_t i = 0; i < matrix.columns(); ++i) touched += matrix.isTouched(i) ? 1 : 0;
+  return static_cast<double>(touched) / static_cast<double>(matrix.columns());
+}
+
+}  // namespace
+
 BoneFit fitBone(const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers) {
   BoneFit fit;
   const auto layerOf = layersOf(matrix, layers);
   const auto few = layered(matrix, layerOf, layers);
   const std::vector<double> uniform(layers, uniformDensity(matrix, forces));
   fit.layers = fitNonNegative(few, forces, uniform, 1e-9);
-  // Below the last layer it goes on as it was there, where that layer is one at all.
-  double below = 0.0;
-  for (std::size_t layer = 0; layer < layers; ++layer) {
-    if (few.isTouched(layer)) below = fit.layers.densities[layer];
-  }
-  std::vector<double> prior(matrix.columns());
-  std::size_t touched = 0;
-  for (std::size_t i = 0; i < prior.size(); ++i) {
-    prior[i] = layerOf[i] < layers ? fit.layers.densities[layerOf[i]] : below;
-    if (layerOf[i] < layers) ++touched;
-  }
-  fit.spheres = fitNonNegative(matrix, forces, prior);
+  fit.spheres = fitNonNegative(matrix, forces, spread(few, layerOf, fit.layers.densities));
   fit.densities = fit.spheres.densities;
-  fit.touchedShare = static_cast<double>(touched) / static_cast<double>(prior.size());
+  fit.touchedShare = touchedShare(matrix);
+  return fit;
+}
+
+BoneFit fitBoneBySwarm(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::size_t layers,
+    const SwarmOptions& options) {
+  BoneFit fit;
+  fit.touchedShare = touchedShare(matrix);
+  if (layers > 0) {
+    const auto layerOf = layersOf(matrix, layers);
+    const auto few = layered(matrix, layerOf, layers);
+    fit.layers = fitSwarm(few, forces, options);
+    fit.spheres = fit.layers;
+    fit.spheres.densities = spread(few, layerOf, fit.layers.densities);
+  } else {
+    fit.spheres = fitSwarm(matrix, forces, options);
+    auto& densities = fit.spheres.densities;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < densities.size(); ++i) {
+      if (matrix.isTouched(i)) sum += densities[i];
+    }
+    const double touched = fit.touchedShare * static_cast<double>(densities.size());
+    for (std::size_t i = 0; i < densities.size(); ++i) {
+      if (!matrix.isTouched(i)) densities[i] = touched > 0.0 ? sum / touched : 0.0;
+    }
+    fit.layers = fit.spheres;
+  }
+  fit.densities = fit.spheres.densities;
   return fit;
 }
 

@@ -100,4 +100,15 @@ struct BoneFit {
 BoneFit fitBone(
     const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers = 12);
 
+/// The same by the paper's swarm alone, which has no optimum to compare itself with: the gap is
+/// NaN.
+///
+/// @param layers  by depth, each of one density; the spheres that are never touched are as the
+///                deepest. 0: every sphere that is touched for itself, the others as their mean.
+BoneFit fitBoneBySwarm(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    std::size_t layers,
+    const SwarmOptions& options);
+
 }  // namespace haptics::reaming

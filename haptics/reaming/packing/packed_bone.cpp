@@ -44,7 +44,8 @@ BoneFitReport fitTo(
     PackedBone& bone,
     const HardnessCurves& curves,
     std::size_t depths,
-    const std::function<void(const std::string&)>& goesOn) {
+    const std::function<void(const std::string&)>& goesOn,
+    const DensityMethod& method) {
   const auto begin = std::chrono::steady_clock::now();
   if (const auto problem = problemOf(bone); !problem.empty()) throw std::invalid_argument(problem);
   const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
@@ -62,13 +63,14 @@ BoneFitReport fitTo(
       {"minimum", &curves.minimum}, {"average", &curves.average}, {"maximum", &curves.maximum}};
   std::vector<float>* densities[]{&bone.minimum, &bone.average, &bone.maximum};
   BoneFitReport report;
+  report.knowsOptimum = !method;
   for (std::size_t k = 0; k < 3; ++k) {
     if (goesOn) goesOn(all[k].first);
     CurveFit curve{.curve = all[k].first, .depths = places, .wanted = {}, .felt = {}, .fit = {}};
     for (const double depth : places) {
       curve.wanted.push_back(std::max(0.0, forceOf(*all[k].second, depth)));
     }
-    curve.fit = fitBone(matrix, curve.wanted);
+    curve.fit = method ? method(matrix, curve.wanted) : fitBone(matrix, curve.wanted);
     curve.felt = matrix.times(curve.fit.densities);
     densities[k]->assign(curve.fit.densities.begin(), curve.fit.densities.end());
     report.curves.push_back(std::move(curve));

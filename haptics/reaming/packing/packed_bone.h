@@ -45,19 +45,25 @@ struct CurveFit {
 struct BoneFitReport {
   std::vector<CurveFit> curves;
   double seconds = 0.0;
+  bool knowsOptimum = true;  ///< the gap of each fit bounds how far it is from it
 };
+
+/// How densities come of a contact matrix and the forces that are wanted.
+using DensityMethod = std::function<BoneFit(const ContactMatrix&, std::span<const double>)>;
 
 /// Gives the spheres of @p bone densities that follow the curves of a material, at @p depths evenly
 /// over the longest of them (the others stay level beyond their ends). The virtual experiment of
 /// the reaming paper.
 ///
 /// @param goesOn  is told the curve under way; may be empty.
+/// @param method  how densities come of a problem; empty: fitBone().
 /// @throws std::invalid_argument  with problemOf(bone).
 BoneFitReport fitTo(
     PackedBone& bone,
     const HardnessCurves& curves,
     std::size_t depths = 400,
-    const std::function<void(const std::string&)>& goesOn = {});
+    const std::function<void(const std::string&)>& goesOn = {},
+    const DensityMethod& method = {});
 
 /// The testing machine of the paper: it drives the reamer in at a feed and stops at a force or a
 /// depth (reaming paper, "Experimental setup").

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -166,7 +167,46 @@ struct DensityCommand {
   std::string out;
   std::string report;
   std::size_t depths = 400;
+  std::string method = "exact";
+  std::size_t layers = 12;  ///< of a swarm
+  reaming::SwarmOptions swarm;
 };
+
+/// The options of --method swarm.
+constexpr const char* kSwarmOptions[]{"--layers", "--particles", "--iterations", "--seed"};
+
+/// How densities are found; empty for the exact way.
+reaming::DensityMethod methodOf(const DensityCommand& command) {
+  if (command.method == "exact") return {};
+  return [&command](const reaming::ContactMatrix& matrix, std::span<const double> forces) {
+    return reaming::fitBoneBySwarm(matrix, forces, command.layers, command.swarm);
+  };
+}
+
+std::string swarmInWords(const DensityCommand& command) {
+  return fmt::format(
+      "a particle swarm ({}, {} particles, {} steps, seed {})",
+      command.layers > 0 ? fmt::format("{} layers", command.layers) : "every sphere for itself",
+      command.swarm.particles,
+      command.swarm.iterations,
+      command.swarm.seed);
+}
+
+void printFit(const reaming::CurveFit& curve, bool isSwarm) {
+  const auto& spheres = curve.fit.spheres;
+  if (isSwarm) {
+    fmt::print("{:<8} error {:.2g} of the force\n", curve.curve, spheres.error);
+    return;
+  }
+  fmt::print(
+      "{:<8} error {:.2g} of the force (12 layers alone: {:.2g}); at most {:.1g} above the "
+      "optimum; {} steps\n",
+      curve.curve,
+      spheres.error,
+      curve.fit.layers.error,
+      std::max(spheres.gap, 0.0),
+      spheres.iterations);
+}
 
 /// Reams what was fitted, as the machine of the paper would.
 void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
@@ -184,30 +224,30 @@ void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitRep
   }
 }
 
-int fitDensities(const DensityCommand& command) {
+int fitDensities(const DensityCommand& command, const CLI::App& verb) {
   checkedEnding(command.out);
+  const bool isSwarm = command.method == "swarm";
+  for (const auto* option : kSwarmOptions) {
+    if (!isSwarm && verb.count(option) > 0) {
+      throw UserError(std::string(option) + " is of a swarm: add --method swarm.");
+    }
+  }
   protocols::PackingOrigin origin;
   auto bone = readBone(command.packing, origin);
   const auto material = curvesOf(command.material, origin);
+  if (isSwarm) origin.material += ", by " + swarmInWords(command);
   bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
   reaming::BoneFitReport report;
+  const auto goesOn = [](const std::string& curve) {
+    fmt::print(stderr, "fitting the {} curve\n", curve);
+  };
   try {
-    report = reaming::fitTo(bone, material.curves, command.depths, [](const std::string& curve) {
-      fmt::print(stderr, "fitting the {} curve\n", curve);
-    });
+    report = reaming::fitTo(bone, material.curves, command.depths, goesOn, methodOf(command));
   } catch (const std::invalid_argument& wrong) {
     throw UserError(command.packing + ": " + wrong.what() + ".");
   }
-  for (const auto& curve : report.curves) {
-    fmt::print(
-        "{:<8} error {:.2g} of the force (12 layers alone: {:.2g}); at most {:.1g} above the "
-        "optimum; {} steps\n",
-        curve.curve,
-        curve.fit.spheres.error,
-        curve.fit.layers.error,
-        std::max(curve.fit.spheres.gap, 0.0),
-        curve.fit.spheres.iterations);
-  }
+  for (const auto& curve : report.curves) printFit(curve, isSwarm);
+  if (isSwarm) fmt::print("Densities by {}.\n", swarmInWords(command));
   fmt::print(
       "{:.0f} % of the spheres are touched by the experiment; the others are as the deepest layer "
       "that is. {:.1f} s.\n",
@@ -237,8 +277,23 @@ void addFitDensities(CLI::App& noun, Action& action) {
   verb->add_option("--depths", command->depths, "Places of the curve that are to be met")
       ->check(CLI::Range(20, 2000))
       ->capture_default_str();
-  verb->callback(
-      [&action, command] { action = [command] { return app::fitDensities(*command); }; });
+  verb->add_option("--method", command->method, "exact, or swarm: the reaming paper's way")
+      ->check(CLI::IsMember({"exact", "swarm"}))
+      ->capture_default_str();
+  verb->add_option("--layers", command->layers, "Of a swarm, by depth; 0: every sphere for itself")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  verb->add_option("--particles", command->swarm.particles, "Of a swarm")
+      ->check(CLI::Range(2, 100'000))
+      ->capture_default_str();
+  verb->add_option("--iterations", command->swarm.iterations, "Of a swarm")
+      ->check(CLI::Range(1, 100'000'000))
+      ->capture_default_str();
+  verb->add_option("--seed", command->swarm.seed, "The same seed, the same swarm")
+      ->capture_default_str();
+  verb->callback([&action, command, verb] {
+    action = [command, verb] { return app::fitDensities(*command, *verb); };
+  });
 }
 
 }  // namespace
@@ -248,7 +303,6 @@ void addPackingCommands(CLI::App& program, Action& action) {
   noun->require_subcommand(1);
   addBuildPacking(*noun, action);
   addFitDensities(*noun, action);
-  addSwarmCommands(*noun, action);
 }
 
 }  // namespace study::app

@@ -79,7 +79,7 @@ DataTable fitTable(const reaming::BoneFitReport& fit) {
          curve.fit.spheres.error,
          curve.fit.layers.error,
          largest,
-         std::max(curve.fit.spheres.gap, 0.0),
+         fit.knowsOptimum ? Cell(std::max(curve.fit.spheres.gap, 0.0)) : Cell(std::monostate()),
          static_cast<std::int64_t>(curve.fit.spheres.iterations),
          curve.fit.touchedShare});
   }
@@ -110,7 +110,14 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
   std::vector<std::string> warnings;
   for (const auto& curve : fit.curves) {
     const auto& spheres = curve.fit.spheres;
-    if (!(spheres.gap <= kMostGap)) {
+    if (!fit.knowsOptimum) {
+      if (spheres.error <= kMostError) continue;
+      warnings.push_back(fmt::format(
+          "The swarm misses the {} curve by {:.0f} % of its force. Give it more --iterations or "
+          "another number of --layers, or use --method exact.",
+          curve.curve,
+          100.0 * spheres.error));
+    } else if (!(spheres.gap <= kMostGap)) {
       warnings.push_back(fmt::format(
           "The {} curve was not fitted: after {} steps its densities may be up to {:.0f} % above "
           "the optimum, where less than 1 % is usual. Do not use them; build the bone with more "

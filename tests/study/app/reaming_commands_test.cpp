@@ -250,47 +250,26 @@ TEST_F(ReamingCommands, FillAMeshOrSayWhyNot) {
       "no mesh");
 }
 
-TEST_F(ReamingCommands, ShareTheSeedsOfASwarmAndMissNone) {
+TEST_F(ReamingCommands, GiveABoneTheDensitiesOfASwarm) {
   const std::string built = folder_ / "cup.packing";
   output({"packing", "build", "--count", "800", "--out", built});
-  const auto shard = [&](const std::string& which, const std::string& layers) {
-    const std::string out = folder_ / ("shard-" + which.substr(0, 1) + "-" + layers + ".json");
-    output(
-        {"packing",
-         "swarm",
-         built,
-         "--material",
-         "parametric",
-         "--layers",
-         layers,
-         "--iterations",
-         "30",
-         "--seeds",
-         "5",
-         "--shard",
-         which,
-         "--out",
-         out});
-    return out;
+  const auto fit = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> call{
+        "packing", "fit", built, "--material", "parametric", "--out", folder_ / out};
+    call.insert(call.end(), more.begin(), more.end());
+    return call;
   };
-  const auto one = shard("1/2", "6");
-  const auto two = shard("2/2", "6");
-  expectIn(output({"packing", "merge", one, two}), "5 seeds, 40 particles, 6 layers");
-  expectIn(refusal({"packing", "merge", one}), "seeds are missing: 2, 4");
-  expectIn(refusal({"packing", "merge", one, two, two}), "there twice");
-  expectIn(refusal({"packing", "merge", one, shard("2/2", "7")}), "another experiment");
+  const std::vector<std::string> swarm{"--method", "swarm", "--iterations", "200"};
   expectIn(
-      refusal(
-          {"packing",
-           "swarm",
-           built,
-           "--material",
-           "parametric",
-           "--shard",
-           "3/2",
-           "--out",
-           folder_ / "x.json"}),
-      "is no shard");
+      output(fit("swarm.packing", swarm)),
+      "a particle swarm (12 layers, 40 particles, 200 steps, seed 1)");
+  const auto first = tests::contentOf(folder_ / "swarm.packing");
+  expectIn(first, "\"fitted\":true");
+  expectIn(first, "by a particle swarm");
+  // The same seed, the same bone; and it can be felt as any other.
+  output(fit("again.packing", swarm));
+  EXPECT_EQ(tests::contentOf(folder_ / "again.packing"), first);
+  expectIn(refusal(fit("x.packing", {"--layers", "6"})), "add --method swarm");
 }
 
 }  // namespace reaming_commands_test

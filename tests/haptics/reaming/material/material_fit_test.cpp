@@ -40,8 +40,22 @@ TEST(MaterialFit, FiltersOnlyWhatIsReamed) {
   }
 }
 
+/// Six specimens with their three tests each.
+std::vector<Series> sixSpecimens() {
+  std::vector<Series> all;
+  for (int i = 0; i < 6; ++i) {
+    SyntheticTest test{.hardness = 0.1 + 0.16 * i, .feed = 0.03e-3};
+    for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
+      test.set = set;
+      test.seed = static_cast<std::uint64_t>(10 * i) + static_cast<std::uint64_t>(set);
+      all.push_back(syntheticSeries(test));
+    }
+  }
+  return all;
+}
+
 TEST(MaterialFit, OrdersItsEnvelopesBothWays) {
-  const auto study = syntheticStudy(1);
+  const auto study = sixSpecimens();
   const auto pointwise = fitMaterial(study, {.envelope = EnvelopeRule::Pointwise});
   const auto single = fitMaterial(study, {.envelope = EnvelopeRule::SingleSample});
   for (std::size_t s = 0; s < pointwise.sets.size(); ++s) {
@@ -99,7 +113,7 @@ TEST(MaterialFit, MeasuresTheJitterThatItTakesOut) {
 }
 
 TEST(MaterialFit, KeepsItsCurvesInOrderEverywhere) {
-  const auto study = syntheticStudy(1);
+  const auto study = sixSpecimens();
   for (const auto spline : {SplineKind::HermiteDataSlope, SplineKind::Pchip, SplineKind::Makima}) {
     for (const double wanted : {0.3, 0.05}) {
       const auto fit = fitMaterial(study, {.spline = spline, .wantedError = wanted});
@@ -193,7 +207,7 @@ TEST(MaterialFit, NormalisesInBothReadingsOfThePaper) {
 }
 
 TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
-  const std::vector study{syntheticSeries({.seed = 4})};
+  const std::vector study{syntheticSeries({.set = TestSet::Static, .seed = 4})};
   const auto nodesWith = [&](SplineKind spline, std::optional<SplineKind> nodesOf) {
     const auto fit = fitMaterial(study, {.nodeCount = 12, .spline = spline, .nodesOf = nodesOf});
     std::vector<double> depths;

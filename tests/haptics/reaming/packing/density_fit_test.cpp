@@ -178,6 +178,21 @@ TEST(DensityFit, StandsACurveOfNothing) {
   EXPECT_EQ(swarm.densities.size(), p.matrix.columns());
 }
 
+TEST(DensityFit, OfABoneByASwarmGivesEverySphereADensity) {
+  const auto& p = problem();
+  const auto exact = fitBone(p.matrix, p.forces);
+  const auto swarm = fitBoneBySwarm(p.matrix, p.forces, 12, {.iterations = 400, .seed = 3});
+  ASSERT_EQ(swarm.densities.size(), p.matrix.columns());
+  EXPECT_EQ(swarm.touchedShare, exact.touchedShare);
+  // What the layers came to is what the spheres feel like; it comes near the optimum of 12 layers.
+  EXPECT_NEAR(errorOf(p.matrix, swarm.densities, p.forces), swarm.spheres.error, 1e-9);
+  EXPECT_GE(swarm.spheres.error, exact.layers.error - 1e-6);
+  EXPECT_LT(swarm.spheres.error, 2.0 * exact.layers.error);
+  const auto alone = fitBoneBySwarm(p.matrix, p.forces, 0, {.iterations = 20});
+  ASSERT_EQ(alone.densities.size(), p.matrix.columns());
+  EXPECT_NEAR(errorOf(p.matrix, alone.densities, p.forces), alone.spheres.error, 1e-9);
+}
+
 TEST(PackedBone, FeelsLikeItsMaterialAtEveryHardness) {
   PackedBone bone{.packing = problem().packing};
   const auto curve = [](double scale) {
