@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "haptics/devices/device.h"
+#include "haptics/timing/standstill_watch.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_rig.h"
@@ -19,8 +20,9 @@ namespace {
 
 constexpr double kLongestTrial = 120.0;  // [s]
 constexpr int kMostFailures = 30;
-constexpr double kAtOnce = 0.5;  // [s]: a trial that breaks off sooner has not been felt
-constexpr int kMostAtOnce = 5;   // of those, one after the other: the device is not mended
+constexpr int kMostDisturbed = 60;  // failures more, while the machine stood still
+constexpr double kAtOnce = 0.5;     // [s]: a trial that breaks off sooner has not been felt
+constexpr int kMostAtOnce = 5;      // of those, one after the other: the device is not mended
 constexpr std::chrono::milliseconds kBetweenTries{500};
 constexpr std::chrono::seconds kLongestWait{30};          // for a device to come back
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
@@ -36,12 +38,13 @@ class Sitting {
       SimulatedClock& clock,
       std::uint64_t seed,
       const Acknowledge& acknowledge,
-      Rig* devices)
+      const OnDevices& on)
       : study_(study),
         session_(session),
         clock_(clock),
         acknowledge_(acknowledge),
-        devices_(devices),
+        devices_(on.rig),
+        watch_(on.watch),
         person_(
             session.protocol().protocol.simulation,
             seed,
@@ -113,7 +116,9 @@ class Sitting {
     }
     waitingSince_.reset();
     session_.beginTrial();
+    if (watch_ != nullptr) watch_->restart();
     const auto record = feelInRealTime(*trial, cuts, kLongestTrial);
+    const auto stoodStill = watch_ != nullptr ? watch_->longest() : std::chrono::milliseconds(0);
     trial.reset();
     clock_.advance(record.duration);
     const std::string which = session_.participant() + " step " + std::to_string(visit.step) +
@@ -129,12 +134,23 @@ class Sitting {
     session_.breakOffTrial(record);
     const std::string why =
         record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
-    atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
-    const bool isHopeless = ++failures_ >= kMostFailures || atOnce_ >= kMostAtOnce;
+    // What broke while the machine stood still says nothing about the device.
+    const bool isDisturbed = stoodStill >= kDevicePatience;
+    if (isDisturbed) {
+      ++disturbed_;
+    } else {
+      atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
+      ++failures_;
+    }
+    const bool isHopeless =
+        failures_ >= kMostFailures || atOnce_ >= kMostAtOnce || disturbed_ >= kMostDisturbed;
     if (isHopeless) session_.giveUpOnDevice(why);
+    const std::string machine = isDisturbed ? " (this computer stood still for " +
+                                                  std::to_string(stoodStill.count()) + " ms)"
+                                            : "";
     acknowledge_(
         {Done::TrialOnDevice,
-         which + "broken off: " + why + (isHopeless ? "; given up" : "; repeated")});
+         which + "broken off: " + why + machine + (isHopeless ? "; given up" : "; repeated")});
   }
 
   void answerStep() {
@@ -173,9 +189,11 @@ class Sitting {
   SimulatedClock& clock_;
   const Acknowledge& acknowledge_;
   Rig* devices_;
+  haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
-  int failures_ = 0;  ///< of devices, one after the other
-  int atOnce_ = 0;    ///< of these, that came before anything was felt
+  int failures_ = 0;   ///< of devices, one after the other
+  int atOnce_ = 0;     ///< of these, that came before anything was felt
+  int disturbed_ = 0;  ///< besides, while the machine stood still
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };
@@ -245,8 +263,8 @@ void simulate(
     SimulatedClock& clock,
     std::uint64_t seed,
     const Acknowledge& acknowledge,
-    Rig* devices) {
-  Sitting(study, session, clock, seed, acknowledge, devices).run();
+    const OnDevices& on) {
+  Sitting(study, session, clock, seed, acknowledge, on).run();
 }
 
 std::vector<SimulatedEnding> simulateCohorts(
@@ -255,7 +273,8 @@ std::vector<SimulatedEnding> simulateCohorts(
     int participants,
     std::uint64_t seed,
     const Acknowledge& acknowledge,
-    const std::string& deviceFile) {
+    const std::string& deviceFile,
+    haptics::timing::StandstillWatch* watch) {
   // Nobody who does not exist moves a real device unless asked to.
   std::unique_ptr<Rig> devices;
   if (!deviceFile.empty()) {
@@ -273,7 +292,7 @@ std::vector<SimulatedEnding> simulateCohorts(
     } else {
       setClockFor(study, clock, row.id);
       auto session = Session::resume(study, row.id);
-      simulate(study, session, clock, seed, acknowledge, devices.get());
+      simulate(study, session, clock, seed, acknowledge, {devices.get(), watch});
       endings.push_back(endingOf(study, session));
     }
     ++finished[row.cohort];
@@ -285,7 +304,7 @@ std::vector<SimulatedEnding> simulateCohorts(
     auto session =
         Session::enrol(study, {.cohort = cohort, .runMode = RunMode::Simulated, .language = "en"});
     acknowledge({Done::Enrolment, session.participant() + " enrolled"});
-    simulate(study, session, clock, seed, acknowledge, devices.get());
+    simulate(study, session, clock, seed, acknowledge, {devices.get(), watch});
     endings.push_back(endingOf(study, session));
     ++finished[cohort];
   }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "haptics/timing/standstill_watch.h"
 #include "protocols/orders/random_stream.h"
 #include "questionnaires/model/answer.h"
 #include "study/model/clock.h"
@@ -13,6 +15,12 @@
 namespace study {
 
 class Rig;
+
+/// Devices that are felt in real time, where there are any.
+struct OnDevices {
+  Rig* rig = nullptr;
+  haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
+};
 
 /// Somebody who does not exist, and answers as a model says: how real a condition feels to them is
 ///
@@ -70,6 +78,9 @@ struct Acknowledged {
   std::string what;  ///< "P001 round-1 1.1"
 };
 
+/// How long a device waits for the next force before it lets go: the shortest of all.
+inline constexpr std::chrono::milliseconds kDevicePatience{10};
+
 /// Told of everything as soon as it has happened.
 using Acknowledge = std::function<void(const Acknowledged& done)>;
 
@@ -81,12 +92,13 @@ void simulate(
     SimulatedClock& clock,
     std::uint64_t seed,
     const Acknowledge& acknowledge,
-    Rig* devices = nullptr);
+    const OnDevices& on = {});
 
 /// Brings the number of simulated participants who have finished to @p participants, spread over
 /// the cohorts as they are planned; goes on with whoever was interrupted first. With a device file
 /// the trials are felt on its devices, in real time, by whatever hand is there: an emulator's. A
-/// trial that breaks off is repeated; five in a row that do so at once end the session.
+/// trial that breaks off is repeated; five in a row that do so at once end the session, but for
+/// those in which the machine stood still for longer than a device waits, where @p watch is there.
 /// @return how the session of each simulated participant of the study has ended.
 std::vector<SimulatedEnding> simulateCohorts(
     Study& study,
@@ -94,7 +106,8 @@ std::vector<SimulatedEnding> simulateCohorts(
     int participants,
     std::uint64_t seed,
     const Acknowledge& acknowledge,
-    const std::string& deviceFile = {});
+    const std::string& deviceFile = {},
+    haptics::timing::StandstillWatch* watch = nullptr);
 
 /// How many participants the protocol plans in all; 10 a cohort where it does not say.
 int plannedParticipants(const protocols::Protocol& protocol);

@@ -1,0 +1,31 @@
+#include <chrono>
+
+#include <gtest/gtest.h>
+
+#include "study/app/devices/device_rehearse.h"
+
+namespace study::app {
+namespace rehearsal_verdict_test {
+
+using std::chrono::milliseconds;
+
+TEST(RehearsalVerdict, FailsOnlyOnAMachineThatWasThere) {
+  // The punch lets go 10 ms after the last order (docs/punch-protocol.md).
+  EXPECT_EQ(verdictOf(false, milliseconds(0)), RehearsalVerdict::Failed);
+  EXPECT_EQ(verdictOf(false, milliseconds(9)), RehearsalVerdict::Failed);
+  EXPECT_EQ(verdictOf(false, milliseconds(10)), RehearsalVerdict::NotJudged);
+  EXPECT_EQ(verdictOf(false, milliseconds(500)), RehearsalVerdict::NotJudged);
+}
+
+TEST(RehearsalVerdict, PassesHoweverLateTheMachineWas) {
+  EXPECT_EQ(verdictOf(true, milliseconds(500)), RehearsalVerdict::Passed);
+}
+
+TEST(RehearsalVerdict, IsAnExitStatus) {
+  EXPECT_EQ(static_cast<int>(RehearsalVerdict::Passed), 0);
+  EXPECT_EQ(static_cast<int>(RehearsalVerdict::Failed), 1);
+  EXPECT_EQ(static_cast<int>(RehearsalVerdict::NotJudged), 3);
+}
+
+}  // namespace rehearsal_verdict_test
+}  // namespace study::app
