@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -17,7 +16,7 @@
 #include "study/bench/result.h"
 #include "study/bench/synthetic_study.h"
 #include "study/model/storage_error.h"
-#include "study/results/pooled_answers.h"
+#include "study/results/pooled_results.h"
 
 namespace study::bench {
 namespace {
@@ -77,12 +76,11 @@ void forgetMostMemory() {
 
 struct StatsMeasurement {
   std::int64_t sessions = 0;
-  double databaseSize = 0.0;      ///< [MB]
-  std::vector<double> seconds;    ///< from opening the study to its table
-  std::vector<double> processor;  ///< of that, processors were busy [s]
-  double memoryBefore = 0.0;      ///< before the first [MB]
-  double memory = 0.0;            ///< at most [MB]
-  std::uint64_t counted = 0;      ///< answers that the table holds
+  double databaseSize = 0.0;    ///< [MB]
+  std::vector<double> seconds;  ///< from opening the study to its table
+  double memoryBefore = 0.0;    ///< before the first [MB]
+  double memory = 0.0;          ///< at most [MB]
+  std::uint64_t counted = 0;    ///< answers that the table holds
 };
 
 /// From a closed study to the comparisons of all its families and cohorts.
@@ -90,14 +88,10 @@ struct StatsMeasurement {
 std::uint64_t compareAll(const fs::path& folder) {
   SystemClock clock;
   auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
-  const PooledAnswers pooled(study, RunMode::Simulated);
-  const auto& protocol = study.protocol().protocol;
   std::uint64_t counted = 0;
-  for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
-    for (std::size_t j = 0; j < protocol.cohorts.size(); ++j) {
-      const auto conditions = pooled.of(i, j);
-      comparePooled(protocol.analysis.families[i], conditions);
-      for (const auto& condition : conditions) counted += condition.counts.total();
+  for (const auto& family : pooledResults(study, RunMode::Simulated).families) {
+    for (const auto& cohort : family.cohorts) {
+      for (const auto& condition : cohort.conditions) counted += condition.counts.total();
     }
   }
   return counted;
@@ -117,9 +111,7 @@ StatsMeasurement measure(const StatsOptions& options) {
   measured.memoryBefore = mostMemory();
   for (int i = 0; i < options.repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const auto busy = std::clock();
     measured.counted = compareAll(made.folder);
-    measured.processor.push_back(static_cast<double>(std::clock() - busy) / CLOCKS_PER_SEC);
     measured.seconds.push_back(secondsSince(start));
   }
   measured.memory = mostMemory();
@@ -134,26 +126,17 @@ double quantile(std::vector<double> values, double q) {
 }
 
 DataTable timeTable(const StatsMeasurement& measured) {
-  DataTable table{
+  const auto& seconds = measured.seconds;
+  return {
       .name = "times",
       .description = "From the database to the table [ms]",
-      .columns = {
-          {"what", "What"},
-          {"times", "Times"},
-          {"first_ms", "First"},
-          {"p50_ms", "Median"},
-          {"p99_ms", "p99"}}};
-  const std::pair<const char*, const std::vector<double>*> rows[]{
-      {"on the clock", &measured.seconds}, {"processors busy", &measured.processor}};
-  for (const auto& [what, seconds] : rows) {
-    table.rows.push_back(
-        {what,
-         static_cast<std::int64_t>(seconds->size()),
-         1e3 * seconds->front(),
-         1e3 * quantile(*seconds, 0.5),
-         1e3 * quantile(*seconds, 0.99)});
-  }
-  return table;
+      .columns =
+          {{"times", "Times"}, {"first_ms", "First"}, {"p50_ms", "Median"}, {"p99_ms", "p99"}},
+      .rows = {
+          {static_cast<std::int64_t>(seconds.size()),
+           1e3 * seconds.front(),
+           1e3 * quantile(seconds, 0.5),
+           1e3 * quantile(seconds, 0.99)}}};
 }
 
 DataTable sizeTable(const StatsMeasurement& measured, std::int64_t answers) {

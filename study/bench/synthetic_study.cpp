@@ -1,7 +1,6 @@
 #include "study/bench/synthetic_study.h"
 
 #include <array>
-#include <memory>
 #include <random>
 
 #include <fmt/format.h>
@@ -27,7 +26,6 @@ struct Asked {
   int order = 0;
   const Step* where = nullptr;
   const questionnaires::Item* item = nullptr;
-  std::int64_t question = 0;
 };
 
 struct Cohort {
@@ -41,9 +39,6 @@ class Writer {
  public:
   explicit Writer(Study& study) : study_(study), loaded_(study.protocol()), random_(kSeed) {
     for (const auto& cohort : loaded_.protocol.cohorts) cohorts_.push_back(planOf(cohort.id));
-    for (auto& cohort : cohorts_) {
-      for (auto& asked : cohort.asked) asked.question = questionFor(asked);
-    }
   }
 
   /// @return how many answers were written; at most @p most
@@ -72,32 +67,10 @@ class Writer {
       const auto* instrument = loaded_.instrument(step.instrument);
       int order = 0;
       for (const auto& item : instrument->itemsOf(step.itemSet)) {
-        cohort.asked.push_back({static_cast<int>(i), ++order, &step, instrument->item(item.id), 0});
+        cohort.asked.push_back({static_cast<int>(i), ++order, &step, instrument->item(item.id)});
       }
     }
     return cohort;
-  }
-
-  std::int64_t questionFor(const Asked& asked) {
-    const auto bound = [&](const std::string& sql) {
-      auto statement = std::make_unique<storage::Statement>(study_.database(), sql);
-      statement->bind(1, nameOf(asked.where->kind))
-          .bind(2, asked.where->phase)
-          .bind(3, asked.where->instrument)
-          .bind(4, asked.where->condition)
-          .bind(5, asked.item->id);
-      return statement;
-    };
-    const auto find = [&] {
-      const auto found = bound(
-          "SELECT id FROM question WHERE kind = ? AND phase = ? AND instrument = ? "
-          "AND condition = ? AND item = ?");
-      return found->step() ? found->number(0) : 0;
-    };
-    if (const auto id = find(); id != 0) return id;
-    bound("INSERT INTO question (kind, phase, instrument, condition, item) VALUES (?,?,?,?,?)")
-        ->run();
-    return find();
   }
 
   void addPerson(std::int64_t session, const Cohort& cohort) {
@@ -128,8 +101,7 @@ class Writer {
         .bind(2, std::int64_t{asked.step})
         .bind(3, asked.item->id)
         .bind(4, std::int64_t{asked.order})
-        .bind(5, drawn(asked.where->condition))
-        .bind(6, asked.question);
+        .bind(5, drawn(asked.where->condition));
     answer_.run();
   }
 
@@ -168,8 +140,8 @@ class Writer {
       "VALUES (?, ?, 1, 'finished', '2000-01-01T10:00:00.000Z')");
   storage::Statement answer_ = prepared(
       "INSERT INTO answer (session_id, step, attempt, item, item_order, kind, point, "
-      "first_touch_s, response_s, changes, language, saved_utc, question) "
-      "VALUES (?, ?, 1, ?, ?, 'point', ?, 1.5, 2.5, 0, 'en', '2000-01-01T10:00:00.000Z', ?)");
+      "first_touch_s, response_s, changes, language, saved_utc) "
+      "VALUES (?, ?, 1, ?, ?, 'point', ?, 1.5, 2.5, 0, 'en', '2000-01-01T10:00:00.000Z')");
 };
 
 std::int64_t writeSessions(Study& study, std::int64_t answers) {

@@ -41,44 +41,55 @@ std::vector<std::string> conditionsOf(
   return conditions;
 }
 
+FamilyLayout::FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family)
+    : instrument_(*loaded.instrument(family.instrument)) {
+  table_.methods = conditionsOf(loaded.protocol, family);
+  for (const auto& phase : loaded.protocol.phases) {
+    if (questionnaireIn(phase, family) != nullptr) table_.rounds.push_back(phase.id);
+  }
+  for (const auto& item : instrument_.items) {
+    if (item.type != ItemType::Likert) continue;
+    table_.lowest = item.scale.lowest;
+    table_.highest = item.scale.highest();
+    table_.statements.push_back(item.id);
+  }
+}
+
+std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(
+    const Origin& origin, std::int64_t point) const {
+  if (origin.instrument != instrument_.id) return std::nullopt;
+  const auto method = placeOf(table_.methods, origin.condition);
+  const auto round = placeOf(table_.rounds, origin.phase);
+  const auto statement = placeOf(table_.statements, origin.item);
+  if (!method || !round || !statement) return std::nullopt;
+  const auto score = questionnaires::keyed(*instrument_.item(origin.item), point);
+  if (score < table_.lowest || score > table_.highest) return std::nullopt;
+  return Cell{*method, *round, *statement, static_cast<int>(score)};
+}
+
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const std::vector<std::string>& people,
     const std::vector<OwnedAnswer>& answers) {
-  analysis::AnswerTable table;
+  const FamilyLayout layout(loaded, family);
+  auto table = layout.table();
   table.participants = people;
-  table.methods = conditionsOf(loaded.protocol, family);
-  for (const auto& phase : loaded.protocol.phases) {
-    if (questionnaireIn(phase, family) != nullptr) table.rounds.push_back(phase.id);
-  }
-  const auto& instrument = *loaded.instrument(family.instrument);
-  for (const auto& item : instrument.items) {
-    if (item.type != ItemType::Likert) continue;
-    table.lowest = item.scale.lowest;
-    table.highest = item.scale.highest();
-    table.statements.push_back(item.id);
-  }
   for (const auto& [participant, record] : answers) {
     const auto& step = record->step;
-    if (step.kind != "questionnaire" || step.instrument != family.instrument) continue;
-    const auto method = placeOf(table.methods, step.condition);
-    const auto round = placeOf(table.rounds, step.phase);
-    const auto statement = placeOf(table.statements, record->answer.item);
     const auto person = placeOf(table.participants, *participant);
     const auto* point = std::get_if<std::int64_t>(&record->answer.response);
-    if (!method || !round || !statement || !person || point == nullptr) continue;
-    // An answer that was given on the scale of an earlier version of the protocol counts as
-    // missing.
-    const auto score = questionnaires::keyed(*instrument.item(record->answer.item), *point);
-    if (score < table.lowest || score > table.highest) continue;
+    if (step.kind != "questionnaire" || !person || point == nullptr) continue;
+    const auto cell =
+        layout.cellOf({step.instrument, step.phase, step.condition, record->answer.item}, *point);
+    if (!cell) continue;
     table.answers.push_back(
         {.participant = *person,
-         .method = *method,
-         .round = *round,
-         .statement = *statement,
+         .method = cell->method,
+         .round = cell->round,
+         .statement = cell->statement,
          .position = step.position,
-         .score = static_cast<int>(score)});
+         .score = cell->score});
   }
   return table;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,40 @@ struct OwnedAnswer {
 std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family);
 
-/// What people answered to a family's instrument, keyed so that more is better: methods are the
-/// conditions that it compares, rounds the blocks that ask it, statements its Likert items.
-/// Participants are those of @p people, whether or not they answered anything.
+/// Which answers a family compares, and where they belong in its table: methods are the conditions
+/// that it compares, rounds the blocks that ask its instrument, statements that instrument's Likert
+/// items. The protocol outlives it.
+class FamilyLayout {
+ public:
+  FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
+
+  /// The table before anybody has answered.
+  const analysis::AnswerTable& table() const noexcept { return table_; }
+
+  /// Where an answer was given.
+  struct Origin {
+    const std::string& instrument;
+    const std::string& phase;
+    const std::string& condition;
+    const std::string& item;
+  };
+  struct Cell {
+    std::size_t method = 0;
+    std::size_t round = 0;
+    std::size_t statement = 0;
+    int score = 0;  ///< the point, keyed so that more is better
+  };
+  /// Nothing for an answer that the family does not compare, and for one that was given on the
+  /// scale of an earlier version of the protocol: it counts as missing.
+  std::optional<Cell> cellOf(const Origin& origin, std::int64_t point) const;
+
+ private:
+  const questionnaires::Instrument& instrument_;
+  analysis::AnswerTable table_;
+};
+
+/// What people answered to a family's instrument in questionnaires (see FamilyLayout). Participants
+/// are those of @p people, whether or not they answered anything.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

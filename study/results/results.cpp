@@ -10,7 +10,7 @@
 #include "analysis/numerics/common_unit.h"
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
-#include "study/results/pooled_answers.h"
+#include "study/results/pooled_results.h"
 #include "study/session/plan_history.h"
 #include "study/storage/records.h"
 
@@ -28,7 +28,6 @@ class Computation {
       : mode_(mode),
         loaded_(study.protocol()),
         records_(study.database()),
-        pooled_(study, mode),
         history_(planHistory(study)) {
     for (auto& session : records_.sessions()) {
       if (session.runMode == nameOf(mode)) sessions_.emplace(session.id, session);
@@ -51,8 +50,8 @@ class Computation {
   Results all() {
     Results results{.runMode = mode_};
     for (const auto& cohort : loaded_.protocol.cohorts) results.flow.push_back(flowOf(cohort.id));
-    for (std::size_t i = 0; i < loaded_.protocol.analysis.families.size(); ++i) {
-      results.families.push_back(resultOf(i));
+    for (const auto& family : loaded_.protocol.analysis.families) {
+      results.families.push_back(resultOf(family));
     }
     for (const auto& phase : loaded_.protocol.phases) {
       if (phase.type != protocols::PhaseType::Preference) continue;
@@ -78,15 +77,13 @@ class Computation {
     return sessions_.at(answer.step.visit.session).cohort;
   }
 
-  FamilyResult resultOf(std::size_t place) const {
-    const auto& family = loaded_.protocol.analysis.families[place];
+  FamilyResult resultOf(const protocols::Family& family) const {
     FamilyResult result{.family = family, .isDeclared = history_.isDeclared(family.id)};
     std::vector<analysis::DeclaredPair> pairs;
     for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
-    for (std::size_t i = 0; i < loaded_.protocol.cohorts.size(); ++i) {
-      const auto& cohort = loaded_.protocol.cohorts[i];
+    for (const auto& cohort : loaded_.protocol.cohorts) {
       CohortResult part{.cohort = cohort.id, .table = tableOf(family, cohort.id)};
-      part.conditions = pooled_.of(place, i);
+      part.conditions = pooledCounts(part.table);
       part.comparisons = comparePooled(family, part.conditions);
       part.within = analysis::compareWithin(
           part.table,
@@ -260,7 +257,6 @@ class Computation {
   RunMode mode_;
   const protocols::LoadedProtocol& loaded_;
   Records records_;
-  PooledAnswers pooled_;
   PlanHistory history_;
   std::map<SessionId, SessionRecord> sessions_;
   std::vector<AnswerRecord> answers_;

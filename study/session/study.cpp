@@ -124,13 +124,6 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
   });
 }
 
-storage::Database Study::openReader() const {
-  auto reader =
-      Database::open(database_.path(), storage::studySchema(), Database::Access::ReadOnly);
-  reader.execute("PRAGMA cache_size = -256");  // [KiB]: what is read once is not worth keeping
-  return reader;
-}
-
 storage::TraceStore Study::openTraces() const {
   return storage::TraceStore(Database::open(
       StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));

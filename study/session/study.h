@@ -59,9 +59,6 @@ class Study {
   storage::TraceStore& traces() noexcept { return traces_; }
   storage::IdentityStore& identities() noexcept { return identities_; }
 
-  /// Another connection to study.db, for a thread that reads along.
-  storage::Database openReader() const;
-
   /// Another connection to traces.db, for the recorder's thread.
   storage::TraceStore openTraces() const;
 

@@ -236,20 +236,6 @@ std::int64_t EventLog::last() const {
   return last.number(0);
 }
 
-EventLog::Touched EventLog::touchedAfter(std::int64_t seq) const {
-  Statement select(database_, "SELECT DISTINCT session_id FROM event NOT INDEXED WHERE seq > ?");
-  select.bind(1, seq);
-  Touched touched;
-  while (select.step()) {
-    if (const auto session = select.optionalNumber(0)) {
-      touched.sessions.push_back(SessionId{*session});
-    } else {
-      touched.isStudy = true;
-    }
-  }
-  return touched;
-}
-
 bool EventLog::holds(const std::vector<std::byte>& head) const {
   Statement select(database_, "SELECT 1 FROM event WHERE hash = ?");
   select.bind(1, std::span(head));

@@ -54,14 +54,6 @@ class EventLog {
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 
-  /// What anything has happened to since.
-  struct Touched {
-    std::vector<SessionId> sessions;  ///< each once
-    bool isStudy = false;             ///< something was no session's: an amendment, an export
-  };
-  /// By the events after the one of the number @p seq.
-  Touched touchedAfter(std::int64_t seq) const;
-
   /// Whether the event that ended the chain with @p head has arrived.
   bool holds(const std::vector<std::byte>& head) const;
 

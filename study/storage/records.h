@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "study/model/given_answer.h"
 #include "study/model/ids.h"
+#include "study/model/run_mode.h"
 #include "study/storage/database.h"
 
 namespace study::storage {
@@ -51,6 +53,17 @@ struct AnswerRecord {
   std::string savedUtc;
 };
 
+/// How often a cohort chose a point of an item's scale, about one condition in one phase.
+struct PointCount {
+  std::string cohort;
+  std::string phase;
+  std::string instrument;
+  std::string condition;  ///< empty where nothing was felt
+  std::string item;
+  std::int64_t point = 0;
+  std::uint64_t times = 0;
+};
+
 struct CutRecord {
   VisitKey visit;
   int number = 1;
@@ -82,6 +95,12 @@ class Records {
 
   std::vector<SessionRecord> sessions() const;
   std::vector<AnswerRecord> answers() const;
+
+  /// How often each point was chosen in the questionnaires of completed sessions, of visits that
+  /// were finished and not repeated. Counts what answers() lists, without keeping an answer: a
+  /// million take 0.8 s (docs/decisions/0024). @throws StorageError
+  std::vector<PointCount> pointCounts(RunMode mode) const;
+
   std::vector<TrialRow> trials() const;
   std::vector<CutRecord> cuts() const;
 

@@ -10,7 +10,7 @@
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
 #include "study/app/run_mode_option.h"
-#include "study/results/pooled_answers.h"
+#include "study/results/pooled_results.h"
 #include "study/results/results_text.h"
 #include "study/session/unblinding.h"
 
@@ -29,15 +29,15 @@ struct RunOptions {
 /// The pooled tables, and again whenever something has happened; until somebody interrupts it.
 [[noreturn]] void watch(Study& study, RunMode mode) {
   constexpr std::chrono::milliseconds kBetweenLooks{500};
-  PooledAnswers pooled(study, mode);
   while (true) {
+    const auto seen = study.events().last();  // before counting: what is written meanwhile is newer
     fmt::print(
         "{}\nINTERIM, {}: whoever stops because of what is seen here, or goes on until p is small, "
         "has no p.\n\n",
-        resultsAsText(study, pooledResults(study, pooled), Profile::AsPublished),
+        resultsAsText(study, pooledResults(study, mode), Profile::AsPublished),
         asUtc(study.clock().now().wall));
     std::fflush(stdout);
-    while (!pooled.refresh()) std::this_thread::sleep_for(kBetweenLooks);
+    while (study.events().last() == seen) std::this_thread::sleep_for(kBetweenLooks);
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include "study/results/results_text.h"
 #include "study/session/verification.h"
-#include "study/storage/coded_answers.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/identity_store.h"
 #include "study/storage/records.h"
@@ -43,7 +42,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 4);
+  EXPECT_EQ(format(), 5);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -53,14 +52,27 @@ TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
   EXPECT_TRUE(verify(study).isSound());
 }
 
-TEST_F(FormatOneTest, CountsItsAnswersAsThoseToTheirQuestions) {
+TEST_F(FormatOneTest, KeepsTheQuestionNumbersThatFormatThreeWrote) {
+  const auto file = folder_ + "/study.db";
+  const Schema now = studySchema();
+  {
+    const Schema four{now.applicationId, now.name, now.steps.first(4)};
+    Database::open(file, four, Access::ReadWrite);
+  }
+  const auto numbered = [&] {
+    return tests::Sql(file).text("SELECT group_concat(item || '=' || question) FROM answer") +
+           tests::Sql(file).text("SELECT group_concat(id || kind || phase || item) FROM question");
+  };
+  const auto before = numbered();
+  EXPECT_NE(before.find("presence="), std::string::npos) << before;
   auto study = Study::open(folder_, clock_);
-  const CodedAnswers answers(study.database());
-  EXPECT_EQ(answers.questionsAfter(0).size(), 2U);
-  EXPECT_TRUE(answers.misplaced().empty());
-  std::vector<std::int64_t> points;
-  answers.visitAll([&](const CodedAnswer& answer) { points.push_back(answer.point); });
-  EXPECT_EQ(points, std::vector<std::int64_t>{4});
+  EXPECT_EQ(numbered(), before);
+  EXPECT_EQ(
+      tests::Sql(file).number(
+          "SELECT count(*) FROM sqlite_master WHERE type IN ('trigger', 'index') "
+          "AND sql LIKE '%question%'"),
+      0);
+  EXPECT_TRUE(verify(study).isSound());
 }
 
 TEST_F(FormatOneTest, IsOnlyReadByNobodyWhoMayNotChangeIt) {
@@ -143,9 +155,8 @@ TEST(FormatTwo, GivesTheSameResults) {
   std::filesystem::rename(made.file("old.db"), made.file("study.db"));
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 4);
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 5);
   EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Live), {}), before);
-  EXPECT_TRUE(CodedAnswers(made->database()).misplaced().empty());
   EXPECT_TRUE(verify(*made).isSound());
 }
 

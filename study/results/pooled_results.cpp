@@ -1,6 +1,10 @@
-// What the profile as published makes of pooled answers.
-#include "study/results/pooled_answers.h"
+#include "study/results/pooled_results.h"
+
+#include <cstdint>
+
+#include "study/results/answer_tables.h"
 #include "study/session/plan_history.h"
+#include "study/storage/records.h"
 
 namespace study {
 namespace {
@@ -15,7 +19,38 @@ void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   }
 }
 
+/// Those of one cohort that a family compares.
+std::vector<analysis::NamedCounts> countsIn(
+    const FamilyLayout& layout,
+    const std::string& cohort,
+    const std::vector<storage::PointCount>& points) {
+  const auto& table = layout.table();
+  const auto width = static_cast<std::size_t>(table.highest - table.lowest + 1);
+  std::vector<std::vector<std::uint64_t>> times(
+      table.methods.size(), std::vector<std::uint64_t>(width));
+  for (const auto& one : points) {
+    if (one.cohort != cohort) continue;
+    const auto cell =
+        layout.cellOf({one.instrument, one.phase, one.condition, one.item}, one.point);
+    if (!cell) continue;
+    times[cell->method][static_cast<std::size_t>(cell->score - table.lowest)] += one.times;
+  }
+  std::vector<analysis::NamedCounts> conditions;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    conditions.push_back({table.methods[i], analysis::LikertCounts(table.lowest, times[i])});
+  }
+  return conditions;
+}
+
 }  // namespace
+
+std::vector<analysis::NamedCounts> pooledCounts(const analysis::AnswerTable& table) {
+  std::vector<analysis::NamedCounts> conditions;
+  for (std::size_t i = 0; i < table.methods.size(); ++i) {
+    conditions.push_back({table.methods[i], table.countsOf(i)});
+  }
+  return conditions;
+}
 
 std::optional<analysis::Adjustment> adjustmentOf(protocols::CorrectionType correction) {
   using enum protocols::CorrectionType;
@@ -55,22 +90,23 @@ analysis::PairwiseComparisons comparePooled(
   return comparisons;
 }
 
-Results pooledResults(Study& study, const PooledAnswers& pooled) {
-  const auto& protocol = study.protocol().protocol;
+Results pooledResults(Study& study, RunMode mode) {
+  const auto& loaded = study.protocol();
+  const auto& protocol = loaded.protocol;
   const auto history = planHistory(study);
-  Results results{.runMode = pooled.runMode()};
+  Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
   for (const auto& row : study.sessions().all()) {
     for (auto& flow : results.flow) {
-      const bool isIts = row.runMode == pooled.runMode() && row.cohort == flow.cohort;
-      if (isIts) flow.add(statusOf(row.state));
+      if (row.runMode == mode && row.cohort == flow.cohort) flow.add(statusOf(row.state));
     }
   }
-  for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
-    const auto& family = protocol.analysis.families[i];
+  const auto points = storage::Records(study.database()).pointCounts(mode);
+  for (const auto& family : protocol.analysis.families) {
+    const FamilyLayout layout(loaded, family);
     FamilyResult result{.family = family, .isDeclared = history.isDeclared(family.id)};
-    for (std::size_t j = 0; j < protocol.cohorts.size(); ++j) {
-      CohortResult part{.cohort = protocol.cohorts[j].id, .conditions = pooled.of(i, j)};
+    for (const auto& cohort : protocol.cohorts) {
+      CohortResult part{.cohort = cohort.id, .conditions = countsIn(layout, cohort.id, points)};
       part.comparisons = comparePooled(family, part.conditions);
       result.cohorts.push_back(std::move(part));
     }
