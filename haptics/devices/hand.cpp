@@ -17,7 +17,7 @@ double speed(double tau) {
 
 }  // namespace
 
-SimulatedHand::SimulatedHand(const Person& person) : person_(person), state_(person.seed) {
+SimulatedHand::SimulatedHand(const Person& person) : person_(person), random_(person.seed) {
   const bool isSound = person.closeTime > 0.0 && person.openTime > 0.0 && person.pauseTime >= 0.0 &&
                        person.holdTime >= 0.0 && person.stiffness > 0.0 && person.damping >= 0.0 &&
                        person.variation >= 0.0 && person.variation <= 0.5 &&
@@ -26,21 +26,12 @@ SimulatedHand::SimulatedHand(const Person& person) : person_(person), state_(per
   beginCycle();
 }
 
-/// A number in [−1, 1] that looks like chance: SplitMix64, as simple as generators get.
-double SimulatedHand::chance() noexcept {
-  state_ += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-52 - 1.0;
-}
-
 void SimulatedHand::beginCycle() noexcept {
   // The reach varies less than the time: the handle has an end.
   constexpr double kReach = 0.3;
   closed_ = person_.open +
-            (person_.closed - person_.open) * (1.0 + kReach * person_.variation * chance());
-  closeTime_ = person_.closeTime * (1.0 + person_.variation * chance());
+            (person_.closed - person_.open) * (1.0 + kReach * person_.variation * deviation());
+  closeTime_ = person_.closeTime * (1.0 + person_.variation * deviation());
 }
 
 SimulatedHand::Target SimulatedHand::target() const noexcept {

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "base/random.h"
+
 namespace haptics::devices {
 
 /// A hand on a simulated tool.
@@ -53,11 +55,12 @@ class SimulatedHand final : public Hand {
   };
   Target target() const noexcept;
   void beginCycle() noexcept;
-  double chance() noexcept;
+  /// In [−1, 1).
+  double deviation() noexcept { return 2.0 * random_.uniform() - 1.0; }
 
   Person person_;
   double time_ = 0.0;  ///< since the present cycle began [s]
-  std::uint64_t state_;
+  base::SplitMix64 random_;
   double closed_ = 0.0;     ///< in this cycle
   double closeTime_ = 0.0;  ///< in this cycle [s]
 };

@@ -25,7 +25,7 @@ constexpr std::size_t indexOf(Fault fault) noexcept {
 }  // namespace
 
 Impairment::Impairment(const Options& options)
-    : options_(options), chance_(options.seed), places_(kMostHeld), delay_(options.delay) {
+    : options_(options), random_(options.seed), places_(kMostHeld), delay_(options.delay) {
   if (!makesSense(options)) {
     throw std::invalid_argument(
         "faults need shares from 0 to 1 in all, a delay of a frame or more and a little garbage");
@@ -73,7 +73,7 @@ std::optional<Fault> Impairment::orderedFault() noexcept {
 }
 
 std::optional<Fault> Impairment::chanceFault() noexcept {
-  double left = chance_.uniform();
+  double left = random_.uniform();
   for (std::size_t i = 0; i < options_.shares.size(); ++i) {
     left -= options_.shares[i];
     if (left >= 0.0) continue;
@@ -178,7 +178,7 @@ std::span<const std::uint8_t> Impairment::nextDue() noexcept {
 }
 
 std::uint8_t Impairment::anyByte() noexcept {
-  return static_cast<std::uint8_t>(chance_.bits() >> 56);
+  return static_cast<std::uint8_t>(random_.bits() >> 56);
 }
 
 std::span<const std::uint8_t> Impairment::makeGarbage() noexcept {
@@ -195,7 +195,7 @@ std::span<const std::uint8_t> Impairment::makeGarbage() noexcept {
 std::span<const std::uint8_t> Impairment::damage(std::span<const std::uint8_t> frame) noexcept {
   std::copy(frame.begin(), frame.end(), scratch_.begin());
   const auto damaged = std::span(scratch_).first(frame.size());
-  std::size_t at = chance_.bits() % frame.size();
+  std::size_t at = random_.bits() % frame.size();
   for (std::size_t i = 0; i < frame.size() && frame[at] == options_.delimiter; ++i) {
     at = (at + 1) % frame.size();
   }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "haptics/reaming/bone/chance.h"
+#include "base/random.h"
 
 namespace haptics::emulators {
 
@@ -146,7 +146,7 @@ class Impairment {
   }
 
   Options options_;
-  reaming::Chance chance_;
+  base::SplitMix64 random_;
   std::vector<Held> places_;  ///< those held come first, the oldest before the others
   std::size_t held_ = 0;
   bool isSwapping_ = false;  ///< a frame waits to change places with its successor

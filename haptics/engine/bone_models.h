@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "base/random.h"
 #include "haptics/engine/bone_view.h"
 #include "haptics/engine/bucket_table.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/reaming/bone/bone.h"
-#include "haptics/reaming/bone/chance.h"
 #include "haptics/reaming/bone/sphere_field.h"
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
@@ -25,7 +25,7 @@ class JitterNoise {
  public:
   /// @param scale  of all forces of the scene.
   JitterNoise(const reaming::Jitter& jitter, double scale, std::uint64_t seed) noexcept
-      : rms_(scale * jitter.rms), rate_(jitter.rate), seed_(seed), chance_(seed) {
+      : rms_(scale * jitter.rms), rate_(jitter.rate), seed_(seed), random_(seed) {
     reset();
   }
 
@@ -37,7 +37,7 @@ class JitterNoise {
     if (phase_ >= 1.0) {
       phase_ -= 1.0;
       last_ = next_;
-      next_ = chance_.normal();
+      next_ = random_.normal();
     }
     const double share = std::clamp(force / (kFull * rms_), 0.0, 1.0);
     const double noise = share * rms_ * (last_ + phase_ * (next_ - last_));
@@ -45,10 +45,10 @@ class JitterNoise {
   }
 
   void reset() noexcept {
-    chance_ = reaming::Chance(seed_);
+    random_ = base::SplitMix64(seed_);
     phase_ = 0.0;
     last_ = 0.0;
-    next_ = rms_ > 0.0 ? chance_.normal() : 0.0;
+    next_ = rms_ > 0.0 ? random_.normal() : 0.0;
   }
 
  private:
@@ -57,7 +57,7 @@ class JitterNoise {
   double rms_;   ///< [N]
   double rate_;  ///< [Hz]
   std::uint64_t seed_;
-  reaming::Chance chance_;
+  base::SplitMix64 random_;
   double phase_ = 0.0;  ///< between two samples, from 0 to 1
   double last_ = 0.0;
   double next_ = 0.0;

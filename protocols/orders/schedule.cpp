@@ -4,7 +4,7 @@
 #include <numeric>
 #include <string>
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 
 namespace protocols {
 namespace {
@@ -77,11 +77,11 @@ Row orderFor(
   const auto rows = rowsOf(type, k);
   if (rows.empty()) {
     Row row = identity(k);
-    RandomStream(seed, slot, "order/" + std::string(purpose)).shuffle(row);
+    base::RandomStream(seed, slot, "order/" + std::string(purpose)).shuffle(row);
     return row;
   }
   Row sequence = identity(static_cast<int>(rows.size()));
-  RandomStream(seed, slot / rows.size(), "rows/" + std::string(purpose)).shuffle(sequence);
+  base::RandomStream(seed, slot / rows.size(), "rows/" + std::string(purpose)).shuffle(sequence);
   return rows[static_cast<std::size_t>(sequence[slot % rows.size()])];
 }
 
@@ -139,7 +139,7 @@ std::vector<int> drawnLabels(
     purpose += "/" + condition;
     labels.push_back(static_cast<int>(labels.size()) + 1);
   }
-  RandomStream(seed, slot, purpose).shuffle(labels);
+  base::RandomStream(seed, slot, purpose).shuffle(labels);
   return labels;
 }
 

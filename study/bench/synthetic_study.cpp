@@ -1,10 +1,10 @@
 #include "study/bench/synthetic_study.h"
 
 #include <array>
-#include <random>
 
 #include <fmt/format.h>
 
+#include "base/random.h"
 #include "protocols/load_protocol.h"
 #include "protocols/orders/schedule.h"
 #include "study/model/session_plan.h"
@@ -110,7 +110,7 @@ class Writer {
     constexpr std::array<int, 5> kOfOne{8, 20, 45, 78, 100};
     constexpr std::array<int, 5> kOfAnother{12, 27, 54, 83, 100};
     const auto& upTo = condition == loaded_.protocol.conditions.front().id ? kOfOne : kOfAnother;
-    const auto percent = static_cast<int>(random_() % 100);
+    const auto percent = static_cast<int>(random_.bits() % 100);
     std::int64_t point = 1;
     while (percent >= upTo[static_cast<std::size_t>(point - 1)]) ++point;
     return point;
@@ -120,7 +120,7 @@ class Writer {
 
   Study& study_;
   const protocols::LoadedProtocol& loaded_;
-  std::mt19937_64 random_;
+  base::SplitMix64 random_;
   std::vector<Cohort> cohorts_;
   storage::Statement participant_ = prepared(
       "INSERT INTO participant (id, code, cohort, run_mode, created_utc) VALUES "

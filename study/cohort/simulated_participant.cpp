@@ -22,7 +22,7 @@ SimulatedParticipant::SimulatedParticipant(
     std::uint64_t slot)
     : truth_(truth), seed_(seed), cohort_(std::move(cohort)), slot_(slot) {}
 
-protocols::RandomStream SimulatedParticipant::stream(const std::string& purpose) const {
+base::RandomStream SimulatedParticipant::stream(const std::string& purpose) const {
   return {seed_, slot_, "simulated/" + cohort_ + "/" + purpose};
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
 #include "haptics/timing/standstill_watch.h"
-#include "protocols/orders/random_stream.h"
 #include "questionnaires/model/answer.h"
 #include "study/model/clock.h"
 #include "study/session/session.h"
@@ -48,7 +48,7 @@ class SimulatedParticipant {
   double realismOf(const std::string& condition) const;
 
  private:
-  protocols::RandomStream stream(const std::string& purpose) const;
+  base::RandomStream stream(const std::string& purpose) const;
   std::int64_t point(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   std::string preferred(const Session& session, const std::string& purpose) const;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
 #include "study/export/codebook.h"
@@ -374,7 +374,7 @@ std::map<std::string, std::string> conditionCodes(Study& study) {
       if (codes.count(known.id) == 0) added.push_back(known.id);
     }
     std::sort(added.begin(), added.end());
-    protocols::RandomStream(study.seed(), version++, "blinding").shuffle(added);
+    base::RandomStream(study.seed(), version++, "blinding").shuffle(added);
     for (const auto& condition : added) {
       codes.emplace(condition, "C" + std::to_string(codes.size() + 1));
     }

@@ -6,8 +6,8 @@
 
 #include <sodium.h>
 
+#include "base/random.h"
 #include "protocols/load_protocol.h"
-#include "protocols/orders/random_stream.h"
 #include "study/model/study_files.h"
 #include "study/storage/ballast.h"
 #include "study/storage/statement.h"
@@ -64,7 +64,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
 void Study::readHead() {
   storage::Statement select(
       database_, "SELECT uuid, seed, random_version, created_utc FROM study WHERE id = 1");
-  if (!select.step() || select.number(2) != protocols::kRandomVersion) {
+  if (!select.step() || select.number(2) != base::kRandomVersion) {
     throw StorageError(
         database_.path() +
             " draws its orders in a way that this version of palpate does not know. "

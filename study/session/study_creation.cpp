@@ -4,7 +4,7 @@
 
 #include <sodium.h>
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 #include "study/model/study_files.h"
 #include "study/session/study.h"
 #include "study/storage/statement.h"
@@ -90,7 +90,7 @@ void begin(
       "VALUES (1, ?, ?, ?, ?, ?)");
   insert.bind(1, uuidFor(seed, storage::sha256(protocol.text, protocol.files)))
       .bind(2, std::to_string(seed))
-      .bind(3, std::int64_t{protocols::kRandomVersion})
+      .bind(3, std::int64_t{base::kRandomVersion})
       .bind(4, appVersion())
       .bind(5, asUtc(now.wall));
   insert.run();

@@ -1,6 +1,6 @@
 #include "study/trial/rig.h"
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 
 namespace study {
 
@@ -29,7 +29,7 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     std::uint64_t seed,
     const std::string& cohort,
     std::uint64_t slot) {
-  protocols::RandomStream random(seed, slot, "hand/" + cohort + "/" + need.id);
+  base::RandomStream random(seed, slot, "hand/" + cohort + "/" + need.id);
   const auto from = [&](const haptics::devices::DeviceKind::Range& range) {
     return random.uniform(range.least, range.most);
   };

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
@@ -48,13 +48,13 @@ TEST(Balance, SurvivesSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
   const auto protocol =
       tests::protocolFrom(tests::shortProtocol({.questionnaire = "", .hasPreference = false}));
   tests::MadeStudy study(protocol, 2026);
-  protocols::RandomStream chance(2026, 0, "rejects of the balance test");
+  base::RandomStream random(2026, 0, "rejects of the balance test");
   std::map<Order, int> orders;
   std::map<std::pair<std::string, std::string>, int> carryOver;
   int rejected = 0;
   for (int i = 0; i < 600; ++i) {
     auto session = Session::enrol(*study, {.cohort = "surgeons"});
-    const bool isRejected = chance.uniform() < 0.15;
+    const bool isRejected = random.uniform() < 0.15;
     takePart(session, isRejected);
     if (isRejected) {
       ++rejected;

@@ -243,7 +243,7 @@ Names codedConditions(Study& study) {
   return conditions;
 }
 
-// Computed in Python, independently of random_stream.cpp: the sorted ids, shuffled as Fisher and
+// Computed in Python, independently of base/random.cpp: the sorted ids, shuffled as Fisher and
 // Yates do by xoshiro256**, its state filled by SplitMix64 from the seed, 0 and FNV-1a("blinding").
 TEST(ConditionCodes, AreShuffledByTheSeedOfTheStudy) {
   const auto codes = [](std::uint64_t seed) {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "haptics/reaming/bone/chance.h"
+#include "base/random.h"
 #include "haptics/reaming/material/node_error.h"
 
 namespace haptics::reaming {
@@ -148,7 +148,7 @@ class Evolution {
       // The starts as they are, and then scattered further and further.
       const double reach = 0.3 * static_cast<double>(m / starts.size()) *
                            static_cast<double>(error.size()) / static_cast<double>(kMembers);
-      for (double& place : places) place += reach * chance_.normal();
+      for (double& place : places) place += reach * random_.normal();
       const auto cost = error_.through(nodesOf(places)).error;
       members_.push_back({std::move(places), cost});
     }
@@ -157,7 +157,7 @@ class Evolution {
   Nodes run() {
     constexpr int kGenerations = 400;
     for (int generation = 0; generation < kGenerations; ++generation) {
-      const double weight = 0.3 + 0.6 * chance_.uniform();
+      const double weight = 0.3 + 0.6 * random_.uniform();
       for (auto& member : members_) evolve(member, weight);
     }
     Nodes nodes = nodesOf(best().places);
@@ -195,7 +195,7 @@ class Evolution {
     });
   }
 
-  const Member& any() { return members_[chance_.bits() % kMembers]; }
+  const Member& any() { return members_[random_.bits() % kMembers]; }
 
   void evolve(Member& member, double weight) {
     constexpr double kCrossed = 0.7;
@@ -203,9 +203,9 @@ class Evolution {
     const auto& one = any().places;
     const auto& other = any().places;
     auto tried = member.places;
-    const std::size_t sure = chance_.bits() % std::max<std::size_t>(1, tried.size());
+    const std::size_t sure = random_.bits() % std::max<std::size_t>(1, tried.size());
     for (std::size_t k = 0; k < tried.size(); ++k) {
-      if (chance_.uniform() < kCrossed || k == sure) {
+      if (random_.uniform() < kCrossed || k == sure) {
         tried[k] = origin[k] + weight * (one[k] - other[k]);
       }
     }
@@ -243,7 +243,7 @@ class Evolution {
 
   const NodeError& error_;
   std::size_t count_;
-  Chance chance_{1};
+  base::SplitMix64 random_{1};
   std::vector<Member> members_;
 };
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "haptics/reaming/bone/chance.h"
+#include "base/random.h"
 
 namespace haptics::reaming {
 namespace {
@@ -51,10 +51,10 @@ double feedAt(const SyntheticTest& test, double depth) {
 }  // namespace
 
 Series syntheticSeries(const SyntheticTest& test) {
-  Chance chance(test.seed);
+  base::SplitMix64 random(test.seed);
   const bool isStatic = test.set == TestSet::Static;
-  const double shift = 0.8 * (chance.uniform() - 0.5);  // of the lamella [mm]
-  const double breaksAt = 0.005 + 0.003 * chance.uniform();
+  const double shift = 0.8 * (random.uniform() - 0.5);  // of the lamella [mm]
+  const double breaksAt = 0.005 + 0.003 * random.uniform();
   Series series{.set = test.set, .rate = kRate, .isSynthetic = true};
   double depth = 0.0;
   for (std::size_t i = 0; depth <= kFarthest; ++i) {
@@ -67,9 +67,9 @@ Series syntheticSeries(const SyntheticTest& test) {
                                        std::sin(2.0 * std::numbers::pi * test.rotationRate * time);
     const double torque = isStatic ? 0.0 : 0.028 * force;  // friction at about a reamer's radius
     series.displacement.push_back(depth);
-    series.force.push_back(force + line + test.noise * chance.normal());
+    series.force.push_back(force + line + test.noise * random.normal());
     if (!isStatic) {
-      series.torque.push_back(torque + 0.028 * line + 0.02 * test.noise * chance.normal());
+      series.torque.push_back(torque + 0.028 * line + 0.02 * test.noise * random.normal());
     }
     if (isOver(test, force, torque)) break;
     depth += feedAt(test, depth) / kRate;
@@ -85,10 +85,10 @@ Series noiselessSeries(SyntheticTest test) {
 
 std::vector<Series> syntheticStudy(std::uint64_t seed) {
   constexpr int kSpecimens = 24;
-  Chance chance(seed);
+  base::SplitMix64 random(seed);
   std::vector<Series> all;
   for (int specimen = 1; specimen <= kSpecimens; ++specimen) {
-    SyntheticTest test{.hardness = chance.uniform()};
+    SyntheticTest test{.hardness = random.uniform()};
     test.feed = specimen % 2 == 0 ? 0.01e-3 : 0.03e-3;
     for (const TestSet set : {TestSet::Static, TestSet::Dynamic1, TestSet::Dynamic2}) {
       test.set = set;

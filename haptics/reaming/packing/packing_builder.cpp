@@ -10,7 +10,7 @@
 #include <thread>
 #include <tuple>
 
-#include "haptics/reaming/bone/chance.h"
+#include "base/random.h"
 #include "haptics/reaming/packing/tangent_sphere.h"
 
 namespace haptics::reaming {
@@ -231,16 +231,16 @@ class Builder {
     const bool isMixed = kindOf(block[0], block[1], block[2]) == Kind::Mixed;
     std::uint64_t salt = options_.seed;
     for (const int part : {passes_, block[0], block[1], block[2]}) {
-      salt = Chance(salt ^ static_cast<std::uint64_t>(part)).bits();
+      salt = base::SplitMix64(salt ^ static_cast<std::uint64_t>(part)).bits();
     }
-    Chance chance(salt);
+    base::SplitMix64 random(salt);
     const Vec3 corner = cornerOf(block);
     for (int k = 0; k < along; ++k) {
       for (int j = 0; j < along; ++j) {
         for (int i = 0; i < along; ++i) {
           const Vec3 place =
               corner +
-              step * Vec3{i + chance.uniform(), j + chance.uniform(), k + chance.uniform()};
+              step * Vec3{i + random.uniform(), j + random.uniform(), k + random.uniform()};
           fillAt(place, block, isMixed, radius);
         }
       }

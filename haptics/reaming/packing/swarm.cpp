@@ -6,7 +6,7 @@
 #include <thread>
 #include <tuple>
 
-#include "haptics/reaming/bone/chance.h"
+#include "base/random.h"
 #include "haptics/reaming/packing/density_fit.h"
 
 namespace haptics::reaming {
@@ -17,7 +17,7 @@ struct Particle {
   std::vector<double> velocity;
   std::vector<double> best;
   double error = std::numeric_limits<double>::infinity();  ///< at its best
-  Chance chance{0};
+  base::SplitMix64 random{0};
 };
 
 /// One particle's move, by its own chance alone: threads change nothing.
@@ -27,8 +27,8 @@ void move(Particle& particle, const std::vector<double>& best, double most) {
   for (std::size_t i = 0; i < particle.place.size(); ++i) {
     double& x = particle.place[i];
     double& v = particle.velocity[i];
-    v = kInertia * v + kPull * particle.chance.uniform() * (particle.best[i] - x) +
-        kPull * particle.chance.uniform() * (best[i] - x);
+    v = kInertia * v + kPull * particle.random.uniform() * (particle.best[i] - x) +
+        kPull * particle.random.uniform() * (best[i] - x);
     x += v;
     if (x < 0.0 || x > most) {
       x = x < 0.0 ? 0.0 : most;
@@ -56,11 +56,11 @@ DensityFit fitSwarm(
   const auto begin = std::chrono::steady_clock::now();
   const double most = options.most > 0.0 ? options.most : 5.0 * uniformDensity(matrix, forces);
   std::vector<Particle> particles(static_cast<std::size_t>(options.particles));
-  Chance seeds(options.seed);
+  base::SplitMix64 seeds(options.seed);
   for (auto& particle : particles) {
-    particle.chance = Chance(seeds.bits());
+    particle.random = base::SplitMix64(seeds.bits());
     particle.place.resize(matrix.columns());
-    for (double& x : particle.place) x = most * particle.chance.uniform();
+    for (double& x : particle.place) x = most * particle.random.uniform();
     particle.velocity.assign(matrix.columns(), 0.0);
     particle.best = particle.place;
   }

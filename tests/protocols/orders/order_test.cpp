@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 #include "protocols/orders/schedule.h"
 
 namespace protocols {

@@ -1,4 +1,4 @@
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 
 #include <array>
 #include <cmath>
@@ -11,10 +11,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/protocols/reference_generators.h"
+#include "tests/base/reference_generators.h"
 
-namespace protocols {
-namespace random_stream_test {
+namespace base {
+namespace random_test {
 
 /// What a stream of version 1 begins with. The values come from the description in the header,
 /// written out in another language (Python 3, whole numbers of any size) by somebody who had not
@@ -147,6 +147,25 @@ TEST(ReferenceGenerators, GiveThePublishedValues) {
   EXPECT_EQ(tests::referenceFnv1a(""), 0xcbf29ce484222325U);
   EXPECT_EQ(tests::referenceFnv1a("a"), 0xaf63dc4c8601ec8cU);
   EXPECT_EQ(tests::referenceFnv1a("foobar"), 0x85944171f73967e8U);
+}
+
+TEST(SplitMix64, IsTheGeneratorItsHeaderNames) {
+  for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1234567}, ~std::uint64_t{0}}) {
+    SplitMix64 ours(seed);
+    std::uint64_t state = seed;
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(ours.bits(), tests::referenceSplitMix(state));
+  }
+}
+
+TEST(SplitMix64, GivesTheNumbersOfItsDescription) {
+  // Computed in Python 3 from the description in the header, with the seed of Rosetta Code.
+  SplitMix64 uniform(1234567);
+  for (const double expected : {0.3500795420214081, 0.17364409667091263, 0.5322073040624192})
+    EXPECT_EQ(uniform.uniform(), expected);
+  SplitMix64 normal(1234567);
+  // The logarithm and the cosine are the machine's; their last digits may differ.
+  for (const double expected : {0.4284879007349292, 0.007685698515048663, -1.858684499989007})
+    EXPECT_NEAR(normal.normal(), expected, 1e-14);
 }
 
 TEST(RandomStream, IsTheGeneratorItsHeaderNames) {
@@ -292,5 +311,5 @@ TEST(RandomStream, ShufflesNothingAndOneThingToo) {
   EXPECT_EQ(one, std::vector<int>{7});
 }
 
-}  // namespace random_stream_test
-}  // namespace protocols
+}  // namespace random_test
+}  // namespace base

@@ -1,5 +1,5 @@
 // Another hand wrote these than the ones they check: plain shifts, no library.
-#include "tests/protocols/reference_generators.h"
+#include "tests/base/reference_generators.h"
 
 namespace tests {
 namespace {

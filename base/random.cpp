@@ -1,18 +1,10 @@
-#include "protocols/orders/random_stream.h"
+#include "base/random.h"
 
 #include <bit>
 #include <cmath>
 
-namespace protocols {
+namespace base {
 namespace {
-
-std::uint64_t splitMix(std::uint64_t& state) noexcept {
-  state += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31);
-}
 
 std::uint64_t fnv1a(std::string_view text) noexcept {
   std::uint64_t hash = 0xcbf29ce484222325U;
@@ -24,10 +16,9 @@ std::uint64_t fnv1a(std::string_view text) noexcept {
 
 RandomStream::RandomStream(
     std::uint64_t seed, std::uint64_t index, std::string_view purpose) noexcept {
-  std::uint64_t mixed = seed;
-  mixed = splitMix(mixed) ^ index;
-  mixed = splitMix(mixed) ^ fnv1a(purpose);
-  for (auto& word : state_) word = splitMix(mixed);
+  SplitMix64 withIndex(SplitMix64(seed).bits() ^ index);
+  SplitMix64 withPurpose(withIndex.bits() ^ fnv1a(purpose));
+  for (auto& word : state_) word = withPurpose.bits();
 }
 
 std::uint64_t RandomStream::bits() noexcept {
@@ -65,4 +56,4 @@ double RandomStream::normal() noexcept {
   return u * std::sqrt(-2.0 * std::log(square) / square);
 }
 
-}  // namespace protocols
+}  // namespace base
