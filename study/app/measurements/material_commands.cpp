@@ -31,24 +31,29 @@ struct FitCommand {
   std::string title = "A reaming material";
 };
 
-/// Says where a harder bone would feel softer, and what keeps the order.
-void warnOfCrossings(const reaming::FittedEnvelope& envelope, const reaming::FitOptions& options) {
+/// Says where a harder bone would feel softer by more than @p felt [N, N·m], and what keeps the
+/// order.
+void warnOfCrossings(
+    const reaming::FittedEnvelope& envelope,
+    const char* quantity,
+    double felt,
+    const reaming::FitOptions& options) {
   if (envelope.isOrdered) return;
-  constexpr double kFelt = 1.0;  // [N]
   std::string where;
-  for (const auto& crossing : reaming::crossingsOf(envelope, kFelt)) {
+  for (const auto& crossing : reaming::crossingsOf(envelope, felt)) {
     where += fmt::format(
         "{}{:.1f} to {:.1f} mm", where.empty() ? "" : ", ", 1e3 * crossing.from, 1e3 * crossing.to);
   }
   if (where.empty()) return;
   fmt::print(
-      "           its curves cross ({}): there a higher hardness feels softer. They keep their "
+      "           curves of {} cross ({}): there a higher hardness feels softer. They keep their "
       "order with {}.\n",
+      quantity,
       where,
       fmt::join(reaming::whatKeepsTheOrder(options), " and "));
 }
 
-/// "24, from 6.94 mm 23 and 1 at the limit, …"
+/// How far all specimens are measured, and how many are left at the end.
 std::string specimensLeft(const reaming::TestSetFit& set) {
   const auto stretches = reaming::specimensLeftOf(set.force);
   const auto& last = stretches.back();
@@ -81,7 +86,8 @@ void print(const reaming::MaterialFit& fit, const reaming::FitOptions& options) 
         force.average.error.largest,
         force.maximum.error.largest,
         specimensLeft(set));
-    warnOfCrossings(force, options);
+    warnOfCrossings(force, "force", 1.0, options);
+    if (set.torque) warnOfCrossings(*set.torque, "torque", 0.03, options);
   }
 }
 

@@ -310,21 +310,29 @@ report::DocumentPart splineComparisonPart(
         [&](std::size_t i) { return spline.spline.at(data.x[i]); });
     line.style = ChartSeries::Style::Dashed;
     chart.series.push_back(std::move(line));
-    const auto& first = comparison.splines.front().error;
+    const auto& first = comparison.splines.front();
+    // The paper's "at the same reamer displacement": that of the first spline's largest error.
+    const auto there = [&](double share, double depth) {
+      return &spline == &first ? std::string()
+                               : fmt::format(
+                                     " ({} at {:.2f} mm, where {} is worst)",
+                                     percent(share),
+                                     kMillimetres * depth,
+                                     protocols::nameOf(first.kind));
+    };
     part.paragraphs.push_back(fmt::format(
-        "{}: largest |e_a| {} at {:.2f} mm with a floor of {:g} {}, {} at {:.2f} mm; as published "
-        "{} at {:.2f} mm, {} at {:.2f} mm; {:.3g} {} at most",
+        "{}: |e_a| with a floor of {:g} {} up to {} at {:.2f} mm{}; as published up to {} at "
+        "{:.2f} "
+        "mm{}; {:.3g} {} at most",
         name,
-        percent(spline.error.floored),
-        kMillimetres * spline.error.flooredAt,
         curve.floor,
         isForce ? "N" : "N·m",
-        percent(spline.flooredThere),
-        kMillimetres * first.flooredAt,
+        percent(spline.error.floored),
+        kMillimetres * spline.error.flooredAt,
+        there(spline.flooredThere, first.error.flooredAt),
         percent(spline.error.published),
         kMillimetres * spline.error.publishedAt,
-        percent(spline.publishedThere),
-        kMillimetres * first.publishedAt,
+        there(spline.publishedThere, first.error.publishedAt),
         spline.error.largest,
         isForce ? "N" : "N·m"));
   }
