@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "protocols/load_protocol.h"
 #include "study/model/study_files.h"
-#include "study/storage/ballast.h"
+#include "study/storage/reserved_space.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
@@ -57,7 +57,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   auto identities = Database::open(files.identity(), storage::identitySchema(), access);
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
-  if (access == Database::Access::ReadWrite) storage::Ballast(folder).take();
+  if (access == Database::Access::ReadWrite) storage::ReservedSpace(folder).take();
   return study;
 }
 
@@ -134,7 +134,7 @@ void Study::withRoom(const std::function<void()>& action) {
     action();
   } catch (const StorageError& error) {
     const bool mayHelp = error.kind() == StorageError::Kind::DiskFull;
-    if (!mayHelp || !storage::Ballast(folder_).release()) throw;
+    if (!mayHelp || !storage::ReservedSpace(folder_).release()) throw;
     action();
   }
 }

@@ -7,11 +7,11 @@ namespace study::storage {
 
 /// Room that is kept free in a study's folder, so that a session can be finished when the disk is
 /// full. (4 MiB took another 4,500 answers per MiB when it was measured.)
-class Ballast {
+class ReservedSpace {
  public:
   static constexpr std::uintmax_t kSize = 4 * 1024 * 1024;  ///< [bytes]
 
-  explicit Ballast(std::filesystem::path folder) : file_(folder / "ballast") {}
+  explicit ReservedSpace(std::filesystem::path folder) : file_(folder / "ballast") {}
 
   /// Takes the room if there is enough; returns whether it is held.
   bool take() const noexcept;

@@ -1,4 +1,4 @@
-#include "study/storage/ballast.h"
+#include "study/storage/reserved_space.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 
 namespace study::storage {
 
-bool Ballast::take() const noexcept {
+bool ReservedSpace::take() const noexcept {
   std::error_code ignored;
   if (std::filesystem::exists(file_, ignored)) return true;
   const int file = open(file_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
@@ -18,7 +18,7 @@ bool Ballast::take() const noexcept {
   return hasRoom;
 }
 
-bool Ballast::release() const noexcept {
+bool ReservedSpace::release() const noexcept {
   std::error_code ignored;
   return std::filesystem::remove(file_, ignored);
 }
