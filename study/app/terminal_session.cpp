@@ -259,7 +259,7 @@ class TerminalSession {
       return;  // the same step again
     }
     session_.beginTrial();
-    const auto record = feelInRealTime(*trial, step.minimumCuts, kLongestTrial);
+    const auto record = runRealtime(*trial, step.minimumCuts, kLongestTrial);
     fmt::print(
         "{} in {:.1f} s.\n", words::counted(record.cuts.size(), stroke, strokes), record.duration);
     if (!record.deviceFault.empty()) fmt::print("{}.\n", record.deviceFault);

@@ -86,7 +86,7 @@ class Sitting {
           study_.traces().add(visit, number, samples);
         }));
     session_.beginTrial();
-    const auto record = feelInVirtualTime(trial, cuts, kLongestTrial);
+    const auto record = runOffline(trial, cuts, kLongestTrial);
     clock_.advance(record.duration);
     if (record.ending == TrialEnding::Finished) {
       session_.finishTrial(record);
@@ -117,7 +117,7 @@ class Sitting {
     waitingSince_.reset();
     session_.beginTrial();
     if (watch_ != nullptr) watch_->restart();
-    const auto record = feelInRealTime(*trial, cuts, kLongestTrial);
+    const auto record = runRealtime(*trial, cuts, kLongestTrial);
     const auto stoodStill = watch_ != nullptr ? watch_->longest() : std::chrono::milliseconds(0);
     trial.reset();
     clock_.advance(record.duration);

@@ -112,7 +112,7 @@ TrialRecord LiveTrial::finish(TrialEnding ending) {
   return record;
 }
 
-TrialRecord feelInRealTime(Trial& trial, int cuts, double longest) {
+TrialRecord runRealtime(Trial& trial, int cuts, double longest) {
   LiveTrial live(trial);
   const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(longest);
   for (;;) {

@@ -77,6 +77,6 @@ class LiveTrial {
 
 /// Lets whoever holds the device feel @p trial, until it has cut @p cuts times or @p longest [s]
 /// have passed.
-TrialRecord feelInRealTime(Trial& trial, int cuts, double longest);
+TrialRecord runRealtime(Trial& trial, int cuts, double longest);
 
 }  // namespace study

@@ -84,7 +84,7 @@ TrialRecord Trial::finish(TrialEnding ending) {
   return record;
 }
 
-TrialRecord feelInVirtualTime(Trial& trial, int cuts, double longest) {
+TrialRecord runOffline(Trial& trial, int cuts, double longest) {
   const double dt = 1.0 / trial.rate();
   const auto most = static_cast<std::int64_t>(longest * trial.rate());
   try {

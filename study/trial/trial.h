@@ -74,6 +74,6 @@ class Trial {
 
 /// Lets the device's (simulated) hand feel @p trial as fast as this computer goes, until it has cut
 /// @p cuts times and opened again, or @p longest [s] of its own time have passed.
-TrialRecord feelInVirtualTime(Trial& trial, int cuts, double longest);
+TrialRecord runOffline(Trial& trial, int cuts, double longest);
 
 }  // namespace study

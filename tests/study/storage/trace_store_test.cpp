@@ -83,7 +83,7 @@ class KeptTrialTest : public testing::Test {
     visit_ = session_.visit();
     Trial trial(device(), setup());
     session_.beginTrial();
-    const auto record = feelInVirtualTime(trial, 3, 60.0);
+    const auto record = runOffline(trial, 3, 60.0);
     ticks_ = record.ticks;
     session_.finishTrial(record);
   }
@@ -161,7 +161,7 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   session_.beginTrial();
   for (int i = 0; i < 1500; ++i) trial.keep(trial.step(1e-3));
   rig_.unplug(deviceFor(session_).id);
-  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  const auto record = runOffline(trial, 3, 60.0);
   EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
   EXPECT_EQ(record.ticks, 1501);  // found in the first tick
   EXPECT_EQ(study_->traces().read(first).size(), 1501U);
@@ -173,7 +173,7 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   session_.repeatStep("the plug is in again");
   Trial again(device(), setup());
   session_.beginTrial();
-  session_.finishTrial(feelInVirtualTime(again, 3, 60.0));
+  session_.finishTrial(runOffline(again, 3, 60.0));
   const auto trials = Records(study_->database()).trials();
   ASSERT_EQ(trials.size(), 3U);
   EXPECT_EQ(trials[1].ending + " " + trials[1].verdict, "aborted_hardware FAIL");

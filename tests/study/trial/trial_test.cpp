@@ -58,7 +58,7 @@ class TrialTest : public testing::Test {
 
 TEST_F(TrialTest, IsKeptWholeInChunksOfASecond) {
   Trial trial(device_, setup());
-  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  const auto record = runOffline(trial, 3, 60.0);
   EXPECT_EQ(record.ending, TrialEnding::Finished);
   EXPECT_EQ(record.cuts.size(), 3U);
   ASSERT_GE(chunks_.size(), 2U);
@@ -103,7 +103,7 @@ TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
 
 TEST_F(TrialTest, CountsWhatItsTraceShows) {
   Trial trial(device_, setup(3.0));  // less than the scene asks for
-  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  const auto record = runOffline(trial, 3, 60.0);
   double largest = 0.0;
   double saturated = 0.0;
   for (const auto& sample : samples()) {
@@ -140,7 +140,7 @@ TEST_F(TrialTest, EndsWithTheDevicesOwnWordsWhereItIsFaulty) {
   Trial trial(device, setup());
   for (int i = 0; i < 10; ++i) trial.keep(trial.step(1e-3));
   device.fail();
-  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  const auto record = runOffline(trial, 3, 60.0);
   EXPECT_TRUE(trial.isStopped());
   EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
   EXPECT_EQ(record.ticks, 11) << "in its first faulty tick";
@@ -166,14 +166,14 @@ TEST_F(TrialTest, SaysThatItsTraceIsLostWhereNothingCanBeKept) {
     throw storage::StorageError("the disk is full");
   };
   Trial trial(device_, std::move(setting));
-  const auto record = feelInVirtualTime(trial, 3, 60.0);
+  const auto record = runOffline(trial, 3, 60.0);
   EXPECT_EQ(record.ending, TrialEnding::TraceLost);
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
 }
 
 TEST_F(TrialTest, EndsWhereNobodyCuts) {
   Trial trial(device_, setup());
-  EXPECT_EQ(feelInVirtualTime(trial, 1000, 2.0).ending, TrialEnding::TimedOut);
+  EXPECT_EQ(runOffline(trial, 1000, 2.0).ending, TrialEnding::TimedOut);
 }
 
 // Either side of every limit that judges a trial.
