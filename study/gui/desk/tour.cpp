@@ -11,8 +11,8 @@
 
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/live_plot.h"
-#include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/studio_settings.h"
@@ -90,7 +90,7 @@ void Tour::done(int result) {
 
 QWidget* Tour::makeFeeling() {
   auto* step = new QWidget(this);
-  page_ = new FeelPage(
+  page_ = new TrialPage(
       {.name = tr("Alternative 1"), .minimumCuts = 1, .device = &punch_.kind()}, nullptr, step);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
@@ -104,12 +104,12 @@ QWidget* Tour::makeFeeling() {
          "the virtual one only draws it. It is computed a thousand times a second, as in a study."),
       step));
   layout->addLayout(columns, 1);
-  connect(page_, &FeelPage::beginRequested, this, &Tour::begin);
-  connect(page_, &FeelPage::enoughRequested, this, [this] {
+  connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
+  connect(page_, &TrialPage::enoughRequested, this, [this] {
     endFeeling();
     goTo(1);
   });
-  connect(page_, &FeelPage::handMoved, this, [this](double share) { punch_.moveTo(share); });
+  connect(page_, &TrialPage::handMoved, this, [this](double share) { punch_.moveTo(share); });
   return step;
 }
 

@@ -14,7 +14,7 @@
 #include "study/gui/desk/virtual_punch.h"
 
 namespace study::gui {
-class FeelPage;
+class TrialPage;
 class LivePlot;
 }  // namespace study::gui
 
@@ -55,7 +55,7 @@ class Tour final : public QDialog {
   QTimer watch_;
   QLabel* heading_;
   QStackedWidget* steps_;
-  FeelPage* page_ = nullptr;
+  TrialPage* page_ = nullptr;
   LivePlot* plot_ = nullptr;
   QTableWidget* record_ = nullptr;
   QLabel* kept_ = nullptr;

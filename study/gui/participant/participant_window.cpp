@@ -10,8 +10,8 @@
 #include <QTimer>
 
 #include "study/gui/participant/benchmark_page.h"
-#include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/labels.h"
 
@@ -140,7 +140,7 @@ QWidget* ParticipantWindow::makePage() {
   }
   switch (session.step().kind) {
     case StepKind::Trial:
-      return makeFeelPage();
+      return makeTrialPage();
     case StepKind::Benchmark:
       return makeBenchmark();
     case StepKind::Break:
@@ -179,12 +179,12 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   return questions_;
 }
 
-QWidget* ParticipantWindow::makeFeelPage() {
+QWidget* ParticipantWindow::makeTrialPage() {
   next_->setVisible(false);
   const auto& step = controller_.session().step();
   const auto& protocol = controller_.session().protocol().protocol;
   const auto* need = protocol.device(protocol.condition(step.condition)->device);
-  feel_ = new FeelPage(
+  feel_ = new TrialPage(
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOffered = step.isOffered,
@@ -192,10 +192,10 @@ QWidget* ParticipantWindow::makeFeelPage() {
        .language = controller_.session().language()},
       viewOfTrial(controller_, this),
       this);
-  connect(feel_, &FeelPage::beginRequested, &controller_, &SessionController::beginTrial);
-  connect(feel_, &FeelPage::declined, &controller_, &SessionController::declineOffer);
-  connect(feel_, &FeelPage::enoughRequested, &controller_, &SessionController::finishTrial);
-  connect(feel_, &FeelPage::handMoved, this, [this](double share) { moveHand_(share); });
+  connect(feel_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
+  connect(feel_, &TrialPage::declined, &controller_, &SessionController::declineOffer);
+  connect(feel_, &TrialPage::enoughRequested, &controller_, &SessionController::finishTrial);
+  connect(feel_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });
   return feel_;
 }
 

@@ -13,7 +13,7 @@
 
 namespace study::gui {
 
-class FeelPage;
+class TrialPage;
 class QuestionnairePage;
 
 /// What a participant sees: one page at a time, how far they are, and a button that goes on when
@@ -50,7 +50,7 @@ class ParticipantWindow final : public QWidget {
 
   QWidget* makePage();
   QWidget* makeQuestionnaire();
-  QWidget* makeFeelPage();
+  QWidget* makeTrialPage();
   QWidget* makeBenchmark();
   QWidget* makeBreak();
   QWidget* makeEnd();
@@ -67,7 +67,7 @@ class ParticipantWindow final : public QWidget {
   QPushButton* operator_;
   ScreenLock* lock_;
   QWidget* page_ = nullptr;
-  FeelPage* feel_ = nullptr;
+  TrialPage* feel_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   bool mayClose_ = false;
 };

@@ -13,7 +13,7 @@
     </message>
 </context>
 <context>
-    <name>study::gui::FeelPage</name>
+    <name>study::gui::TrialPage</name>
     <message>
         <source>Begin</source>
         <translation>Beginnen</translation>

@@ -12,7 +12,7 @@
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
-#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/gui/session/servo_health.h"
 #include "study/gui/widgets/labels.h"
 
@@ -157,10 +157,10 @@ TEST(CutTable, IsCalledAsTheDevicesStrokesAre) {
   EXPECT_EQ(table.accessibleName(), QStringLiteral("Strokes of this trial"));
 }
 
-TEST(FeelPage, CountsInTheWordsOfEveryDevice) {
+TEST(TrialPage, CountsInTheWordsOfEveryDevice) {
   for (const auto* kind : haptics::deviceKinds()) {
     for (const std::string language : {"en", "de", "nb"}) {
-      const FeelPage page(
+      const TrialPage page(
           {.name = {}, .minimumCuts = 3, .device = kind, .language = language}, nullptr);
       const QString strokes = capitalised(asText(kind->strokesName.in(language)));
       const auto labels = page.findChildren<QLabel*>();

@@ -13,8 +13,8 @@
 #include <QTest>
 
 #include "study/gui/participant/answer_slider.h"
-#include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/option_buttons.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/session/trial_setup.h"
 #include "tests/study/gui/visible_words.h"
 
@@ -22,8 +22,8 @@ namespace tests {
 
 using study::StepKind;
 using study::gui::AnswerSlider;
-using study::gui::FeelPage;
 using study::gui::OptionButtons;
+using study::gui::TrialPage;
 
 QPushButton* buttonSaying(QWidget* parent, const QString& text) {
   for (auto* button : parent->findChildren<QPushButton*>()) {
@@ -80,7 +80,7 @@ void Participant::answerAll() {
 
 void Participant::cut(int cuts) {
   QCoreApplication::processEvents();  // the page may be new
-  auto* feel = page()->findChild<FeelPage*>();
+  auto* feel = page()->findChild<TrialPage*>();
   auto* controller = window_.controller();
   const double far = study::farthestFor(study::deviceFor(controller->session()));
   QTest::mouseClick(buttonSaying(feel, QStringLiteral("Begin")), Qt::LeftButton);

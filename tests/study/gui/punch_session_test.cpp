@@ -11,8 +11,8 @@
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/operator/timeline_table.h"
-#include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/option_buttons.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/results/results.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
@@ -98,7 +98,7 @@ TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
 TEST_F(PunchSession, StopsOnEscapeInTheParticipantsWindowToo) {
   participant_.goTo(StepKind::Trial);
   participant_.cut(1);
-  QTest::keyClick(window_.participantWindow()->findChild<FeelPage*>(), Qt::Key_Escape);
+  QTest::keyClick(window_.participantWindow()->findChild<TrialPage*>(), Qt::Key_Escape);
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 }
 

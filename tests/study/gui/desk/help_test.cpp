@@ -17,7 +17,7 @@
 #include "study/gui/desk/self_test_dialog.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/desk/tour.h"
-#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/support/scratch_folder.h"
 

@@ -4,8 +4,8 @@
 
 #include <QTest>
 
-#include "study/gui/participant/feel_page.h"
 #include "study/gui/participant/option_buttons.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
@@ -27,7 +27,7 @@ class TourTest : public testing::Test {
 TEST_F(TourTest, LetsTheVirtualPunchBeFeltAndShowsItsRecord) {
   Tour tour;
   tour.show();
-  auto* page = tour.findChild<FeelPage*>();
+  auto* page = tour.findChild<TrialPage*>();
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
   auto* enough = buttonSaying(page, QStringLiteral("I have felt enough"));
   ASSERT_NE(enough, nullptr);

@@ -7,7 +7,7 @@
 
 #include "study/gui/operator/cup_button.h"
 #include "study/gui/operator/trial_panel.h"
-#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/scene/visualised_trial.h"
 
 namespace study::gui {
@@ -37,7 +37,7 @@ class BoneInColours : public tests::VisualisedTrial {
     ASSERT_NE(view(), nullptr);
     window_->controller()->beginTrial();
     ASSERT_NE(seen(), nullptr);
-    QTest::keyPress(window_->participantWindow()->findChild<FeelPage*>(), Qt::Key_Space);
+    QTest::keyPress(window_->participantWindow()->findChild<TrialPage*>(), Qt::Key_Space);
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return seen()->spheres()->changesSoFar().size() > 50; }, 20'000));
   }

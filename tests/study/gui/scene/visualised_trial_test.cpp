@@ -6,7 +6,7 @@
 #include "protocols/load_protocol.h"
 #include "protocols/reading/anatomy_file.h"
 #include "study/export/export.h"
-#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/trial_page.h"
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
 #include "study/gui/session/trial_view.h"
@@ -34,7 +34,7 @@ TEST_F(VisualisedTrial, IsSeenAndKeepsHowItsFramesWere) {
 
 TEST_F(VisualisedTrial, HasNothingOfItWhereItIsFeltAlone) {
   begin("punch-face-validity");  // its second block is seen, its first is not
-  ASSERT_NE(window_->participantWindow()->findChild<FeelPage*>(), nullptr);
+  ASSERT_NE(window_->participantWindow()->findChild<TrialPage*>(), nullptr);
   EXPECT_EQ(view(), nullptr);
   participant_->cut(1);
   EXPECT_EQ(window_->controller()->mesh(), nullptr);
@@ -88,7 +88,7 @@ TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
   auto& controller = *window_->controller();
   controller.beginTrial();
   ASSERT_NE(controller.bone(), nullptr);
-  QTest::keyPress(window_->participantWindow()->findChild<FeelPage*>(), Qt::Key_Space);
+  QTest::keyPress(window_->participantWindow()->findChild<TrialPage*>(), Qt::Key_Space);
   EXPECT_TRUE(QTest::qWaitFor([&] { return hip->spheres()->shown() != whole; }, 20'000));
   tests::photograph(*window_->participantWindow(), QStringLiteral("reaming"));
   controller.stop();

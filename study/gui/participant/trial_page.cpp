@@ -1,4 +1,4 @@
-#include "study/gui/participant/feel_page.h"
+#include "study/gui/participant/trial_page.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double kWholeStroke = 220.0;  // [px] of dragging close the handle altogether
 }
 
-FeelPage::FeelPage(const Content& content, QWidget* picture, QWidget* parent)
+TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
       content_(content),
       count_(nullptr),
@@ -44,18 +44,18 @@ FeelPage::FeelPage(const Content& content, QWidget* picture, QWidget* parent)
     layout->addWidget(button, 0, Qt::AlignCenter);
   }
   if (picture == nullptr) layout->addStretch(1);
-  connect(begin_, &QPushButton::clicked, this, &FeelPage::beginRequested);
-  connect(enough_, &QPushButton::clicked, this, &FeelPage::enoughRequested);
-  connect(decline_, &QPushButton::clicked, this, &FeelPage::declined);
+  connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
+  connect(enough_, &QPushButton::clicked, this, &TrialPage::enoughRequested);
+  connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
   setRunning(false);
 }
 
-QString FeelPage::cutsInWords(int cuts) const {
+QString TrialPage::cutsInWords(int cuts) const {
   const QString strokes = asText(content_.device->strokesName.in(content_.language));
   return tr("%1: %2 of at least %3").arg(capitalised(strokes)).arg(cuts).arg(content_.minimumCuts);
 }
 
-void FeelPage::setRunning(bool isRunning) {
+void TrialPage::setRunning(bool isRunning) {
   isRunning_ = isRunning;
   begin_->setVisible(!isRunning);
   enough_->setVisible(isRunning);
@@ -69,26 +69,26 @@ void FeelPage::setRunning(bool isRunning) {
   setFocus();
 }
 
-void FeelPage::setCuts(int cuts) {
+void TrialPage::setCuts(int cuts) {
   count_->setText(cutsInWords(cuts));
   enough_->setEnabled(isRunning_ && cuts >= content_.minimumCuts);
 }
 
-void FeelPage::mousePressEvent(QMouseEvent* event) {
+void TrialPage::mousePressEvent(QMouseEvent* event) {
   pressedAt_ = event->position().y();
   if (isRunning_) setFocus();
 }
 
-void FeelPage::mouseMoveEvent(QMouseEvent* event) {
+void TrialPage::mouseMoveEvent(QMouseEvent* event) {
   if (!isRunning_ || (event->buttons() & Qt::LeftButton) == 0) return;
   emit handMoved(std::clamp((event->position().y() - pressedAt_) / kWholeStroke, 0.0, 1.0));
 }
 
-void FeelPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
+void TrialPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
   if (isRunning_) emit handMoved(0.0);
 }
 
-void FeelPage::keyPressEvent(QKeyEvent* event) {
+void TrialPage::keyPressEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
     if (!event->isAutoRepeat()) emit handMoved(1.0);
     return;
@@ -96,7 +96,7 @@ void FeelPage::keyPressEvent(QKeyEvent* event) {
   QWidget::keyPressEvent(event);
 }
 
-void FeelPage::keyReleaseEvent(QKeyEvent* event) {
+void TrialPage::keyReleaseEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
     if (!event->isAutoRepeat()) emit handMoved(0.0);
     return;

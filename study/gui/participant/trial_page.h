@@ -15,7 +15,7 @@ namespace study::gui {
 ///
 /// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on
 /// the page closes it as far as they drag.
-class FeelPage final : public QWidget {
+class TrialPage final : public QWidget {
   Q_OBJECT
 
  public:
@@ -28,7 +28,7 @@ class FeelPage final : public QWidget {
   };
 
   /// @param picture  of what is felt, which the page takes in; nothing where it is not seen.
-  FeelPage(const Content& content, QWidget* picture, QWidget* parent = nullptr);
+  TrialPage(const Content& content, QWidget* picture, QWidget* parent = nullptr);
 
   /// The trial has begun, or not yet.
   void setRunning(bool isRunning);
