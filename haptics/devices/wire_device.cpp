@@ -25,7 +25,7 @@ void WireDevice::beginKeeping() {
 void WireDevice::startKeeper() {
   hostTime_ = timing::now();
   keeper_ = std::jthread([this](const std::stop_token& stop) {
-    timing::makeUrgent(timing::kLoopUrgency);
+    timing::raisePriority(timing::kLoopPriority);
     while (!stop.stop_requested() && lifecycle() != Lifecycle::Faulted) {
       if (pump(timing::now() + keeping_.turn)) {
         isNew_ = false;

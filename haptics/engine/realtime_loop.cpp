@@ -75,7 +75,7 @@ void touchStack() noexcept {
 /// Asks for what helps. Timer slack needs no privilege; the rest may be refused.
 bool requestRealtime() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL);
-  if (!timing::makeUrgent(timing::kLoopUrgency)) return false;
+  if (!timing::raisePriority(timing::kLoopPriority)) return false;
   mlockall(MCL_CURRENT | MCL_ONFAULT);
   touchStack();
   return true;

@@ -28,14 +28,14 @@ inline void sleepUntil(std::int64_t due) noexcept {
 
 /// Priorities under SCHED_FIFO. What stands in for hardware goes first: a real board and a real
 /// robot do not wait for a processor of this computer.
-inline constexpr int kStandInUrgency = 85;
-inline constexpr int kLoopUrgency = 80;     ///< who ticks a device, or answers it
-inline constexpr int kWatcherUrgency = 70;  ///< who looks on
+inline constexpr int kStandInPriority = 85;
+inline constexpr int kLoopPriority = 80;     ///< who ticks a device, or answers it
+inline constexpr int kWatcherPriority = 70;  ///< who looks on
 
 /// Lets a thread (0: this one) go before ordinary programs; false where the system does not grant
 /// it, and the thread goes on as it was.
-inline bool makeUrgent(int urgency, pid_t thread = 0) noexcept {
-  const sched_param parameters{.sched_priority = urgency};
+inline bool raisePriority(int priority, pid_t thread = 0) noexcept {
+  const sched_param parameters{.sched_priority = priority};
   return sched_setscheduler(thread, SCHED_FIFO, &parameters) == 0;
 }
 

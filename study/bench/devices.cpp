@@ -43,18 +43,18 @@ std::uint16_t freePort() {
 
 /// Real-time priority for all threads of a process, where that is granted: a board does not wait
 /// for a processor either.
-void makeUrgent(const EmulatorProcess& process) {
+void raisePriority(const EmulatorProcess& process) {
   const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
   for (const auto& entry : std::filesystem::directory_iterator(threads)) {
     const auto thread = static_cast<pid_t>(std::stoi(entry.path().filename().string()));
-    timing::makeUrgent(timing::kStandInUrgency, thread);
+    timing::raisePriority(timing::kStandInPriority, thread);
   }
 }
 
 /// This thread looks on in time, where that is granted, as long as this lives.
 class Watcher {
  public:
-  Watcher() { timing::makeUrgent(timing::kWatcherUrgency); }
+  Watcher() { timing::raisePriority(timing::kWatcherPriority); }
   ~Watcher() {
     const sched_param none{};
     sched_setscheduler(0, SCHED_OTHER, &none);
@@ -139,7 +139,7 @@ class Stand {
  private:
   Stand(std::string name, double rate, std::unique_ptr<EmulatorProcess> emulator)
       : name_(std::move(name)), rate_(rate), emulator_(std::move(emulator)) {
-    makeUrgent(*emulator_);
+    raisePriority(*emulator_);
   }
 
   /// Of "key=value" among words.

@@ -71,7 +71,7 @@ void obeyInput(
 /// This thread, and those that it starts, go before other programs where that is granted: who gives
 /// an order holds what the stand-in's loop waits for.
 void beLikeHardware() {
-  timing::makeUrgent(timing::kStandInUrgency);
+  timing::raisePriority(timing::kStandInPriority);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class RunningPunch {
  public:
   explicit RunningPunch(const PunchEmulator::Options& options)
       : punch_(options), loop_([this](const std::stop_token& stop) {
-          timing::makeUrgent(timing::kStandInUrgency);
+          timing::raisePriority(timing::kStandInPriority);
           for (std::int64_t due = timing::now(); !stop.stop_requested();
                due += timing::kMillisecond) {
             timing::sleepUntil(due);

@@ -42,7 +42,7 @@ class Board {
 
   void goOn() {
     thread_ = std::jthread([this](const std::stop_token& stop) {
-      timing::makeUrgent(timing::kStandInUrgency);
+      timing::raisePriority(timing::kStandInPriority);
       std::int64_t due = timing::now();
       while (!stop.stop_requested()) {
         step();
