@@ -5,8 +5,6 @@
 
 #include "protocols/model/library.h"
 #include "protocols/reading/anatomy_file.h"
-#include "protocols/reading/companions.h"
-#include "protocols/reading/draft.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"
 #include "protocols/validation/validation.h"
@@ -34,27 +32,12 @@ std::size_t largestOf(const std::string& name) {
 
 std::optional<LoadedProtocol> load(
     std::string_view json, const FileFinder& find, Problems& problems) {
-  auto protocol = readDraft(json, problems);
-  if (!protocol) return std::nullopt;
-  Draft draft{
-      .loaded = {
-          .protocol = std::move(*protocol),
-          .instruments = {},
-          .text = std::string(json),
-          .files = {},
-          .sources = {}}};
-  Companions companions(draft, find, problems);
-  companions.readInstruments();
-  for (auto& condition : draft.loaded.protocol.conditions) {
-    companions.readCut(condition);
-    companions.readMaterial(condition);
-    companions.readPacking(condition);
-    companions.readAnatomy(condition);
-  }
-  checkRules(draft, problems);
+  auto draft = readDraft(json, find, problems);
+  if (!draft) return std::nullopt;
+  validate(*draft, problems);
   if (problems.hasErrors()) return std::nullopt;
-  advise(draft.loaded, problems);
-  return std::move(draft.loaded);
+  addWarnings(draft->loaded, problems);
+  return std::move(draft->loaded);
 }
 
 }  // namespace

@@ -47,50 +47,26 @@ struct DeviceNeed {
 /// The name of the cut that ships.
 inline constexpr std::string_view kParametricCut = "parametric";
 
-/// Where a force model's parameters come from that stand in no protocol: a cut, by name or file.
-struct CutReference {
-  std::string name;  ///< kParametricCut, or a cut file beside the protocol
-  std::string path;  ///< JSON path of the reference, for messages
-};
-
-/// Where a fitted reaming material comes from.
-struct MaterialReference {
-  std::string name;  ///< a material file beside the protocol
-  haptics::reaming::TestSet set = haptics::reaming::TestSet::Dynamic1;
-  bool hasJitter = false;  ///< what its low-pass took out is put back as noise
-  std::string path;        ///< JSON path of the reference, for messages
-};
-
-/// The name of the bone that ships.
+/// The name of the bone of spheres that ships.
 inline constexpr std::string_view kParametricBone = "parametric";
-
-/// Where a bone of spheres comes from.
-struct PackingReference {
-  std::string name;  ///< kParametricBone, or a packing file beside the protocol
-  std::string path;  ///< JSON path of the reference, for messages
-};
 
 struct Anatomy;
 
-/// Where the knee comes from that is seen, in place of ours.
-struct AnatomyReference {
-  std::string name;  ///< an OBJ file beside the protocol
-  std::string path;  ///< JSON path of the reference, for messages
-};
-
-/// One rendering that may be felt: the device and a scene, complete but for what lies in other
-/// files.
+/// One rendering that may be felt: a device, and what is felt and seen on it.
 struct Condition {
   std::string id;
   std::string title;  ///< for researchers; participants see an alternative
   std::string device;
-  haptics::engine::SceneSpec scene;
-  std::optional<MaterialReference> material;  ///< where a bone's curves are taken from
-  bool hasOwnMaterial = false;                ///< a bone that names none: it is the program's
-  std::optional<PackingReference> packing;    ///< where a bone's spheres are taken from
-  std::optional<CutReference> cut;            ///< where the scene's curve is taken from
-  std::optional<AnatomyReference> anatomy;    ///< where the knee that is seen is taken from
-  std::shared_ptr<const Anatomy> knee;        ///< that anatomy; nothing: ours
+  /// Complete, with all that its files hold. Nothing only while a protocol is read, where the model
+  /// could not be: a protocol that was loaded has all of them.
+  std::optional<haptics::engine::ModelSpec> model;
+  bool isVisualised = false;
+  haptics::engine::SeenTissue seenTissue = haptics::engine::SeenTissue::Penetration;
+  std::optional<std::string> anatomy;   ///< the file of the knee that is seen, in place of ours
+  std::shared_ptr<const Anatomy> knee;  ///< what that file holds; nothing: ours
+
+  /// What is felt and seen. @pre there is a model.
+  haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue}; }
 };
 
 /// Which label an alternative bears.

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "protocols/reading/protocol_file.h"
+#include "protocols/reading/protocol_parts.h"
 
 namespace protocols {
 namespace {

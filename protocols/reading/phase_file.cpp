@@ -1,7 +1,7 @@
 #include <array>
 
 #include "protocols/orders/schedule.h"
-#include "protocols/reading/protocol_file.h"
+#include "protocols/reading/protocol_parts.h"
 
 namespace protocols {
 namespace {

@@ -5,8 +5,12 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "haptics/registry/device_kinds.h"
+#include "protocols/reading/protocol_parts.h"
+#include "protocols/reading/scene_sources.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_reader.h"
 
@@ -26,7 +30,9 @@ namespace {
 
 using haptics::devices::DeviceKind;
 using questionnaires::Choice;
+using questionnaires::isSoundId;
 using questionnaires::Node;
+using questionnaires::Problems;
 
 constexpr std::string_view kSchema = "protocol-1.schema.json";
 constexpr std::int64_t kMostExactWhole = std::int64_t{1} << 53;
@@ -165,12 +171,16 @@ DeviceNeed readDevice(const Node& node) {
   return device;
 }
 
-Condition readCondition(const Node& node) {
+Condition readCondition(
+    const Node& node, ReferencedFiles& files, std::vector<FeltSource>& sources) {
   Condition condition;
   if (!node.isObjectWith({"id", "title", "scene"})) return condition;
   condition.id = node.id("id");
   condition.title = node.text("title");
-  if (const auto scene = node.requiredObject("scene")) readScene(*scene, condition);
+  if (const auto scene = node.requiredObject("scene")) {
+    SceneSources own(files, sources, condition.id);
+    readScene(*scene, own, condition);
+  }
   return condition;
 }
 
@@ -190,7 +200,7 @@ std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
   return all;
 }
 
-Protocol readRoot(const Node& root) {
+Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSource>& sources) {
   Protocol protocol;
   requireSchema(root);
   if (const auto study = root.requiredObject("study")) protocol.study = readMetadata(*study);
@@ -201,7 +211,9 @@ Protocol readRoot(const Node& root) {
   protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
   protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
   protocol.instrumentFiles = readFileNames(root);
-  protocol.conditions = readAll<Condition>(root.requiredList("conditions"), readCondition);
+  protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
+    return readCondition(node, files, sources);
+  });
   protocol.labels = readLabels(root);
   protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
   if (const auto analysis = root.object("analysis")) protocol.analysis = readAnalysis(*analysis);
@@ -209,9 +221,68 @@ Protocol readRoot(const Node& root) {
   return protocol;
 }
 
+/// Reads the file of the instrument with number @p index of 'instrument_files'.
+void addInstrument(Draft& draft, ReferencedFiles& files, std::size_t index, Problems& problems) {
+  auto& loaded = draft.loaded;
+  const auto& name = loaded.protocol.instrumentFiles[index];
+  const std::string path = "$.instrument_files[" + std::to_string(index) + "]";
+  auto instrument = files.instrument(name, path, loaded.protocol.languages);
+  if (!instrument) return;
+  if (loaded.instrument(instrument->id) != nullptr) {
+    problems.add(
+        path,
+        "'" + questionnaires::shown(name) + "' holds the instrument '" + instrument->id +
+            "', and so does a file before it",
+        "give each an id of its own");
+  }
+  loaded.instruments.push_back(std::move(*instrument));
+}
+
+/// Those of 'instrument_files', and then those of the library that are used.
+void addInstruments(Draft& draft, ReferencedFiles& files, Problems& problems) {
+  auto& loaded = draft.loaded;
+  const auto& names = loaded.protocol.instrumentFiles;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
+    const bool isThere = std::find(names.begin(), end, names[i]) != end;
+    if (!names[i].empty() && !isThere) addInstrument(draft, files, i, problems);
+  }
+  draft.hasAllInstruments = loaded.instruments.size() == names.size();
+  for (const auto& use : instrumentUses(loaded.protocol)) {
+    if (loaded.instrument(use.instrument) != nullptr) continue;
+    auto found = files.libraryInstrument(use.instrument, use.path, loaded.protocol.languages);
+    if (found) loaded.instruments.push_back(std::move(*found));
+  }
+}
+
+/// A list is never empty where it could be read, and what could not be read in it has no sound id.
+template <typename T>
+bool isComplete(const std::vector<T>& all) noexcept {
+  return !all.empty() &&
+         std::all_of(all.begin(), all.end(), [](const T& t) { return isSoundId(t.id); });
+}
+
 }  // namespace
 
-std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problems& problems) {
+bool Draft::lacksDevice(std::string_view id) const noexcept {
+  const auto& protocol = loaded.protocol;
+  return isSoundId(id) && protocol.device(id) == nullptr && isComplete(protocol.devices);
+}
+
+bool Draft::lacksCondition(std::string_view id) const noexcept {
+  const auto& protocol = loaded.protocol;
+  return isSoundId(id) && protocol.condition(id) == nullptr && isComplete(protocol.conditions);
+}
+
+bool Draft::lacksInstrument(std::string_view id) const noexcept {
+  return isSoundId(id) && loaded.instrument(id) == nullptr && hasAllInstruments;
+}
+
+bool Draft::hasAllPhases() const noexcept {
+  return isComplete(loaded.protocol.phases);
+}
+
+std::optional<Draft> readDraft(std::string_view json, const FileFinder& find, Problems& problems) {
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
@@ -230,14 +301,13 @@ std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problem
            "simulation"})) {
     return std::nullopt;
   }
-  return readRoot(root);
-}
-
-std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems) {
-  questionnaires::Problems found;
-  auto protocol = readDraft(json, found);
-  problems.append(found);
-  return found.hasErrors() ? std::nullopt : std::move(protocol);
+  ReferencedFiles files(find, problems);
+  Draft draft;
+  draft.loaded.text = json;
+  draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);
+  addInstruments(draft, files, problems);
+  draft.loaded.files = files.takeFiles();
+  return draft;
 }
 
 }  // namespace protocols

@@ -1,56 +1,35 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <string_view>
 
-#include "protocols/model/protocol.h"
-#include "questionnaires/json/document.h"
+#include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
-#include "questionnaires/model/instrument.h"
 
 namespace protocols {
 
-/// A text that people see, in English at least: "…" or {"en": "…", "de": "…"}. Missing or wrong is
-/// a problem.
-questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
+/// A protocol in the making: whatever could be read of it and of the files that it names.
+///
+/// What could not be read has been told and is empty here. The rules say nothing more about it, nor
+/// about a name that may mean it: so everything that is wrong with a file comes out in one reading,
+/// and nothing that follows from it.
+struct Draft {
+  LoadedProtocol loaded;
+  bool hasAllInstruments = true;  ///< every one of 'instrument_files' could be read
 
-/// What the word behind @p key stands for; nothing, and a problem, where it is none of @p choices:
-/// for words that decide what else is read.
-template <typename Choices>
-auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
-  const auto value = node.choice(key, choices);
-  const auto written = node.member(key);
-  const bool isKnown = written && written->isText() &&
-                       std::any_of(choices.begin(), choices.end(), [&](const auto& choice) {
-                         return choice.name == written->asText();
-                       });
-  return isKnown ? std::optional(value) : std::nullopt;
-}
+  /// Whether @p id is a name, and the name of nothing.
+  bool lacksDevice(std::string_view id) const noexcept;
+  bool lacksCondition(std::string_view id) const noexcept;
+  bool lacksInstrument(std::string_view id) const noexcept;
 
-/// Reads one phase (docs/protocol-format.md, "Phases"); problems go where the node's go. One whose
-/// type is not understood has no id.
-Phase readPhase(const questionnaires::Node& node);
+  /// Whether every phase could be read, if only its id and its type.
+  bool hasAllPhases() const noexcept;
+};
 
-/// Reads the model and its parameters of a condition (docs/protocol-format.md, "Scenes") into
-/// @p condition; problems go where the node's go.
-void readScene(const questionnaires::Node& scene, Condition& condition);
-
-/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems go where the
-/// node's go.
-AnalysisPlan readAnalysis(const questionnaires::Node& node);
-
-/// Reads what a simulated cohort feels ("Trying it out").
-SimulationTruth readSimulation(const questionnaires::Node& node);
-
-/// A protocol as JSON says it (docs/protocol-format.md), and everything that is wrong with the way
-/// it is written; nothing where there are errors. What it refers to is not looked at: see
-/// loadProtocol().
-std::optional<Protocol> readProtocol(std::string_view json, questionnaires::Problems& problems);
-
-/// The same as far as it goes: what was not understood is empty, and a problem. Nothing only where
-/// @p json is no JSON object.
-std::optional<Protocol> readDraft(std::string_view json, questionnaires::Problems& problems);
+/// A protocol as JSON says it (docs/protocol-format.md), with everything that it refers to, as far
+/// as it can be read: what cannot be is empty, and a problem. Nothing only where @p json is no JSON
+/// object. Whether it all fits together is asked by validate().
+std::optional<Draft> readDraft(
+    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
 
 }  // namespace protocols

@@ -1,10 +1,16 @@
 #include <array>
+#include <optional>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "haptics/engine/built_in_models.h"
 #include "haptics/engine/model_names.h"
-#include "protocols/reading/protocol_file.h"
+#include "protocols/reading/cut_file.h"
+#include "protocols/reading/material_file.h"
+#include "protocols/reading/protocol_parts.h"
+#include "protocols/reading/scene_sources.h"
 
 namespace protocols {
 namespace {
@@ -14,34 +20,54 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
+/// What could be read: complete, or nothing, and then a problem says why.
+template <typename Spec>
+using Read = std::optional<Spec>;
+
 constexpr auto kUsualProcess = models::ProcessReading::StateOrder;
 using haptics::reaming::TestSet;
+
 constexpr std::array kTestSets{
     Choice<TestSet>{"static", TestSet::Static},
     Choice<TestSet>{"dynamic-1", TestSet::Dynamic1},
     Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
 };
 
+/// The branches that are felt, no steeper than the protocol asks for.
+void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec) {
+  using haptics::recordings::ForceCurve;
+  const auto curveOf = [&](const ForceCurve& recorded) {
+    return nodesOf(
+        spec.slopeLimit ? haptics::recordings::limitSlope(recorded, *spec.slopeLimit).curve
+                        : recorded);
+  };
+  spec.curve = curveOf(cut.curve);
+  const bool isBothWays = spec.branches == engine::Branches::Hysteresis;
+  if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
+}
+
 /// @param beyond  where the file does not say.
-engine::InterpolationSpec readInterpolation(
-    const Node& node, Condition& condition, models::BeyondCurve beyond) {
+Read<engine::InterpolationSpec> readInterpolation(
+    const Node& node, SceneSources& sources, models::BeyondCurve beyond) {
   engine::InterpolationSpec spec;
   spec.options.beyond = beyond;
   if (!node.isObjectWith(
           {"cut", "beyond", "ramp_length", "branches", "turning_width", "slope_limit"})) {
-    return spec;
+    return std::nullopt;
   }
-  const std::string cut = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
-  condition.cut = CutReference{cut, node.pathOf("cut")};
+  const std::string name = node.has("cut") ? node.text("cut") : std::string(kParametricCut);
   spec.options.beyond = node.choice("beyond", engine::kBeyondNames, spec.options.beyond);
   spec.options.rampLength = node.number("ramp_length", 0.001, 100.0, spec.options.rampLength);
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
   if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
+  const auto* cut = sources.cut(name, node.pathOf("cut"));
+  if (cut == nullptr) return std::nullopt;
+  useCut(*cut, spec);
   return spec;
 }
 
-engine::FiniteElementsSpec readFiniteElements(const Node& node) {
+Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   engine::FiniteElementsSpec spec;
   auto& p = spec.parameters;
   if (!node.isObjectWith(
@@ -56,7 +82,7 @@ engine::FiniteElementsSpec readFiniteElements(const Node& node) {
            "boundary",
            "weights",
            "yielding"})) {
-    return spec;
+    return std::nullopt;
   }
   constexpr double kSoftest = 1e-6;
   constexpr double kStiffest = 1e6;
@@ -117,24 +143,28 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
   spec.noise = noise;
 }
 
-engine::KalmanSpec readKalman(const Node& node, Condition& condition) {
+Read<engine::KalmanSpec> readKalman(const Node& node, SceneSources& sources) {
   engine::KalmanSpec spec{
       .noise = models::KalmanNoise<double>::published(kUsualProcess),
       .scheme = models::KalmanScheme::SpaceDomain};
   if (!node.isObjectWith({"variant", "interpolation", "finite_elements", "noise", "smoothing"})) {
-    return spec;
+    return std::nullopt;
   }
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
-  condition.cut = CutReference{std::string(kParametricCut), node.pathOf("interpolation.cut")};
-  spec.interpolation.options.beyond = models::BeyondCurve::Absent;
+  Read<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
-    spec.interpolation = readInterpolation(*part, condition, models::BeyondCurve::Absent);
+    interpolation = readInterpolation(*part, sources, models::BeyondCurve::Absent);
+  } else {
+    interpolation.emplace().options.beyond = models::BeyondCurve::Absent;
+    useCut(*sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
-  if (const auto part = node.object("finite_elements")) {
-    spec.finiteElements = readFiniteElements(*part);
-  }
+  Read<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
+  if (const auto part = node.object("finite_elements")) elements = readFiniteElements(*part);
   if (const auto part = node.object("noise")) readNoise(*part, spec);
+  if (!interpolation || !elements) return std::nullopt;
+  spec.interpolation = std::move(*interpolation);
+  spec.finiteElements = std::move(*elements);
   return spec;
 }
 
@@ -149,30 +179,47 @@ void refuseWithoutMaterial(const Node& node) {
   }
 }
 
-engine::MaterialSpec readMaterial(const Node& node, Condition& condition) {
+/// Puts the curves of a fitted material into @p spec; false, and a problem, where there are none.
+bool useMaterial(const Node& node, SceneSources& sources, engine::MaterialSpec& spec) {
+  const auto name = node.text("material");
+  const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
+  const bool hasJitter = node.flag("jitter", false);
+  spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
+  if (node.has("nodes")) {
+    node.problem(
+        "nodes", "the bone has a material and nodes of its own as well", "keep one of the two");
+  }
+  const auto [material, curves] = sources.material(name, set, node.pathOf("material"));
+  if (material != nullptr && curves == nullptr) {
+    node.problem(
+        "material",
+        "'" + questionnaires::shown(name) + "' has no test set '" + std::string(nameOf(set)) + "'",
+        "choose another 'test_set'");
+  }
+  if (curves == nullptr) return false;
+  spec.curves = curves->force;
+  spec.isMeasured = !material->isSynthetic;
+  if (hasJitter) spec.jitter = curves->jitter;
+  return true;
+}
+
+Read<engine::MaterialSpec> readMaterial(const Node& node, SceneSources& sources) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
   if (!node.isObjectWith(
           {"hardness", "force_scale", "nodes", "material", "test_set", "jitter", "jitter_seed"})) {
-    return spec;
+    return std::nullopt;
   }
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
   if (node.has("material")) {
-    condition.material = MaterialReference{
-        node.text("material"),
-        node.choice("test_set", kTestSets, haptics::reaming::TestSet::Dynamic1),
-        node.flag("jitter", false),
-        node.pathOf("material")};
-    spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
-    if (node.has("nodes")) {
-      node.problem(
-          "nodes", "the bone has a material and nodes of its own as well", "keep one of the two");
-    }
-  } else {
-    refuseWithoutMaterial(node);
+    if (!useMaterial(node, sources, spec)) return std::nullopt;
+    return spec;
   }
-  condition.hasOwnMaterial = !node.has("material") && !node.has("nodes");
-  if (!node.has("nodes")) return spec;
+  refuseWithoutMaterial(node);
+  if (!node.has("nodes")) {
+    sources.useParametricMaterial();
+    return spec;
+  }
   spec.nodes.clear();
   for (const auto& entry : node.requiredList("nodes")) {
     if (!entry.isObjectWith({"depth_m", "lower_n", "upper_n"})) continue;
@@ -184,7 +231,7 @@ engine::MaterialSpec readMaterial(const Node& node, Condition& condition) {
   return spec;
 }
 
-engine::PackingSpec readPacking(const Node& node, Condition& condition) {
+Read<engine::PackingSpec> readPacking(const Node& node, SceneSources& sources) {
   engine::PackingSpec spec;
   if (!node.isObjectWith(
           {"hardness",
@@ -194,13 +241,11 @@ engine::PackingSpec readPacking(const Node& node, Condition& condition) {
            "coupling_n_per_m",
            "cutting_damping",
            "friction"})) {
-    return spec;
+    return std::nullopt;
   }
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
-  condition.packing = PackingReference{
-      node.has("packing") ? node.text("packing") : std::string(kParametricBone),
-      node.pathOf("packing")};
+  const auto name = node.has("packing") ? node.text("packing") : std::string(kParametricBone);
   spec.isRemoved = node.flag("removal", spec.isRemoved);
   auto& options = spec.options;
   for (const auto* key : {"coupling_n_per_m", "cutting_damping", "friction"}) {
@@ -210,16 +255,18 @@ engine::PackingSpec readPacking(const Node& node, Condition& condition) {
   options.coupling = node.number("coupling_n_per_m", 100.0, 1e6, options.coupling);
   options.cuttingDamping = node.number("cutting_damping", 0.0, 1e6, options.cuttingDamping);
   options.friction = node.number("friction", 0.0, 2.0, options.friction);
+  spec.bone = sources.packing(name, node.pathOf("packing"));
+  if (spec.bone == nullptr) return std::nullopt;
   return spec;
 }
 
 /// The reader of each model; one that is registered and has none does not compile.
 template <typename Spec>
-engine::ModelSpec readModel(const Node& parameters, Condition& condition) = delete;
+Read<Spec> readModel(const Node& parameters, SceneSources& sources) = delete;
 template <>
-engine::ModelSpec readModel<engine::InterpolationSpec>(const Node& node, Condition& condition) {
-  auto spec = readInterpolation(node, condition, models::BeyondCurve::RampOut);
-  if (spec.options.beyond == models::BeyondCurve::Absent) {
+Read<engine::InterpolationSpec> readModel(const Node& node, SceneSources& sources) {
+  auto spec = readInterpolation(node, sources, models::BeyondCurve::RampOut);
+  if (spec && spec->options.beyond == models::BeyondCurve::Absent) {
     node.problem(
         "beyond",
         "without the recording nothing would be felt: only a filter has another force",
@@ -228,46 +275,53 @@ engine::ModelSpec readModel<engine::InterpolationSpec>(const Node& node, Conditi
   return spec;
 }
 template <>
-engine::ModelSpec readModel<engine::FiniteElementsSpec>(const Node& node, Condition&) {
+Read<engine::FiniteElementsSpec> readModel(const Node& node, SceneSources&) {
   return readFiniteElements(node);
 }
 template <>
-engine::ModelSpec readModel<engine::KalmanSpec>(const Node& node, Condition& condition) {
-  return readKalman(node, condition);
+Read<engine::KalmanSpec> readModel(const Node& node, SceneSources& sources) {
+  return readKalman(node, sources);
 }
 template <>
-engine::ModelSpec readModel<engine::MaterialSpec>(const Node& node, Condition& condition) {
-  return readMaterial(node, condition);
+Read<engine::MaterialSpec> readModel(const Node& node, SceneSources& sources) {
+  return readMaterial(node, sources);
 }
 template <>
-engine::ModelSpec readModel<engine::PackingSpec>(const Node& node, Condition& condition) {
-  return readPacking(node, condition);
+Read<engine::PackingSpec> readModel(const Node& node, SceneSources& sources) {
+  return readPacking(node, sources);
 }
 
-using ReadModel = engine::ModelSpec (*)(const Node&, Condition&);
+using ReadModel = Read<engine::ModelSpec> (*)(const Node&, SceneSources&);
 
 template <typename... Spec>
 constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
-  return std::array{Choice<ReadModel>{Spec::kFacts.name, readModel<Spec>}...};
+  return std::array{Choice<ReadModel>{
+      Spec::kFacts.name, [](const Node& node, SceneSources& sources) -> Read<engine::ModelSpec> {
+        return readModel<Spec>(node, sources);
+      }}...};
 }
 constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 
 }  // namespace
 
-void readScene(const Node& scene, Condition& condition) {
+void readScene(const Node& scene, SceneSources& sources, Condition& condition) {
   if (!scene.isObjectWith(
           {"device", "model", "parameters", "visualisation", "tissue_follows", "anatomy"}))
     return;
   condition.device = scene.id("device");
-  condition.scene.isVisualised = scene.flag("visualisation", false);
-  condition.scene.seenTissue =
+  condition.isVisualised = scene.flag("visualisation", false);
+  condition.seenTissue =
       scene.choice("tissue_follows", engine::kSeenTissueNames, engine::SeenTissue::Penetration);
-  if (scene.has("anatomy")) {
-    condition.anatomy = AnatomyReference{scene.text("anatomy"), scene.pathOf("anatomy")};
-  }
-  const auto model = readChoice(scene, "model", kModels);
+  if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
+  const auto read = readChoice(scene, "model", kModels);
   const auto parameters = scene.requiredObject("parameters");
-  if (model && parameters) condition.scene.model = (*model)(*parameters, condition);
+  if (read && parameters) {
+    auto model = (*read)(*parameters, sources);
+    if (parameters->isSound()) condition.model = std::move(model);
+  }
+  if (condition.anatomy) {
+    condition.knee = sources.anatomy(*condition.anatomy, scene.pathOf("anatomy"));
+  }
 }
 
 }  // namespace protocols

@@ -22,6 +22,12 @@ void Node::problem(std::string_view key, std::string what, std::string fix) cons
   problems_->add(pathOf(key), std::move(what), std::move(fix));
 }
 
+bool Node::isSound() const {
+  const auto& all = problems_->all();
+  return std::none_of(
+      all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(path_); });
+}
+
 bool Node::isObjectWith(std::span<const std::string_view> names) const {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) {

@@ -82,6 +82,9 @@ class Node {
   std::string pathOf(std::string_view key) const;
   void problem(std::string_view key, std::string what, std::string fix = {}) const;
 
+  /// Whether no problem has been found here or in anything below.
+  bool isSound() const;
+
   /// Refuses every key that is not in @p known, and names the nearest known one. False, and a
   /// problem, where this is no object at all.
   bool isObjectWith(std::initializer_list<std::string_view> known) const {

@@ -155,7 +155,7 @@ int explain(const ExplainOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
   const auto* condition = &conditionOf(file->protocol, options.condition);
-  auto spec = condition->scene;
+  auto spec = condition->scene();
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
   const auto device = standInFor(file->protocol, *condition);
@@ -180,7 +180,7 @@ Motion motionFor(
   Motion motion{.least = options.from.value_or(device.leastTravel), .quantum = options.quantum};
   motion.most = motion.least;
   for (const auto* condition : conditions) {
-    const auto end = haptics::engine::endOfData(condition->scene.model);
+    const auto end = haptics::engine::endOfData(*condition->model);
     motion.most = std::max(motion.most, end.value_or(device.mostTravel));
   }
   if (options.to) motion.most = *options.to;
@@ -264,7 +264,7 @@ int playScene(const PlayOptions& options) {
   const auto profile = profileOf(motionFor(options, device, conditions));
   std::vector<PlayedCurve> curves;
   for (const auto* condition : conditions) {
-    playCondition(options, *condition, condition->scene, profile, curves);
+    playCondition(options, *condition, condition->scene(), profile, curves);
   }
   report::Document document{
       .parts = {

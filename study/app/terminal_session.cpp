@@ -248,12 +248,9 @@ class TerminalSession {
             static_cast<std::uint64_t>(step.minimumCuts), stroke + " is", strokes + " are"));
     readLine();
     auto traces = study_.openTraces();
-    const VisitKey visit = session_.visit();
     std::unique_ptr<Trial> trial;
     try {
-      trial = trialFor(session_, *rig_, [&](int number, const auto& samples) {
-        traces.add(visit, number, samples);
-      });
+      trial = trialFor(session_, *rig_, traces);
     } catch (const haptics::devices::DeviceError& error) {
       fmt::print("{}\n", error.what());
       return;  // the same step again

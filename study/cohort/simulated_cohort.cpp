@@ -74,17 +74,13 @@ class Sitting {
 
  private:
   void feel() {
-    const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;
     // The hand is fresh in every trial: one that is done again after a crash feels the same.
     SimulatedRig rig([&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(
           need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
     });
-    Trial trial(
-        rig.device(deviceFor(session_)), setupFor(session_, [&](int number, const auto& samples) {
-          study_.traces().add(visit, number, samples);
-        }));
+    Trial trial(rig.device(deviceFor(session_)), setupFor(session_, study_.traces()));
     session_.beginTrial();
     const auto record = runOffline(trial, cuts, kLongestTrial);
     clock_.advance(record.duration);
@@ -102,9 +98,7 @@ class Sitting {
     const int cuts = session_.step().minimumCuts;
     std::unique_ptr<Trial> trial;
     try {
-      trial = trialFor(session_, rig, [&](int number, const auto& samples) {
-        study_.traces().add(visit, number, samples);
-      });
+      trial = trialFor(session_, rig, study_.traces());
     } catch (const haptics::devices::DeviceError& error) {
       // An arm that is not let command is waited for ten seconds each time.
       const auto now = std::chrono::steady_clock::now();

@@ -23,7 +23,7 @@ void addTrials(
         .position = trial.position,
         .label = trial.label,
         .condition = trial.condition,
-        .isVisualised = phase.trials.isVisualised.value_or(condition->scene.isVisualised),
+        .isVisualised = phase.trials.isVisualised.value_or(condition->isVisualised),
         .minimumCuts = phase.trials.minimumCuts};
     steps.push_back(step);
     step.kind = StepKind::Questionnaire;
@@ -53,7 +53,7 @@ void offerAgain(
          .phase = preference.id,
          .label = trial.label,
          .condition = trial.condition,
-         .isVisualised = seen.value_or(protocol.condition(trial.condition)->scene.isVisualised),
+         .isVisualised = seen.value_or(protocol.condition(trial.condition)->isVisualised),
          .minimumCuts = 1,
          .isOffered = true});
   }

@@ -16,8 +16,8 @@ namespace {
 /// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
 /// any is gone, without jitter. Nothing for what depends on more than travel.
 std::vector<double> meantForces(
-    const haptics::engine::SceneSpec& scene, const std::vector<FeltCurve::Point>& points) {
-  const auto model = haptics::engine::undisturbed(scene.model);
+    const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
+  const auto model = haptics::engine::undisturbed(felt);
   if (!model) return {};
   haptics::engine::CompiledScene compiled({.model = *model});
   std::vector<double> forces;
@@ -57,7 +57,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     }
     curve.points = bins.points();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
-    curve.meant = meantForces(condition.scene, curve.points);
+    curve.meant = meantForces(*condition.model, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;

@@ -9,23 +9,29 @@ const protocols::DeviceNeed& deviceFor(const Session& session) {
   return *protocol.device(protocol.condition(session.step().condition)->device);
 }
 
-Trial::Setup setupFor(const Session& session, Trial::Keep keep) {
-  const auto& need = deviceFor(session);
-  auto scene = session.protocol().protocol.condition(session.step().condition)->scene;
+haptics::engine::SceneSpec sceneFor(const Session& session) {
+  auto scene = session.protocol().protocol.condition(session.step().condition)->scene();
   scene.isVisualised = session.step().isVisualised;
+  return scene;
+}
+
+Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
+  const auto& need = deviceFor(session);
   return {
-      .scene = std::move(scene),
+      .scene = sceneFor(session),
       .limits =
           {.maxForce = need.maxForce,
            .maxRate = need.maxForceRate,
            .maxVelocity = need.maxVelocity,
            .isPassivityControlled = need.isPassivityControlled},
-      .keep = std::move(keep)};
+      .keep = [&traces, visit = session.visit()](int number, const auto& samples) {
+        traces.add(visit, number, samples);
+      }};
 }
 
-std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, Trial::Keep keep) {
+std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, storage::TraceStore& traces) {
   const auto& need = deviceFor(session);
-  auto setup = setupFor(session, std::move(keep));
+  auto setup = setupFor(session, traces);
   auto& device = rig.device(need);
   rig.prepare(need, setup.scene);
   return std::make_unique<Trial>(device, std::move(setup));

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "study/session/session.h"
+#include "study/storage/trace_store.h"
 #include "study/trial/rig.h"
 #include "study/trial/trial.h"
 
@@ -11,11 +12,14 @@ namespace study {
 /// The device that the trial @p session stands before is felt on.
 const protocols::DeviceNeed& deviceFor(const Session& session);
 
-/// That trial as it is to be rendered, and kept by @p keep.
-Trial::Setup setupFor(const Session& session, Trial::Keep keep);
+/// What is felt and seen in that trial.
+haptics::engine::SceneSpec sceneFor(const Session& session);
+
+/// That trial as it is to be rendered, its samples kept in @p traces, which outlives it.
+Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);
 
 /// That trial on its device of @p rig, open and armed.
 /// @throws UserError, haptics::devices::DeviceError  if the device is not there or not ready.
-std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, Trial::Keep keep);
+std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, storage::TraceStore& traces);
 
 }  // namespace study

@@ -6,8 +6,10 @@
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/engine/built_in_models.h"
-#include "protocols/reading/protocol_file.h"
-#include "tests/protocols/small_protocol.h"
+#include "haptics/recordings/cut.h"
+#include "protocols/load_protocol.h"
+#include "protocols/reading/anatomy_file.h"
+#include "tests/support/test_data.h"
 
 namespace protocols {
 namespace protocol_keys_test {
@@ -19,14 +21,15 @@ using haptics::devices::reamerKind;
 
 Protocol readGood(const std::string& name) {
   questionnaires::Problems problems;
-  const auto protocol = readProtocol(tests::corpusText("good", name), problems);
-  EXPECT_TRUE(protocol.has_value()) << name << "\n" << inWords(problems.all());
-  return protocol.value_or(Protocol());
+  const auto folder = tests::repository() / "tests/protocols/data/good";
+  const auto loaded = loadProtocolFile((folder / (name + ".json")).string(), problems);
+  EXPECT_TRUE(loaded.has_value()) << name << "\n" << inWords(problems.all());
+  return loaded ? loaded->protocol : Protocol();
 }
 
 template <typename Spec>
 Spec sceneOf(const Protocol& protocol, std::string_view condition) {
-  return std::get<Spec>(protocol.condition(condition)->scene.model);
+  return std::get<Spec>(protocol.condition(condition)->model.value());
 }
 
 TEST(ProtocolKeys, TellWhatTheStudyIs) {
@@ -61,13 +64,15 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   const auto* recorded = protocol.condition("recorded");
   EXPECT_EQ(recorded->title, "Recorded");
   EXPECT_EQ(recorded->device, "punch");
-  EXPECT_TRUE(recorded->scene.isVisualised);
-  EXPECT_EQ(recorded->scene.seenTissue, engine::SeenTissue::Force);
-  EXPECT_EQ(recorded->cut->name, "cuts/two-points.json");
-  EXPECT_EQ(recorded->anatomy->name, "anatomies/square.obj");
-  EXPECT_EQ(recorded->anatomy->path, "$.conditions[0].scene.anatomy");
-  EXPECT_EQ(recorded->cut->path, "$.conditions[0].scene.parameters.cut");
-  const auto curve = sceneOf<engine::InterpolationSpec>(protocol, "recorded").options;
+  EXPECT_TRUE(recorded->isVisualised);
+  EXPECT_EQ(recorded->seenTissue, engine::SeenTissue::Force);
+  EXPECT_EQ(recorded->anatomy, "anatomies/square.obj");
+  ASSERT_NE(recorded->knee, nullptr);
+  EXPECT_EQ(recorded->knee->surfaces.size(), 1U);
+  const auto cut = sceneOf<engine::InterpolationSpec>(protocol, "recorded");
+  ASSERT_EQ(cut.curve.size(), 2U);  // cuts/two-points.json
+  EXPECT_EQ(cut.curve[1].force, 4.25);
+  const auto curve = cut.options;
   EXPECT_EQ(curve.beyond, models::BeyondCurve::Hold);
   EXPECT_EQ(curve.rampLength, 0.5);
 
@@ -82,16 +87,14 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_EQ(elastic.boundary, models::Boundary::B);
   EXPECT_EQ(elastic.weights, models::ToolWeights::ExactKink);
   EXPECT_EQ(elastic.yielding, models::Yielding::ReturnMap);
-  EXPECT_FALSE(protocol.condition("elastic")->scene.isVisualised);
-  EXPECT_EQ(protocol.condition("elastic")->scene.seenTissue, engine::SeenTissue::Penetration);
-  EXPECT_FALSE(protocol.condition("elastic")->cut.has_value());
+  EXPECT_FALSE(protocol.condition("elastic")->isVisualised);
+  EXPECT_EQ(protocol.condition("elastic")->seenTissue, engine::SeenTissue::Penetration);
+  EXPECT_FALSE(protocol.condition("elastic")->anatomy.has_value());
 }
 
 TEST(ProtocolKeys, TellHowForcesAreFused) {
   const auto protocol = readGood("every-key");
   const auto fused = sceneOf<engine::KalmanSpec>(protocol, "fused");
-  EXPECT_EQ(
-      protocol.condition("fused")->cut->path, "$.conditions[2].scene.parameters.interpolation.cut");
   EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Zero);
   EXPECT_EQ(fused.scheme, models::KalmanScheme::Sequential);
   EXPECT_EQ(fused.smoothing, models::Smoothing::TwoPoint);
@@ -195,15 +198,17 @@ TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
 
 TEST(ProtocolKeys, LeaveModelsAsAreSound) {
   const auto interpolation = readGood("usual-interpolation");
-  EXPECT_EQ(interpolation.conditions[0].cut->name, "parametric");
-  const auto options = sceneOf<engine::InterpolationSpec>(interpolation, "soft").options;
+  const auto soft = sceneOf<engine::InterpolationSpec>(interpolation, "soft");
+  const auto parametric = haptics::recordings::parametricCut().curve.nodes().size();
+  EXPECT_EQ(soft.curve.size(), parametric);
+  const auto options = soft.options;
   EXPECT_EQ(options.beyond, models::BeyondCurve::RampOut);
   EXPECT_EQ(options.rampLength, 1.5);
 
   const auto kalman = readGood("usual-kalman");
-  EXPECT_EQ(kalman.conditions[0].cut->name, "parametric");
   const auto fused = sceneOf<engine::KalmanSpec>(kalman, "soft");
   EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Absent);
+  EXPECT_EQ(fused.interpolation.curve.size(), parametric);
   EXPECT_EQ(fused.finiteElements.parameters.elements, 5);
   EXPECT_EQ(fused.finiteElements.parameters.yieldForce, 7.0);
   EXPECT_EQ(fused.finiteElements.parameters.contact, 4.0);

@@ -41,7 +41,7 @@ QString inUnits(double value, const char* unit, int decimals = 2) {
 Tour::Tour(QWidget* parent)
     : QDialog(parent),
       protocol_(shippedPunch()),
-      punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene),
+      punch_(protocol_.protocol.devices.front(), protocol_.protocol.conditions.front().scene()),
       heading_(bodyLabel({}, this)),
       steps_(new QStackedWidget(this)),
       back_(new QPushButton(tr("Back"), this)),

@@ -21,8 +21,8 @@ bool isBoneSeen(const protocols::Protocol& protocol) {
       });
   const auto& conditions = protocol.conditions;
   return std::any_of(conditions.begin(), conditions.end(), [&](const auto& condition) {
-    return haptics::engine::partsOf(condition.scene.model).packing != nullptr &&
-           (isAnyBlockSeen || condition.scene.isVisualised);
+    return haptics::engine::partsOf(*condition.model).packing != nullptr &&
+           (isAnyBlockSeen || condition.isVisualised);
   });
 }
 
@@ -104,11 +104,9 @@ void CupButton::openWindow() {
   if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
   if (present().seen == nullptr) return;  // the trial has ended meanwhile
   if (window_.isNull()) {
-    const auto setup = setupFor(controller_->session(), {});
+    const auto spec = sceneFor(controller_->session());
     window_ = new scene::CupWindow(
-        *haptics::engine::partsOf(setup.scene.model).packing,
-        [this] { return present(); },
-        window());
+        *haptics::engine::partsOf(spec.model).packing, [this] { return present(); }, window());
   }
   window_->show();
   window_->raise();

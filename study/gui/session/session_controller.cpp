@@ -101,10 +101,7 @@ void SessionController::beginTrial() {
   if (live_) return;
   const bool isRunning = tryTo([&] {
     traces_.emplace(study_.openTraces());
-    const VisitKey visit = session_.visit();
-    trial_ = trialFor(session_, rig_, [this, visit](int number, const auto& samples) {
-      traces_->add(visit, number, samples);
-    });
+    trial_ = trialFor(session_, rig_, *traces_);
     session_.beginTrial();
     live_ = std::make_unique<LiveTrial>(*trial_);
   });

@@ -71,7 +71,7 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   controller.reportViewBy({});
   controller.showCupBy({});
-  const auto spec = setupFor(controller.session(), {}).scene;
+  const auto spec = sceneFor(controller.session());
   const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
   if (!isSeen) return nullptr;
   auto* place = new QWidget(parent);
@@ -98,7 +98,7 @@ QString viewInWords(const SessionController& controller) {
 }
 
 bool isAnythingSeen(const protocols::Protocol& protocol) {
-  const auto isSeen = [](const auto& condition) { return condition.scene.isVisualised; };
+  const auto isSeen = [](const auto& condition) { return condition.isVisualised; };
   const auto& conditions = protocol.conditions;
   return std::any_of(conditions.begin(), conditions.end(), isSeen) ||
          std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {

@@ -126,7 +126,7 @@ TEST(LoadedProtocol, PutsTheCurveOfACutIntoItsScene) {
   Shelf shelf{.files = {{"mine.json", cutFile()}}};
   const auto loading = tests::load(feeling("mine.json"), shelf.finder());
   ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
-  const auto& scene = loading.loaded->protocol.condition("firm")->scene;
+  const auto& scene = loading.loaded->protocol.condition("firm")->scene();
   const auto& curve = std::get<engine::InterpolationSpec>(scene.model).curve;
   ASSERT_EQ(curve.size(), 2U);
   EXPECT_EQ(curve[1].travel, 10.5);
@@ -141,7 +141,7 @@ TEST(LoadedProtocol, PutsTheShippedCutIntoAFusedSceneThatNamesNone) {
       R"("model": "kalman", "parameters": {})");
   const auto loading = tests::load(text);
   ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
-  const auto& scene = loading.loaded->protocol.condition("firm")->scene;
+  const auto& scene = loading.loaded->protocol.condition("firm")->scene();
   const auto& curve = std::get<engine::KalmanSpec>(scene.model).interpolation.curve;
   EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size());
 }

@@ -1,11 +1,10 @@
 // What is wrong is told once; what merely follows from it is not told at all.
-#include "protocols/reading/draft.h"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "protocols/reading/protocol_file.h"
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {

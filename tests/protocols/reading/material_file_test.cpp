@@ -167,7 +167,7 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
       withMaterial(R"({"hardness": 0.5, "material": "bone.json", "force_scale": 0.2})"), find);
   ASSERT_TRUE(loading.loaded) << loading.inWords();
   const auto& spec =
-      std::get<haptics::engine::MaterialSpec>(loading.loaded->protocol.condition("a")->scene.model);
+      std::get<haptics::engine::MaterialSpec>(*loading.loaded->protocol.condition("a")->model);
   EXPECT_FALSE(spec.curves.isEmpty());
   EXPECT_FALSE(spec.isMeasured);
   const auto& sources = loading.loaded->sources;
@@ -185,7 +185,7 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
       find);
   ASSERT_TRUE(shaken.loaded) << shaken.inWords();
   const auto& noisy =
-      std::get<haptics::engine::MaterialSpec>(shaken.loaded->protocol.condition("a")->scene.model);
+      std::get<haptics::engine::MaterialSpec>(*shaken.loaded->protocol.condition("a")->model);
   EXPECT_GT(noisy.jitter.rms, 0.1);
   EXPECT_EQ(noisy.jitterSeed, 7U);
 

@@ -95,8 +95,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
       protocol(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
   ASSERT_TRUE(loading.loaded) << loading.inWords();
   const auto specOf = [&](const char* id) {
-    return std::get<haptics::engine::PackingSpec>(
-        loading.loaded->protocol.condition(id)->scene.model);
+    return std::get<haptics::engine::PackingSpec>(*loading.loaded->protocol.condition(id)->model);
   };
   EXPECT_EQ(specOf("a").bone, specOf("b").bone);
   EXPECT_TRUE(specOf("a").isRemoved);

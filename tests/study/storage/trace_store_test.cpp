@@ -90,12 +90,7 @@ class KeptTrialTest : public testing::Test {
 
   haptics::devices::Device& device() { return rig_.device(deviceFor(session_)); }
 
-  Trial::Setup setup() {
-    const auto visit = session_.visit();
-    return setupFor(session_, [this, visit](int number, const Samples& samples) {
-      study_->traces().add(visit, number, samples);
-    });
-  }
+  Trial::Setup setup() { return setupFor(session_, study_->traces()); }
 
   /// What the verification says about traces, after somebody did @p mischief.
   std::string problemsAfter(const std::string& mischief) {

@@ -8,7 +8,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace advice_test {
+namespace warnings_test {
 
 using questionnaires::Severity;
 
@@ -193,5 +193,5 @@ TEST(Advice, IsSilentAboutWhatIsUnwiseWhileSomethingIsWrong) {
   EXPECT_EQ(loading.problems[0].severity, Severity::Error);
 }
 
-}  // namespace advice_test
+}  // namespace warnings_test
 }  // namespace protocols

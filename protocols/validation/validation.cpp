@@ -1,9 +1,10 @@
+#include "protocols/validation/validation.h"
+
 #include <algorithm>
 #include <set>
 #include <string>
 
 #include "protocols/model/protocol.h"
-#include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/library.h"
 
@@ -37,20 +38,7 @@ void checkUnique(
   }
 }
 
-bool isToldAbout(const std::string& place, const Problems& problems) {
-  const auto& all = problems.all();
-  return std::any_of(
-      all.begin(), all.end(), [&](const auto& p) { return p.path.starts_with(place); });
-}
-
-/// A curve or a bone that could not be read has no points, and no spheres.
-bool isCurveThere(const haptics::engine::SceneSpec& scene) {
-  const auto parts = haptics::engine::partsOf(scene.model);
-  if (parts.packing != nullptr && parts.packing->bone == nullptr) return false;
-  return parts.cut == nullptr || !parts.cut->curve.empty();
-}
-
-void checkParameters(
+void checkScene(
     const haptics::engine::SceneSpec& scene,
     const DeviceKind& device,
     const std::string& path,
@@ -79,7 +67,7 @@ void checkParameters(
 /// Whether @p condition is to be seen, in its own block or in any.
 bool isSeen(const Draft& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
-  return condition.scene.isVisualised ||
+  return condition.isVisualised ||
          std::any_of(phases.begin(), phases.end(), [&](const auto& phase) {
            const auto& felt = phase.trials.conditions;
            return phase.trials.isVisualised.value_or(false) &&
@@ -90,8 +78,6 @@ bool isSeen(const Draft& draft, const Condition& condition) {
 void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
   const auto& condition = draft.loaded.protocol.conditions[index];
   const std::string path = pathTo("conditions", index) + ".scene";
-  const bool isRead =
-      !isToldAbout(path + ".model", problems) && !isToldAbout(path + ".parameters", problems);
   if (draft.lacksDevice(condition.device)) {
     problems.add(
         path + ".device",
@@ -112,8 +98,8 @@ void checkCondition(const Draft& draft, std::size_t index, Problems& problems) {
         "nothing can be seen with a " + std::string(device->kind->name),
         "set it to false, here and in the blocks that show this condition");
   }
-  if (isRead && device != nullptr && isCurveThere(condition.scene)) {
-    checkParameters(condition.scene, *device->kind, path, problems);
+  if (condition.model && device != nullptr) {
+    checkScene(condition.scene(), *device->kind, path, problems);
   }
 }
 
@@ -197,7 +183,7 @@ void checkConsentComesFirst(const Protocol& protocol, Problems& problems) {
 
 }  // namespace
 
-void checkRules(const Draft& draft, Problems& problems) {
+void validate(const Draft& draft, Problems& problems) {
   const auto& protocol = draft.loaded.protocol;
   checkUnique(protocol.cohorts, "cohorts", "cohorts", problems);
   checkUnique(protocol.devices, "devices", "devices", problems);
@@ -207,8 +193,8 @@ void checkRules(const Draft& draft, Problems& problems) {
   for (std::size_t i = 0; i < protocol.conditions.size(); ++i) checkCondition(draft, i, problems);
   checkConsentComesFirst(protocol, problems);
   for (const auto& use : instrumentUses(protocol)) checkInstrument(draft, use, problems);
-  checkBlocks(draft, problems);
-  checkAnalysis(draft, problems);
+  validateBlocks(draft, problems);
+  validateAnalysis(draft, problems);
 }
 
 }  // namespace protocols

@@ -101,14 +101,14 @@ bool hasUnlikeStatements(const Family& family, const Phase& phase) {
 
 }  // namespace
 
-void adviseOnBlocks(const LoadedProtocol& loaded, Problems& problems) {
+void addBlockWarnings(const LoadedProtocol& loaded, Problems& problems) {
   const auto& phases = loaded.protocol.phases;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     if (phases[i].type == PhaseType::Block) BlockAdvice(loaded, i, problems).all();
   }
 }
 
-void adviseOnAnalysis(const Protocol& protocol, Problems& problems) {
+void addAnalysisWarnings(const Protocol& protocol, Problems& problems) {
   const auto& families = protocol.analysis.families;
   if (families.empty()) {
     problems.warn("$.analysis", message("no_family"), message("no_family.fix"));

@@ -54,12 +54,8 @@ bool isSeen(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
     const auto& felt = phase.trials.conditions;
     const bool isFelt = std::find(felt.begin(), felt.end(), condition.id) != felt.end();
-    return isFelt && phase.trials.isVisualised.value_or(condition.scene.isVisualised);
+    return isFelt && phase.trials.isVisualised.value_or(condition.isVisualised);
   });
-}
-
-std::string anatomyOf(const Condition& condition) {
-  return condition.anatomy ? condition.anatomy->name : std::string();
 }
 
 /// What is seen must not tell apart what is to be told apart by feel.
@@ -67,10 +63,9 @@ void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& pro
   const Condition* first = nullptr;
   for (const auto& id : block.conditions) {
     const auto* condition = protocol.condition(id);
-    if (condition == nullptr || !block.isVisualised.value_or(condition->scene.isVisualised))
-      continue;
+    if (condition == nullptr || !block.isVisualised.value_or(condition->isVisualised)) continue;
     if (first == nullptr) first = condition;
-    if (anatomyOf(*first) == anatomyOf(*condition)) continue;
+    if (first->anatomy.value_or("") == condition->anatomy.value_or("")) continue;
     const auto at = static_cast<std::size_t>(condition - protocol.conditions.data());
     problems.warn(
         "$.conditions[" + std::to_string(at) + "].scene",
@@ -81,14 +76,14 @@ void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& pro
 
 }  // namespace
 
-void adviseOnScenes(const Protocol& protocol, Problems& problems) {
+void addSceneWarnings(const Protocol& protocol, Problems& problems) {
   for (std::size_t i = 0; i < protocol.conditions.size(); ++i) {
     const std::string path = "$.conditions[" + std::to_string(i) + "].scene";
     const auto& condition = protocol.conditions[i];
     if (condition.anatomy && !isSeen(protocol, condition)) {
       problems.warn(path + ".anatomy", message("knee_never_seen"), message("knee_never_seen.fix"));
     }
-    const auto parts = engine::partsOf(condition.scene.model);
+    const auto parts = engine::partsOf(*condition.model);
     if (parts.filter != nullptr) adviseOnWeight(*parts.filter, path, problems);
     if (parts.cut != nullptr) adviseOnBranches(*parts.cut, path, problems);
   }

@@ -8,7 +8,7 @@
 #include "protocols/validation/validation.h"
 
 namespace protocols {
-namespace scene_advice_test {
+namespace scene_warnings_test {
 
 using haptics::engine::InterpolationSpec;
 using haptics::engine::KalmanSpec;
@@ -25,9 +25,9 @@ KalmanSpec filter(KalmanScheme scheme, double interpolationNoise) {
 
 std::vector<questionnaires::Problem> adviceOn(auto model) {
   Protocol protocol;
-  protocol.conditions.push_back({.id = "a", .scene = {.model = std::move(model)}});
+  protocol.conditions.push_back({.id = "a", .model = std::move(model)});
   questionnaires::Problems problems;
-  adviseOnScenes(protocol, problems);
+  addSceneWarnings(protocol, problems);
   return problems.all();
 }
 
@@ -68,5 +68,5 @@ TEST(SceneAdvice, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
   EXPECT_TRUE(adviceOn(spec).empty());
 }
 
-}  // namespace scene_advice_test
+}  // namespace scene_warnings_test
 }  // namespace protocols

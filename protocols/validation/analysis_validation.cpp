@@ -149,7 +149,7 @@ class FamilyCheck {
 
 }  // namespace
 
-void checkAnalysis(const Draft& draft, Problems& problems) {
+void validateAnalysis(const Draft& draft, Problems& problems) {
   const auto& protocol = draft.loaded.protocol;
   for (std::size_t i = 0; i < protocol.analysis.families.size(); ++i) {
     FamilyCheck(draft, i, problems).all();

@@ -123,7 +123,7 @@ class Advice {
   }
 
   /// What its own file would have been told, but for the statements that compare with the previous:
-  /// adviseOnBlocks() knows which of them may have none.
+  /// addBlockWarnings() knows which of them may have none.
   void fromLibrary(const Instrument& instrument) {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {
@@ -159,13 +159,13 @@ class Advice {
 
 }  // namespace
 
-void advise(const LoadedProtocol& loaded, Problems& problems) {
+void addWarnings(const LoadedProtocol& loaded, Problems& problems) {
   Advice advice(loaded, problems);
   advice.onTexts();
   advice.onInstruments();
-  adviseOnScenes(loaded.protocol, problems);
-  adviseOnBlocks(loaded, problems);
-  adviseOnAnalysis(loaded.protocol, problems);
+  addSceneWarnings(loaded.protocol, problems);
+  addBlockWarnings(loaded, problems);
+  addAnalysisWarnings(loaded.protocol, problems);
   advice.onWhatNobodyUses();
 }
 

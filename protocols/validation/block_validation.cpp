@@ -161,7 +161,7 @@ void checkPreference(const Draft& draft, std::size_t index, Problems& problems) 
 
 }  // namespace
 
-void checkBlocks(const Draft& draft, Problems& problems) {
+void validateBlocks(const Draft& draft, Problems& problems) {
   const auto& phases = draft.loaded.protocol.phases;
   bool hasBlock = false;
   for (std::size_t i = 0; i < phases.size(); ++i) {

@@ -9,7 +9,7 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace block_advice_test {
+namespace block_warnings_test {
 
 using Words = std::vector<std::string>;
 
@@ -168,5 +168,5 @@ TEST(BlockAdvice, MissesAPlanOfAnalysis) {
   EXPECT_EQ(adviceOn(text), Words{"$.analysis: no family of comparisons is declared"});
 }
 
-}  // namespace block_advice_test
+}  // namespace block_warnings_test
 }  // namespace protocols

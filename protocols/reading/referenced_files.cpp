@@ -1,0 +1,178 @@
+#include "protocols/reading/referenced_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "protocols/reading/cut_file.h"
+#include "protocols/reading/material_file.h"
+#include "questionnaires/json/document.h"
+#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
+#include "questionnaires/reading/wording.h"
+
+namespace protocols {
+namespace {
+
+using questionnaires::Instrument;
+using questionnaires::Problems;
+using questionnaires::shown;
+
+bool leavesItsFolder(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+}
+
+}  // namespace
+
+/// Reads a file the first time that it is asked for, so that its problems are told once, however
+/// many conditions name it. One that is missing is a problem of every place that names it.
+template <typename T, typename Read>
+const T* ReferencedFiles::once(
+    ByName<T>& known,
+    const std::string& name,
+    const std::string& path,
+    const Read& read,
+    const Ending& ending) {
+  if (name.empty()) return nullptr;
+  auto file = known.find(name);
+  if (file == known.end()) {
+    const auto text = textOf(name, path);
+    if (!text) return nullptr;
+    if (!name.ends_with(ending.ending)) {
+      problems_.add(
+          path,
+          "'" + shown(name) + "' does not end in '" + std::string(ending.ending) + "'",
+          std::string(ending.fix));
+      return nullptr;
+    }
+    Problems inFile;
+    file = known.emplace(name, read(*text, inFile)).first;
+    addProblemsOf(inFile, name);
+  }
+  return file->second ? &*file->second : nullptr;
+}
+
+const haptics::recordings::Cut* ReferencedFiles::cut(
+    const std::string& name, const std::string& path) {
+  return once(cuts_, name, path, readCut);
+}
+
+const haptics::reaming::Material* ReferencedFiles::material(
+    const std::string& name, const std::string& path) {
+  return once(materials_, name, path, readMaterial);
+}
+
+const ReferencedFiles::PackingFile* ReferencedFiles::packing(
+    const std::string& name, const std::string& path) {
+  const auto read = [](const std::string& text, Problems& problems) {
+    std::optional<PackingFile> file;
+    PackingOrigin origin;
+    if (auto bone = readPacking(text, problems, &origin)) {
+      using haptics::reaming::PackedBone;
+      file = {std::make_shared<const PackedBone>(std::move(*bone)), std::move(origin)};
+    }
+    return file;
+  };
+  return once(
+      packings_,
+      name,
+      path,
+      read,
+      {kPackingEnding, "name a file that 'palpate packing' has written"});
+}
+
+std::shared_ptr<const Anatomy> ReferencedFiles::anatomy(
+    const std::string& name, const std::string& path) {
+  const auto read = [](const std::string& text, Problems& problems) {
+    std::optional<std::shared_ptr<const Anatomy>> file;
+    if (auto anatomy = readAnatomy(text, problems)) {
+      file = std::make_shared<const Anatomy>(std::move(*anatomy));
+    }
+    return file;
+  };
+  const auto* file = once(
+      anatomies_,
+      name,
+      path,
+      read,
+      {kAnatomyEnding, "save the anatomy as OBJ, and name that file"});
+  return file == nullptr ? nullptr : *file;
+}
+
+std::optional<Instrument> ReferencedFiles::instrument(
+    const std::string& name, const std::string& path, const std::vector<std::string>& languages) {
+  const auto text = textOf(name, path);
+  if (!text) return std::nullopt;
+  Problems inFile;
+  auto instrument = questionnaires::readInstrument(*text, inFile);
+  addProblemsOf(inFile, name);
+  if (instrument) completeWording(*instrument, path, languages);
+  return instrument;
+}
+
+std::optional<Instrument> ReferencedFiles::libraryInstrument(
+    const std::string& id, const std::string& path, const std::vector<std::string>& languages) {
+  if (id.ends_with(".schema")) return std::nullopt;  // lies in the library, and is no instrument
+  for (const auto& file : questionnaires::libraryFiles()) {
+    if (file.name != id + ".json") continue;
+    auto instrument = questionnaires::readSoundInstrument(file.content, id);
+    completeWording(instrument, path, languages);
+    return instrument;
+  }
+  return std::nullopt;
+}
+
+void ReferencedFiles::addProblemsOf(const Problems& found, const std::string& file) {
+  for (auto problem : found.all()) {
+    problem.path = shown(file) + " " + problem.path;
+    problems_.add(std::move(problem));
+  }
+}
+
+/// A wording file need not exist; where it does, it becomes part of the protocol.
+void ReferencedFiles::completeWording(
+    Instrument& instrument, const std::string& path, const std::vector<std::string>& languages) {
+  const auto findWording = [&](const std::string& name) {
+    auto text = find(name, path, false);
+    if (text) files_.push_back({name, *text});
+    return text;
+  };
+  questionnaires::completeWording(instrument, languages, findWording, path, problems_);
+}
+
+std::optional<std::string> ReferencedFiles::textOf(
+    const std::string& name, const std::string& path) {
+  const auto known = std::find_if(
+      files_.begin(), files_.end(), [&](const auto& file) { return file.name == name; });
+  if (known != files_.end()) return known->text;
+  if (leavesItsFolder(name)) {
+    problems_.add(
+        path,
+        "'" + shown(name) + "' lies outside the protocol's folder",
+        "copy the file beside the protocol and name it without a folder above");
+    return std::nullopt;
+  }
+  auto text = find(name, path, true);
+  if (text) files_.push_back({name, *text});
+  return text;
+}
+
+/// The text of a file. One that is missing is a problem where it is needed; one that cannot be read
+/// always is.
+std::optional<std::string> ReferencedFiles::find(
+    const std::string& name, const std::string& path, bool isNeeded) {
+  try {
+    auto text = find_(name);
+    if (text || !isNeeded) return text;
+    problems_.add(
+        path,
+        "there is no file '" + shown(name) + "'",
+        "put it beside the protocol, or correct the name");
+  } catch (const questionnaires::Error& error) {
+    problems_.add(path, "the file '" + shown(name) + "' cannot be read", error.what());
+  }
+  return std::nullopt;
+}
+
+}  // namespace protocols

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "haptics/reaming/material/material.h"
+#include "haptics/reaming/packing/packed_bone.h"
+#include "haptics/recordings/cut.h"
+#include "protocols/model/loaded_protocol.h"
+#include "protocols/reading/anatomy_file.h"
+#include "protocols/reading/packing_file.h"
+#include "questionnaires/json/problem.h"
+
+namespace protocols {
+
+/// The files that a protocol names: looks for each once, reads it, and keeps its text for the
+/// study.
+///
+/// Whatever is asked for by name answers with what the file holds; where it cannot be read, that is
+/// a problem in the protocol at @p path, or in the file, with its name before the path, and the
+/// answer is nothing. An empty name is a problem of the protocol already, and adds none. What is
+/// returned lives as long as this.
+class ReferencedFiles {
+ public:
+  /// Both outlive this.
+  ReferencedFiles(const FileFinder& find, questionnaires::Problems& problems)
+      : find_(find), problems_(problems) {}
+
+  struct PackingFile {
+    std::shared_ptr<const haptics::reaming::PackedBone> bone;
+    PackingOrigin origin;
+  };
+
+  const haptics::recordings::Cut* cut(const std::string& name, const std::string& path);
+  const haptics::reaming::Material* material(const std::string& name, const std::string& path);
+  const PackingFile* packing(const std::string& name, const std::string& path);
+  std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
+
+  /// The instrument of a file, with its wording in @p languages, where it has or needs any.
+  std::optional<questionnaires::Instrument> instrument(
+      const std::string& name, const std::string& path, const std::vector<std::string>& languages);
+
+  /// The instrument of the library that is called @p id, with its wording; nothing, and no problem,
+  /// where there is none.
+  std::optional<questionnaires::Instrument> libraryInstrument(
+      const std::string& id, const std::string& path, const std::vector<std::string>& languages);
+
+  /// Every file that was found, as it was read.
+  std::vector<SourceFile> takeFiles() { return std::move(files_); }
+
+ private:
+  template <typename T>
+  using ByName = std::map<std::string, std::optional<T>>;  ///< nothing where the file is damaged
+
+  /// How a kind of file has to end, and what to do about one that does not.
+  struct Ending {
+    std::string_view ending;
+    std::string_view fix;
+  };
+
+  template <typename T, typename Read>
+  const T* once(
+      ByName<T>& known,
+      const std::string& name,
+      const std::string& path,
+      const Read& read,
+      const Ending& ending = {});
+  void addProblemsOf(const questionnaires::Problems& found, const std::string& file);
+  void completeWording(
+      questionnaires::Instrument& instrument,
+      const std::string& path,
+      const std::vector<std::string>& languages);
+  std::optional<std::string> textOf(const std::string& name, const std::string& path);
+  std::optional<std::string> find(const std::string& name, const std::string& path, bool isNeeded);
+
+  const FileFinder& find_;
+  questionnaires::Problems& problems_;
+  std::vector<SourceFile> files_;
+  ByName<haptics::recordings::Cut> cuts_;
+  ByName<haptics::reaming::Material> materials_;
+  ByName<PackingFile> packings_;
+  ByName<std::shared_ptr<const Anatomy>> anatomies_;
+};
+
+}  // namespace protocols
