@@ -47,7 +47,7 @@ std::vector<PublishedConvention> publishedConventions() {
   return all;
 }
 
-std::string inWords(const PublishedConvention& convention) {
+std::string describe(const PublishedConvention& convention) {
   std::string words = wordFor(convention.test);
   words += convention.tails == Convention::Tails::Two ? ", two-sided" : ", one-sided";
   words += convention.divisor == Convention::Divisor::Sample ? ", variances with n − 1"

@@ -36,7 +36,7 @@ std::vector<PublishedConvention> publishedConventions();
 
 /// "Welch, two-sided, variances with n − 1, rounded"; "Welch (ToolPak)" has rounded degrees of
 /// freedom.
-std::string inWords(const PublishedConvention& convention);
+std::string describe(const PublishedConvention& convention);
 
 /// The variances with n − 1 that a group may have had, never negative.
 /// @param n  at least 2.

@@ -46,7 +46,7 @@ LinkLoop::LinkLoop(devices::Device& device)
   processorBefore_ = processorTime();
   begin_ = timing::now();
   loop_.emplace(
-      engine::RealtimeLoop::Options{.rate = device.capabilities().rate, .beat = device.beat()},
+      engine::RealtimeLoop::Options{.rate = device.capabilities().rate, .pacer = device.pacer()},
       [this](double dt, double lateness) { tick(dt, lateness); });
 }
 
@@ -69,12 +69,12 @@ bool LinkLoop::isToStand(double force) noexcept {
 }
 
 void LinkLoop::tick(double dt, double lateness) noexcept {
-  const auto lostBeats = static_cast<int>(1e-6 * lateness / dt);
-  const auto sample = engine_.tick(dt, lostBeats);
+  const auto missedPeriods = static_cast<int>(1e-6 * lateness / dt);
+  const auto sample = engine_.tick(dt, missedPeriods);
   if (isOver()) return;
   if (run_.ticks == 0) run_.begunAfter = 1e-9 * static_cast<double>(timing::now() - begin_);
   ++run_.ticks;
-  run_.lostBeats += static_cast<std::uint64_t>(lostBeats);
+  run_.missedPeriods += static_cast<std::uint64_t>(missedPeriods);
   run_.seconds = 1e-9 * static_cast<double>(timing::now() - begin_);
   using Status = devices::DeviceStatus;
   if (sample.status == Status::Gone || sample.status == Status::Faulted) {

@@ -13,7 +13,7 @@
 namespace haptics::bench {
 
 /// What a hand feels while a link is measured: five springs in a row; of bone a
-/// material of our own making, as hard as can be, at 15 % of its force.
+/// parametric material, as hard as can be, at 15 % of its force.
 engine::SceneSpec sceneForLink(devices::Tissue tissue);
 
 /// What came of ticking at a device, from arming it to its end.
@@ -22,7 +22,7 @@ struct LinkRun {
   engine::RealtimeLoop::Report loop;  ///< also of ticks after a fault, until the end
   bool isRealtime = false;            ///< what was asked for was granted
   std::uint64_t ticks = 0;            ///< while it was there
-  std::uint64_t lostBeats = 0;        ///< while it was there
+  std::uint64_t missedPeriods = 0;    ///< while it was there
   double seconds = 0.0;               ///< while it was there
   double begunAfter = 0.0;            ///< from arming to the first tick [s]
   double processor = 0.0;             ///< time that this process, all of it, had meanwhile [s]

@@ -230,7 +230,8 @@ void sweepFilter(double effort, StabilityResult& result) {
           driftAtRest(*way, scheme, steps),
           scheme == 0 ? 1.0 : 1e-3);
     }
-    // What nobody can weigh is refused at load: an indefinite Q, R < 0, Q = R = 0, no numbers.
+    // Noise that is no covariance is refused at load: an indefinite Q, R < 0, Q = R = 0, no
+    // numbers.
     int accepted = 0;
     const FilterAttack unsound[]{
         {.q11 = 1.0, .q12 = 2.0, .q22 = 1.0, .rElastic = 1.0, .rRecorded = 1.0},

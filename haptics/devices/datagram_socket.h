@@ -28,8 +28,8 @@ class NetworkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One UDP socket, not connected: it hears from everybody and says who it was. After construction
-/// nothing throws, allocates, or waits but receive().
+/// One UDP socket, not connected: it receives from any sender and returns the sender. After
+/// construction nothing throws, allocates, or waits but receive().
 class DatagramSocket {
  public:
   /// @throws NetworkError  if @p local cannot be had.

@@ -12,15 +12,15 @@
 namespace haptics::devices {
 
 /// What sets the pace of a loop instead of a timer: a device that sends, and wants an answer.
-class Beat {
+class Pacer {
  public:
-  virtual ~Beat() = default;
-  Beat() = default;
-  Beat(const Beat&) = delete;
-  Beat& operator=(const Beat&) = delete;
+  virtual ~Pacer() = default;
+  Pacer() = default;
+  Pacer(const Pacer&) = delete;
+  Pacer& operator=(const Pacer&) = delete;
 
-  /// Waits for the next beat, no longer than until @p deadline [ns on CLOCK_MONOTONIC]. False where
-  /// none came.
+  /// Waits for the next period, no longer than until @p deadline [ns on CLOCK_MONOTONIC]. False
+  /// where none came.
   virtual bool wait(std::int64_t deadline) noexcept = 0;
 };
 
@@ -50,8 +50,8 @@ struct LinkReport {
   std::uint64_t doubled = 0;            ///< came twice; the second was not acted upon
   std::uint64_t late = 0;               ///< overtaken; not acted upon
   std::uint64_t damaged = 0;            ///< not as they had been sent
-  std::uint64_t foreign = 0;            ///< from somebody else
-  std::uint64_t restarts = 0;           ///< the device began to count anew
+  std::uint64_t foreign = 0;            ///< from another sender
+  std::uint64_t restarts = 0;           ///< the device restarted its counter
   std::uint64_t skipped = 0;            ///< came together with a newer one, after we had been late
   std::uint64_t stale = 0;              ///< ticks without a new sample
   std::uint64_t unsent = 0;             ///< answers that found no room on the wire
@@ -88,7 +88,7 @@ struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
-  bool isHeld = true;     ///< somebody holds the dead-man switch, or there is none
+  bool isHeld = true;     ///< the dead-man switch is held, or there is none
   std::int64_t deviceTime =
       0;                      ///< when it was measured, on the device's clock [ns]; 0: it has none
   std::int64_t hostTime = 0;  ///< when it arrived, on CLOCK_MONOTONIC [ns]; 0: at once
@@ -106,8 +106,9 @@ enum class Lifecycle : std::uint8_t {
 
 const char* nameOf(Lifecycle state) noexcept;
 
-/// An instrument in somebody's hand. read() and command() are called in turn from one thread, the
-/// engine's; they neither allocate, wait nor throw. The others are called while nobody ticks.
+/// An instrument that a hand holds. read() and command() are called in turn from one thread, the
+/// engine's; they neither allocate, wait nor throw. The others are called while the engine does not
+/// tick.
 class Device {
  public:
   virtual ~Device() = default;
@@ -136,11 +137,11 @@ class Device {
   /// Any thread: what is wrong, in words; empty where nothing is.
   virtual std::string fault() const { return {}; }
 
-  /// What has come and gone since it was armed. Asked by whoever ticks.
+  /// What has been received and sent since it was armed. Called from the thread that ticks.
   virtual LinkReport link() { return {}; }
 
   /// What sets the pace of the loop, if this device does; it lives as long as the device.
-  virtual Beat* beat() noexcept { return nullptr; }
+  virtual Pacer* pacer() noexcept { return nullptr; }
 
   /// Where the tool is now, @p dt [s] after the last time it was asked.
   virtual DeviceSample read(double dt) noexcept = 0;

@@ -65,7 +65,7 @@ class SimulatedHand final : public Hand {
   double closeTime_ = 0.0;  ///< in this cycle [s]
 };
 
-/// A hand that follows a pointer: the mouse or the keys of somebody who has no device. Another
+/// A hand that follows a pointer: the mouse or the keys, where there is no device. Another
 /// thread says where to go.
 class PointerHand final : public Hand {
  public:

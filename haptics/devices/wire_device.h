@@ -18,10 +18,10 @@ namespace haptics::devices {
 /// on it is the thread of the loop. The connection is given up at the first fault, and only open()
 /// makes it again. A device that derives from this calls close() in its destructor: the keeper uses
 /// it.
-class WireDevice : public Device, private Beat {
+class WireDevice : public Device, private Pacer {
  public:
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
-  Beat* beat() noexcept override { return this; }
+  Pacer* pacer() noexcept override { return this; }
 
   void close() noexcept override;
   void arm() override;

@@ -41,7 +41,8 @@ class FriJudge {
       const wire::fri::Joints& before,
       double seconds) const noexcept;
 
-  /// In CommandingWait: it mirrors @p joints and has what its mode needs, whatever the value.
+  /// In CommandingWait: it mirrors @p joints and has the fields that its mode needs, with any
+  /// value.
   bool isMirror(
       const wire::fri::CommandData& command, const wire::fri::Joints& joints) const noexcept;
 

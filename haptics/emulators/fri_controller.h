@@ -79,12 +79,12 @@ class FriController {
   /// | wrong-version         | frames as another version from now on; once more: no longer      |
   /// | six-joints N          | N messages have six measured joints                              |
   /// | nan N                 | in N messages a measured joint is no number                      |
-  /// | quality poor, good    | Poor is told and acted upon whatever is measured; no longer      |
+  /// | quality poor, good    | Poor is sent and acted upon in place of the measured; no longer  |
   /// | safety-stop           | stops; drives off, until safety-reset                            |
   /// | impostor N            | with N messages comes another from another port                  |
   /// | motion                | the program queues its motion again                              |
   /// | idle                  | the session ends                                                 |
-  /// | restart               | the controller starts anew, counters from 0                      |
+  /// | restart               | the controller starts again, counters from 0                     |
   /// | status                | nothing; the reply is status()                                   |
   struct Reply {
     bool isTaken = false;
@@ -146,7 +146,7 @@ class FriController {
   Buffer impostorOut_{};
   FriReport report_;  ///< the stepping thread's
   mutable std::mutex gate_;
-  FriReport published_;  ///< everybody's, through the gate
+  FriReport published_;  ///< shared between threads, behind the mutex
 };
 
 }  // namespace haptics::emulators

@@ -25,7 +25,7 @@ struct FriReport {
   double travel = 0.0;      ///< along the reaming axis [m]
   std::int64_t zeroAt = 0;  ///< when the overlay last became nothing [ns of the clock]; 0: never
   std::uint64_t periods = 0;
-  std::uint64_t messages = 0;   ///< made, whatever became of them
+  std::uint64_t messages = 0;   ///< made, sent or not
   std::uint64_t datagrams = 0;  ///< that left, garbage and doubles with them, impostor's apart
   std::uint64_t unsent = 0;     ///< that the system did not take
   FriAnswers::Counts answers;
@@ -57,7 +57,7 @@ struct FriStanding {
 wire::fri::MonitoringMessage monitoringMessage(
     const FriStanding& standing, const FriSession& session, const FriArm& arm) noexcept;
 
-/// Makes the seventh measured joint position of an encoded message a field that nobody knows, so
+/// Makes the seventh measured joint position of an encoded message an unknown field, so
 /// that six are left, without a change of length; or makes the first no number. The CRC of 2.7 is
 /// made right again: only a client that counts joints and looks at numbers can see it.
 /// @param version  that the message is framed for

@@ -128,7 +128,7 @@ void FriOrders::add(Once order, int howMany) noexcept {
 bool FriOrders::take(Once order) noexcept {
   auto& left = once_[static_cast<std::size_t>(order)];
   if (left.load(std::memory_order_relaxed) <= 0) return false;
-  left.fetch_sub(1, std::memory_order_relaxed);  // nobody else takes
+  left.fetch_sub(1, std::memory_order_relaxed);  // the only thread that takes
   return true;
 }
 

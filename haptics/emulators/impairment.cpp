@@ -66,7 +66,7 @@ std::optional<Fault> Impairment::orderedFault() noexcept {
   for (std::size_t i = 0; i < orders_.size(); ++i) {
     const auto fault = static_cast<Fault>(i);
     if (orders_[i].load(std::memory_order_relaxed) <= 0 || !hasRoomFor(fault)) continue;
-    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // nobody else takes
+    orders_[i].fetch_sub(1, std::memory_order_relaxed);  // the only thread that takes
     return fault;
   }
   return std::nullopt;

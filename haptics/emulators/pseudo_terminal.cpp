@@ -74,7 +74,7 @@ void PseudoTerminal::refuseNameOfAnother() {
       "): another emulator has it. End that one, choose another name, or remove the link.");
 }
 
-/// Only a link: nobody's file is removed for a port.
+/// Only a link is removed, never a file.
 void PseudoTerminal::removeLink() noexcept {
   std::array<char, 256> target{};
   if (!link_.empty() && readlink(link_.c_str(), target.data(), target.size()) > 0) {
@@ -90,7 +90,7 @@ std::size_t PseudoTerminal::read(std::span<std::uint8_t> into) noexcept {
 
 void PseudoTerminal::write(std::span<const std::uint8_t> bytes) noexcept {
   if (!isPlugged()) return;
-  // All or nothing: half a frame would be damage that nobody did.
+  // All or nothing: half a frame would count as damage that was not asked for.
   int waiting = 0;
   constexpr int kRoom = 3000;  // of the 4096 bytes that a terminal keeps
   if (ioctl(master_, TIOCOUTQ, &waiting) == 0 && waiting > kRoom) return;

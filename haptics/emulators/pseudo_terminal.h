@@ -7,10 +7,10 @@
 
 namespace haptics::emulators {
 
-/// The far end of a serial line that is none: what is written here, whoever opens port() reads.
+/// A pseudo-terminal: what is written here is read by the program that opens port().
 class PseudoTerminal {
  public:
-  /// @param link  a name for the port that stays when it is plugged in anew; empty: none.
+  /// @param link  a link to the port that stays when it is plugged in again; empty: none.
   /// @throws std::runtime_error  where the system gives none, or the link cannot be made.
   explicit PseudoTerminal(std::string link = {});
   ~PseudoTerminal();

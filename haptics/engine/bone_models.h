@@ -118,7 +118,7 @@ class PackingModel final : public ForceModel {
 /// A bone of spheres from which the reamer takes what it goes through.
 class RemovalModel final : public ForceModel {
  public:
-  /// @param spec  sound. @param isSeen  somebody draws it: only then is there a view of it.
+  /// @param spec  sound. @param isSeen  it is drawn: only then is there a view of it.
   explicit RemovalModel(const PackingSpec& spec, bool isSeen = false);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -128,7 +128,7 @@ class RemovalModel final : public ForceModel {
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 
   const reaming::Bone& bone() const noexcept { return bone_; }
-  /// Nothing where nobody draws it.
+  /// nullptr where it is not drawn.
   BoneView* view() const noexcept { return view_.get(); }
 
  private:

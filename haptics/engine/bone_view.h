@@ -8,7 +8,7 @@
 
 namespace haptics::engine {
 
-/// A sphere that has changed, for whoever draws the bone. A radius of 0: it is gone.
+/// A sphere that has changed, for a picture of the bone. A radius of 0: it was removed.
 struct SphereChange {
   /// A slot that is none: the bone is whole again, all spheres are as at the beginning.
   static constexpr std::uint32_t kAllAnew = 0xffffffffU;

@@ -13,7 +13,7 @@ InterpolationSpec publishedInterpolation();
 FiniteElementsSpec publishedElements(int elements);
 KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements);
 
-/// A reaming material of our own making, for a study that has no measured one: not a measurement.
+/// A parametric reaming material, for a study that has no measured one: not a measurement.
 ///
 /// It has what the reaming paper reports of its 62 series and no more: almost no force over the
 /// first millimetres while the reamer keeps up with the feed, one local peak, then a rise; the
@@ -21,7 +21,7 @@ KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements);
 /// [m], forces in [N].
 std::vector<MaterialNode> parametricMaterial();
 
-/// A cup of our own making, 20,000 spheres that feel like parametricMaterial(). Built when it is
+/// A parametric cup, 20,000 spheres that feel like parametricMaterial(). Built when it is
 /// first asked for, in about a second; any thread.
 std::shared_ptr<const reaming::PackedBone> parametricBone();
 

@@ -24,7 +24,7 @@ constexpr const char* kRemoval = "removal of bone";
 constexpr const char* kBoneView = "bone: what changes in it";
 
 /// The reading of the paper that is rendered, by the names that protocols use.
-std::string inWords(const models::FiniteElements<double>::Parameters& p) {
+std::string describe(const models::FiniteElements<double>::Parameters& p) {
   std::string words = "boundary ";
   words.append(nameIn(kBoundaryNames, p.boundary));
   words.append(", weights ").append(nameIn(kWeightsNames, p.weights));
@@ -37,7 +37,7 @@ std::string inHundredths(double share) {
   return text;
 }
 
-std::string inWords(const KalmanSpec& spec) {
+std::string describe(const KalmanSpec& spec) {
   std::string words = "variant ";
   words.append(nameIn(kSchemeNames, spec.scheme));
   if (spec.isProcessAsPrinted) words += ", process as-printed";
@@ -91,7 +91,7 @@ struct Builder {
     model = std::make_unique<FiniteElementModel>(spec);
     out(kInterpolation, "the force comes from the finite elements alone");
     in(kFiniteElements,
-       "this is the force: " + inWords(spec.parameters),
+       "this is the force: " + describe(spec.parameters),
        sizeof(FiniteElementModel));
     out(kFilter, "there is one force, so nothing to fuse");
     noBone();
@@ -110,9 +110,9 @@ struct Builder {
                  : "the filter corrects with it",
         InterpolationModel(spec.interpolation).bytes());
     in(kFiniteElements,
-       "the filter corrects with it: " + inWords(spec.finiteElements.parameters),
+       "the filter corrects with it: " + describe(spec.finiteElements.parameters),
        sizeof(FiniteElementModel));
-    in(kFilter, "this is the force: " + inWords(spec), sizeof(models::KalmanFilter<double>));
+    in(kFilter, "this is the force: " + describe(spec), sizeof(models::KalmanFilter<double>));
     noBone();
   }
 

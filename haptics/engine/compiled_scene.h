@@ -62,10 +62,10 @@ class CompiledScene {
   double delay() const noexcept { return model_->delay(); }  ///< [ticks]
   bool isReady() const noexcept { return model_->isReady(); }
 
-  /// Nothing, where the condition is felt without being seen.
+  /// nullptr where the condition is felt without being seen.
   const MeshView* mesh() const noexcept { return mesh_ ? &*mesh_ : nullptr; }
 
-  /// Nothing, where no bone is taken away, or nobody sees it.
+  /// nullptr where no bone is removed, or it is not drawn.
   BoneView* bone() const noexcept { return bone_; }
 
   /// What is in, what was left out, and why.

@@ -30,7 +30,7 @@ std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
   std::uint8_t marks = TickSample::None;
   if ((reasons & ForceGate::TooFast) != 0) marks |= TickSample::TooFast;
   if ((reasons & ForceGate::Released) != 0) marks |= TickSample::Released;
-  if ((reasons & ForceGate::LostBeats) != 0) marks |= TickSample::LostBeats;
+  if ((reasons & ForceGate::MissedPeriods) != 0) marks |= TickSample::MissedPeriods;
   if ((reasons & ForceGate::SoftStart) != 0 && hasScene) marks |= TickSample::SoftStart;
   return marks;
 }
@@ -80,7 +80,7 @@ void ForceEngine::takeScene() noexcept {
   if (scene != nullptr) scene->reset();
 }
 
-TickSample ForceEngine::tick(double dt, int lostBeats) noexcept {
+TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
   TickSample sample;
   sample.tick = ticks_++;
   const bool isMeasured = read(sample, dt);
@@ -97,7 +97,7 @@ TickSample ForceEngine::tick(double dt, int lostBeats) noexcept {
         {.isMeasured = isMeasured,
          .isHeld = isHeld_,
          .velocity = tool_.velocity,
-         .lostBeats = lostBeats},
+         .missedPeriods = missedPeriods},
         dt);
   }
   device_.command(sample.force);

@@ -16,7 +16,7 @@ using CutDetector = models::CutDetector<double>;
 
 /// Feels for a hand: reads the tool, asks a scene for a force, limits it, commands it, counts cuts.
 ///
-/// The engine owns neither thread nor clock. Whoever calls tick() decides what a millisecond is:
+/// The engine owns neither thread nor clock. The caller of tick() decides what a millisecond is:
 /// the real-time loop on a study day, a for-loop for a simulated cohort and in a test. One engine
 /// serves one device; two devices have two clocks, hence two engines.
 class ForceEngine {
@@ -37,13 +37,13 @@ class ForceEngine {
   void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
   bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }
 
-  /// One step of @p dt [s], after @p lostBeats that the clock let pass. Never allocates, waits or
-  /// throws.
+  /// One step of @p dt [s], after @p missedPeriods that the clock let pass. Never allocates, waits
+  /// or throws.
   ///
   /// Read device → check sample → scene → passivity → gate → saturate → slew → check for finiteness
   /// → command. A stop, a device that is gone and a scene without an answer let go of the hand; a
   /// missing sample is bridged for one tick, and then the force fades.
-  TickSample tick(double dt, int lostBeats = 0) noexcept;
+  TickSample tick(double dt, int missedPeriods = 0) noexcept;
 
  private:
   bool read(TickSample& sample, double dt) noexcept;

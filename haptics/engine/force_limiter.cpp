@@ -51,9 +51,9 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
   Output output{.reasons = closingReasons(input, dt)};
   output.isPatienceOver = silence_ > limits_.patience;
   const double step = dt / limits_.rampTime;
-  if (input.lostBeats > 1) {
-    output.reasons |= LostBeats;
-    gain_ = std::max(0.0, gain_ - (input.lostBeats - 1) * step);
+  if (input.missedPeriods > 1) {
+    output.reasons |= MissedPeriods;
+    gain_ = std::max(0.0, gain_ - (input.missedPeriods - 1) * step);
   }
 
   // One missing sample is held, by a hair more than a tick so that rounding does not decide.

@@ -5,13 +5,13 @@
 
 namespace haptics::engine {
 
-/// What a hand may be made to feel, and how fast. Saturation, slew and the check for finiteness
+/// The largest force and its fastest change. Saturation, slew and the check for finiteness
 /// cannot be switched off.
 struct SafetyLimits {
   double maxForce = 3.0;   ///< [N], > 0
   double maxRate = 300.0;  ///< how fast a force may change [N/s], > 0
 
-  /// A tool that is faster than this is in nobody's hand: no force [device's travel unit/s], > 0.
+  /// A tool that is faster than this is in no hand: no force [device's travel unit/s], > 0.
   double maxVelocity = std::numeric_limits<double>::infinity();
 
   /// How long a force takes to come or to go where the gate opens or closes [s], > 0.
@@ -69,26 +69,26 @@ class ForceLimiter {
 ///   small force, then more and more over the ramp. So does a hand that takes the switch again, and
 ///   one that has become slow again.
 /// - A sample that is missing is bridged by the last force for one tick; then the force fades.
-/// - A beat that was lost was bridged by the device itself; more than one fades the force by what
+/// - One missed period is bridged by the device itself; more than one fades the force by what
 ///   it should have faded since, and it comes back over the ramp.
 class ForceGate {
  public:
   /// Why the gate is not all open, as bits.
   enum Reason : std::uint8_t {
     None = 0,
-    TooFast = 1,    ///< the tool exceeds the limit of velocity
-    Released = 2,   ///< nobody holds the dead-man switch
-    NoSample = 4,   ///< the device gave no new measurement
-    LostBeats = 8,  ///< the clock lost more than one beat
-    SoftStart = 16  ///< waits for a small force, or lets it come on
+    TooFast = 1,        ///< the tool exceeds the limit of velocity
+    Released = 2,       ///< the dead-man switch is not held
+    NoSample = 4,       ///< the device gave no new measurement
+    MissedPeriods = 8,  ///< the clock missed more than one period
+    SoftStart = 16      ///< waits for a small force, or lets it come on
   };
 
   struct Input {
     bool isMeasured = true;  ///< there is a new sample
-    bool isHeld = true;      ///< somebody holds the dead-man switch
+    bool isHeld = true;      ///< the dead-man switch is held
     double velocity = 0.0;   ///< [device's travel unit/s]
     double desired = 0.0;    ///< what the scene asks for [N]
-    int lostBeats = 0;       ///< before this tick
+    int missedPeriods = 0;   ///< before this tick
   };
 
   struct Output {

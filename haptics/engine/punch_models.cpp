@@ -142,7 +142,7 @@ models::Response<double> KalmanModel<Filter>::respond(const ToolState& tool) noe
   lastTravel_ = tool.travel;
   hasTravel_ = true;
   const double force = average_.feed(filter_.step(travelled, elastic.force, recorded.force, trust));
-  if (!std::isfinite(force)) {  // a leap that no hand makes: begin anew
+  if (!std::isfinite(force)) {  // no hand leaps so: start again
     reset();
     return {};
   }

@@ -28,7 +28,8 @@ HoleDetector::~HoleDetector() {
 }
 
 /// How long the thread has waited for a processor in all [ns]: the file's second number. −1 where
-/// nobody counts: then the third, how often it had its turn, is 0 although it is running.
+/// the kernel does not count: then the third, how often it had its turn, is 0 although it is
+/// running.
 std::int64_t HoleDetector::waited() const noexcept {
   char text[96];
   const auto length = file_ < 0 ? -1 : pread(file_, text, sizeof text, 0);
@@ -89,13 +90,13 @@ class RealtimeLoop::Pace {
   Pace(const Options& options, std::int64_t period) noexcept
       : period_(period),
         spin_(static_cast<std::int64_t>(options.spinning * static_cast<double>(period))),
-        beat_(options.beat),
+        pacer_(options.pacer),
         due_(now()) {}
 
   /// Waits for the next tick; how late it is [ns]. What was lost is not made up for.
   std::int64_t wait() noexcept {
-    if (beat_ != nullptr) {
-      beat_->wait(due_ + period_);  // a device that is silent is noticed by the tick
+    if (pacer_ != nullptr) {
+      pacer_->wait(due_ + period_);  // a device that is silent is noticed by the tick
     } else {
       if (spin_ < due_ - now()) sleepUntil(due_ - spin_);
       while (now() < due_) {
@@ -103,7 +104,7 @@ class RealtimeLoop::Pace {
     }
     const std::int64_t woken = now();
     const std::int64_t late = std::max<std::int64_t>(woken - due_, 0);
-    const bool isPacedByDevice = beat_ != nullptr;
+    const bool isPacedByDevice = pacer_ != nullptr;
     due_ = (isPacedByDevice || late > period_ ? woken : due_) + period_;
     return late;
   }
@@ -111,7 +112,7 @@ class RealtimeLoop::Pace {
  private:
   std::int64_t period_;
   std::int64_t spin_;
-  devices::Beat* beat_;
+  devices::Pacer* pacer_;
   std::int64_t due_;
 };
 
@@ -144,7 +145,7 @@ void RealtimeLoop::note(std::int64_t late, std::int64_t own, std::int64_t period
   ticks_.store(++report_.ticks, std::memory_order_relaxed);
   if (late <= period) return;
   lateTicks_.store(++report_.lateTicks, std::memory_order_relaxed);
-  report_.lostBeats += static_cast<std::uint64_t>(late / period);
+  report_.missedPeriods += static_cast<std::uint64_t>(late / period);
   if (own > period) {
     ++report_.lateTicksOfOurs;
   } else {

@@ -15,7 +15,7 @@ namespace haptics::engine {
 ///
 /// A thread that waits for a processor although its time has come counts that in
 /// /proc/thread-self/schedstat: other work of this machine, ours to answer for. The rest of the
-/// lateness is a hole: the timer itself came late, because whoever runs this (virtual) machine had
+/// lateness is a hole: the timer itself came late, because the host of this (virtual) machine had
 /// stopped it, or its firmware had. Where the kernel does not count, everything is ours.
 class HoleDetector {
  public:
@@ -27,7 +27,7 @@ class HoleDetector {
 
   bool isAvailable() const noexcept { return file_ >= 0; }
 
-  /// Begins to count anew: call it now and then while nothing is late, so that the small change of
+  /// Resets the count: call it now and then while nothing is late, so that the small change of
   /// many wake-ups does not add up.
   void restart() noexcept;
 
@@ -51,7 +51,7 @@ class HoleDetector {
 class RealtimeLoop {
  public:
   /// One step: @p dt is the nominal period [s], @p lateness how long after its due time [µs]. A
-  /// whole period of lateness is a beat that was lost.
+  /// whole period of lateness is a period that was missed.
   using Tick = std::function<void(double dt, double lateness)>;
 
   /// Longer spinning would run into the kernel's brake on real-time threads (950 ms of a second).
@@ -61,14 +61,14 @@ class RealtimeLoop {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
     double spinning = 0.05;  ///< share of a period that is spun at its end, 0 to kMostSpinning
     bool asksForRealtime = true;
-    devices::Beat* beat = nullptr;  ///< outlives the loop; sets the pace where it is given
+    devices::Pacer* pacer = nullptr;  ///< outlives the loop; sets the pace where it is given
   };
 
   struct Report {
     std::uint64_t ticks = 0;
-    std::uint64_t lateTicks = 0;        ///< later than a whole period: at least one beat was lost
+    std::uint64_t lateTicks = 0;  ///< later than a whole period: at least one period was missed
     std::uint64_t lateTicksOfOurs = 0;  ///< … which this machine answers for, not a hole
-    std::uint64_t lostBeats = 0;
+    std::uint64_t missedPeriods = 0;
     std::uint64_t holes = 0;                ///< late ticks that the machine below us caused
     double longestHole = 0.0;               ///< [µs]
     bool knowsHoles = false;                ///< the kernel tells them apart

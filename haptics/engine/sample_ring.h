@@ -50,19 +50,19 @@ class SampleRing {
   std::array<Sample, kCapacity> samples_{};
 };
 
-/// What happened in one tick, for whoever records, counts or draws it.
+/// What happened in one tick: to be recorded, counted and drawn.
 struct TickSample {
-  /// What the engine itself had to say, beside the limiter's interventions, as bits.
+  /// What the engine itself noted, beside the limiter's interventions, as bits.
   enum Mark : std::uint8_t {
     None = 0,
-    Invalid = 1,      ///< the device gave no measurement; travel and velocity are the last ones
-    Undefined = 2,    ///< the scene has no force here
-    Stopped = 4,      ///< somebody pressed stop
-    Bare = 8,         ///< no scene: the hand feels nothing
-    TooFast = 16,     ///< the tool exceeds the limit of velocity; the force fades
-    Released = 32,    ///< nobody holds the dead-man switch; the force fades
-    SoftStart = 64,   ///< the force waits for a small one, or comes on
-    LostBeats = 128,  ///< the clock lost more than one beat; the force fades
+    Invalid = 1,          ///< the device gave no measurement; travel and velocity are the last ones
+    Undefined = 2,        ///< the scene has no force here
+    Stopped = 4,          ///< stop was pressed
+    Bare = 8,             ///< no scene: the hand feels nothing
+    TooFast = 16,         ///< the tool exceeds the limit of velocity; the force fades
+    Released = 32,        ///< the dead-man switch is not held; the force fades
+    SoftStart = 64,       ///< the force waits for a small one, or comes on
+    MissedPeriods = 128,  ///< the clock missed more than one period; the force fades
   };
 
   std::uint64_t tick = 0;
@@ -71,7 +71,7 @@ struct TickSample {
   double desired = 0.0;   ///< what the scene asked for [N]
   double force = 0.0;     ///< what the device was told [N]
   double energy = 0.0;    ///< that this contact has taken up [N·device's travel unit]
-  float lateness = 0.0F;  ///< of this tick against its due time [µs]; 0 where nobody has a clock
+  float lateness = 0.0F;  ///< of this tick against its due time [µs]; 0 where there is no clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
   std::uint8_t marks = None;

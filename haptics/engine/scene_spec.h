@@ -67,7 +67,7 @@ struct KalmanSpec {
   FiniteElementsSpec finiteElements;
   models::KalmanNoise<double> noise;
   models::KalmanScheme scheme = models::KalmanScheme::AuthorsFirmware;
-  bool isProcessAsPrinted = false;  ///< Q of eq. (22) with its misprint, whatever the noise says
+  bool isProcessAsPrinted = false;  ///< Q of eq. (22) with its misprint, in place of the noise
   models::Smoothing smoothing = models::Smoothing::None;
 };
 
@@ -86,7 +86,7 @@ struct MaterialSpec {
 
   std::vector<MaterialNode> nodes;
   reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
-  bool isMeasured = false;         ///< somebody has measured the curves
+  bool isMeasured = false;         ///< the curves were measured
   double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
   /// Bone asks for more than an arm gives: everything times this, in (0, 1].
   double forceScale = 1.0;

@@ -13,7 +13,7 @@ namespace haptics::firmware {
 /// parameters that came over the wire. Nothing is rendered before all of it has come and is sound.
 class ChipScene {
  public:
-  /// Begins anew with @p model, whose payload was @p bytes.
+  /// Starts a new scene with @p model, whose payload was @p bytes.
   wire::punch::ModelVerdict take(
       const wire::punch::Model& model, const uint8_t* bytes, size_t count) noexcept {
     model_ = model;

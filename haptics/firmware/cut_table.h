@@ -4,7 +4,7 @@
 
 namespace haptics::firmware {
 
-/// The cut of our own making, haptics::recordings::parametricCut(), at 33 points: travel in travel
+/// The parametric cut, haptics::recordings::parametricCut(), at 33 points: travel in travel
 /// units, force in N. A test holds it to its source.
 inline constexpr int kCutPoints = 33;
 inline constexpr models::CurveNode<float> kCut[kCutPoints]{

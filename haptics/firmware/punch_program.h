@@ -117,7 +117,7 @@ class PunchProgram {
     } else if (frame.type == Type::Stop) {
       wire::punch::Stop order;
       readOr(frame, order);
-      disarm();  // whatever the reason
+      disarm();  // for any reason
     } else {
       spoil(1);
     }

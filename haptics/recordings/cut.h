@@ -14,7 +14,7 @@ namespace haptics::recordings {
 /// Where a cut comes from and what was done to it, complete enough to do it again.
 struct Provenance {
   std::string statement{};              ///< in a sentence
-  std::string sourceFile{};             ///< without its folder; empty if nobody recorded it
+  std::string sourceFile{};             ///< without its folder; empty if it was not recorded
   std::vector<RowRange> rows{};         ///< one range, or one for each closure of a mean
   std::vector<std::size_t> closures{};  ///< from 1; empty if rows were chosen
   std::string calibration{};            ///< e.g. `paper-eq1`
@@ -48,10 +48,10 @@ struct Cut {
   std::optional<ForceCurve> opening{};  ///< what was recorded while the tool opened again
   CutLandmarks landmarks{};             ///< as measured, before the slope was limited
   Provenance provenance{};
-  bool isSynthetic = false;  ///< nobody recorded it
+  bool isSynthetic = false;  ///< it was not recorded
 };
 
-/// What a cut of our own making is built from. The defaults are the landmarks of the reference
+/// What a parametric cut is built from. The defaults are the landmarks of the reference
 /// cut, rounded, with a bottom-out half a newton lower so that the cutting through can be felt: the
 /// recorded force falls by 0.69 N, hardly more than its sensor errs (0.56 N).
 struct CutShape {
@@ -66,7 +66,7 @@ struct CutShape {
   double maxSlope = 4.39;     ///< as in ImportOptions [N/travel unit]
 };
 
-/// A cut that nobody recorded: smooth pieces between landmarks, monotone in each.
+/// A parametric cut, not recorded: smooth pieces between landmarks, monotone in each.
 ///
 /// Each piece is a cubic Hermite polynomial over s = (x − x₀)/h with h = x₁ − x₀, Δ = (f₁ − f₀)/h,
 ///

@@ -13,7 +13,7 @@ namespace haptics::recordings {
 
 namespace {
 
-std::string inWords(std::span<const RowRange> ranges) {
+std::string describe(std::span<const RowRange> ranges) {
   std::string words;
   for (const RowRange& rows : ranges) {
     if (!words.empty()) words += ", ";
@@ -128,7 +128,7 @@ CutLandmarks landmarksOf(const ImportReport& report, const Trace& trace, const F
 Provenance provenanceOf(
     const Recording& recording, const ImportOptions& options, const ImportReport& report) {
   return {
-      .statement = inWords(report.rows) + " of the recording '" + recording.source + "' (" +
+      .statement = describe(report.rows) + " of the recording '" + recording.source + "' (" +
                    report.reason + ")",
       .sourceFile = recording.source,
       .rows = report.rows,
@@ -168,7 +168,7 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
       .landmarks = landmarksOf(report, trace, recorded),
       .provenance = provenanceOf(recording, options, report)};
   if (cut.name.empty()) cut.name = recording.source.substr(0, recording.source.rfind('.'));
-  if (cut.title.empty()) cut.title = recording.source + ", " + inWords(report.rows);
+  if (cut.title.empty()) cut.title = recording.source + ", " + describe(report.rows);
   return {std::move(cut), std::move(report)};
 }
 

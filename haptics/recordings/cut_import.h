@@ -85,7 +85,7 @@ CutChoice chooseCut(
     const ImportOptions& options,
     const std::string& source);
 
-/// What somebody should know of a recording before a cut is taken from it.
+/// What to know of a recording before a cut is taken from it.
 struct RecordingSurvey {
   std::size_t rows = 0;
   Sampling sampling{};

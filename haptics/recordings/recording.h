@@ -25,7 +25,7 @@ struct RowRange {
   friend bool operator==(const RowRange&, const RowRange&) = default;
 };
 
-/// What a recorder wrote while somebody cut, row by row and unchanged, and what could not be read.
+/// What a recorder wrote during cuts, row by row and unchanged, and what could not be read.
 struct Recording {
   /// One loop of the recorder.
   struct Row {
@@ -77,7 +77,7 @@ struct Sampling {
 
 Sampling samplingOf(const Recording& recording);
 
-/// A number for a sentence: so many digits after a decimal point, whatever the locale.
+/// A number for a sentence: so many digits after a decimal point, in every locale.
 std::string decimal(double value, int digits);
 
 /// No recording of a minute of cutting is larger than this [bytes].

@@ -55,8 +55,8 @@ class KaiserLowPass {
 ///     recorder-2021   f = (3·10⁻⁷ r³ − 3·10⁻⁴ r² + 0.7261 r) · 9.81·10⁻³
 ///
 /// The first is eq. (1) of the punch paper. The second is the force column of the published
-/// recordings (there in grams, whatever their heading says) and is kept to compare with; it reads
-/// a sixth less at full scale.
+/// recordings (there in grams, although their heading says otherwise) and is kept to compare with;
+/// it reads a sixth less at full scale.
 enum class ForceCalibration : std::uint8_t { PaperEq1, Recorder2021 };
 
 /// From here on the sensor says no more: a force is a lower bound [counts].
@@ -98,7 +98,7 @@ std::vector<double> filtered(std::span<const double> travel, TravelFilter filter
 /// The variant as researchers write it, e.g. `authors-fir`.
 std::string_view nameOf(TravelFilter filter) noexcept;
 
-/// Every parameter of it, in words, for whoever wants to filter alike.
+/// Every parameter of it, in words, for those who want to filter alike.
 std::string parametersOf(TravelFilter filter);
 
 /// The variant of that name, if there is one.

@@ -37,7 +37,7 @@ class LatenessHistogram {
 ///
 ///     host − device = offset + drift · (time since the first).
 ///
-/// Costs some sums, whatever the length.
+/// Costs a few sums, at any length.
 class ClockDrift {
  public:
   /// A message that was stamped @p device and received at @p host, both [ns] and both rising.

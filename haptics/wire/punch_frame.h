@@ -114,7 +114,7 @@ inline size_t encodeFrame(
   return stuffed + 1;
 }
 
-/// Finds frames in bytes as they come. Whatever is no frame is passed over up to the next zero, and
+/// Finds frames in bytes as they come. What is no frame is skipped up to the next zero, and
 /// counted; nothing is allocated.
 class FrameDecoder {
  public:

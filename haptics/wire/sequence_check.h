@@ -13,7 +13,7 @@ class SequenceCheck {
     Fresh,    ///< newer than all before
     Doubled,  ///< has been here already: not to be acted upon
     Late,     ///< overtaken by a newer one: not to be acted upon
-    Restart,  ///< so far away that the sender has begun anew
+    Restart,  ///< so far away that the sender has restarted
   };
 
   Verdict take(Counter number) noexcept {
@@ -52,7 +52,7 @@ class SequenceCheck {
     const bool isFirst = !hasAny_;
     hasAny_ = true;
     newest_ = number;
-    seen_ = ~std::uint64_t{0};  // what was before the first is nobody's loss
+    seen_ = ~std::uint64_t{0};  // what was before the first does not count as lost
     return isFirst ? Verdict::Fresh : Verdict::Restart;
   }
   Verdict doubled() noexcept {

@@ -8,7 +8,7 @@
 
 namespace protocols {
 
-std::string originInWords(const FeltSource& source) {
+std::string describeOrigin(const FeltSource& source) {
   std::string words;
   for (const auto& part : source.origin) {
     words += (words.empty() ? "" : ", ") + base::describe(part);
@@ -16,11 +16,11 @@ std::string originInWords(const FeltSource& source) {
   return words;
 }
 
-std::string inWords(const FeltSource& source) {
+std::string describe(const FeltSource& source) {
   std::string words = source.isSynthetic ? "SYNTHETIC: " : "";
   words += base::describe(source.title) + " (" + source.kind;
   words += source.file.empty() ? ", built into the program)" : " '" + source.file + "')";
-  return source.origin.empty() ? words : words + ", " + originInWords(source);
+  return source.origin.empty() ? words : words + ", " + describeOrigin(source);
 }
 
 const questionnaires::Instrument* LoadedProtocol::instrument(std::string_view id) const noexcept {
@@ -53,7 +53,7 @@ Texts textsOf(const Instrument& instrument) {
   return texts;
 }
 
-std::string blanksIn(const Texts& texts, const std::string& language) {
+std::string placeholderTexts(const Texts& texts, const std::string& language) {
   std::string words;
   std::set<std::string> seen;  // items repeat the scale that they share
   for (const auto* text : texts) {
@@ -65,41 +65,41 @@ std::string blanksIn(const Texts& texts, const std::string& language) {
 
 /// Looks through one place in every language that can be chosen.
 void look(
-    std::vector<Blank>& blanks,
+    std::vector<Placeholder>& found,
     const std::string& where,
     const Texts& texts,
     const std::vector<std::string>& languages,
     bool isInProtocol) {
-  Blank blank{.where = {}, .words = {}, .isInProtocol = isInProtocol};
+  Placeholder placeholder{.where = {}, .words = {}, .isInProtocol = isInProtocol};
   std::string which;
   for (const auto& language : languages) {
-    const auto words = blanksIn(texts, language);
+    const auto words = placeholderTexts(texts, language);
     if (words.empty()) continue;
     which += (which.empty() ? "" : ", ") + language;
-    if (blank.words.empty()) blank.words = words;
+    if (placeholder.words.empty()) placeholder.words = words;
   }
-  if (blank.words.empty()) return;
-  blank.where = where + " (" + which + ")";
-  blanks.push_back(std::move(blank));
+  if (placeholder.words.empty()) return;
+  placeholder.where = where + " (" + which + ")";
+  found.push_back(std::move(placeholder));
 }
 
 }  // namespace
 
-std::vector<Blank> blanksOf(const LoadedProtocol& loaded) {
-  std::vector<Blank> blanks;
+std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded) {
+  std::vector<Placeholder> found;
   const auto& protocol = loaded.protocol;
-  look(blanks, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages, true);
+  look(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages, true);
   for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
     const std::string where = "$.phases[" + std::to_string(i) + "].text";
-    look(blanks, where, {&protocol.phases[i].text}, protocol.languages, true);
+    look(found, where, {&protocol.phases[i].text}, protocol.languages, true);
   }
   std::set<std::string> seen;
   for (const auto& use : instrumentUses(protocol)) {
     if (!seen.insert(use.instrument).second) continue;
     const auto& instrument = *loaded.instrument(use.instrument);
-    look(blanks, use.instrument, textsOf(instrument), protocol.languages, false);
+    look(found, use.instrument, textsOf(instrument), protocol.languages, false);
   }
-  return blanks;
+  return found;
 }
 
 }  // namespace protocols

@@ -19,15 +19,15 @@ struct FeltSource {
   std::string file;     ///< as the protocol calls it; empty where it is built into the program
   base::Message title;  ///< for people
   std::vector<base::Message> origin;    ///< empty where the file says nothing
-  bool isSynthetic = false;             ///< nobody recorded or measured it
+  bool isSynthetic = false;             ///< neither recorded nor measured
   std::vector<std::string> conditions;  ///< by id
 };
 
 /// Its origin in English: "spheres in 'cup.msh', fitted to 'bone.json'".
-std::string originInWords(const FeltSource& source);
+std::string describeOrigin(const FeltSource& source);
 
 /// "Bone of specimen 7 (material 'bone.json'), test set dynamic-1", and its mark.
-std::string inWords(const FeltSource& source);
+std::string describe(const FeltSource& source);
 
 /// A file that a protocol consists of, as it was read: what a study keeps.
 struct SourceFile {
@@ -50,16 +50,17 @@ struct LoadedProtocol {
 /// Finds the text of a file that a protocol names; nothing where there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// What the author of a text left for a laboratory to fill in, and nobody has: a participant would
+/// Text in double square brackets that the laboratory has not filled in yet: a participant would
 /// read the brackets.
-struct Blank {
+struct Placeholder {
   std::string where;          ///< the instrument, or the place in the protocol; and its languages
   std::string words;          ///< "[[number]], [[institution]]", of the first of them
   bool isInProtocol = false;  ///< and not in an instrument
 };
 
-/// Those in whatever a participant may come to read, in any language of the protocol, since they
-/// can change it: the protocol's own texts, and all texts of the instruments that it uses.
-std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
+/// Those in all texts that a participant may read, in every language of the protocol, since
+/// participants can change it: the protocol's own texts, and all texts of the instruments that it
+/// uses.
+std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
 
 }  // namespace protocols

@@ -38,9 +38,9 @@ struct Cohort {
 struct DeviceNeed {
   std::string id;
   const haptics::devices::DeviceKind* kind;
-  double maxForce = 0.0;               ///< [N]
-  double maxForceRate = 0.0;           ///< [N/s]
-  double maxVelocity = 300.0;          ///< beyond it nobody holds the tool [device's travel unit/s]
+  double maxForce = 0.0;       ///< [N]
+  double maxForceRate = 0.0;   ///< [N/s]
+  double maxVelocity = 300.0;  ///< beyond it the tool is in no hand [device's travel unit/s]
   bool isPassivityControlled = false;  ///< damped where a scene gives more energy than it took
 };
 
@@ -71,7 +71,7 @@ struct Condition {
 
 /// Which label an alternative bears.
 enum class LabelPolicy {
-  Condition,  ///< a condition has the same label for everybody, as in the punch paper
+  Condition,  ///< a condition has the same label for all, as in the punch paper
   Position,   ///< what comes first is Alternative 1
   Random,     ///< drawn for every participant
 };
@@ -105,7 +105,7 @@ struct ConditionQuestionnaire {
   std::string setFor(std::string_view condition) const;
 };
 
-/// Trials that belong together: every condition once, in somebody's order.
+/// Trials that belong together: every condition once, in the participant's order.
 struct Block {
   std::vector<std::string> conditions;
   std::optional<bool> isVisualised;  ///< instead of what the conditions say

@@ -17,7 +17,7 @@ inline constexpr int kMostConditions = 100;
 /// … and of a `complete` one: 6! = 720 orders.
 inline constexpr int kMostForComplete = 6;
 
-/// The orders that a design of k conditions uses, each equally often. One row where everybody has
+/// The orders that a design of k conditions uses, each equally often. One row where all have
 /// the same order; none where orders are drawn (Random) or taken from elsewhere (Reversed).
 ///
 /// BalancedLatinSquare is Williams' design: k rows for even k, 2k for odd k. For three conditions
@@ -25,12 +25,12 @@ inline constexpr int kMostForComplete = 6;
 std::vector<Row> rowsOf(OrderType type, int k);
 
 /// The order of participant number @p slot, counted from 0 in their cohort. Rows follow each other
-/// in a sequence drawn anew for every full cycle, so that no operator can foretell the next and
+/// in a sequence drawn for every full cycle, so that no operator can foretell the next and
 /// every cycle is balanced.
 Row orderFor(
     OrderType type, int k, std::uint64_t seed, std::uint64_t slot, std::string_view purpose);
 
-/// A condition that somebody will feel, at a position, under a label.
+/// A condition that a participant will feel, at a position, under a label.
 struct PlannedTrial {
   std::string condition;
   int position = 0;  ///< 1 … k

@@ -26,7 +26,7 @@ inline constexpr std::string_view kTibia = "tibia";
 inline constexpr std::string_view kFemur = "femur";
 inline constexpr std::string_view kCapsule = "capsule";
 
-/// Surfaces of somebody's knee, instead of those of our own making.
+/// Surfaces of a knee from a file, in place of the built-in ones.
 ///
 /// Their frame is the punch's mouth: the origin on the lower jaw where it bites, x to the right as
 /// the arthroscope shows it, y up from the shin to the thigh, z towards the surgeon [mm].

@@ -66,7 +66,7 @@ std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems&
   return ForceCurve(std::move(points));
 }
 
-/// Whatever the travel is in, a punch would take it for its own units.
+/// A punch would take travel of any unit for its own.
 std::string readUnit(const Node& root) {
   const std::string unit = root.text("unit");
   if (!unit.empty() && unit != kUnit) {

@@ -8,7 +8,7 @@
 
 namespace protocols {
 
-/// A surface of triangles as somebody's file has it, in the file's own frame and unit.
+/// A surface of triangles as a file has it, in the file's own frame and unit.
 struct NamedSurface {
   using Triple = std::array<float, 3>;
   using Colour = std::array<std::uint8_t, 3>;

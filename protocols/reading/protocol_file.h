@@ -8,11 +8,11 @@
 
 namespace protocols {
 
-/// A protocol in the making: whatever could be read of it and of the files that it names.
+/// A protocol that may have errors: what could be read of it and of the files that it names.
 ///
-/// What could not be read has been told and is empty here. The rules say nothing more about it, nor
-/// about a name that may mean it: so everything that is wrong with a file comes out in one reading,
-/// and nothing that follows from it.
+/// What could not be read is empty here, and a problem already. Validation adds no problem about
+/// it, nor about a name that may mean it: one reading finds everything that is wrong with a file,
+/// and nothing that merely follows.
 struct Draft {
   LoadedProtocol loaded;
   bool hasAllInstruments = true;  ///< every one of 'instrument_files' could be read

@@ -21,7 +21,7 @@ namespace protocols {
 /// The files that a protocol names: looks for each once, reads it, and keeps its text for the
 /// study.
 ///
-/// Whatever is asked for by name answers with what the file holds; where it cannot be read, that is
+/// Each function returns what the file called @p name holds. Where it cannot be read, that is
 /// a problem in the protocol at @p path, or in the file, with its name before the path, and the
 /// answer is nothing. An empty name is a problem of the protocol already, and adds none. What is
 /// returned lives as long as this.

@@ -12,12 +12,12 @@ namespace {
 namespace engine = haptics::engine;
 using questionnaires::Problems;
 
-constexpr double kDeaf = 0.02;  // a weight below which nobody feels a force
+constexpr double kUnfelt = 0.02;  // the weight below which a force is not felt
 
 void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Problems& problems) {
   const double weight = engine::interpolationWeight(spec);
-  if (weight >= kDeaf && weight <= 1.0 - kDeaf) return;
-  const bool isRecordingUnheard = weight < kDeaf;
+  if (weight >= kUnfelt && weight <= 1.0 - kUnfelt) return;
+  const bool isRecordingUnheard = weight < kUnfelt;
   problems.warn(
       path + ".parameters",
       isRecordingUnheard ? message("cut_not_felt") : message("elements_not_felt"),

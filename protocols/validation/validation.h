@@ -20,8 +20,8 @@ void validateAnalysis(const Draft& draft, questionnaires::Problems& problems);
 void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
 
 /// What is merely unwise about a protocol, as warnings: a statement about the previous alternative
-/// where there is none, an order that is the same for everybody, a number of participants that does
-/// not balance, forms that are still to be filled in, things that nobody uses.
+/// where there is none, an order that is the same for all, a number of participants that does
+/// not balance, forms that are still to be filled in, things that are not used.
 ///
 /// @param loaded  sound: validate() has nothing to say.
 void addWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);

@@ -31,7 +31,7 @@ bool Node::isSound() const {
 bool Node::isObjectWith(std::span<const std::string_view> names) const {
   const auto* object = std::get_if<Value::Object>(&value_->data);
   if (object == nullptr) {
-    problem("", "an object is expected here, not " + kindOf(*value_), "write { … }");
+    problem("", "an object is expected here, not " + typeName(*value_), "write { … }");
     return false;
   }
   for (const auto& member : *object) {
@@ -67,7 +67,7 @@ Node Node::at(std::string_view key, const Value& value) const {
 
 std::string Node::asText() const {
   if (const auto* text = std::get_if<std::string>(&value_->data)) return *text;
-  problem("", "a text is expected here, not " + kindOf(*value_), "write \"…\"");
+  problem("", "a text is expected here, not " + typeName(*value_), "write \"…\"");
   return {};
 }
 
@@ -103,14 +103,14 @@ std::optional<double> Node::numberIn(
   } else if (const auto* real = std::get_if<double>(&value.data)) {
     number = *real;
   } else {
-    problem(key, "a number is expected here, not " + kindOf(value));
+    problem(key, "a number is expected here, not " + typeName(value));
     return std::nullopt;
   }
   if (!(number >= least && number <= most)) {
     problem(
         key,
         "this number is out of range",
-        "write a number from " + inWords(least) + " to " + inWords(most));
+        "write a number from " + shown(least) + " to " + shown(most));
     return std::nullopt;
   }
   return number;
@@ -134,7 +134,7 @@ std::optional<std::int64_t> Node::wholeNumberIn(
     problem(
         key,
         std::string("a whole number is expected here, not ") +
-            (isFraction ? "one with a decimal point" : kindOf(value)),
+            (isFraction ? "one with a decimal point" : typeName(value)),
         "write it with digits only, without a decimal point");
     return std::nullopt;
   }
@@ -163,7 +163,7 @@ bool Node::flag(std::string_view key, bool fallback) const {
   const Value* value = find(key);
   if (value == nullptr) return fallback;
   if (const auto* flag = std::get_if<bool>(&value->data)) return *flag;
-  problem(key, "true or false is expected here, not " + kindOf(*value));
+  problem(key, "true or false is expected here, not " + typeName(*value));
   return fallback;
 }
 
@@ -175,7 +175,7 @@ std::size_t Node::chosenAt(std::string_view key, const std::vector<std::string_v
 std::optional<std::size_t> Node::indexIn(const std::vector<std::string_view>& names) const {
   const auto* text = std::get_if<std::string>(&value_->data);
   if (text == nullptr) {
-    problem("", "a text is expected here, not " + kindOf(*value_), "one of: " + listed(names));
+    problem("", "a text is expected here, not " + typeName(*value_), "one of: " + listed(names));
     return std::nullopt;
   }
   const auto found = std::find(names.begin(), names.end(), *text);

@@ -37,7 +37,7 @@ struct Value::Member {
   Value value;
 };
 
-/// How much of a file is read before it is called no researcher's file.
+/// The largest file that is read; what researchers write is far smaller.
 inline constexpr std::size_t kLargestFile = 5'000'000;  ///< [bytes]
 inline constexpr std::size_t kDeepestNesting = 64;
 inline constexpr std::size_t kLongestText = 100'000;  ///< [bytes]
@@ -69,8 +69,8 @@ struct Choice {
 ///
 /// Every read answers with a value of the right type. Where the file has none, that is a problem in
 /// the list, the fallback goes on, and everything else is read too: so all problems of a file come
-/// out in one reading. nlohmann::json makes an int of 1.5, of true and of 2^32 + 1 without a word;
-/// a Node does not.
+/// out in one reading. nlohmann::json makes an int of 1.5, of true and of 2^32 + 1 without an
+/// error; a Node does not.
 ///
 /// Values, problems and names outlive their nodes.
 class Node {
@@ -124,7 +124,7 @@ class Node {
   std::optional<Node> requiredObject(std::string_view key) const;
   std::vector<Node> requiredList(std::string_view key) const;
 
-  /// Whatever stands behind a key; nothing where the key is missing.
+  /// The value behind a key; nothing where the key is missing.
   std::optional<Node> member(std::string_view key) const;
 
   /// The keys of this object with their nodes, in the order of the file.
@@ -186,15 +186,15 @@ inline constexpr std::string_view kIdRule =
     "use a letter or digit, then letters, digits, '.', '_' or '-', at most 64 in all";
 
 /// What kind of value this is: "a number", "a list".
-std::string kindOf(const Value& value);
+std::string typeName(const Value& value);
 
 /// @p number as a message may show it, without needless digits: 0.5, 1000000000.
-std::string inWords(double number);
+std::string shown(double number);
 
 /// @p text as a message may show it: a line without control characters, cut where it is long.
 std::string shown(std::string_view text);
 
-/// The one of @p known that somebody who wrote @p word probably meant.
+/// The one of @p known that @p word is probably a misspelling of.
 std::optional<std::string_view> nearest(
     std::string_view word, std::span<const std::string_view> known);
 

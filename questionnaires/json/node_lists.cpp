@@ -9,7 +9,7 @@ std::optional<Node> Node::object(std::string_view key) const {
   const Value* value = find(key);
   if (value == nullptr) return std::nullopt;
   if (!std::holds_alternative<Value::Object>(value->data)) {
-    problem(key, "an object is expected here, not " + kindOf(*value), "write { … }");
+    problem(key, "an object is expected here, not " + typeName(*value), "write { … }");
     return std::nullopt;
   }
   return at(key, *value);
@@ -24,7 +24,7 @@ std::vector<Node> Node::list(std::string_view key, std::size_t most) const {
   if (value == nullptr) return {};
   const auto* array = std::get_if<Value::Array>(&value->data);
   if (array == nullptr) {
-    problem(key, "a list is expected here, not " + kindOf(*value), "write [ … ]");
+    problem(key, "a list is expected here, not " + typeName(*value), "write [ … ]");
     return {};
   }
   if (array->size() > most) {

@@ -19,7 +19,7 @@ void Problems::add(Problem problem) {
   }
 }
 
-std::string inWords(const std::vector<Problem>& problems) {
+std::string describe(const std::vector<Problem>& problems) {
   std::string text;
   for (const auto& problem : problems) {
     text += problem.severity == Severity::Error ? "error   " : "warning ";

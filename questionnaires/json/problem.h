@@ -17,8 +17,8 @@ enum class Severity {
   Warning,  ///< it can, and its author should know
 };
 
-/// Something about a researcher's file, told so that it can be mended. Errors are told in English
-/// only, at a desk; warnings stand in reports as well, and have keys.
+/// Something wrong or unusual in a researcher's file, and what to do about it. Errors are told in
+/// English only, at a desk; warnings stand in reports as well, and have keys.
 struct Problem {
   Severity severity = Severity::Error;
   std::string path;              ///< where, as a JSON path from the root: "$.phases[3].order"
@@ -27,10 +27,10 @@ struct Problem {
   std::optional<int> line = {};  ///< from 0, where the text is no JSON there
 };
 
-/// How many problems are told; whoever wrote the file has enough to do with them.
+/// How many problems are listed; the first ones are enough to start with.
 inline constexpr std::size_t kMostProblems = 1000;
 
-/// All that was found in a file: a person who edits between two participants learns it at once.
+/// All that was found in a file, so that its author learns it in one reading.
 class Problems {
  public:
   void add(std::string path, std::string what, std::string fix = {}) {
@@ -59,7 +59,7 @@ class Problems {
 };
 
 /// One line a problem, as a person at a terminal reads it.
-std::string inWords(const std::vector<Problem>& problems);
+std::string describe(const std::vector<Problem>& problems);
 
 /// A researcher's file that cannot be used; what() lists every problem.
 class Error : public std::runtime_error {

@@ -103,7 +103,7 @@ std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>
   const auto last = std::find_if(answers.rbegin(), answers.rend(), [&](const Answer& answer) {
     return answer.itemId == item.id;
   });
-  if (last == answers.rend() || !last->response || objection(item, *last->response)) {
+  if (last == answers.rend() || !last->response || validationError(item, *last->response)) {
     return std::nullopt;
   }
   const auto* whole = std::get_if<std::int64_t>(&*last->response);

@@ -20,11 +20,11 @@ struct Answer {
   std::optional<Response> response;
 };
 
-/// Why @p response cannot be an answer to @p item, in words; nothing where it can.
+/// Why @p response is no valid answer to @p item, in words; nothing where it is.
 ///
-/// Alternatives are whatever @p alternatives lists, where the item takes its options from there.
+/// Alternatives are those that @p alternatives lists, where the item takes its options from there.
 /// Texts may hold any Unicode but the character NUL; a short one has one line.
-std::optional<std::string> objection(
+std::optional<std::string> validationError(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives = {});
 
 /// What @p response is called in @p language: the label of a point or an option, the word at the
@@ -40,8 +40,8 @@ std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 
 /// The answer to @p item as a number, as it was given: the last one where there are several.
-/// Nothing where there is none, where it was taken back, where objection() refuses it, and where
-/// answers to the item are no numbers.
+/// Nothing where there is none, where it was taken back, where validationError() refuses it, and
+/// where answers to the item are no numbers.
 std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>& answers);
 
 /// @p number as it counts for @p item: low + high - x where the key is -1. A number item has no

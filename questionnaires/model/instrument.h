@@ -134,7 +134,7 @@ struct Item {
   /// The lowest answer, turned round where the key is -1, that counts as acceptable; nothing where
   /// the study sets no threshold. Likert, SemanticDifferential, Slider, Number.
   std::optional<double> acceptableFrom;
-  /// The texts that are somebody's property: a wording file beside the protocol brings them.
+  /// The texts that may not be shipped: a wording file beside the protocol brings them.
   /// Likert, SemanticDifferential, Slider.
   std::vector<WordingField> withheld;
 

@@ -156,7 +156,7 @@ Instrument readSoundInstrument(std::string_view json, const std::string& name) {
   Problems problems;
   auto instrument = readInstrument(json, problems);
   if (!instrument) {
-    throw Error("The questionnaire " + name + " cannot be used:\n" + inWords(problems.all()));
+    throw Error("The questionnaire " + name + " cannot be used:\n" + describe(problems.all()));
   }
   return *std::move(instrument);
 }

@@ -46,7 +46,7 @@ std::vector<TextPlace> textPlacesOf(Instrument& instrument);
 /// Whether a text has nothing but spaces, tabs and line ends.
 bool isBlank(const std::string& text);
 
-/// Whatever of @p text stands in double square brackets, one after the other: "[[a]], [[b]]".
+/// The parts of @p text in double square brackets, one after the other: "[[a]], [[b]]".
 std::string placeholdersOf(const std::string& text);
 
 /// Looks over the texts of an instrument, language by language.

@@ -75,8 +75,8 @@ void ItemInspection::inspectThreshold() const {
   if (!item_.acceptableFrom || !range) return;
   if (*item_.acceptableFrom > range->low && *item_.acceptableFrom <= range->high) return;
   add("acceptable_from",
-      "all answers lie on one side of " + inWords(*item_.acceptableFrom),
-      "write a number above " + inWords(range->low) + ", up to " + inWords(range->high));
+      "all answers lie on one side of " + shown(*item_.acceptableFrom),
+      "write a number above " + shown(range->low) + ", up to " + shown(range->high));
 }
 
 void ItemInspection::inspectKind() const {
@@ -133,7 +133,7 @@ void ItemInspection::inspectRange() const {
   if (!std::isfinite(range) || !(range > 0.0)) {
     return add(
         "least",
-        "least is " + inWords(item_.least) + " and most is " + inWords(item_.most),
+        "least is " + shown(item_.least) + " and most is " + shown(item_.most),
         "least must be smaller than most");
   }
   if (!(item_.step >= 0.0)) {
@@ -144,8 +144,8 @@ void ItemInspection::inspectRange() const {
   const double steps = range / item_.step;
   if (std::round(steps) < 1.0 || std::abs(steps - std::round(steps)) > kTolerance) {
     add("step",
-        "steps of " + inWords(item_.step) + " do not lead from " + inWords(item_.least) + " to " +
-            inWords(item_.most),
+        "steps of " + shown(item_.step) + " do not lead from " + shown(item_.least) + " to " +
+            shown(item_.most),
         "choose a step that divides the range, or 0 for any value");
   }
 }

@@ -82,8 +82,8 @@ void inspectMissingAs(
     if (!range || (*score.missingAs >= range->low && *score.missingAs <= range->high)) continue;
     return problems.add(
         path + ".missing_as",
-        "nobody can answer " + inWords(*score.missingAs) + " to '" + shown(id) + "'",
-        "write a number from " + inWords(range->low) + " to " + inWords(range->high));
+        "nobody can answer " + shown(*score.missingAs) + " to '" + shown(id) + "'",
+        "write a number from " + shown(range->low) + " to " + shown(range->high));
   }
 }
 

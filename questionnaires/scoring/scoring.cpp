@@ -21,7 +21,7 @@ std::optional<std::string> chosenIn(
   if (pair == nullptr || pair->type != ItemType::PairwiseChoice) return std::nullopt;
   const auto last = std::find_if(
       answers.rbegin(), answers.rend(), [&](const Answer& answer) { return answer.itemId == id; });
-  if (last == answers.rend() || !last->response || objection(*pair, *last->response)) {
+  if (last == answers.rend() || !last->response || validationError(*pair, *last->response)) {
     return std::nullopt;
   }
   return std::get<std::string>(*last->response);
@@ -212,7 +212,7 @@ std::optional<Consistency> consistencyOf(
   if (!result.isSuspicious) return result;
   result.warning = "in " + std::to_string(result.contradictory.size()) + " of " +
                    std::to_string(rule.scores.size()) + " scales the answers lie more than " +
-                   inWords(rule.widestRange) +
+                   shown(rule.widestRange) +
                    " apart: they may not have been meant; look at them before you count them";
   return result;
 }

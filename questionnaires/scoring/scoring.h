@@ -26,10 +26,10 @@ struct ScoreResult {
 /// x is the answer, low + high - x where the key is -1; w is 1, or the item's weight, or how often
 /// it was chosen in the pairs that the score takes its weights from. An unanswered item is missing,
 /// unless the score says what it counts as. Nothing where too few items were answered: a mean, and
-/// whatever replaces missing answers, needs as many as the score says; everything else needs all,
-/// and weights from pairs need every pair. Points, sliders and numbers count; other kinds of items
-/// do not, and neither does an answer that objection() refuses. Where an item was answered more
-/// than once, the last answer counts.
+/// a score that replaces missing answers, needs as many as the score says; everything else needs
+/// all, and weights from pairs need every pair. Points, sliders and numbers count; other kinds of
+/// items do not, and neither does an answer that validationError() refuses. Where an item was
+/// answered more than once, the last answer counts.
 ScoreResult computeScore(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 

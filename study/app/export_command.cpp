@@ -61,7 +61,7 @@ int exportAs(const ExportArguments& options) {
       .hasTraces = options.traces};
   if (options.forPublic) {
     how.publicClass = options.smallestClass;
-    fmt::print("{}", inWords(publicRelease(study, how)));
+    fmt::print("{}", describe(publicRelease(study, how)));
   }
   tellOfExport(options, how, exportStudy(study, options.out, how, options.reason));
   return 0;

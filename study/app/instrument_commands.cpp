@@ -86,7 +86,7 @@ int check(const InstrumentArguments& options) {
     };
     questionnaires::completeWording(*instrument, {options.language}, find, "$.items", problems);
   }
-  std::fputs(questionnaires::inWords(problems.all()).c_str(), stdout);
+  std::fputs(questionnaires::describe(problems.all()).c_str(), stdout);
   if (problems.hasErrors()) {
     fmt::print("{} cannot be used yet.\n", options.name);
     return 1;

@@ -11,19 +11,19 @@ namespace study::app {
 namespace {
 
 using questionnaires::Instrument;
-using questionnaires::inWords;
 using questionnaires::Item;
 using questionnaires::Score;
+using questionnaires::shown;
 
 std::string lineOf(const Item& item) {
   const auto range = questionnaires::rangeOf(item);
   if (!range) return {};
   const std::string counts =
-      item.key == -1 ? "reversed: x counts " + inWords(range->low + range->high) + " - x" : "";
+      item.key == -1 ? "reversed: x counts " + shown(range->low + range->high) + " - x" : "";
   const std::string threshold =
-      item.acceptableFrom ? "acceptable from " + inWords(*item.acceptableFrom) : "";
+      item.acceptableFrom ? "acceptable from " + shown(*item.acceptableFrom) : "";
   std::string line =
-      fmt::format("{:<28} {} ... {}", item.id, inWords(range->low), inWords(range->high));
+      fmt::format("{:<28} {} ... {}", item.id, shown(range->low), shown(range->high));
   for (const auto& words : {counts, threshold}) {
     if (!words.empty()) line += "  " + words;
   }
@@ -35,7 +35,7 @@ std::string weightedNames(const Score& score) {
   for (std::size_t i = 0; i < score.items.size(); ++i) {
     names += names.empty() ? "" : ", ";
     const bool hasWeight = i < score.weights.size() && score.weights[i] != 1.0;
-    names += (hasWeight ? inWords(score.weights[i]) + " * " : "") + score.items[i];
+    names += (hasWeight ? shown(score.weights[i]) + " * " : "") + score.items[i];
   }
   return names;
 }
@@ -47,7 +47,7 @@ std::string aggregateOf(const Score& score) {
     case Score::Aggregate::Sum:
       return (isWeighted ? "weighted sum" : "sum") + names;
     case Score::Aggregate::Count:
-      return "how many are at least " + inWords(score.countFrom) + " of " + names;
+      return "how many are at least " + shown(score.countFrom) + " of " + names;
     case Score::Aggregate::Mean:
       break;
   }
@@ -60,7 +60,7 @@ std::string missingRuleOf(const Score& score) {
   std::string words = score.leastAnswered == 1
                           ? "at least one answer is needed"
                           : fmt::format("at least {} answers are needed", score.leastAnswered);
-  if (score.missingAs) words += ", a missing one counts as " + inWords(*score.missingAs);
+  if (score.missingAs) words += ", a missing one counts as " + shown(*score.missingAs);
   return words;
 }
 
@@ -68,9 +68,9 @@ std::string formulaOf(const Score& score) {
   std::string formula = aggregateOf(score);
   if (score.offset != 0.0) {
     formula = fmt::format(
-        "({} {} {})", formula, score.offset < 0.0 ? "-" : "+", inWords(std::abs(score.offset)));
+        "({} {} {})", formula, score.offset < 0.0 ? "-" : "+", shown(std::abs(score.offset)));
   }
-  if (score.factor != 1.0) formula += " * " + inWords(score.factor);
+  if (score.factor != 1.0) formula += " * " + shown(score.factor);
   return formula;
 }
 
@@ -97,7 +97,7 @@ std::string keysInWords(const Instrument& instrument) {
         "\nSuspicious where the answers within {} of {} scores lie more than {} apart.\n",
         rule->suspiciousFrom,
         rule->scores.size(),
-        inWords(rule->widestRange));
+        shown(rule->widestRange));
   }
   return text.empty() ? "Nothing is scored here.\n" : text;
 }

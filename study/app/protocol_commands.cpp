@@ -30,7 +30,7 @@ int check(const CheckOptions& options) {
     std::fputs(problemsAsJson(options.file, loaded.has_value(), problems.all()).c_str(), stdout);
     return loaded ? 0 : 1;
   }
-  std::fputs(questionnaires::inWords(problems.all()).c_str(), stdout);
+  std::fputs(questionnaires::describe(problems.all()).c_str(), stdout);
   if (!loaded) {
     fmt::print("{} cannot be used yet.\n", options.file);
     return 1;
@@ -132,7 +132,7 @@ int orders(const OrdersOptions& options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
   if (!loaded) {
-    std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+    std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
     return 1;
   }
   const auto& protocol = loaded->protocol;

@@ -55,7 +55,7 @@ void printSources(const std::vector<protocols::FeltSource>& sources, const std::
   for (const auto& source : sources) {
     const auto& all = source.conditions;
     if (std::find(all.begin(), all.end(), condition) == all.end()) continue;
-    fmt::print("\n  felt from {}\n", protocols::inWords(source));
+    fmt::print("\n  felt from {}\n", protocols::describe(source));
   }
 }
 
@@ -133,7 +133,7 @@ void print(
 std::optional<protocols::LoadedProtocol> loaded(const std::string& file) {
   questionnaires::Problems problems;
   auto protocol = protocols::loadProtocolFile(file, problems);
-  if (!protocol) std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+  if (!protocol) std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
   return protocol;
 }
 

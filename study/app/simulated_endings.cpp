@@ -28,7 +28,7 @@ int completedOf(const std::vector<SimulatedEnding>& endings) noexcept {
   return static_cast<int>(std::count_if(endings.begin(), endings.end(), isCompleted));
 }
 
-std::string inWords(const SimulatedEnding& ending) {
+std::string describe(const SimulatedEnding& ending) {
   std::string text = fmt::format(
       "{} ended as {} at step {} after {}",
       ending.participant,

@@ -12,7 +12,7 @@ int completedOf(const std::vector<SimulatedEnding>& endings) noexcept;
 
 /// Of one whose session ended otherwise: "SIM-001 ended as aborted_hardware at step 3 after 5
 /// attempts: the motor's driver reports a fault. Trials finished: 0 of 5."
-std::string inWords(const SimulatedEnding& ending);
+std::string describe(const SimulatedEnding& ending);
 
 /// Behind the number of those who have finished: ", 1 ended as aborted_hardware (SIM-001 at step 3:
 /// …)"; empty where all have.

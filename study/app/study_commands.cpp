@@ -48,7 +48,7 @@ protocols::LoadedProtocol loadOrExplain(const std::string& file) {
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocolFile(file, problems);
   if (!loaded) {
-    throw UserError(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   return std::move(*loaded);
 }
@@ -195,7 +195,7 @@ int status(const StudyArguments& options) {
         s.startedUtc);
   }
   for (const auto& session : unfinishedSessions(study)) {
-    fmt::print("\n{}\n", inWords(session));
+    fmt::print("\n{}\n", describe(session));
     for (const auto& choice : session.choices) fmt::print("  - {}\n", choice);
   }
   return 0;

@@ -283,7 +283,7 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
 /// A participant would read what stands in double brackets: whoever enrols one says that it may be.
 bool mayEnrol(Study& study, const Enrolment& enrolment) {
   if (enrolment.runMode != RunMode::Live) return true;
-  const auto blanks = protocols::blanksOf(study.protocol());
+  const auto blanks = protocols::placeholdersIn(study.protocol());
   if (blanks.empty()) return true;
   fmt::print("A participant would read what is still to be filled in:\n");
   for (const auto& blank : blanks) fmt::print("  {}: {}\n", blank.where, blank.words);

@@ -161,7 +161,7 @@ std::int64_t writeSessions(Study& study, std::int64_t answers) {
 SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers) {
   questionnaires::Problems problems;
   const auto protocol = protocols::loadProtocolFile(kProtocol, problems);
-  if (!protocol) throw std::logic_error(questionnaires::inWords(problems.all()));
+  if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
   SystemClock clock;
   SyntheticStudy made{.folder = inside / "study"};
   auto study = Study::create(made.folder, *protocol, clock, kSeed);

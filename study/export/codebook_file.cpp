@@ -11,8 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A line about what was felt; blinded, no names, which may tell.
-std::string inWords(const protocols::FeltSource& source, const ExportOptions& options) {
-  if (!options.isBlinded) return "- Felt from " + protocols::inWords(source) + ".\n";
+std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
+  if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";
   return "- SYNTHETIC: a " + source.kind +
          " that was felt is one that nobody recorded or measured.\n";
@@ -118,7 +118,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
     if (!options.isBlinded) {
       entry["file"] = source.file;
       entry["title"] = base::describe(source.title);
-      entry["origin"] = protocols::originInWords(source);
+      entry["origin"] = protocols::describeOrigin(source);
       entry["conditions"] = source.conditions;
     }
     head["felt_from"].push_back(std::move(entry));
@@ -151,7 +151,7 @@ std::string readmeOf(
               ? "- Blinded: `condition_code` says which rows belong together, not which rendering "
                 "they are. 'palpate export --unblind --reason \"…\"' says it.\n"
               : "- Not blinded: `condition` says which rendering was felt.\n";
-  for (const auto& source : study.protocol().sources) text += inWords(source, options);
+  for (const auto& source : study.protocol().sources) text += describe(source, options);
   return text + formatInWords(options) + scriptsInWords(options) +
          (options.hasTraces ? kTracesInWords : "");
 }

@@ -27,7 +27,7 @@ double told(const Values& values) {
 }
 
 /// What is said of one person, column by column.
-std::vector<std::string> saidOf(const std::vector<ReleasedColumn>& columns, std::size_t person) {
+std::vector<std::string> valuesOf(const std::vector<ReleasedColumn>& columns, std::size_t person) {
   std::vector<std::string> said;
   said.reserve(columns.size());
   for (const auto& column : columns) said.push_back(column.values[person]);
@@ -37,7 +37,7 @@ std::vector<std::string> saidOf(const std::vector<ReleasedColumn>& columns, std:
 std::map<std::vector<std::string>, std::size_t> classesOf(
     const std::vector<ReleasedColumn>& columns, std::size_t people) {
   std::map<std::vector<std::string>, std::size_t> classes;
-  for (std::size_t person = 0; person < people; ++person) ++classes[saidOf(columns, person)];
+  for (std::size_t person = 0; person < people; ++person) ++classes[valuesOf(columns, person)];
   return classes;
 }
 
@@ -64,7 +64,7 @@ Values withoutRareIn(
     const std::vector<ReleasedColumn>& chosen, const Values& values, std::size_t k) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> classes;
   for (std::size_t person = 0; person < values.size(); ++person) {
-    classes[saidOf(chosen, person)].push_back(person);
+    classes[valuesOf(chosen, person)].push_back(person);
   }
   Values kept(values.size());
   for (const auto& [said, members] : classes) {

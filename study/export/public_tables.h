@@ -23,6 +23,6 @@ std::string publicReadme(Study& study, const ExportOptions& options, const Relea
 
 /// Who may be found among whom, in a few lines for the desk: the smallest class before and after,
 /// and what causes it.
-std::string inWords(const Release& release);
+std::string describe(const Release& release);
 
 }  // namespace study

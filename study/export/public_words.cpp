@@ -72,7 +72,7 @@ std::string columnsInWords(const Release& release) {
 
 }  // namespace
 
-std::string inWords(const Release& release) {
+std::string describe(const Release& release) {
   return beforeInWords(release) + afterInWords(release) + columnsInWords(release);
 }
 

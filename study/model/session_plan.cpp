@@ -68,7 +68,7 @@ std::vector<std::string> labelsOf(const protocols::PlannedBlock& block) {
   return labels;
 }
 
-StepKind kindOf(PhaseType type) {
+StepKind stepKind(PhaseType type) {
   switch (type) {
     case PhaseType::Consent:
       return StepKind::Consent;
@@ -112,7 +112,7 @@ std::vector<Step> sessionPlan(
       continue;
     }
     Step step{
-        .kind = kindOf(phase.type),
+        .kind = stepKind(phase.type),
         .phase = phase.id,
         .instrument = phase.instrument,
         .minimumCuts = phase.minimumCuts,

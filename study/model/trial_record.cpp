@@ -47,7 +47,7 @@ Finding findingOf(const SafetyEvent& event, double duration) {
       return found(Verdict::Warn, Key("trial.too_fast"));
     case SafetyKind::Released:
       return found(Verdict::Warn, Key("trial.released"));
-    case SafetyKind::LostBeats:
+    case SafetyKind::MissedPeriods:
       return found(Verdict::Warn, Key("trial.lost_beats"));
     case SafetyKind::NotFinite:
       return found(Verdict::Fail, Key("trial.not_finite"));

@@ -27,16 +27,16 @@ std::string_view nameOf(TrialEnding ending) noexcept;
 
 /// What kept a force from the hand, or was wrong with it.
 enum class SafetyKind {
-  TooFast,    ///< the tool exceeded the limit of velocity
-  Released,   ///< nobody held the dead-man switch
-  NoSample,   ///< the device gave no measurement
-  LostBeats,  ///< the clock lost more than one beat
-  SoftStart,  ///< the force waited for a small one, or came on
-  Saturated,  ///< the scene asked for more than the limit
-  Slewed,     ///< … or faster than it
-  NotFinite,  ///< … or for what is no number
-  Active,     ///< it gave more energy than it was given
-  Damped,     ///< and was damped
+  TooFast,        ///< the tool exceeded the limit of velocity
+  Released,       ///< nobody held the dead-man switch
+  NoSample,       ///< the device gave no measurement
+  MissedPeriods,  ///< the clock missed more than one period
+  SoftStart,      ///< the force waited for a small one, or came on
+  Saturated,      ///< the scene asked for more than the limit
+  Slewed,         ///< … or faster than it
+  NotFinite,      ///< … or for what is no number
+  Active,         ///< it gave more energy than it was given
+  Damped,         ///< and was damped
 };
 
 std::string_view nameOf(SafetyKind kind) noexcept;

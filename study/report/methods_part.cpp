@@ -133,7 +133,7 @@ class MethodsWriter : HtmlWriter {
     std::string text =
         say("There are {} versions of the protocol; the audit trail has each with its reason.",
             history.versions);
-    for (const auto& change : history.changes) text += " " + inWords(change);
+    for (const auto& change : history.changes) text += " " + describe(change);
     if (!history.changes.empty()) return text;
     return text + " " +
            (history.versionsSinceBegun == 0
@@ -142,7 +142,7 @@ class MethodsWriter : HtmlWriter {
                       "declared."));
   }
 
-  std::string inWords(const FamilyChange& change) const {
+  std::string describe(const FamilyChange& change) const {
     const auto day = change.addedUtc.substr(0, change.addedUtc.find('T'));
     switch (change.kind) {
       case FamilyChange::Kind::Added:
@@ -214,12 +214,12 @@ class MethodsWriter : HtmlWriter {
       for (const auto& id : source.conditions) {
         conditions += (conditions.empty() ? "" : ", ") + s_.conditionTitle(id);
       }
-      lines += fmt::format("<li>{}: {}</li>", inWords(source), escaped(conditions));
+      lines += fmt::format("<li>{}: {}</li>", describe(source), escaped(conditions));
     }
     if (!lines.empty()) put("<p>{}</p><ul>{}</ul>", s_.words(words), lines);
   }
 
-  std::string inWords(const protocols::FeltSource& source) const {
+  std::string describe(const protocols::FeltSource& source) const {
     const auto title = s_.words(source.title);
     const auto kind = s_.words(source.kind);
     std::string text = source.isSynthetic ? say("SYNTHETIC") + ": " : "";

@@ -68,8 +68,8 @@ questionnaires::Item Session::askedItem(const std::string& id) const {
 void Session::record(const GivenAnswer& answer) {
   requireAnswerable();
   const auto item = askedItem(answer.item);
-  const auto objection = questionnaires::objection(item, answer.response, step().alternatives);
-  require(!objection, objection.value_or(""));
+  const auto error = questionnaires::validationError(item, answer.response, step().alternatives);
+  require(!error, error.value_or(""));
   if (item.isIdentifying) {
     storeIdentifying(item, answer);
     return;

@@ -96,7 +96,7 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
   if (!protocol) {
     throw StorageError(
         "The protocol in " + database_.path() + " cannot be read by this version of palpate:\n" +
-            questionnaires::inWords(problems.all()),
+            questionnaires::describe(problems.all()),
         StorageError::Kind::Damaged);
   }
   loaded = std::make_unique<protocols::LoadedProtocol>(std::move(*protocol));

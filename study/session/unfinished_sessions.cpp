@@ -114,7 +114,7 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
   return unfinished;
 }
 
-std::string inWords(const UnfinishedSession& session) {
+std::string describe(const UnfinishedSession& session) {
   const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
   return session.participant + " (" + std::string(nameOf(session.runMode)) + "), begun " + begun +
          " UTC, is in step " + std::to_string(session.step + 1) + " of " +

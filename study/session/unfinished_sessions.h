@@ -30,6 +30,6 @@ struct UnfinishedSession {
 std::vector<UnfinishedSession> unfinishedSessions(Study& study);
 
 /// Who, where, and what happened to it: "P003 (live) is in step 5 of 23 …".
-std::string inWords(const UnfinishedSession& session);
+std::string describe(const UnfinishedSession& session);
 
 }  // namespace study

@@ -310,7 +310,7 @@ struct AsJson {
 
 }  // namespace
 
-const DeviceKind& kindOf(const DeviceEntry& entry) noexcept {
+const DeviceKind& deviceKindOf(const DeviceEntry& entry) noexcept {
   struct Kind {
     const DeviceKind& operator()(const SimulatedSettings& settings) const { return *settings.kind; }
     const DeviceKind& operator()(const SerialPunchSettings& settings) const {
@@ -355,7 +355,7 @@ std::vector<DeviceEntry> loadDevices(const std::string& file) {
   Problems problems;
   auto devices = readDevices(questionnaires::readTextFile(file), problems);
   if (!devices) {
-    throw UserError(file + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   return std::move(*devices);
 }

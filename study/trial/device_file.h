@@ -29,7 +29,7 @@ struct DeviceEntry {
   std::variant<SimulatedSettings, SerialPunchSettings, haptics::devices::IiwaSettings> settings;
 };
 
-const haptics::devices::DeviceKind& kindOf(const DeviceEntry& entry) noexcept;
+const haptics::devices::DeviceKind& deviceKindOf(const DeviceEntry& entry) noexcept;
 
 /// The name of the device file in a study's folder that is used where none is named.
 inline constexpr std::string_view kDeviceFileName = "devices.json";

@@ -29,8 +29,8 @@ Device& HardwareRig::made(const DeviceEntry& entry) {
     device = std::make_unique<haptics::devices::IiwaDevice>(*iiwa);
   } else {
     auto& hand = hands_[entry.id];
-    hand = handFor_({.id = entry.id, .kind = &kindOf(entry)});
-    device = std::make_unique<haptics::devices::SimulatedDevice>(kindOf(entry), *hand);
+    hand = handFor_({.id = entry.id, .kind = &deviceKindOf(entry)});
+    device = std::make_unique<haptics::devices::SimulatedDevice>(deviceKindOf(entry), *hand);
   }
   return *device;
 }

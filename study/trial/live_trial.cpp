@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds kDrainEvery{10};
 LiveTrial::LiveTrial(Trial& trial) : trial_(trial) {
   recorder_ = std::jthread([this](const std::stop_token& stop) { record(stop); });
   loop_.emplace(
-      haptics::engine::RealtimeLoop::Options{.rate = trial.rate(), .beat = trial.beat()},
+      haptics::engine::RealtimeLoop::Options{.rate = trial.rate(), .pacer = trial.pacer()},
       [this](double dt, double lateness) { tick(dt, lateness); });
 }
 

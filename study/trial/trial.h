@@ -39,13 +39,13 @@ class Trial {
 
   double rate() const noexcept { return device_.capabilities().rate; }
   /// What sets the pace, where it is the device; otherwise nothing, and a timer does.
-  haptics::devices::Beat* beat() const noexcept { return device_.beat(); }
+  haptics::devices::Pacer* pacer() const noexcept { return device_.pacer(); }
   const haptics::engine::CompiledScene& scene() const noexcept { return scene_; }
 
-  /// One tick of @p dt [s], after @p lostBeats that the clock let pass. Never allocates, waits or
-  /// throws.
-  haptics::engine::TickSample step(double dt, int lostBeats = 0) noexcept {
-    return engine_.tick(dt, lostBeats);
+  /// One tick of @p dt [s], after @p missedPeriods that the clock let pass. Never allocates, waits
+  /// or throws.
+  haptics::engine::TickSample step(double dt, int missedPeriods = 0) noexcept {
+    return engine_.tick(dt, missedPeriods);
   }
 
   /// Any thread: no force at once.

@@ -31,7 +31,7 @@ void TrialStatistics::add(const TickSample& sample) {
   count(SafetyKind::TooFast, isMarked(TickSample::TooFast));
   count(SafetyKind::Released, isMarked(TickSample::Released));
   count(SafetyKind::NoSample, isMarked(TickSample::Invalid));
-  count(SafetyKind::LostBeats, isMarked(TickSample::LostBeats));
+  count(SafetyKind::MissedPeriods, isMarked(TickSample::MissedPeriods));
   count(SafetyKind::SoftStart, isMarked(TickSample::SoftStart));
   count(SafetyKind::Saturated, intervened(ForceLimiter::Saturated));
   count(SafetyKind::Slewed, intervened(ForceLimiter::Slewed));

@@ -46,7 +46,7 @@ TEST(ProtocolFormatPage, HasAWholeProtocolThatIsSound) {
   const auto whole = examples("");
   ASSERT_EQ(whole.size(), 1U);
   const auto loading = tests::load(whole[0]);
-  EXPECT_TRUE(loading.loaded) << loading.inWords();
+  EXPECT_TRUE(loading.loaded) << loading.describe();
 }
 
 /// The page's whole protocol, with a reamer besides.
@@ -77,7 +77,7 @@ TEST(ProtocolFormatPage, HasConditionsThatFitIntoIt) {
     whole["conditions"].push_back(nlohmann::json::parse(condition));
     models.insert(whole["conditions"].back()["scene"]["model"].get<std::string>());
     const auto loading = loadWithCut(whole);
-    EXPECT_TRUE(loading.loaded) << condition << loading.inWords();
+    EXPECT_TRUE(loading.loaded) << condition << loading.describe();
   }
   EXPECT_EQ(models, (std::set<std::string>{"interpolation", "kalman", "material", "packing"}));
 }
@@ -88,7 +88,7 @@ TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {
   auto whole = nlohmann::json::parse(examples("").at(0));
   for (const auto& phase : phases) whole["phases"].push_back(nlohmann::json::parse(phase));
   const auto loading = tests::load(whole.dump());
-  EXPECT_TRUE(loading.loaded) << loading.inWords();
+  EXPECT_TRUE(loading.loaded) << loading.describe();
 }
 
 TEST(ProtocolFormatPage, HasNoExampleThatIsNotRead) {
@@ -107,7 +107,7 @@ TEST(ProtocolFormatPage, HasCutsThatCanBeRead) {
   ASSERT_FALSE(cuts.empty());
   for (const auto& cut : cuts) {
     questionnaires::Problems problems;
-    EXPECT_TRUE(readCut(cut, problems)) << questionnaires::inWords(problems.all());
+    EXPECT_TRUE(readCut(cut, problems)) << questionnaires::describe(problems.all());
   }
 }
 
@@ -132,7 +132,7 @@ TEST(ProtocolFormatPage, ExplainsEveryKeyOfACut) {
     wrong[nlohmann::json::json_pointer(place)]["zzzzzzzzzzzzzzzz"] = 1;
     questionnaires::Problems problems;
     readCut(wrong.dump(), problems);
-    ASSERT_EQ(problems.all().size(), 1U) << questionnaires::inWords(problems.all());
+    ASSERT_EQ(problems.all().size(), 1U) << questionnaires::describe(problems.all());
     const std::string opening = "known here: ";
     std::string known = base::describe(problems.all()[0].fix);
     ASSERT_TRUE(known.starts_with(opening)) << known;

@@ -23,7 +23,7 @@ Protocol readGood(const std::string& name) {
   questionnaires::Problems problems;
   const auto folder = tests::repository() / "tests/protocols/data/good";
   const auto loaded = loadProtocolFile((folder / (name + ".json")).string(), problems);
-  EXPECT_TRUE(loaded.has_value()) << name << "\n" << inWords(problems.all());
+  EXPECT_TRUE(loaded.has_value()) << name << "\n" << describe(problems.all());
   return loaded ? loaded->protocol : Protocol();
 }
 

@@ -61,7 +61,7 @@ Loading load(std::string_view json, const protocols::FileFinder& find) {
 
 protocols::Protocol soundProtocol(std::string_view json) {
   const auto loading = load(json);
-  EXPECT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_TRUE(loading.loaded.has_value()) << loading.describe();
   return loading.loaded ? loading.loaded->protocol : protocols::Protocol();
 }
 

@@ -30,7 +30,7 @@ struct Loading {
   std::optional<protocols::LoadedProtocol> loaded;
   std::vector<questionnaires::Problem> problems;
 
-  std::string inWords() const { return questionnaires::inWords(problems); }
+  std::string describe() const { return questionnaires::describe(problems); }
 };
 
 /// Loads @p json; the files that it names come from @p find.

@@ -57,7 +57,7 @@ TEST(QuestionnaireFormatPage, HasExamplesThatCanBeUsed) {
   for (const auto& block : blocks) {
     Problems problems;
     EXPECT_TRUE(readInstrument(wholeInstrument(block), problems).has_value())
-        << block << inWords(problems.all());
+        << block << describe(problems.all());
   }
 }
 

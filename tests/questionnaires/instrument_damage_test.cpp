@@ -48,7 +48,7 @@ TEST(InstrumentFile, AsksNoMoreThanAThousandItems) {
       problems);
   EXPECT_FALSE(instrument.has_value());
   EXPECT_EQ(
-      inWords(problems.all()),
+      describe(problems.all()),
       "error   $.items: this list has more than 1000 entries; shorten it\n");
 }
 

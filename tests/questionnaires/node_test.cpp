@@ -17,7 +17,7 @@ class NodeTest : public testing::Test {
   }
   /// What was said, one line a problem; and forget it.
   std::string said() {
-    std::string text = inWords(problems_.all());
+    std::string text = describe(problems_.all());
     problems_ = {};
     return text;
   }

@@ -28,7 +28,7 @@ Instrument sound() {
 /// The first problem, as a person reads it.
 std::string said(const Instrument& instrument) {
   const auto problems = problemsOf(instrument);
-  return problems.all().empty() ? "nothing" : inWords({problems.all().front()});
+  return problems.all().empty() ? "nothing" : describe({problems.all().front()});
 }
 
 TEST(ProblemsOf, ASoundInstrumentAreNone) {

@@ -77,7 +77,7 @@ std::string analysisOf(const ShortProtocol& options) {
 protocols::LoadedProtocol libraryProtocol(const std::string& name) {
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocolFile(name, problems);
-  if (!loaded) throw std::runtime_error(questionnaires::inWords(problems.all()));
+  if (!loaded) throw std::runtime_error(questionnaires::describe(problems.all()));
   return std::move(*loaded);
 }
 
@@ -91,7 +91,7 @@ protocols::LoadedProtocol protocolFrom(
   };
   questionnaires::Problems problems;
   auto loaded = protocols::loadProtocol(json, find, problems);
-  if (!loaded) throw std::runtime_error(questionnaires::inWords(problems.all()));
+  if (!loaded) throw std::runtime_error(questionnaires::describe(problems.all()));
   return std::move(*loaded);
 }
 

@@ -212,7 +212,7 @@ TEST_F(PublicExportTest, IsWrittenIntoTheAuditTrail) {
 
 TEST_F(PublicExportTest, SaysWhoMayBeFoundAmongWhom) {
   take(12);
-  const auto words = inWords(
+  const auto words = describe(
       publicRelease(*study_, {.runMode = RunMode::Simulated, .publicClass = kSmallestPublicClass}));
   EXPECT_NE(
       words.find("As answered: 12 of 12 people in classes of fewer than 5"), std::string::npos)

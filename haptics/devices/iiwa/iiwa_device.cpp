@@ -173,7 +173,7 @@ bool IiwaDevice::pump(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();
     auto received = socket_->receive(room_, std::max<std::int64_t>(left, 0));
-    constexpr int kBacklog = 256;  // datagrams: whoever floods us does not keep us for ever
+    constexpr int kBacklog = 256;  // datagrams in one call, so that a flood cannot keep it here
     for (int i = 0; received; ++i) {
       const bool hadNew = isNew_;
       if (take(*received, timing::now()) && hadNew) ++report_.skipped;
@@ -206,7 +206,7 @@ bool IiwaDevice::take(const DatagramSocket::Received& received, std::int64_t at)
   report_.late = sequence_.late();
   report_.restarts = sequence_.restarts();
   if (verdict == Verdict::Doubled || verdict == Verdict::Late) return false;
-  robot_.port = received.from.port;  // whoever speaks first from the robot's address is the robot
+  robot_.port = received.from.port;  // the first to send from the robot's address is the robot
   heard_ = message;
   follow(at);
   return true;

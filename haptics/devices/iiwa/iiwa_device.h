@@ -43,7 +43,8 @@ struct IiwaSettings {
 };
 
 /// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends, we answer, at
-/// every message and whatever it asks for. Travel is the tool's way along the axis of reaming.
+/// every message and every force that it asks for. Travel is the tool's way along the axis of
+/// reaming.
 ///
 /// Nothing is sent to anybody but the robot's address, and nothing that comes from elsewhere, is
 /// damaged, doubled, overtaken or not finite is acted upon. Force is given in COMMANDING_ACTIVE
@@ -61,7 +62,7 @@ class IiwaDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force) noexcept override;
 
-  /// What the robot said last: for whoever ticks.
+  /// The last message of the robot. Called from the thread that ticks.
   const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
   const Pose& toolPose() const noexcept { return tool_; }
 

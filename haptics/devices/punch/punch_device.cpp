@@ -128,7 +128,7 @@ void PunchDevice::disconnect(bool isFault) noexcept {
   port_.close();
 }
 
-/// Armed, and nobody ticks yet: the board lets go for good where it is left alone.
+/// Armed before the engine ticks: without messages the board would disarm itself.
 void PunchDevice::keepAlive() noexcept {
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
   if (lifecycle() == Lifecycle::Armed) say(SetForce{.voltage = 0, .expiry = expiry});
@@ -159,7 +159,7 @@ bool PunchDevice::pump(std::int64_t deadline) noexcept {
   return false;
 }
 
-/// Everything that has come. True where there is a state that nobody has read yet.
+/// Reads all bytes that have arrived. True where there is a state that was not read yet.
 bool PunchDevice::drain() noexcept {
   std::array<std::uint8_t, 512> bytes;
   for (;;) {
@@ -270,7 +270,7 @@ void PunchDevice::command(double force) noexcept {
   const double millivolts = 1000.0 * bounded / settings_.newtonsPerVolt;
   if (sceneHash_) {
     // What the engine lets through is the ceiling of what the board renders, with some room for
-    // what moves in between: no force is no force, whoever renders.
+    // what moves in between: no force is no force on the board, too.
     constexpr double kRoom = 1.25;
     constexpr double kMore = 0.3;  // [N]
     const double ceiling =

@@ -104,7 +104,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   tool_.axis = device.axis;
   if (!isOutside_) {
     tool_.centre = device.centre;
-    felt.isDefined = isClear();  // nobody can say how it got in: it has to come out first
+    felt.isDefined = isClear();  // how it got in is not known: it has to come out first
     return felt;
   }
   felt.contact = field_.touch(tool_, true);

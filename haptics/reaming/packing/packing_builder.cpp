@@ -112,7 +112,7 @@ class Builder {
       for (int k = colour >> 2; k < blocks_[2]; k += 2) {
         for (int j = (colour >> 1) & 1; j < blocks_[1]; j += 2) {
           for (int i = colour & 1; i < blocks_[0]; i += 2) {
-            if (kindOf(i, j, k) != Kind::Outside) blocks.push_back({i, j, k});
+            if (cellKind(i, j, k) != Kind::Outside) blocks.push_back({i, j, k});
           }
         }
       }
@@ -166,7 +166,7 @@ class Builder {
     }
   }
 
-  Kind kindOf(int i, int j, int k) const {
+  Kind cellKind(int i, int j, int k) const {
     return kinds_
         [(static_cast<std::size_t>(k) * static_cast<std::size_t>(blocks_[1]) +
           static_cast<std::size_t>(j)) *
@@ -228,7 +228,7 @@ class Builder {
     const double side = cell_ * kBlock;
     const int along = std::max(1, static_cast<int>(std::ceil(side / (kSpacing * radius))));
     const double step = side / along;
-    const bool isMixed = kindOf(block[0], block[1], block[2]) == Kind::Mixed;
+    const bool isMixed = cellKind(block[0], block[1], block[2]) == Kind::Mixed;
     std::uint64_t salt = options_.seed;
     for (const int part : {passes_, block[0], block[1], block[2]}) {
       salt = base::SplitMix64(salt ^ static_cast<std::uint64_t>(part)).bits();

@@ -6,8 +6,8 @@
 
 namespace haptics::reaming {
 
-/// A cup of our own making: half of a hollow sphere around the origin, open towards −z. Nobody's
-/// bone; where no mesh is at hand, it lets everything else be tried.
+/// A parametric cup: half of a hollow sphere around the origin, open towards −z. For trying out
+/// where there is no mesh of a bone.
 class Acetabulum final : public Solid {
  public:
   /// @param inner, outer  radii [m], 0 <= inner < outer.

@@ -76,7 +76,7 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
     const auto loaded = protocols::loadProtocolFile(arguments.protocol, problems);
     if (!loaded) {
       throw UserError(
-          arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+          arguments.protocol + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
     }
     needs = loaded->protocol.devices;
   }

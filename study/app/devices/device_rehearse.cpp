@@ -191,7 +191,7 @@ int sayHowItEnded(
         watch,
         fmt::format(
             "{} The study is {}{}.",
-            inWords(*broken),
+            describe(*broken),
             place,
             isSound ? "" : " and does NOT verify"));
   }
@@ -219,7 +219,7 @@ int rehearse(const RehearseArguments& arguments) {
   const auto protocol = protocols::loadProtocolFile(arguments.protocol, problems);
   if (!protocol) {
     throw UserError(
-        arguments.protocol + " cannot be used yet:\n" + questionnaires::inWords(problems.all()));
+        arguments.protocol + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   RehearsalFolder folder(arguments.out);
   const auto stand = standFor(protocol->protocol, arguments);

@@ -28,7 +28,7 @@ reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& 
   questionnaires::Problems problems;
   auto bone = protocols::readPacking(
       questionnaires::readTextFile(path, protocols::kLargestPacking), problems, &origin);
-  if (!bone) throw UserError(path + ":\n" + questionnaires::inWords(problems.all()));
+  if (!bone) throw UserError(path + ":\n" + questionnaires::describe(problems.all()));
   return std::move(*bone);
 }
 
@@ -47,7 +47,7 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
   const auto material =
       protocols::readMaterial(questionnaires::readTextFile(choice.file), problems);
   if (!material) {
-    throw UserError(choice.file + ":\n" + questionnaires::inWords(problems.all()));
+    throw UserError(choice.file + ":\n" + questionnaires::describe(problems.all()));
   }
   for (const auto& set : material->sets) {
     if (nameOf(set.set) != choice.set) continue;

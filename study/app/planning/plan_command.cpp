@@ -41,7 +41,7 @@ int plan(PlanOptions options) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(options.file, problems);
   if (!loaded) {
-    std::fputs(questionnaires::inWords(problems.all()).c_str(), stderr);
+    std::fputs(questionnaires::describe(problems.all()).c_str(), stderr);
     return 1;
   }
   const auto found = planOf(*loaded, options.question);

@@ -50,7 +50,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
   std::string text = fmt::format(
       "n = {}; {}:\n  {:<24} {:>10}   {:<18} {}\n",
       namesAndSizes(table, check.sizes),
-      analysis::inWords(check.convention),
+      analysis::describe(check.convention),
       "comparison",
       "printed p",
       "attainable p",
@@ -78,7 +78,7 @@ std::string statedPart(const PublishedReport& report) {
   std::string text = comparisonTable(report.table, report.atStated.front());
   std::vector<std::string> fitting;
   for (const auto& check : report.atStated) {
-    if (check.row) fitting.push_back(analysis::inWords(check.convention));
+    if (check.row) fitting.push_back(analysis::describe(check.convention));
   }
   text += fmt::format(
       "Of {} conventions {} the whole row at these sizes{}\n",
@@ -99,7 +99,7 @@ std::string equalPart(const PublishedReport& report) {
     for (const auto& check : report.atEqual) {
       if (check.convention == convention && check.row) sizes.push_back(check.sizes.front());
     }
-    text += fmt::format("  {:<60} {}\n", analysis::inWords(convention), inRanges(sizes));
+    text += fmt::format("  {:<60} {}\n", analysis::describe(convention), inRanges(sizes));
   }
   return text + "\n";
 }
@@ -132,7 +132,7 @@ std::string wholePart(const PublishedReport& report) {
   }
   for (const auto& fits : report.wholeAnswers) {
     text += fmt::format(
-        "  {:<60} {}\n", analysis::inWords(fits.convention), fitsInWords(report.table, fits));
+        "  {:<60} {}\n", analysis::describe(fits.convention), fitsInWords(report.table, fits));
   }
   return text + "\n";
 }

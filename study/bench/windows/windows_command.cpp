@@ -41,7 +41,7 @@ protocols::Anatomy anatomyIn(const std::string& file) {
   } catch (const questionnaires::Error& error) {
     problems.add("", error.what());
   }
-  if (!anatomy) throw UserError(questionnaires::inWords(problems.all()));
+  if (!anatomy) throw UserError(questionnaires::describe(problems.all()));
   return *anatomy;
 }
 

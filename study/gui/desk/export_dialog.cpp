@@ -94,7 +94,7 @@ void ExportDialog::lookAtClasses() {
   try {
     SystemClock clock;
     auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
-    tellMore(QString::fromStdString(study::inWords(publicRelease(study, options()))));
+    tellMore(QString::fromStdString(study::describe(publicRelease(study, options()))));
   } catch (const std::exception& error) {
     say(Outcome::Bad, QString::fromUtf8(error.what()));
     go().setEnabled(false);

@@ -75,7 +75,7 @@ bool goesOn(const Progress& progress, const reaming::PackingProgress& now, std::
   }
 }
 
-std::string inWords(const reaming::MaterialFit& fit) {
+std::string describe(const reaming::MaterialFit& fit) {
   std::string words;
   for (const auto& set : fit.sets) {
     words += fmt::format(
@@ -148,7 +148,7 @@ std::string fitMaterialTo(
   tell(progress, 1.0, "writing it");
   const auto name = fs::path(out).stem().string();
   writeNewFile(out, protocols::materialAsJson(name, title, isSynthetic, fit, options, sources));
-  return inWords(fit) + (isSynthetic ? "SYNTHETIC: nobody measured these series.\n" : "");
+  return describe(fit) + (isSynthetic ? "SYNTHETIC: nobody measured these series.\n" : "");
 }
 
 std::string buildBoneTo(

@@ -74,7 +74,7 @@ void NewStudyDialog::check() {
   read_->setEnabled(!source().isEmpty());
   if (source().isEmpty()) return clear();
   checked_ = checkProtocol(source().toStdString());
-  const QString problems = QString::fromStdString(questionnaires::inWords(checked_.problems));
+  const QString problems = QString::fromStdString(questionnaires::describe(checked_.problems));
   const bool isSound = checked_.loaded.has_value();
   say(isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
       QString::fromStdString(checked_.verdict()),

@@ -15,7 +15,7 @@
 
 namespace study::gui {
 
-QString inWords(const Verification& verification) {
+QString describe(const Verification& verification) {
   QString words;
   for (const auto& check : verification.checks) {
     const bool holds = check.problems.empty();
@@ -76,7 +76,7 @@ void BackupDialog::work() {
   });
   if (!isDone) return clear();
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
-  const QString checks = inWords(backup.verification);
+  const QString checks = describe(backup.verification);
   if (backup.verification.isSound()) {
     say(Outcome::Good,
         tr("%1 MB are copied to %2, and are what was written.")
@@ -106,7 +106,7 @@ void VerifyDialog::work() {
     verification = verify(study, progress);
   });
   if (!isDone) return clear();
-  const QString checks = inWords(verification);
+  const QString checks = describe(verification);
   if (verification.isSound()) {
     say(Outcome::Good, tr("Everything is what was written."), checks);
   } else {

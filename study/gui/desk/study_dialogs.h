@@ -65,7 +65,7 @@ class ReportDialog final : public WorkDialog {
 };
 
 /// All checks as lines: "✓ the audit trail is unbroken", and what is wrong below those that fail.
-QString inWords(const Verification& verification);
+QString describe(const Verification& verification);
 
 /// A choice of the sessions that count, with how many of each there are.
 QComboBox* runModeChoice(const StudySummary& study, QWidget* parent);

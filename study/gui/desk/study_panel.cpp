@@ -103,7 +103,7 @@ QWidget* StudyPanel::cardOf(const UnfinishedSession& session) {
   card->setObjectName(
       QStringLiteral("unfinished-%1").arg(QString::fromStdString(session.participant)));
   auto* layout = new QVBoxLayout(card);
-  layout->addWidget(bodyLabel(QString::fromStdString(inWords(session)), card));
+  layout->addWidget(bodyLabel(QString::fromStdString(describe(session)), card));
   QString choices = session.isOpenElsewhere() ? QString() : tr("You can:");
   for (const auto& choice : session.choices) {
     choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +

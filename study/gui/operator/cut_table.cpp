@@ -12,7 +12,7 @@ using haptics::engine::TickSample;
 
 enum Column { kContact, kYield, kBottom, kOpening, kPeak, kColumns };
 
-QString inWords(const CutDetector::Landmark& landmark, const TravelScale& travel) {
+QString describe(const CutDetector::Landmark& landmark, const TravelScale& travel) {
   if (!landmark.found) return QStringLiteral("—");
   return CutTable::tr("%1 N at %2%3")
       .arg(landmark.force, 0, 'f', 2)
@@ -66,10 +66,10 @@ void CutTable::add(const TickSample& sample) {
     return;
   }
   const auto& cut = detector_.lastCut();
-  write(kContact, inWords(cut.interception, travel_));
-  write(kYield, inWords(cut.yield, travel_));
-  write(kBottom, inWords(cut.bottomOut, travel_));
-  write(kOpening, inWords(cut.opening, travel_));
+  write(kContact, describe(cut.interception, travel_));
+  write(kYield, describe(cut.yield, travel_));
+  write(kBottom, describe(cut.bottomOut, travel_));
+  write(kOpening, describe(cut.opening, travel_));
   write(kPeak, tr("%1 N").arg(cut.peakForce, 0, 'f', 2));
   ++cut_;
 }

@@ -8,7 +8,7 @@ std::vector<FindingsDialog::Found> textsBefore(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment) {
   FindingsDialog::Found texts{"texts", {}};
   if (enrolment.runMode != RunMode::Live) return {};
-  for (const auto& blank : protocols::blanksOf(protocol)) {
+  for (const auto& blank : protocols::placeholdersIn(protocol)) {
     texts.results.push_back(
         {haptics::devices::Finding::Fail,
          blank.where,

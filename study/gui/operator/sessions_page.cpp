@@ -202,7 +202,7 @@ void SessionsPage::showSelected() {
                                 : tr("Select a session that is in progress to go on with it."));
     return;
   }
-  QString words = QString::fromStdString(inWords(*one));
+  QString words = QString::fromStdString(describe(*one));
   for (const auto& choice : one->choices) {
     words += QStringLiteral("\n•  ") + QString::fromStdString(choice);
   }

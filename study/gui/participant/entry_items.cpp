@@ -76,7 +76,7 @@ std::optional<Response> NumberItem::response() const {
   bool isNumber = false;
   const double value = QLocale::c().toDouble(
       line_->text().trimmed().replace(QLatin1Char(','), QLatin1Char('.')), &isNumber);
-  if (!isNumber || questionnaires::objection(item(), value)) return std::nullopt;
+  if (!isNumber || questionnaires::validationError(item(), value)) return std::nullopt;
   return value;
 }
 

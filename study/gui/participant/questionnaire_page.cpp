@@ -55,7 +55,7 @@ bool QuestionnairePage::isComplete() const {
   for (const auto* widget : widgets_) {
     if (!widget->item().isRequired) continue;
     const auto response = widget->response();
-    if (!response || questionnaires::objection(widget->item(), *response).has_value()) {
+    if (!response || questionnaires::validationError(widget->item(), *response).has_value()) {
       const bool isAlternative =
           widget->item().optionSource == questionnaires::OptionSource::Alternatives;
       if (!response || !isAlternative) return false;

@@ -159,7 +159,7 @@ TEST(PublishedCheck, KnowsWhichMeansAndVariancesWholeAnswersHave) {
 TEST(PublishedCheck, TakesEveryConvention) {
   const auto conventions = publishedConventions();
   EXPECT_EQ(conventions.size(), 24U);
-  EXPECT_EQ(inWords(conventions.front()), "Welch, two-sided, variances with n − 1, rounded");
+  EXPECT_EQ(describe(conventions.front()), "Welch, two-sided, variances with n − 1, rounded");
   const auto table = professionals();
   const auto two = checkAt(table, {36, 36, 36}, kWelch).comparisons[2].attainable;
   const auto one = checkAt(table, {36, 36, 36}, {.tails = PublishedConvention::Tails::One})

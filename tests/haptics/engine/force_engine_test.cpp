@@ -156,11 +156,11 @@ TEST_F(ForceEngineTest, FadesWhereTheToolIsTooFastForAHand) {
 TEST_F(ForceEngineTest, FadesWhereTheClockLosesMoreThanABeat) {
   engine_.setScene(&scene_);
   const double full = feelAt(5.0);
-  EXPECT_EQ(engine_.tick(kDt, 1).force, full);  // one beat is bridged
+  EXPECT_EQ(engine_.tick(kDt, 1).force, full);  // one missed period is bridged
   const auto sample = engine_.tick(kDt, 21);    // twenty more should have faded it by a fifth
   EXPECT_NEAR(sample.force, 0.81 * full, 0.32);
   EXPECT_LT(sample.force, full);
-  EXPECT_TRUE((sample.marks & TickSample::LostBeats) != 0);
+  EXPECT_TRUE((sample.marks & TickSample::MissedPeriods) != 0);
   stayAt(5.0, 30);
   EXPECT_EQ(engine_.tick(kDt).force, full);  // and it is back
 }

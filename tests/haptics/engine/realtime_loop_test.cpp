@@ -28,7 +28,7 @@ TEST(RealtimeLoop, TicksAndReportsWhatItDid) {
 }
 
 TEST(RealtimeLoop, DoesNotChaseLostTime) {
-  // One tick takes 50 ms at 1 kHz: fifty beats are lost, and no burst follows.
+  // One tick takes 50 ms at 1 kHz: fifty periods are missed, and no burst follows.
   int calls = 0;
   std::chrono::steady_clock::time_point stalled;
   std::atomic<bool> isDone{false};
@@ -67,15 +67,15 @@ TEST(RealtimeLoop, CountsBeatsThatItLostItselfAsItsOwn) {
   while (!isDone) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const auto& report = loop.finish();
   EXPECT_GE(report.lateTicksOfOurs, 1U);
-  EXPECT_GE(report.lostBeats, 15U);
+  EXPECT_GE(report.missedPeriods, 15U);
   EXPECT_EQ(report.lateTicks, report.lateTicksOfOurs + report.holes);
   EXPECT_GE(report.compute.largest(), 20'000.0);
   EXPECT_EQ(report.ownLateness.count(), report.lateness.count());
   EXPECT_LE(report.ownLateness.largest(), report.lateness.largest());
 }
 
-/// Beats every two milliseconds from another thread, as a device's datagrams would.
-class ThreadBeat final : public devices::Beat {
+/// Sets the pace every two milliseconds from another thread, as a device's datagrams would.
+class ThreadPacer final : public devices::Pacer {
  public:
   bool wait(std::int64_t deadline) noexcept override {
     std::unique_lock lock(mutex_);
@@ -84,7 +84,7 @@ class ThreadBeat final : public devices::Beat {
     if (came) --pending_;
     return came;
   }
-  void beat() {
+  void signal() {
     const std::lock_guard lock(mutex_);
     ++pending_;
     condition_.notify_one();
@@ -97,15 +97,15 @@ class ThreadBeat final : public devices::Beat {
 };
 
 TEST(RealtimeLoop, GoesAtThePaceOfADeviceThatSetsIt) {
-  ThreadBeat beat;
+  ThreadPacer pacer;
   std::atomic<std::uint64_t> calls{0};
-  RealtimeLoop loop({.rate = 20.0, .beat = &beat}, [&](double dt, double) {
+  RealtimeLoop loop({.rate = 20.0, .pacer = &pacer}, [&](double dt, double) {
     EXPECT_EQ(dt, 0.05);
     ++calls;
   });
-  // Far faster than the timer would: one tick for each beat.
+  // Far faster than the timer would: one tick for each signal.
   for (int i = 0; i < 50; ++i) {
-    beat.beat();
+    pacer.signal();
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   while (calls < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -113,9 +113,9 @@ TEST(RealtimeLoop, GoesAtThePaceOfADeviceThatSetsIt) {
 }
 
 TEST(RealtimeLoop, TicksOnWhereTheDeviceFallsSilentSoThatSomebodyNotices) {
-  ThreadBeat silent;
+  ThreadPacer silent;
   std::atomic<int> late{0};
-  RealtimeLoop loop({.rate = 200.0, .beat = &silent}, [&](double dt, double lateness) {
+  RealtimeLoop loop({.rate = 200.0, .pacer = &silent}, [&](double dt, double lateness) {
     if (lateness >= 0.9e6 * dt) ++late;
   });
   while (late < 10) std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -24,87 +24,87 @@ json nameIn(std::initializer_list<const char*> names, Choice value) {
   return *(names.begin() + static_cast<std::size_t>(value));
 }
 
-json inWords(std::uint32_t value) {
+json describe(std::uint32_t value) {
   return value;
 }
-json inWords(std::int32_t value) {
+json describe(std::int32_t value) {
   return value;
 }
-json inWords(std::uint64_t value) {
+json describe(std::uint64_t value) {
   return value;
 }
-json inWords(double value) {
+json describe(double value) {
   return value;
 }
-json inWords(const Name& value) {
+json describe(const Name& value) {
   return value.text();
 }
-json inWords(const Joints& value) {
+json describe(const Joints& value) {
   return {{"value", value}};
 }
-json inWords(const Vector6& value) {
+json describe(const Vector6& value) {
   return {{"element", value}};
 }
-json inWords(SessionState value) {
+json describe(SessionState value) {
   return nameIn(
       {"IDLE", "MONITORING_WAIT", "MONITORING_READY", "COMMANDING_WAIT", "COMMANDING_ACTIVE"},
       value);
 }
-json inWords(ConnectionQuality value) {
+json describe(ConnectionQuality value) {
   return nameIn({"POOR", "FAIR", "GOOD", "EXCELLENT"}, value);
 }
-json inWords(SafetyState value) {
+json describe(SafetyState value) {
   return nameIn(
       {"NORMAL_OPERATION", "SAFETY_STOP_LEVEL_0", "SAFETY_STOP_LEVEL_1", "SAFETY_STOP_LEVEL_2"},
       value);
 }
-json inWords(OperationMode value) {
+json describe(OperationMode value) {
   return nameIn({"TEST_MODE_1", "TEST_MODE_2", "AUTOMATIC_MODE"}, value);
 }
-json inWords(DriveState value) {
+json describe(DriveState value) {
   return nameIn({"DRIVE_OFF", "DRIVE_TRANSITIONING", "DRIVE_ACTIVE"}, value);
 }
-json inWords(ControlMode value) {
+json describe(ControlMode value) {
   return nameIn(
       {"POSITION_CONTROL", "CARTESIAN_IMPEDANCE_CONTROL", "JOINT_IMPEDANCE_CONTROL", "NO_CONTROL"},
       value);
 }
-json inWords(ClientCommandMode value) {
+json describe(ClientCommandMode value) {
   return nameIn({"NO_COMMAND_MODE", "JOINT_POSITION", "WRENCH", "TORQUE", "CARTESIAN_POSE"}, value);
 }
-json inWords(OverlayType value) {
+json describe(OverlayType value) {
   return nameIn({"NO_OVERLAY", "JOINT_OVERLAY", "CARTESIAN_OVERLAY"}, value);
 }
-json inWords(IoType value) {
+json describe(IoType value) {
   return nameIn({"IO_BOOLEAN", "IO_DIGITAL", "IO_ANALOG"}, value);
 }
-json inWords(IoDirection value) {
+json describe(IoDirection value) {
   return nameIn({"IO_INPUT", "IO_OUTPUT"}, value);
 }
-json inWords(RedundancyStrategy value) {
+json describe(RedundancyStrategy value) {
   return value == RedundancyStrategy::E1 ? "REDUNDANCY_E1" : "REDUNDANCY_NONE";
 }
 
 // Messages hold messages.
-json inWords(const Header& m);
-json inWords(const TimeStamp& m);
-json inWords(const Transformation& m);
-json inWords(const IoValue& m);
-json inWords(const Redundancy& m);
-json inWords(const ConnectionInfo& m);
-json inWords(const RobotInfo& m);
-json inWords(const MonitorData& m);
-json inWords(const IpoData& m);
-json inWords(const CommandData& m);
-json inWords(const EndOfMessage::Checksum& m);
-json inWords(const EndOfMessage& m);
+json describe(const Header& m);
+json describe(const TimeStamp& m);
+json describe(const Transformation& m);
+json describe(const IoValue& m);
+json describe(const Redundancy& m);
+json describe(const ConnectionInfo& m);
+json describe(const RobotInfo& m);
+json describe(const MonitorData& m);
+json describe(const IpoData& m);
+json describe(const CommandData& m);
+json describe(const EndOfMessage::Checksum& m);
+json describe(const EndOfMessage& m);
 
 /// Puts together an object of what is there.
 class Object {
  public:
   template <typename T>
   Object& with(const char* key, const T& value) {
-    object_[key] = inWords(value);
+    object_[key] = describe(value);
     return *this;
   }
   template <typename T>
@@ -113,7 +113,7 @@ class Object {
   }
   template <typename T, std::size_t N>
   Object& with(const char* key, const List<T, N>& list) {
-    for (const T& item : list) object_[key].push_back(inWords(item));
+    for (const T& item : list) object_[key].push_back(describe(item));
     return *this;
   }
   operator json() const { return object_; }  // NOLINT(google-explicit-constructor)
@@ -122,19 +122,19 @@ class Object {
   json object_ = json::object();
 };
 
-json inWords(const Header& m) {
+json describe(const Header& m) {
   return Object()
       .with("message_identifier", m.identifier)
       .with("sequence_counter", m.sequence)
       .with("reflected_sequence_counter", m.reflected);
 }
-json inWords(const TimeStamp& m) {
+json describe(const TimeStamp& m) {
   return Object().with("sec", m.seconds).with("nanosec", m.nanoseconds);
 }
-json inWords(const Transformation& m) {
+json describe(const Transformation& m) {
   return Object().with("name", m.name).with("element", m.elements).with("timestamp", m.timestamp);
 }
-json inWords(const IoValue& m) {
+json describe(const IoValue& m) {
   return Object()
       .with("name", m.name)
       .with("type", m.type)
@@ -142,17 +142,17 @@ json inWords(const IoValue& m) {
       .with("digital_value", m.digital)
       .with("analog_value", m.analog);
 }
-json inWords(const Redundancy& m) {
+json describe(const Redundancy& m) {
   return Object().with("strategy", m.strategy).with("value", m.value);
 }
-json inWords(const ConnectionInfo& m) {
+json describe(const ConnectionInfo& m) {
   return Object()
       .with("session_state", m.state)
       .with("quality", m.quality)
       .with("send_period", m.sendPeriod)
       .with("receive_multiplier", m.receiveMultiplier);
 }
-json inWords(const RobotInfo& m) {
+json describe(const RobotInfo& m) {
   return Object()
       .with("number_of_joints", m.jointCount)
       .with("safety_state", m.safetyState)
@@ -160,7 +160,7 @@ json inWords(const RobotInfo& m) {
       .with("operation_mode", m.operationMode)
       .with("control_mode", m.controlMode);
 }
-json inWords(const MonitorData& m) {
+json describe(const MonitorData& m) {
   return Object()
       .with("measured_joint_position", m.measuredPosition)
       .with("measured_torque", m.measuredTorque)
@@ -173,7 +173,7 @@ json inWords(const MonitorData& m) {
       .with("measured_redundancy", m.redundancy)
       .with("timestamp", m.timestamp);
 }
-json inWords(const IpoData& m) {
+json describe(const IpoData& m) {
   return Object()
       .with("joint_position", m.jointPosition)
       .with("cartesian_pose", m.pose)
@@ -182,7 +182,7 @@ json inWords(const IpoData& m) {
       .with("overlay_type", m.overlay)
       .with("tracking_performance", m.trackingPerformance);
 }
-json inWords(const CommandData& m) {
+json describe(const CommandData& m) {
   return Object()
       .with("joint_position", m.jointPosition)
       .with("wrench", m.wrench)
@@ -192,13 +192,13 @@ json inWords(const CommandData& m) {
       .with("cartesian_pose", m.pose)
       .with("redundancy", m.redundancy);
 }
-json inWords(const EndOfMessage::Checksum& m) {
+json describe(const EndOfMessage::Checksum& m) {
   return Object().with("crc32", m.crc32);
 }
-json inWords(const EndOfMessage& m) {
+json describe(const EndOfMessage& m) {
   return Object().with("message_length", m.length).with("message_checksum", m.checksum);
 }
-json inWords(const MonitoringMessage& m) {
+json describe(const MonitoringMessage& m) {
   return Object()
       .with("header", m.header)
       .with("robot_info", m.robotInfo)
@@ -208,7 +208,7 @@ json inWords(const MonitoringMessage& m) {
       .with("requested_transformation", m.requestedTransformations)
       .with("end_of_message", m.endOfMessage);
 }
-json inWords(const CommandMessage& m) {
+json describe(const CommandMessage& m) {
   return Object()
       .with("header", m.header)
       .with("command_data", m.data)
@@ -251,7 +251,7 @@ void expectMeaning(const GoldenCase& golden) {
     EXPECT_EQ(message, untouched);
     return;
   }
-  EXPECT_EQ(inWords(message), golden.decoded);
+  EXPECT_EQ(describe(message), golden.decoded);
   if (golden.isCanonical) {
     EXPECT_EQ(encoded(message, golden.version), golden.bytes);
   }

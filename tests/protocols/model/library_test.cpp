@@ -32,7 +32,7 @@ struct Reading {
 Reading read(const std::string& name) {
   questionnaires::Problems problems;
   auto loaded = loadProtocolFile(name, problems);
-  EXPECT_TRUE(loaded.has_value()) << name << "\n" << inWords(problems.all());
+  EXPECT_TRUE(loaded.has_value()) << name << "\n" << describe(problems.all());
   return {loaded ? std::move(*loaded) : LoadedProtocol(), problems.all()};
 }
 

@@ -81,7 +81,7 @@ Words errorsIn(const std::string& json, const FileFinder& find = {}) {
 
 TEST(LoadedProtocol, HoldsTheInstrumentsThatItUsesAndNoOthers) {
   const auto loading = tests::load(tests::usualProtocol());
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   Words ids;
   for (const auto& instrument : loading.loaded->instruments) ids.push_back(instrument.id);
   EXPECT_EQ(ids, (Words{"consent-punch", "realism-common"}));
@@ -96,7 +96,7 @@ TEST(LoadedProtocol, KeepsItsOwnTextAndThatOfItsFilesByteByByte) {
       "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
   Shelf shelf{.files = {{"mine.json", instrumentFile("mine")}, {"cuts/mine.json", cutFile()}}};
   const auto loading = tests::load(protocol, shelf.finder());
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   EXPECT_EQ(loading.loaded->text, protocol);
   ASSERT_EQ(loading.loaded->files.size(), 2U);
   EXPECT_EQ(loading.loaded->files[0].name, "mine.json");
@@ -107,25 +107,25 @@ TEST(LoadedProtocol, KeepsItsOwnTextAndThatOfItsFilesByteByByte) {
 
 TEST(LoadedProtocol, KeepsNothingOfWhatIsBuiltIn) {
   const auto loading = tests::load(feeling("parametric"));
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   EXPECT_TRUE(loading.loaded->files.empty());
 }
 
 TEST(LoadedProtocol, CanBeLoadedAgainFromWhatItKeeps) {
   Shelf shelf{.files = {{"mine.json", cutFile()}}};
   const auto first = tests::load(feeling("mine.json"), shelf.finder());
-  ASSERT_TRUE(first.loaded.has_value()) << first.inWords();
+  ASSERT_TRUE(first.loaded.has_value()) << first.describe();
   Shelf kept;
   for (const auto& file : first.loaded->files) kept.files[file.name] = file.text;
   const auto second = tests::load(first.loaded->text, kept.finder());
-  ASSERT_TRUE(second.loaded.has_value()) << second.inWords();
-  EXPECT_EQ(second.inWords(), first.inWords());
+  ASSERT_TRUE(second.loaded.has_value()) << second.describe();
+  EXPECT_EQ(second.describe(), first.describe());
 }
 
 TEST(LoadedProtocol, PutsTheCurveOfACutIntoItsScene) {
   Shelf shelf{.files = {{"mine.json", cutFile()}}};
   const auto loading = tests::load(feeling("mine.json"), shelf.finder());
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   const auto& scene = loading.loaded->protocol.condition("firm")->scene();
   const auto& curve = std::get<engine::InterpolationSpec>(scene.model).curve;
   ASSERT_EQ(curve.size(), 2U);
@@ -140,7 +140,7 @@ TEST(LoadedProtocol, PutsTheShippedCutIntoAFusedSceneThatNamesNone) {
         "parameters": { "yield_force_n": 6 })",
       R"("model": "kalman", "parameters": {})");
   const auto loading = tests::load(text);
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   const auto& scene = loading.loaded->protocol.condition("firm")->scene();
   const auto& curve = std::get<engine::KalmanSpec>(scene.model).interpolation.curve;
   EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size());
@@ -175,7 +175,7 @@ TEST(LoadedProtocol, TellsWhyAFileCannotBeRead) {
     throw questionnaires::Error("The disk is on fire.");
   };
   const auto loading = tests::load(naming(R"(["mine.json"])"), broken);
-  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.describe();
   EXPECT_EQ(base::describe(loading.problems[0].what), "the file 'mine.json' cannot be read");
   EXPECT_EQ(base::describe(loading.problems[0].fix), "The disk is on fire.");
 }
@@ -229,7 +229,7 @@ TEST(LoadedProtocol, RefusesWhatIsTooLargeOrTooDeepItself) {
 TEST(LoadedProtocol, PrefersAFileToTheLibrarysInstrumentOfItsName) {
   Shelf shelf{.files = {{"mine.json", instrumentFile("realism-common")}}};
   const auto loading = tests::load(naming(R"(["mine.json"])"), shelf.finder());
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   const auto mine = tests::load(tests::usualProtocol());
   EXPECT_NE(
       loading.loaded->instrument("realism-common")->items.size(),
@@ -270,7 +270,7 @@ TEST(LoadedProtocolFile, FindsWhatLiesBesideItWhereverTheProgramRuns) {
   folder.write("study/cuts/mine.json", cutFile());
   Problems problems;
   const auto loaded = loadProtocolFile(file, problems);
-  ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+  ASSERT_TRUE(loaded.has_value()) << describe(problems.all());
   EXPECT_EQ(loaded->files.at(0).name, "cuts/mine.json");
 }
 
@@ -278,7 +278,7 @@ TEST(LoadedProtocolFile, IsOfTheLibraryUnderItsNameWithAndWithoutAnEnding) {
   for (const auto* name : {"reaming-hardness", "reaming-hardness.json"}) {
     Problems problems;
     const auto loaded = loadProtocolFile(name, problems);
-    ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+    ASSERT_TRUE(loaded.has_value()) << describe(problems.all());
     EXPECT_EQ(loaded->protocol.study.id, "reaming-hardness");
   }
 }
@@ -291,7 +291,7 @@ TEST(LoadedProtocolFile, IsTheOneOnTheDiskWhereOneBearsTheNameOfTheLibrarys) {
   Problems problems;
   const auto loaded = loadProtocolFile("reaming-hardness.json", problems);
   fs::current_path(before);
-  ASSERT_TRUE(loaded.has_value()) << inWords(problems.all());
+  ASSERT_TRUE(loaded.has_value()) << describe(problems.all());
   EXPECT_EQ(loaded->protocol.study.id, "small");
 }
 
@@ -303,7 +303,7 @@ TEST(LoadedProtocolFile, IsTheLibrarysWhereAFolderBearsItsName) {
   Problems problems;
   const auto loaded = loadProtocolFile("reaming-hardness", problems);
   fs::current_path(before);
-  EXPECT_TRUE(loaded.has_value()) << inWords(problems.all());
+  EXPECT_TRUE(loaded.has_value()) << describe(problems.all());
 }
 
 TEST(LoadedProtocolFile, SaysInWordsThatItIsNotThereOrNoFile) {
@@ -322,7 +322,7 @@ TEST(LoadedProtocolFile, TellsOfAFileBesideItThatIsTooLarge) {
   folder.write("large.json", std::string(10'000'000, ' '));
   Problems problems;
   EXPECT_FALSE(loadProtocolFile(file, problems).has_value());
-  ASSERT_EQ(problems.all().size(), 1U) << inWords(problems.all());
+  ASSERT_EQ(problems.all().size(), 1U) << describe(problems.all());
   EXPECT_EQ(problems.all()[0].path, "$.instrument_files[0]");
   EXPECT_NE(base::describe(problems.all()[0].fix).find("is larger than 5 MB"), std::string::npos);
 }
@@ -347,7 +347,7 @@ std::string susWords() {
 TEST(LoadedProtocol, IsRefusedWhereAnInstrumentLacksItsWords) {
   const auto loading = tests::load(askingTheSus());
   EXPECT_FALSE(loading.loaded.has_value());
-  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.describe();
   EXPECT_EQ(loading.problems[0].path, "$.phases[1].questionnaires[0].instrument");
   EXPECT_NE(
       base::describe(loading.problems[0].fix)
@@ -358,7 +358,7 @@ TEST(LoadedProtocol, IsRefusedWhereAnInstrumentLacksItsWords) {
 TEST(LoadedProtocol, KeepsTheWordingFilesThatItFinds) {
   Shelf shelf{.files = {{"wording/sus/en.json", susWords()}}};
   const auto loading = tests::load(askingTheSus(), shelf.finder());
-  ASSERT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   EXPECT_EQ(loading.loaded->instrument("sus")->items[0].text.in("en"), "words");
   ASSERT_EQ(loading.loaded->files.size(), 1U);
   EXPECT_EQ(loading.loaded->files[0].name, "wording/sus/en.json");
@@ -381,14 +381,14 @@ TEST(LoadedProtocol, FindsWordingBesideItsFile) {
   fs::create_directories(fs::path(protocol).parent_path() / "wording/sus");
   folder.write("wording/sus/en.json", susWords());
   Problems none;
-  EXPECT_TRUE(loadProtocolFile(protocol, none).has_value()) << inWords(none.all());
+  EXPECT_TRUE(loadProtocolFile(protocol, none).has_value()) << describe(none.all());
 }
 
 TEST(LoadedProtocol, IsToldOfAnInstrumentThatIsAskedOnceAndMeasuresAChange) {
   const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-common", "ssq"));
-  ASSERT_TRUE(once.loaded.has_value()) << once.inWords();
+  ASSERT_TRUE(once.loaded.has_value()) << once.describe();
   EXPECT_NE(
-      once.inWords().find("'ssq' is asked once, and its result is the change"), std::string::npos);
+      once.describe().find("'ssq' is asked once, and its result is the change"), std::string::npos);
 }
 
 }  // namespace loaded_protocol_test

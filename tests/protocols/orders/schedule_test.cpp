@@ -18,7 +18,7 @@ namespace schedule_test {
 Protocol libraryProtocol(const char* name) {
   questionnaires::Problems problems;
   auto loaded = loadProtocolFile(name, problems);
-  EXPECT_TRUE(loaded) << questionnaires::inWords(problems.all());
+  EXPECT_TRUE(loaded) << questionnaires::describe(problems.all());
   return loaded->protocol;
 }
 

@@ -35,7 +35,7 @@ std::string withoutNormals(const std::string& text) {
 std::string complaintAbout(const std::string& text) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readAnatomy(text, problems)) << "nothing was wrong";
-  return questionnaires::inWords(problems.all());
+  return questionnaires::describe(problems.all());
 }
 
 testing::AssertionResult says(const std::string& words, std::string_view part) {
@@ -47,8 +47,8 @@ TEST(AnatomyFile, TakesItsSurfacesByTheirNames) {
   questionnaires::Problems problems;
   const auto knee = readAnatomy(
       "mtllib /etc/hostname\n" + square("tibia", 60, 2) + square("femur", 40, 1, 5), problems);
-  ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
-  EXPECT_TRUE(problems.all().empty()) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
+  EXPECT_TRUE(problems.all().empty()) << questionnaires::describe(problems.all());
   const auto* tibia = knee->find(kTibia);
   ASSERT_NE(tibia, nullptr);
   EXPECT_EQ(tibia->triangles.size(), 2U);
@@ -64,7 +64,7 @@ TEST(AnatomyFile, TakesGroupsAsWell) {
   questionnaires::Problems problems;
   const auto knee =
       readAnatomy(tests::with(square("tibia", 60, 2), "o tibia", "g tibia"), problems);
-  ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
   EXPECT_NE(knee->find(kTibia), nullptr);
 }
 
@@ -75,7 +75,7 @@ TEST(AnatomyFile, MakesOneSurfaceOfAnObjectInSeveralMaterials) {
       "f 1//1 2//1 3//1 4//1",
       "usemtl bone\nf 1//1 2//1 3//1\nusemtl rim\nf 1//1 3//1 4//1");
   const auto knee = readAnatomy(text, problems);
-  ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
   ASSERT_EQ(knee->surfaces.size(), 1U);
   EXPECT_EQ(knee->surfaces[0].triangles.size(), 2U);
   EXPECT_EQ(knee->surfaces[0].normals.size(), knee->surfaces[0].places.size());
@@ -84,7 +84,7 @@ TEST(AnatomyFile, MakesOneSurfaceOfAnObjectInSeveralMaterials) {
 TEST(AnatomyFile, MakesNormalsWhereThereAreNoneAndSaysSo) {
   questionnaires::Problems problems;
   const auto knee = readAnatomy(withoutNormals(square("tibia", 60, 2)), problems);
-  ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
   ASSERT_EQ(problems.all().size(), 1U);
   EXPECT_EQ(problems.all()[0].path, "object 'tibia'");
   EXPECT_EQ(problems.all()[0].what, message("no_normals"));
@@ -96,7 +96,7 @@ TEST(AnatomyFile, MendsNormalsWithoutADirectionAndSaysSo) {
     questionnaires::Problems problems;
     const auto knee =
         readAnatomy(tests::with(square("tibia", 60, 2), "vn 0 1 0\n", none), problems);
-    ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
+    ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
     ASSERT_EQ(problems.all().size(), 1U);
     EXPECT_EQ(problems.all()[0].what, message("normals_without_direction", 4));
     for (const auto& normal : knee->find(kTibia)->normals) EXPECT_NEAR(normal[1], 1.0F, 1e-5F);
@@ -106,7 +106,7 @@ TEST(AnatomyFile, MendsNormalsWithoutADirectionAndSaysSo) {
 TEST(AnatomyFile, LeavesOutWhatIsThereForOrientation) {
   questionnaires::Problems problems;
   const auto knee = readAnatomy(square("tibia", 60, 2) + square("meniscus", 20, 1, 5), problems);
-  ASSERT_TRUE(knee) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(knee) << questionnaires::describe(problems.all());
   EXPECT_EQ(knee->surfaces.size(), 1U);
 }
 
@@ -163,7 +163,7 @@ TEST(AnatomyOfAProtocol, IsReadOnceSharedKeptAndTold) {
     return name == "knee.obj" ? std::optional(square("tibia", 60, 2)) : std::nullopt;
   };
   const auto loading = tests::load(seeing("knee.obj", "knee.obj"), find);
-  ASSERT_TRUE(loading.loaded) << loading.inWords();
+  ASSERT_TRUE(loading.loaded) << loading.describe();
   const auto& conditions = loading.loaded->protocol.conditions;
   ASSERT_NE(conditions[0].knee, nullptr);
   EXPECT_EQ(conditions[0].knee, conditions[1].knee);
@@ -173,7 +173,7 @@ TEST(AnatomyOfAProtocol, IsReadOnceSharedKeptAndTold) {
   ASSERT_EQ(loading.loaded->sources.size(), 1U);
   EXPECT_EQ(loading.loaded->sources[0].kind, "anatomy");
   EXPECT_EQ(loading.loaded->sources[0].conditions.size(), 2U);
-  EXPECT_TRUE(says(inWords(loading.loaded->sources[0]), "(anatomy 'knee.obj'), tibia"));
+  EXPECT_TRUE(says(describe(loading.loaded->sources[0]), "(anatomy 'knee.obj'), tibia"));
 }
 
 TEST(AnatomyOfAProtocol, HasItsProblemsAtItsPlace) {
@@ -182,26 +182,26 @@ TEST(AnatomyOfAProtocol, HasItsProblemsAtItsPlace) {
   };
   const auto refused = tests::load(seeing("knee.obj", "../knee.obj"), find);
   EXPECT_FALSE(refused.loaded);
-  EXPECT_TRUE(says(refused.inWords(), "knee.obj object 'patella'"));
-  EXPECT_TRUE(says(refused.inWords(), "$.conditions[1].scene.anatomy"));
-  EXPECT_TRUE(says(refused.inWords(), "outside the protocol's folder"));
+  EXPECT_TRUE(says(refused.describe(), "knee.obj object 'patella'"));
+  EXPECT_TRUE(says(refused.describe(), "$.conditions[1].scene.anatomy"));
+  EXPECT_TRUE(says(refused.describe(), "outside the protocol's folder"));
   const auto none = tests::load(seeing("hip.obj", "hip.obj"), find);
-  EXPECT_TRUE(says(none.inWords(), "there is no file 'hip.obj'"));
+  EXPECT_TRUE(says(none.describe(), "there is no file 'hip.obj'"));
 }
 
 TEST(AnatomyOfAProtocol, IsAdvisedOn) {
   const auto find = [](const std::string&) { return std::optional(square("tibia", 60, 2)); };
   const auto other = tests::load(seeing("one.obj", "other.obj"), find);
-  ASSERT_TRUE(other.loaded) << other.inWords();
-  EXPECT_TRUE(says(other.inWords(), "can be told apart by what is seen"));
+  ASSERT_TRUE(other.loaded) << other.describe();
+  EXPECT_TRUE(says(other.describe(), "can be told apart by what is seen"));
   const auto same = tests::load(seeing("one.obj", "one.obj"), find);
-  EXPECT_FALSE(says(same.inWords(), "can be told apart"));
+  EXPECT_FALSE(says(same.describe(), "can be told apart"));
   const auto unseen = tests::load(
       tests::with(
           seeing("one.obj", "one.obj"), "\"visualisation\": true", "\"visualisation\": false"),
       find);
-  ASSERT_TRUE(unseen.loaded) << unseen.inWords();
-  EXPECT_TRUE(says(unseen.inWords(), "it is never seen"));
+  ASSERT_TRUE(unseen.loaded) << unseen.describe();
+  EXPECT_TRUE(says(unseen.describe(), "it is never seen"));
 }
 
 TEST(AnatomyOfAProtocol, IsFoundBesideAFile) {
@@ -210,7 +210,7 @@ TEST(AnatomyOfAProtocol, IsFoundBesideAFile) {
   folder.write("knee.obj", square("femur", 60, 2));
   questionnaires::Problems problems;
   const auto loaded = loadProtocolFile(folder / "protocol.json", problems);
-  ASSERT_TRUE(loaded) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(loaded) << questionnaires::describe(problems.all());
   EXPECT_NE(loaded->protocol.conditions[0].knee->find(kFemur), nullptr);
 }
 

@@ -29,7 +29,7 @@ std::string refusalOf(const std::string& text) {
   questionnaires::Problems problems;
   const auto cut = readCut(text, problems);
   EXPECT_EQ(cut.has_value(), !problems.hasErrors());
-  return cut ? std::string() : questionnaires::inWords(problems.all());
+  return cut ? std::string() : questionnaires::describe(problems.all());
 }
 
 void expectRefused(const json& cut, const std::string& place, const std::string& what) {
@@ -42,7 +42,7 @@ TEST(CutFile, ReadsBackWhatWasWrittenToTheLastBit) {
   const auto written = haptics::recordings::parametricCut();
   questionnaires::Problems problems;
   const auto read = readCut(cutAsJson(written, ""), problems);
-  ASSERT_TRUE(read) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(read) << questionnaires::describe(problems.all());
   EXPECT_EQ(read->name, written.name);
   EXPECT_EQ(read->title, written.title);
   EXPECT_EQ(read->isSynthetic, written.isSynthetic);
@@ -59,7 +59,7 @@ TEST(CutFile, ReadsBackWhatWasWrittenToTheLastBit) {
 haptics::recordings::Cut read(const std::string& text) {
   questionnaires::Problems problems;
   const auto cut = readCut(text, problems);
-  EXPECT_TRUE(cut.has_value()) << questionnaires::inWords(problems.all());
+  EXPECT_TRUE(cut.has_value()) << questionnaires::describe(problems.all());
   return cut.value_or(haptics::recordings::parametricCut());
 }
 

@@ -66,7 +66,7 @@ TEST(Draft, KeepsBackTheWarningsOfAFileWhileSomethingIsWrong) {
   const auto blank = tests::with(mine(), "\"title\": \"", "\"title\": \"[[whose]] ");
   const FileFinder find = [&](const std::string&) { return std::optional(blank); };
   const auto sound = tests::load(askingMine(R"(["mine.json"])"), find);
-  EXPECT_NE(sound.inWords().find("[[whose]]"), std::string::npos);
+  EXPECT_NE(sound.describe().find("[[whose]]"), std::string::npos);
   const auto text = tests::with(askingMine(R"(["mine.json"])"), "\"alpha\": 0.05", "\"alpha\": 5");
   EXPECT_EQ(
       saidAbout(text, find), Words{"$.analysis.families[0].alpha: this number is out of range"});

@@ -25,7 +25,7 @@ std::string fittedJson() {
 std::string complaintAbout(const std::string& json) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readMaterial(json, problems));
-  return questionnaires::inWords(problems.all());
+  return questionnaires::describe(problems.all());
 }
 
 TEST(MaterialFile, ComesBackAsItWas) {
@@ -35,7 +35,7 @@ TEST(MaterialFile, ComesBackAsItWas) {
   questionnaires::Problems problems;
   const auto material =
       readMaterial(materialAsJson("bone", "Bone", true, fit, options, {{"a.csv", "00"}}), problems);
-  ASSERT_TRUE(material) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(material) << questionnaires::describe(problems.all());
   EXPECT_TRUE(material->isSynthetic);
   ASSERT_EQ(material->sets.size(), 1U);
   const auto& wanted = fit.sets[0].force.average.spline.nodes;
@@ -165,17 +165,17 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
   };
   const auto loading = tests::load(
       withMaterial(R"({"hardness": 0.5, "material": "bone.json", "force_scale": 0.2})"), find);
-  ASSERT_TRUE(loading.loaded) << loading.inWords();
+  ASSERT_TRUE(loading.loaded) << loading.describe();
   const auto& spec =
       std::get<haptics::engine::MaterialSpec>(*loading.loaded->protocol.condition("a")->model);
   EXPECT_FALSE(spec.curves.isEmpty());
   EXPECT_FALSE(spec.isMeasured);
   const auto& sources = loading.loaded->sources;
   ASSERT_EQ(sources.size(), 2U);
-  EXPECT_EQ(inWords(sources[0]), "SYNTHETIC: Bone (material 'bone.json'), test set dynamic-1");
+  EXPECT_EQ(describe(sources[0]), "SYNTHETIC: Bone (material 'bone.json'), test set dynamic-1");
   EXPECT_EQ(sources[0].conditions, std::vector<std::string>{"a"});
   EXPECT_TRUE(sources[1].isSynthetic);
-  EXPECT_NE(inWords(sources[1]).find("built into the program"), std::string::npos);
+  EXPECT_NE(describe(sources[1]).find("built into the program"), std::string::npos);
   EXPECT_EQ(spec.jitter.rms, 0.0);
   EXPECT_TRUE(haptics::engine::problemsOf({.model = spec}).empty());
 
@@ -183,7 +183,7 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
       withMaterial(
           R"({"hardness": 0.5, "material": "bone.json", "jitter": true, "jitter_seed": 7})"),
       find);
-  ASSERT_TRUE(shaken.loaded) << shaken.inWords();
+  ASSERT_TRUE(shaken.loaded) << shaken.describe();
   const auto& noisy =
       std::get<haptics::engine::MaterialSpec>(*shaken.loaded->protocol.condition("a")->model);
   EXPECT_GT(noisy.jitter.rms, 0.1);
@@ -192,7 +192,7 @@ TEST(MaterialFile, IsTakenFromBesideAProtocol) {
   const auto refusalOf = [&](const std::string& parameters) {
     const auto refused = tests::load(withMaterial(parameters), find);
     EXPECT_FALSE(refused.loaded);
-    return refused.inWords();
+    return refused.describe();
   };
   EXPECT_NE(
       refusalOf(R"({"hardness": 0.5, "material": "none.json"})").find("there is no file"),

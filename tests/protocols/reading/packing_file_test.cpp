@@ -25,7 +25,7 @@ reaming::PackedBone bone() {
 std::string complaintAbout(const std::string& text) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readPacking(text, problems));
-  return questionnaires::inWords(problems.all());
+  return questionnaires::describe(problems.all());
 }
 
 TEST(PackingFile, ComesBackAsItWas) {
@@ -35,7 +35,7 @@ TEST(PackingFile, ComesBackAsItWas) {
   const auto text = packingAsText(
       made, {.mesh = "hip.stl", .sha256 = "00ff", .material = "bone, dynamic-1", .seed = 9});
   const auto found = readPacking(text, problems, &origin);
-  ASSERT_TRUE(found) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(found) << questionnaires::describe(problems.all());
   EXPECT_EQ(found->name, "cup");
   EXPECT_TRUE(found->isSynthetic);
   EXPECT_EQ(found->packing.volume, made.packing.volume);
@@ -93,7 +93,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   };
   const auto loading = tests::load(
       protocol(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
-  ASSERT_TRUE(loading.loaded) << loading.inWords();
+  ASSERT_TRUE(loading.loaded) << loading.describe();
   const auto specOf = [&](const char* id) {
     return std::get<haptics::engine::PackingSpec>(*loading.loaded->protocol.condition(id)->model);
   };
@@ -106,7 +106,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   const auto refusalOf = [&](const std::string& parameters) {
     const auto refused = tests::load(protocol(parameters), find);
     EXPECT_FALSE(refused.loaded);
-    return refused.inWords();
+    return refused.describe();
   };
   const auto has = [](const std::string& words, const char* part) {
     EXPECT_NE(words.find(part), std::string::npos) << words;

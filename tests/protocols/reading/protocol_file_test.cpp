@@ -66,7 +66,7 @@ void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& 
         reading.problems.end(),
         [&](const Problem& problem) { return isAsExpected(problem, expected); }))
         << expected.file << "\n"
-        << inWords(reading.problems);
+        << describe(reading.problems);
   }
   EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
@@ -90,7 +90,7 @@ TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
             << refusal.file;
         EXPECT_EQ(problem.severity, Severity::Error) << refusal.file;
       }
-      EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << inWords(reading.problems);
+      EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << describe(reading.problems);
     }
   }
 }
@@ -98,7 +98,7 @@ TEST(ProtocolFile, SaysNothingTwiceAndLittleThatFollows) {
 TEST(ProtocolFile, TakesWhatIsSound) {
   for (const auto& name : tests::corpusNames("good")) {
     const auto reading = read("good", name);
-    EXPECT_TRUE(reading.loaded.has_value()) << name << "\n" << inWords(reading.problems);
+    EXPECT_TRUE(reading.loaded.has_value()) << name << "\n" << describe(reading.problems);
   }
 }
 

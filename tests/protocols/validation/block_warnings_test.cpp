@@ -14,9 +14,9 @@ namespace block_warnings_test {
 using Words = std::vector<std::string>;
 
 /// What is said about a sound protocol, in short, but for what templates of the library lack.
-Words adviceOn(std::string_view json) {
+Words warningsOf(std::string_view json) {
   const auto loading = tests::load(json);
-  EXPECT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_TRUE(loading.loaded.has_value()) << loading.describe();
   Words said;
   for (const auto& problem : loading.problems) {
     EXPECT_EQ(problem.severity, questionnaires::Severity::Warning);
@@ -53,30 +53,30 @@ std::string lacksPrevious(const std::string& item, const std::string& condition)
          condition + "' can come first in this block, where there is none";
 }
 
-TEST(BlockAdvice, WarnsOfOneOrderForEverybody) {
+TEST(BlockWarnings, WarnsOfOneOrderForEverybody) {
   const Words expected{"$.phases[1].order: everybody feels this block in the same order"};
-  EXPECT_EQ(adviceOn(ordered("fixed", 8)), expected);
+  EXPECT_EQ(warningsOf(ordered("fixed", 8)), expected);
 }
 
-TEST(BlockAdvice, HasNothingAgainstAFixedOrderOfOne) {
+TEST(BlockWarnings, HasNothingAgainstAFixedOrderOfOne) {
   const auto text = tests::withPhases(
       {R"({"id": "alone", "type": "block", "conditions": ["soft"], "order": {"type": "fixed"},
            "minimum_cuts": 1})"});
-  EXPECT_EQ(adviceOn(text), Words{});
+  EXPECT_EQ(warningsOf(text), Words{});
 }
 
-TEST(BlockAdvice, SaysWhatNumberOfParticipantsBalancesADesign) {
+TEST(BlockWarnings, SaysWhatNumberOfParticipantsBalancesADesign) {
   for (const auto* type : {"balancedLatinSquare", "latinSquare", "complete"}) {
     const auto loading = tests::load(ordered(type, 7));
     const auto& problem = loading.problems.back();
-    EXPECT_EQ(problem.path, "$.phases[1].order") << loading.inWords();
+    EXPECT_EQ(problem.path, "$.phases[1].order") << loading.describe();
     EXPECT_EQ(problem.what, message("not_balanced", 7, "anyone"));
     EXPECT_EQ(problem.fix, message("not_balanced.fix", 2));
-    EXPECT_EQ(adviceOn(ordered(type, 8)), Words{}) << type;
+    EXPECT_EQ(warningsOf(ordered(type, 8)), Words{}) << type;
   }
 }
 
-TEST(BlockAdvice, AsksForTwiceAsManyWhereTheConditionsAreOdd) {
+TEST(BlockWarnings, AsksForTwiceAsManyWhereTheConditionsAreOdd) {
   auto text = tests::with(
       ordered("balancedLatinSquare", 9),
       "\"conditions\": [\n",
@@ -84,42 +84,43 @@ TEST(BlockAdvice, AsksForTwiceAsManyWhereTheConditionsAreOdd) {
       "\"punch\", \"model\": \"interpolation\", \"parameters\": {}}},\n");
   text = tests::with(text, R"(["soft", "firm"])", R"(["soft", "firm", "third"])");
   const auto loading = tests::load(text);
-  EXPECT_EQ(loading.problems.back().fix, message("not_balanced.fix", 6)) << loading.inWords();
+  EXPECT_EQ(loading.problems.back().fix, message("not_balanced.fix", 6)) << loading.describe();
 }
 
-TEST(BlockAdvice, SpeaksOfEveryCohortThatDoesNotBalance) {
+TEST(BlockWarnings, SpeaksOfEveryCohortThatDoesNotBalance) {
   const auto text = tests::with(
       tests::usualProtocol(),
       R"([{ "id": "anyone", "title": "Anyone" }])",
       R"([{"id": "a", "title": "A", "planned": 3}, {"id": "b", "title": "B", "planned": 4},
           {"id": "c", "title": "C", "planned": 5}])");
   EXPECT_EQ(
-      adviceOn(text),
+      warningsOf(text),
       (Words{
           "$.phases[1].order: 3 participants of 'a' do not balance this design",
           "$.phases[1].order: 5 participants of 'c' do not balance this design"}));
 }
 
-TEST(BlockAdvice, HasNothingToCountWhereOrdersAreDrawnOrNobodyIsPlanned) {
-  EXPECT_EQ(adviceOn(ordered("random", 7)), Words{});
-  EXPECT_EQ(adviceOn(ordered("complete", 0)), Words{});
+TEST(BlockWarnings, HasNothingToCountWhereOrdersAreDrawnOrNobodyIsPlanned) {
+  EXPECT_EQ(warningsOf(ordered("random", 7)), Words{});
+  EXPECT_EQ(warningsOf(ordered("complete", 0)), Words{});
 }
 
-TEST(BlockAdvice, MissesThePreviousCutWhereAnyConditionMayComeFirst) {
+TEST(BlockWarnings, MissesThePreviousCutWhereAnyConditionMayComeFirst) {
   EXPECT_EQ(
-      adviceOn(published("latinSquare", R"({"soft": "1", "firm": "2"})")),
+      warningsOf(published("latinSquare", R"({"soft": "1", "firm": "2"})")),
       (Words{lacksPrevious("2.3", "firm"), kUnlike}));
 }
 
-TEST(BlockAdvice, MissesThePreviousCutOfTheFirstConditionOnlyInAFixedOrder) {
+TEST(BlockWarnings, MissesThePreviousCutOfTheFirstConditionOnlyInAFixedOrder) {
   const std::string same = "$.phases[1].order: everybody feels this block in the same order";
-  EXPECT_EQ(adviceOn(published("fixed", R"({"soft": "1", "firm": "2"})")), (Words{same, kUnlike}));
   EXPECT_EQ(
-      adviceOn(published("fixed", R"({"soft": "2", "firm": "1"})")),
+      warningsOf(published("fixed", R"({"soft": "1", "firm": "2"})")), (Words{same, kUnlike}));
+  EXPECT_EQ(
+      warningsOf(published("fixed", R"({"soft": "2", "firm": "1"})")),
       (Words{lacksPrevious("2.3", "soft"), same, kUnlike}));
 }
 
-TEST(BlockAdvice, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed) {
+TEST(BlockWarnings, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed) {
   const auto text = tests::with(
       published("fixed", R"({"soft": "1", "firm": "2"})"),
       "\n  ],\n  \"analysis\"",
@@ -128,7 +129,7 @@ TEST(BlockAdvice, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed) 
             [{"instrument": "punch-face-validity",
               "set_by_condition": {"soft": "2", "firm": "3"}}]})"
       "\n  ],\n  \"analysis\"");
-  const auto said = adviceOn(text);
+  const auto said = warningsOf(text);
   const auto expected =
       "$.phases[2].questionnaires[0]: item '3.1' compares with the previous, and 'firm' can come "
       "first in this block, where there is none";
@@ -138,16 +139,16 @@ TEST(BlockAdvice, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed) 
           "$.phases[1].order: everybody feels this block in the same order", expected, kUnlike}));
 }
 
-TEST(BlockAdvice, HasNothingAgainstTheSameStatementsAfterEveryCondition) {
-  EXPECT_EQ(adviceOn(published("random", R"({"soft": "1", "firm": "1"})")), Words{});
+TEST(BlockWarnings, HasNothingAgainstTheSameStatementsAfterEveryCondition) {
+  EXPECT_EQ(warningsOf(published("random", R"({"soft": "1", "firm": "1"})")), Words{});
 }
 
-TEST(BlockAdvice, TakesAllItemsForAnotherSetThanOneOfThem) {
-  const auto said = adviceOn(published("random", R"({"soft": "1"})"));
+TEST(BlockWarnings, TakesAllItemsForAnotherSetThanOneOfThem) {
+  const auto said = warningsOf(published("random", R"({"soft": "1"})"));
   EXPECT_EQ(said.back(), kUnlike);
 }
 
-TEST(BlockAdvice, LooksAtTheBlocksOfAFamilyOnly) {
+TEST(BlockWarnings, LooksAtTheBlocksOfAFamilyOnly) {
   auto text = tests::with(
       published("random", R"({"soft": "1", "firm": "1"})"),
       "\n  ],\n  \"analysis\"",
@@ -157,15 +158,15 @@ TEST(BlockAdvice, LooksAtTheBlocksOfAFamilyOnly) {
       "\n  ],\n  \"analysis\"");
   const std::string everywhere =
       "$.analysis.families[0]: conditions answer different statements in 'unlike'";
-  EXPECT_EQ(adviceOn(text).back(), everywhere);
+  EXPECT_EQ(warningsOf(text).back(), everywhere);
   text = tests::with(text, R"("comparisons")", R"("blocks": ["felt"], "comparisons")");
-  for (const auto& words : adviceOn(text)) EXPECT_EQ(words.find("$.analysis"), std::string::npos);
+  for (const auto& words : warningsOf(text)) EXPECT_EQ(words.find("$.analysis"), std::string::npos);
 }
 
-TEST(BlockAdvice, MissesAPlanOfAnalysis) {
+TEST(BlockWarnings, MissesAPlanOfAnalysis) {
   const auto whole = tests::usualProtocol();
   const auto text = whole.substr(0, whole.find(",\n  \"analysis\"")) + "\n}";
-  EXPECT_EQ(adviceOn(text), Words{"$.analysis: no family of comparisons is declared"});
+  EXPECT_EQ(warningsOf(text), Words{"$.analysis: no family of comparisons is declared"});
 }
 
 }  // namespace block_warnings_test

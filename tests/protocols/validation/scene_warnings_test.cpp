@@ -23,7 +23,7 @@ KalmanSpec filter(KalmanScheme scheme, double interpolationNoise) {
   return spec;
 }
 
-std::vector<questionnaires::Problem> adviceOn(auto model) {
+std::vector<questionnaires::Problem> warningsOf(auto model) {
   Protocol protocol;
   protocol.conditions.push_back({.id = "a", .model = std::move(model)});
   questionnaires::Problems problems;
@@ -31,7 +31,7 @@ std::vector<questionnaires::Problem> adviceOn(auto model) {
   return problems.all();
 }
 
-TEST(SceneAdvice, KnowsHowMuchTheInterpolationWeighs) {
+TEST(SceneWarnings, KnowsHowMuchTheInterpolationWeighs) {
   // The weights of the four schemes with the published noise, and of space-domain at equal R.
   using haptics::engine::interpolationWeight;
   EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::PaperText, 7.742)), 0.22, 0.03);
@@ -41,31 +41,31 @@ TEST(SceneAdvice, KnowsHowMuchTheInterpolationWeighs) {
   EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::SpaceDomain, 0.001)), 0.5, 1e-6);
 }
 
-TEST(SceneAdvice, WarnsOfAFilterThatHearsOneForceOnly) {
-  EXPECT_TRUE(adviceOn(filter(KalmanScheme::AuthorsFirmware, 7.742)).empty());
-  EXPECT_TRUE(adviceOn(filter(KalmanScheme::SpaceDomain, 0.001)).empty());
-  const auto deaf = adviceOn(filter(KalmanScheme::SpaceDomain, 7.742));
+TEST(SceneWarnings, WarnsOfAFilterThatHearsOneForceOnly) {
+  EXPECT_TRUE(warningsOf(filter(KalmanScheme::AuthorsFirmware, 7.742)).empty());
+  EXPECT_TRUE(warningsOf(filter(KalmanScheme::SpaceDomain, 0.001)).empty());
+  const auto deaf = warningsOf(filter(KalmanScheme::SpaceDomain, 7.742));
   ASSERT_EQ(deaf.size(), 1U);
   EXPECT_EQ(deaf[0].path, "$.conditions[0].scene.parameters");
   EXPECT_EQ(deaf[0].what, message("cut_not_felt"));
-  const auto other = adviceOn(filter(KalmanScheme::SpaceDomain, 1e-7));
+  const auto other = warningsOf(filter(KalmanScheme::SpaceDomain, 1e-7));
   ASSERT_EQ(other.size(), 1U);
   EXPECT_EQ(other[0].what, message("elements_not_felt"));
 }
 
-TEST(SceneAdvice, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
+TEST(SceneWarnings, WarnsOfAnOpeningThatGivesBackMoreThanClosingTook) {
   const auto cut = haptics::recordings::parametricCut();
   InterpolationSpec spec{.curve = nodesOf(cut.curve)};
   spec.branches = haptics::engine::Branches::Hysteresis;
   spec.opening = nodesOf(*cut.opening);
-  EXPECT_TRUE(adviceOn(spec).empty());
+  EXPECT_TRUE(warningsOf(spec).empty());
   for (auto& node : spec.opening) node.force += 0.5;
-  const auto said = adviceOn(spec);
+  const auto said = warningsOf(spec);
   ASSERT_EQ(said.size(), 1U);
   EXPECT_NE(base::describe(said[0].what).find("0.5"), std::string::npos)
       << base::describe(said[0].what);
   spec.branches = haptics::engine::Branches::ClosingOnly;
-  EXPECT_TRUE(adviceOn(spec).empty());
+  EXPECT_TRUE(warningsOf(spec).empty());
 }
 
 }  // namespace scene_warnings_test

@@ -20,9 +20,9 @@ const std::string kTemplate =
     "in 'instrument_files'";
 
 /// All that is said about a sound protocol, without the template.
-std::vector<std::string> adviceOn(std::string_view json, const FileFinder& find = {}) {
+std::vector<std::string> warningsOf(std::string_view json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
-  EXPECT_TRUE(loading.loaded.has_value()) << loading.inWords();
+  EXPECT_TRUE(loading.loaded.has_value()) << loading.describe();
   std::vector<std::string> said;
   for (const auto& problem : loading.problems) {
     EXPECT_EQ(problem.severity, Severity::Warning);
@@ -58,65 +58,65 @@ std::string askingMine() {
       text, "\"conditions\": [\n", "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
 }
 
-TEST(Advice, HasNothingToSayWhereAllIsWell) {
-  EXPECT_EQ(adviceOn(tests::usualProtocol()), Words{});
+TEST(ProtocolWarnings, HasNothingToSayWhereAllIsWell) {
+  EXPECT_EQ(warningsOf(tests::usualProtocol()), Words{});
 }
 
-TEST(Advice, PassesOnWhatIsToBeFilledInInAnInstrumentOfTheLibrary) {
+TEST(ProtocolWarnings, PassesOnWhatIsToBeFilledInInAnInstrumentOfTheLibrary) {
   const auto loading = tests::load(tests::usualProtocol());
   ASSERT_TRUE(loading.loaded.has_value());
-  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
-  EXPECT_EQ(loading.inWords(), "warning " + kTemplate + "\n");
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.describe();
+  EXPECT_EQ(loading.describe(), "warning " + kTemplate + "\n");
 }
 
-TEST(Advice, TellsOfATemplateOnceHoweverOftenItIsUsed) {
+TEST(ProtocolWarnings, TellsOfATemplateOnceHoweverOftenItIsUsed) {
   const auto text = tests::withPhases(
       {R"({"id": "end", "type": "debrief", "instrument": "debrief"})",
        R"({"id": "again", "type": "debrief", "instrument": "debrief"})"});
-  const auto said = adviceOn(text);
+  const auto said = warningsOf(text);
   ASSERT_EQ(said.size(), 1U) << said.back();
   EXPECT_TRUE(said[0].starts_with("debrief $.introduction.en: still to be filled in: [[date"));
 }
 
-TEST(Advice, PassesOnWhatIsToBeFilledInInAFileOfOnesOwnOnce) {
+TEST(ProtocolWarnings, PassesOnWhatIsToBeFilledInInAFileOfOnesOwnOnce) {
   const auto mine = tests::with(instrumentFile("mine"), "It felt real.", "As real as [[what]]?");
   EXPECT_EQ(
-      adviceOn(askingMine(), holding(mine)),
+      warningsOf(askingMine(), holding(mine)),
       Words{"mine.json $.items[0].text.en: still to be filled in: [[what]]; copy the instrument "
             "into the study's folder and write what holds there"});
 }
 
-TEST(Advice, LeavesComparisonsWithThePreviousToTheBlocksButForAFileOfOnesOwn) {
+TEST(ProtocolWarnings, LeavesComparisonsWithThePreviousToTheBlocksButForAFileOfOnesOwn) {
   const auto published =
       tests::with(tests::usualProtocol(), "realism-common", "punch-face-validity");
-  for (const auto& words : adviceOn(published)) {
+  for (const auto& words : warningsOf(published)) {
     EXPECT_EQ(words.find("this compares with what was felt just before"), std::string::npos);
     EXPECT_TRUE(words.starts_with("$.phases[1].questionnaires[0]: item ")) << words;
   }
   const auto mine = instrumentFile("mine", R"(, "relative_to": "previous")");
   EXPECT_EQ(
-      adviceOn(askingMine(), holding(mine)).at(0),
+      warningsOf(askingMine(), holding(mine)).at(0),
       "mine.json $.items[0].relative_to: this compares with what was felt just before; an order "
       "must give it a predecessor: whatever is felt first has none");
 }
 
-TEST(Advice, MissesTextsInALanguageOfTheStudy) {
+TEST(ProtocolWarnings, MissesTextsInALanguageOfTheStudy) {
   auto text = tests::with(tests::usualProtocol(), R"(["en"])", R"(["en", "de"])");
   text = tests::with(
       text, R"({ "policy": "random" })", R"({ "policy": "random", "prefix": {"en": "Variant"} })");
   EXPECT_EQ(
-      adviceOn(text),
+      warningsOf(text),
       Words{"$.labels.prefix: there is no text in 'de'; English will be shown instead; add \"de\": "
             "\"…\""});
 }
 
-TEST(Advice, MissesTheUsualLabelInALanguageOfTheStudy) {
-  const auto said = adviceOn(tests::with(tests::usualProtocol(), R"(["en"])", R"(["en", "nb"])"));
+TEST(ProtocolWarnings, MissesTheUsualLabelInALanguageOfTheStudy) {
+  const auto said = warningsOf(tests::with(tests::usualProtocol(), R"(["en"])", R"(["en", "nb"])"));
   ASSERT_EQ(said.size(), 1U);
   EXPECT_TRUE(said[0].starts_with("$.labels.prefix: there is no text in 'nb'"));
 }
 
-TEST(Advice, FindsBlanksInTheProtocolsOwnTextsInEveryLanguage) {
+TEST(ProtocolWarnings, FindsBlanksInTheProtocolsOwnTextsInEveryLanguage) {
   auto text = tests::withPhases({R"({"id": "rest", "type": "break",
            "text": {"en": "Rest.", "de": "Ruhen Sie sich [[wie lange]] aus."}})"});
   text = tests::with(text, R"(["en"])", R"(["en", "de"])");
@@ -125,71 +125,71 @@ TEST(Advice, FindsBlanksInTheProtocolsOwnTextsInEveryLanguage) {
       R"({ "policy": "random" })",
       R"({ "policy": "random", "prefix": {"en": "[[prefix]]", "de": "Variante"} })");
   EXPECT_EQ(
-      adviceOn(text),
+      warningsOf(text),
       (Words{
           "$.labels.prefix: still to be filled in ('en'): [[prefix]]; write what holds there",
           "$.phases[2].text: still to be filled in ('de'): [[wie lange]]; write what holds "
           "there"}));
 }
 
-TEST(Advice, MissesALanguageOfTheStudyInAnInstrument) {
+TEST(ProtocolWarnings, MissesALanguageOfTheStudyInAnInstrument) {
   auto text = tests::with(askingMine(), R"(["en"])", R"(["en", "de"])");
   text = tests::with(
       text,
       R"({ "policy": "random" })",
       R"({ "policy": "random", "prefix": {"en": "Variant", "de": "Variante"} })");
   EXPECT_EQ(
-      adviceOn(text, holding(instrumentFile("mine"))),
+      warningsOf(text, holding(instrumentFile("mine"))),
       Words{"$.phases[1].questionnaires[0].instrument: 'mine' has no texts in 'de'; English will "
             "be shown instead; 'palpate instrument wording mine --language de' writes a file for "
             "them"});
 }
 
-TEST(Advice, FindsAFileThatNothingAsks) {
+TEST(ProtocolWarnings, FindsAFileThatNothingAsks) {
   const auto text =
       tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-common")");
   EXPECT_EQ(
-      adviceOn(text, holding(instrumentFile("mine"))),
+      warningsOf(text, holding(instrumentFile("mine"))),
       Words{"$.instrument_files[0]: nothing asks 'mine'; name it in a phase, or remove the file"});
 }
 
-TEST(Advice, TellsWhereAFileTakesThePlaceOfTheLibrarys) {
+TEST(ProtocolWarnings, TellsWhereAFileTakesThePlaceOfTheLibrarys) {
   const auto text =
       tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-common")");
   EXPECT_EQ(
-      adviceOn(text, holding(instrumentFile("realism-common"))),
+      warningsOf(text, holding(instrumentFile("realism-common"))),
       Words{"$.instrument_files[0]: 'realism-common' takes the place of the instrument of this "
             "name in the library; give it an id of its own, so that nobody takes one for the "
             "other"});
 }
 
-TEST(Advice, FindsADeviceThatNoConditionUses) {
+TEST(ProtocolWarnings, FindsADeviceThatNoConditionUses) {
   const auto text = tests::with(
       tests::usualProtocol(),
       "\"devices\": [\n",
       "\"devices\": [\n{\"id\": \"spare\", \"kind\": \"reamer\", \"max_force_n\": 1, "
       "\"max_force_rate_n_per_s\": 1},\n");
   EXPECT_EQ(
-      adviceOn(text),
+      warningsOf(text),
       Words{"$.devices[0]: no condition uses 'spare'; it will not be opened; remove it"});
 }
 
-TEST(Advice, FindsAConditionThatNoBlockUses) {
+TEST(ProtocolWarnings, FindsAConditionThatNoBlockUses) {
   const auto text = tests::with(
       tests::usualProtocol(),
       "\"conditions\": [\n",
       "\"conditions\": [\n{\"id\": \"lost\", \"title\": \"Lost\", \"scene\": {\"device\": "
       "\"punch\", \"model\": \"interpolation\", \"parameters\": {}}},\n");
   EXPECT_EQ(
-      adviceOn(text),
+      warningsOf(text),
       Words{"$.conditions[0]: no block uses 'lost'; nobody will feel it; remove it"});
 }
 
-TEST(Advice, IsSilentAboutWhatIsUnwiseWhileSomethingIsWrong) {
+TEST(ProtocolWarnings, IsSilentAboutWhatIsUnwiseWhileSomethingIsWrong) {
   auto text = tests::with(tests::usualProtocol(), "balancedLatinSquare", "fixed");
   text = tests::with(text, "\"alpha\": 0.05", "\"alpha\": 5");
   const auto loading = tests::load(text);
-  ASSERT_EQ(loading.problems.size(), 1U) << loading.inWords();
+  ASSERT_EQ(loading.problems.size(), 1U) << loading.describe();
   EXPECT_EQ(loading.problems[0].severity, Severity::Error);
 }
 

@@ -12,7 +12,7 @@ TEST(Problems, AreToldOnePerLine) {
   problems.add("$.id", "this is odd", "mend it");
   problems.warn("$", base::Message::verbatim("this is unusual"));
   EXPECT_EQ(
-      inWords(problems.all()), "error   $.id: this is odd; mend it\nwarning $: this is unusual\n");
+      describe(problems.all()), "error   $.id: this is odd; mend it\nwarning $: this is unusual\n");
 }
 
 TEST(Problems, KnowErrorsFromWarnings) {

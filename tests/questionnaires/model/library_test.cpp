@@ -43,7 +43,7 @@ TEST(Library, ReadsWithoutErrors) {
     if (!isInstrument(file.name)) continue;
     Problems problems;
     EXPECT_TRUE(readInstrument(file.content, problems).has_value()) << file.name;
-    EXPECT_FALSE(problems.hasErrors()) << file.name << "\n" << inWords(problems.all());
+    EXPECT_FALSE(problems.hasErrors()) << file.name << "\n" << describe(problems.all());
   }
 }
 

@@ -52,10 +52,10 @@ TEST(Shown, IsOneSoundLine) {
 }
 
 TEST(NumberInWords, HasNoNeedlessDigits) {
-  EXPECT_EQ(inWords(0.1), "0.1");
-  EXPECT_EQ(inWords(100.0), "100");
-  EXPECT_EQ(inWords(-1e9), "-1000000000");
-  EXPECT_EQ(inWords(1e300), "any size");
+  EXPECT_EQ(shown(0.1), "0.1");
+  EXPECT_EQ(shown(100.0), "100");
+  EXPECT_EQ(shown(-1e9), "-1000000000");
+  EXPECT_EQ(shown(1e300), "any size");
 }
 
 }  // namespace names_test

@@ -41,7 +41,7 @@ Reading read(const std::string& kind, const std::string& name) {
 
 Instrument good(const std::string& name) {
   auto reading = read("good", name);
-  EXPECT_TRUE(reading.instrument.has_value()) << name << "\n" << inWords(reading.problems.all());
+  EXPECT_TRUE(reading.instrument.has_value()) << name << "\n" << describe(reading.problems.all());
   return reading.instrument.value_or(Instrument{});
 }
 
@@ -62,7 +62,7 @@ void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& 
                  base::describe(problem.fix).find(expected.fix) != std::string::npos;
         }))
         << expected.file << "\n"
-        << inWords(all);
+        << describe(all);
   }
   EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
@@ -82,14 +82,14 @@ TEST(InstrumentFile, SaysNothingTwice) {
     for (const auto& problem : reading.problems.all()) {
       EXPECT_TRUE(said.insert({problem.path, base::describe(problem.what)}).second) << refusal.file;
     }
-    EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << inWords(reading.problems.all());
+    EXPECT_LE(said.size(), 3U) << refusal.file << "\n" << describe(reading.problems.all());
   }
 }
 
 TEST(InstrumentFile, TakesWhatIsSound) {
   for (const auto& name : filesIn("good")) {
     const auto reading = read("good", name);
-    EXPECT_TRUE(reading.instrument.has_value()) << name << "\n" << inWords(reading.problems.all());
+    EXPECT_TRUE(reading.instrument.has_value()) << name << "\n" << describe(reading.problems.all());
     EXPECT_FALSE(reading.problems.hasErrors()) << name;
   }
 }

@@ -34,7 +34,7 @@ std::string completed(
     return file == files.end() ? std::nullopt : std::optional(file->second);
   };
   completeWording(instrument, alsoIn, find, "$.phases[0].instrument", problems);
-  return inWords(problems.all());
+  return describe(problems.all());
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
@@ -84,7 +84,7 @@ TEST(Wording, IsPutInWhereItIsComplete) {
   EXPECT_EQ(instrument.items[3].text.in("en"), "words of items/4/text");
   EXPECT_EQ(instrument.languages, std::vector<std::string>{"en"});
   EXPECT_FALSE(instrument.title.has("de"));
-  EXPECT_TRUE(problemsOf(instrument).all().empty()) << inWords(problemsOf(instrument).all());
+  EXPECT_TRUE(problemsOf(instrument).all().empty()) << describe(problemsOf(instrument).all());
 }
 
 TEST(Wording, FillsAnchorsIntoTheScaleOfTheirItem) {
@@ -114,7 +114,7 @@ TEST(Wording, TranslatesAWholeInstrument) {
   EXPECT_EQ(ssq.items[7].text.in("de"), "words of items/8-nausea/text");
   EXPECT_EQ(ssq.items[7].scale.pointLabels[3].in("de"), "words of scale/point_labels/4");
   EXPECT_EQ(ssq.items[7].scale.highLabel.in("de"), "words of scale/point_labels/4");
-  EXPECT_TRUE(problemsOf(ssq).all().empty()) << inWords(problemsOf(ssq).all());
+  EXPECT_TRUE(problemsOf(ssq).all().empty()) << describe(problemsOf(ssq).all());
 }
 
 TEST(Wording, TranslatesPairsAndOptions) {
@@ -126,7 +126,7 @@ TEST(Wording, TranslatesPairsAndOptions) {
 }
 
 /// What is said of a wording file of the SUS in which @p what is replaced by @p with.
-std::string saidOf(const std::string& what, const std::string& with) {
+std::string problemsAfter(const std::string& what, const std::string& with) {
   auto instrument = sus();
   const std::string json = replaced(filledIn(sus(), "en"), what, with);
   return completed(instrument, {{"wording/sus/en.json", json}});
@@ -134,10 +134,11 @@ std::string saidOf(const std::string& what, const std::string& with) {
 
 TEST(Wording, IsRefusedWhereAWordIsStillMissing) {
   EXPECT_EQ(
-      saidOf("words of items/7/text", " "),
+      problemsAfter("words of items/7/text", " "),
       "error   wording/sus/en.json $.texts.items/7/text: this text is still empty; write the "
       "published words\n");
-  EXPECT_NE(saidOf("words of items/7/text", "[[name]]").find("a placeholder"), std::string::npos);
+  EXPECT_NE(
+      problemsAfter("words of items/7/text", "[[name]]").find("a placeholder"), std::string::npos);
 }
 
 TEST(Wording, IsRefusedWhereNothingIsFilledIn) {
@@ -148,17 +149,20 @@ TEST(Wording, IsRefusedWhereNothingIsFilledIn) {
 }
 
 TEST(Wording, IsRefusedWhereItWasWrittenForSomethingElse) {
-  EXPECT_NE(saidOf("\"sus\"", "\"ipq\"").find("not of 'sus'"), std::string::npos);
+  EXPECT_NE(problemsAfter("\"sus\"", "\"ipq\"").find("not of 'sus'"), std::string::npos);
   EXPECT_NE(
-      saidOf("\"version\": \"1\"", "\"version\": \"2\"").find("version 2"), std::string::npos);
-  EXPECT_NE(saidOf("\"2\": -1", "\"2\": 1").find("the other key"), std::string::npos);
-  EXPECT_NE(saidOf("\"2\": -1", "\"12\": -1").find("no such item"), std::string::npos);
-  EXPECT_NE(
-      saidOf("\"language\": \"en\"", "\"language\": \"de\"").find("are in 'de'"),
+      problemsAfter("\"version\": \"1\"", "\"version\": \"2\"").find("version 2"),
       std::string::npos);
-  EXPECT_NE(saidOf("wording-1", "wording-2").find("written for 'wording-2'"), std::string::npos);
+  EXPECT_NE(problemsAfter("\"2\": -1", "\"2\": 1").find("the other key"), std::string::npos);
+  EXPECT_NE(problemsAfter("\"2\": -1", "\"12\": -1").find("no such item"), std::string::npos);
   EXPECT_NE(
-      saidOf("items/7/text\": ", "items/11/text\": ").find("no such text"), std::string::npos);
+      problemsAfter("\"language\": \"en\"", "\"language\": \"de\"").find("are in 'de'"),
+      std::string::npos);
+  EXPECT_NE(
+      problemsAfter("wording-1", "wording-2").find("written for 'wording-2'"), std::string::npos);
+  EXPECT_NE(
+      problemsAfter("items/7/text\": ", "items/11/text\": ").find("no such text"),
+      std::string::npos);
 }
 
 TEST(Wording, IsRefusedInAnyLanguageWhereItsFileIsWrong) {

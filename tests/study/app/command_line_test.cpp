@@ -25,7 +25,7 @@ Finished palpate(Words arguments) {
   return tests::run(arguments);
 }
 
-std::string inWords(const Words& arguments) {
+std::string describe(const Words& arguments) {
   std::string text = "palpate";
   for (const auto& argument : arguments) text += " " + argument;
   return text;
@@ -72,13 +72,13 @@ void expectHelpful(const std::string& help, const std::string& command) {
 void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
   auto call = path;
   call.emplace_back("--help");
-  SCOPED_TRACE(inWords(call));
+  SCOPED_TRACE(describe(call));
   const auto finished = palpate(call);
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.error, "");
   // 'palpate bench' starts a program of its own, which says its own name.
   const bool isBench = !path.empty() && path[0] == "bench";
-  auto command = inWords(path);
+  auto command = describe(path);
   if (isBench) command.replace(0, std::string("palpate bench").size(), "palpate-bench");
   expectHelpful(finished.out, command);
   const auto verbs = subcommandsIn(finished.out);
@@ -97,7 +97,7 @@ TEST(CommandLine, ExplainsEveryCommand) {
 }
 
 void expectRefused(const Words& arguments, int status, const Words& phrases) {
-  SCOPED_TRACE(inWords(arguments));
+  SCOPED_TRACE(describe(arguments));
   const auto finished = palpate(arguments);
   EXPECT_EQ(finished.status, status) << finished.error;
   EXPECT_EQ(finished.out, "");
@@ -267,7 +267,7 @@ TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
         Words{"scene", "explain", "punch-face-validity", "--condition", "kalman", "--json"}}) {
     const auto finished = palpate(call);
     EXPECT_EQ(finished.status, 0) << finished.error;
-    EXPECT_TRUE(json::accept(finished.out)) << inWords(call);
+    EXPECT_TRUE(json::accept(finished.out)) << describe(call);
   }
 }
 

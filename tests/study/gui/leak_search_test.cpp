@@ -77,7 +77,7 @@ class LeakSearch : public testing::TestWithParam<std::string> {
     const auto file = folder_.write("protocol-" + name + ".json", permuted(shift).dump(1));
     questionnaires::Problems problems;
     const auto protocol = protocols::loadProtocolFile(file, problems);
-    if (!protocol) throw std::runtime_error(questionnaires::inWords(problems.all()));
+    if (!protocol) throw std::runtime_error(questionnaires::describe(problems.all()));
     SystemClock clock;
     auto study = Study::create(folder_ / ("study-" + name), *protocol, clock, 7);
     OperatorWindow window(study);

@@ -62,7 +62,7 @@ TEST_F(UnfinishedSessionsTest, TellsOfATrialThatNobodyEnded) {
   }
   const auto found = look();
   EXPECT_EQ(found.state, SessionState::InTrial);
-  EXPECT_NE(inWords(found).find("counts as broken off"), std::string::npos) << inWords(found);
+  EXPECT_NE(describe(found).find("counts as broken off"), std::string::npos) << describe(found);
   EXPECT_TRUE(offers(found, "Repeat the trial"));
   EXPECT_TRUE(offers(found, "Skip the trial"));
   EXPECT_TRUE(offers(found, "Give up on the device"));
@@ -87,7 +87,7 @@ TEST_F(UnfinishedSessionsTest, NamesNoCondition) {
   std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
   while (!session->isOver()) {
     for (const auto* secret : {"interpolation", "finite", "kalman"}) {
-      EXPECT_EQ(inWords(look()).find(secret), std::string::npos) << inWords(look());
+      EXPECT_EQ(describe(look()).find(secret), std::string::npos) << describe(look());
     }
     tests::passStep(*session);
   }

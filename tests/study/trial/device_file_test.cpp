@@ -36,7 +36,7 @@ constexpr const char* kBoth = R"({
 std::string objectionsTo(const std::string& text) {
   questionnaires::Problems problems;
   EXPECT_FALSE(readDevices(text, problems));
-  return questionnaires::inWords(problems.all());
+  return questionnaires::describe(problems.all());
 }
 
 void expectIn(const std::string& text, const std::string& part) {
@@ -46,7 +46,7 @@ void expectIn(const std::string& text, const std::string& part) {
 TEST(DeviceFile, SaysHowEveryDeviceIsConnected) {
   questionnaires::Problems problems;
   const auto devices = readDevices(kBoth, problems);
-  ASSERT_TRUE(devices) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(devices) << questionnaires::describe(problems.all());
   ASSERT_EQ(devices->size(), 3U);
   const auto& punch = std::get<SerialPunchSettings>((*devices)[0].settings);
   EXPECT_EQ(punch.punch.port, "/dev/serial/by-id/punch");
@@ -67,7 +67,7 @@ TEST(DeviceFile, SaysHowEveryDeviceIsConnected) {
   EXPECT_DOUBLE_EQ((*arm.zero)[3], -std::numbers::pi / 2.0);
   EXPECT_DOUBLE_EQ(arm.margins.position, 6.0 * std::numbers::pi / 180.0);
   EXPECT_EQ(arm.margins.torque, 0.4);
-  EXPECT_EQ(&kindOf((*devices)[2]), &reamerKind());
+  EXPECT_EQ(&deviceKindOf((*devices)[2]), &reamerKind());
 }
 
 TEST(DeviceFile, ReadsWhatItWrites) {
@@ -75,7 +75,7 @@ TEST(DeviceFile, ReadsWhatItWrites) {
   const auto devices = readDevices(kBoth, problems);
   ASSERT_TRUE(devices);
   const auto again = readDevices(devicesAsJson(*devices), problems);
-  ASSERT_TRUE(again) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(again) << questionnaires::describe(problems.all());
   EXPECT_EQ(devicesAsJson(*again), devicesAsJson(*devices));
   const auto& arm = std::get<haptics::devices::IiwaSettings>((*again)[1].settings);
   EXPECT_NEAR(arm.margins.position, 6.0 * std::numbers::pi / 180.0, 1e-12);
@@ -152,7 +152,7 @@ TEST(DeviceFile, CanBeCopiedFromTheDocumentation) {
     const auto from = at + begin.size();
     questionnaires::Problems problems;
     EXPECT_TRUE(readDevices(page.substr(from, page.find("```", from) - from), problems))
-        << questionnaires::inWords(problems.all());
+        << questionnaires::describe(problems.all());
     ++files;
   }
   EXPECT_EQ(files, 2);

@@ -87,7 +87,7 @@ TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
   };
   EXPECT_EQ(timesOf(SafetyKind::Released).times, 1);
   EXPECT_NEAR(timesOf(SafetyKind::Released).duration, 0.1, 1e-9);
-  EXPECT_EQ(timesOf(SafetyKind::LostBeats).times, 1);
+  EXPECT_EQ(timesOf(SafetyKind::MissedPeriods).times, 1);
   EXPECT_GE(timesOf(SafetyKind::SoftStart).times, 2);  // at the beginning, and after the release
   EXPECT_EQ(timesOf(SafetyKind::TooFast).times, 0);
   const auto judgement = record.judgement();

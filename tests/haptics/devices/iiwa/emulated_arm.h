@@ -123,7 +123,7 @@ class EmulatedArm : public testing::Test {
     return answer(force);
   }
   DeviceSample answer(double force) {
-    device_->beat()->wait(soon(kMillisecond));
+    device_->pacer()->wait(soon(kMillisecond));
     const auto sample = device_->read(0.001 * kPeriod);
     device_->command(force);
     hear();

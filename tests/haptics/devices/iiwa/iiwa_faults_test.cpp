@@ -232,7 +232,7 @@ TEST_F(IiwaFaultsTest, WorksInRealTimeAndLetsGoInTime) {
       continue;  // the computer was too busy
     }
     const auto tick = [&](double force) {
-      device_->beat()->wait(soon(10 * kMillisecond));
+      device_->pacer()->wait(soon(10 * kMillisecond));
       device_->read(0.004);
       device_->command(force);
     };

@@ -80,7 +80,7 @@ class IiwaMessagesTest : public testing::Test {
     answers();
   }
   DeviceSample tick(double force) {
-    device_->beat()->wait(soon(kMillisecond));
+    device_->pacer()->wait(soon(kMillisecond));
     const auto sample = device_->read(0.005);
     device_->command(force);
     return sample;
@@ -300,7 +300,7 @@ TEST_F(IiwaMessagesTest, IsAnsweredInTimeWhileSomebodyFloodsTheLine) {
     while (!stop.stop_requested()) stranger.send(junk, client());
   });
   const std::int64_t begin = timing::now();
-  for (int i = 0; i < 20; ++i) device_->beat()->wait(soon(kMillisecond));
+  for (int i = 0; i < 20; ++i) device_->pacer()->wait(soon(kMillisecond));
   EXPECT_LT(timing::now() - begin, 4 * kSecond);  // it comes back at all
 }
 

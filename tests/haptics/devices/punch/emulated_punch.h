@@ -106,7 +106,7 @@ class EmulatedPunch : public testing::Test {
 
   /// One exchange, while the board goes on by itself.
   DeviceSample exchange(double force) {
-    device_->beat()->wait(soon(2 * kMillisecond));
+    device_->pacer()->wait(soon(2 * kMillisecond));
     const auto sample = device_->read(0.001);
     device_->command(force);
     return sample;

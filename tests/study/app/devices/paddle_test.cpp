@@ -95,7 +95,7 @@ TEST(DevicePaddle, FeelsNoCutThatWasRecordedInAnotherUnit) {
   EXPECT_FALSE(protocols::loadProtocol(
       text, [](const std::string&) { return std::nullopt; }, problems));
   expectIn(
-      questionnaires::inWords(problems.all()),
+      questionnaires::describe(problems.all()),
       "the travel of interpolation is in 'travel_unit', and that of a paddle in 'deg'");
 }
 
@@ -106,7 +106,7 @@ TEST(DevicePaddle, ShowsNothing) {
   questionnaires::Problems problems;
   EXPECT_FALSE(protocols::loadProtocol(
       text, [](const std::string&) { return std::nullopt; }, problems));
-  expectIn(questionnaires::inWords(problems.all()), "nothing can be seen with a paddle");
+  expectIn(questionnaires::describe(problems.all()), "nothing can be seen with a paddle");
 }
 
 }  // namespace paddle_test

@@ -104,7 +104,7 @@ TEST_F(HomeTest, MakesAStudyOnceItsProtocolHasBeenMended) {
   protocols::loadProtocolFile(file, problems);
   EXPECT_EQ(
       dialog->findChild<QTextBrowser*>(QStringLiteral("more"))->toPlainText().toStdString(),
-      questionnaires::inWords(problems.all()));
+      questionnaires::describe(problems.all()));
   tests::photographInAllThemes(*dialog, QStringLiteral("new-study-broken"));
 
   folder_.write("mine.json", mended);

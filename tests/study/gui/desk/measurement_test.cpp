@@ -42,7 +42,7 @@ TEST_F(MeasurementTest, ARecordingBecomesACutThatAProtocolCanName) {
   EXPECT_TRUE(press(dialog).starts_with("✓"));
   questionnaires::Problems problems;
   EXPECT_TRUE(protocols::readCut(tests::contentOf(folder_ / "cut.json"), problems).has_value())
-      << questionnaires::inWords(problems.all());
+      << questionnaires::describe(problems.all());
   tests::photographInAllThemes(dialog, QStringLiteral("import"));
 }
 

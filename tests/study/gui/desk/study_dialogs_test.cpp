@@ -144,7 +144,7 @@ TEST_F(StudyDialogsTest, ExportShowsWhoCouldBeFoundBeforeAnythingIsWritten) {
   {
     auto study = Study::open(this->study(), clock, storage::Database::Access::ReadOnly);
     expected =
-        study::inWords(publicRelease(study, {.runMode = RunMode::Simulated, .publicClass = 5}));
+        study::describe(publicRelease(study, {.runMode = RunMode::Simulated, .publicClass = 5}));
   }
   EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
   dialog.show();

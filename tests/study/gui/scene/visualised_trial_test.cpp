@@ -59,7 +59,7 @@ TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
   folder_.write("knee.obj", "o femur\nv -30 6 0\nv 30 6 0\nv 0 16 4\nvn 0 0 1\nf 1//1 2//1 3//1\n");
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(folder_ / "protocol.json", problems);
-  ASSERT_TRUE(loaded) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(loaded) << questionnaires::describe(problems.all());
   // What the file says later is nothing to the study.
   folder_.write("knee.obj", "o femur\n");
   beginWith(*loaded);

@@ -15,8 +15,8 @@ constexpr QSize kSize(640, 400);
 protocols::Anatomy anatomyIn(const std::string& obj) {
   questionnaires::Problems problems;
   auto anatomy = protocols::readAnatomy(obj, problems);
-  EXPECT_TRUE(anatomy) << questionnaires::inWords(problems.all());
-  EXPECT_TRUE(problems.all().empty()) << questionnaires::inWords(problems.all());
+  EXPECT_TRUE(anatomy) << questionnaires::describe(problems.all());
+  EXPECT_TRUE(problems.all().empty()) << questionnaires::describe(problems.all());
   return anatomy.value_or(protocols::Anatomy());
 }
 

@@ -8,7 +8,7 @@
 #include "questionnaires/model/answer.h"
 
 namespace questionnaires {
-namespace objection_test {
+namespace answer_validation_test {
 
 using Texts = std::vector<std::string>;
 
@@ -24,7 +24,7 @@ const Item kShort{.type = ItemType::ShortText};
 const Item kLong{.type = ItemType::LongText};
 
 std::string reason(const Item& item, const Response& response, const Texts& alternatives = {}) {
-  return objection(item, response, alternatives).value_or("none");
+  return validationError(item, response, alternatives).value_or("none");
 }
 
 std::string text(std::string_view character, std::size_t times) {
@@ -33,50 +33,50 @@ std::string text(std::string_view character, std::size_t times) {
   return result;
 }
 
-TEST(Objection, IsNoneToThePointsOfAScale) {
+TEST(AnswerValidation, IsNoneToThePointsOfAScale) {
   for (std::int64_t point = 1; point <= 5; ++point) EXPECT_EQ(reason(kAgreement, point), "none");
 }
 
-TEST(Objection, IsRaisedToPointsOutsideTheScale) {
+TEST(AnswerValidation, IsRaisedToPointsOutsideTheScale) {
   EXPECT_EQ(reason(kAgreement, std::int64_t{0}), "0 is no point of the scale from 1 to 5");
   EXPECT_EQ(reason(kAgreement, std::int64_t{6}), "6 is no point of the scale from 1 to 5");
   EXPECT_NE(reason(kAgreement, std::numeric_limits<std::int64_t>::min()), "none");
 }
 
-TEST(Objection, IsRaisedToHalfAPoint) {
+TEST(AnswerValidation, IsRaisedToHalfAPoint) {
   EXPECT_EQ(reason(kAgreement, 3.0), "the answer is no point of the scale");
   EXPECT_EQ(reason(kAgreement, "3"), "the answer is no point of the scale");
 }
 
-TEST(Objection, TreatsOppositeWordsLikeAScale) {
+TEST(AnswerValidation, TreatsOppositeWordsLikeAScale) {
   const Item item{.type = ItemType::SemanticDifferential, .scale = {.lowest = -3, .points = 7}};
   EXPECT_EQ(reason(item, std::int64_t{-3}), "none");
   EXPECT_EQ(reason(item, std::int64_t{4}), "4 is no point of the scale from -3 to 3");
 }
 
-TEST(Objection, IsNoneToTheStepsOfASlider) {
+TEST(AnswerValidation, IsNoneToTheStepsOfASlider) {
   EXPECT_EQ(reason(kSlider, 0.0), "none");
   EXPECT_EQ(reason(kSlider, 100.0), "none");
   EXPECT_EQ(reason(kSlider, std::int64_t{35}), "none");
 }
 
-TEST(Objection, IsRaisedBetweenTheStepsAndBeyondTheEnds) {
+TEST(AnswerValidation, IsRaisedBetweenTheStepsAndBeyondTheEnds) {
   EXPECT_EQ(reason(kSlider, 52.0), "52 is between the steps of 5 from 0");
   EXPECT_EQ(reason(kSlider, 105.0), "105 is not between 0 and 100");
   EXPECT_EQ(reason(kSlider, -5.0), "-5 is not between 0 and 100");
 }
 
-TEST(Objection, KnowsThatDecimalStepsAreNoBinaryNumbers) {
+TEST(AnswerValidation, KnowsThatDecimalStepsAreNoBinaryNumbers) {
   for (int i = 0; i <= 10; ++i) EXPECT_EQ(reason(kNumber, 0.1 * i), "none") << i;
   EXPECT_NE(reason(kNumber, 0.15), "none");
 }
 
-TEST(Objection, LetsEveryValuePassWithoutSteps) {
+TEST(AnswerValidation, LetsEveryValuePassWithoutSteps) {
   const Item item{.type = ItemType::Slider, .step = 0.0};
   EXPECT_EQ(reason(item, 33.333), "none");
 }
 
-TEST(Objection, IsRaisedToWhateverIsNoFiniteNumber) {
+TEST(AnswerValidation, IsRaisedToWhateverIsNoFiniteNumber) {
   for (const double number : {NAN, -NAN, INFINITY, -INFINITY}) {
     EXPECT_EQ(reason(kNumber, number), "the answer is no finite number");
     EXPECT_EQ(reason(kSlider, number), "the answer is no finite number");
@@ -84,42 +84,42 @@ TEST(Objection, IsRaisedToWhateverIsNoFiniteNumber) {
   EXPECT_EQ(reason(kNumber, "1"), "the answer is no number");
 }
 
-TEST(Objection, IsNoneToAnOption) {
+TEST(AnswerValidation, IsNoneToAnOption) {
   EXPECT_EQ(reason(kChoice, "yes"), "none");
   EXPECT_EQ(reason(kPair, "b"), "none");
 }
 
-TEST(Objection, IsRaisedToWhatIsNoOption) {
+TEST(AnswerValidation, IsRaisedToWhatIsNoOption) {
   EXPECT_EQ(reason(kChoice, "maybe"), "there is no option 'maybe' to choose");
   EXPECT_EQ(reason(kChoice, ""), "there is no option '' to choose");
   EXPECT_EQ(reason(kPair, std::int64_t{1}), "the answer is not one of the options");
   EXPECT_EQ(reason(kChoice, Texts{"yes"}), "the answer is not one of the options");
 }
 
-TEST(Objection, KnowsOnlyTheAlternativesOfTheBlock) {
+TEST(AnswerValidation, KnowsOnlyTheAlternativesOfTheBlock) {
   EXPECT_EQ(reason(kAlternatives, "2", {"1", "2", "3"}), "none");
   EXPECT_EQ(reason(kAlternatives, "4", {"1", "2", "3"}), "there is no alternative '4' to choose");
   EXPECT_NE(reason(kAlternatives, "1"), "none");
 }
 
-TEST(Objection, IsNoneToAnyNumberOfOptions) {
+TEST(AnswerValidation, IsNoneToAnyNumberOfOptions) {
   EXPECT_EQ(reason(kChoices, Texts{}), "none");
   EXPECT_EQ(reason(kChoices, Texts{"b", "a"}), "none");
 }
 
-TEST(Objection, IsRaisedToAnOptionChosenTwice) {
+TEST(AnswerValidation, IsRaisedToAnOptionChosenTwice) {
   EXPECT_EQ(reason(kChoices, Texts{"a", "a"}), "the option 'a' is chosen twice");
   EXPECT_EQ(reason(kChoices, Texts{"a", "c"}), "there is no option 'c' to choose");
   EXPECT_EQ(reason(kChoices, "a"), "the answer is no list of options");
 }
 
-TEST(Objection, IsNoneToAHundredThousandCharactersOfAnyScript) {
+TEST(AnswerValidation, IsNoneToAHundredThousandCharactersOfAnyScript) {
   for (const auto* character : {"a", "é", "😀", "م", "\xCC\x81", "\xE2\x80\xAE", "\n"}) {
     EXPECT_EQ(reason(kLong, text(character, 100'000)), "none") << character;
   }
 }
 
-TEST(Objection, CountsCharactersAndNotBytes) {
+TEST(AnswerValidation, CountsCharactersAndNotBytes) {
   EXPECT_EQ(reason(kShort, text("😀", 500)), "none");
   EXPECT_EQ(reason(kShort, text("😀", 501)), "the text has 501 characters; at most 500 can be kept");
   EXPECT_EQ(
@@ -130,17 +130,17 @@ TEST(Objection, CountsCharactersAndNotBytes) {
   EXPECT_NE(reason(two, "abc"), "none");
 }
 
-TEST(Objection, IsRaisedToWhatIsNoText) {
+TEST(AnswerValidation, IsRaisedToWhatIsNoText) {
   EXPECT_EQ(reason(kLong, std::string("a\0b", 3)), "the text holds the character NUL");
   EXPECT_EQ(reason(kLong, "caf\xE9"), "the text is no sound UTF-8");
   EXPECT_EQ(reason(kLong, "\xED\xA0\x80"), "the text is no sound UTF-8");
   EXPECT_EQ(reason(kLong, 1.0), "the answer is no text");
 }
 
-TEST(Objection, KeepsAShortTextOnOneLine) {
+TEST(AnswerValidation, KeepsAShortTextOnOneLine) {
   EXPECT_EQ(reason(kShort, "a\nb"), "the text has more than one line");
   EXPECT_EQ(reason(kLong, "a\r\nb\tc"), "none");
 }
 
-}  // namespace objection_test
+}  // namespace answer_validation_test
 }  // namespace questionnaires

@@ -8,9 +8,9 @@
 namespace questionnaires {
 namespace {
 
-using Objection = std::optional<std::string>;
+using MaybeError = std::optional<std::string>;
 
-Objection objectionToPoint(const Item& item, const Response& response) {
+MaybeError validatePoint(const Item& item, const Response& response) {
   const auto* point = std::get_if<std::int64_t>(&response);
   if (point == nullptr) return "the answer is no point of the scale";
   if (*point >= item.scale.lowest && *point <= item.scale.highest()) return std::nullopt;
@@ -25,47 +25,46 @@ bool isOnStep(const Item& item, double number) {
   return std::abs(steps - std::round(steps)) <= kTolerance;
 }
 
-Objection objectionToNumber(const Item& item, const Response& response) {
+MaybeError validateNumber(const Item& item, const Response& response) {
   const auto* whole = std::get_if<std::int64_t>(&response);
   const auto* real = std::get_if<double>(&response);
   if (whole == nullptr && real == nullptr) return "the answer is no number";
   const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
   if (!std::isfinite(number)) return "the answer is no finite number";
   if (number < item.least || number > item.most) {
-    return inWords(number) + " is not between " + inWords(item.least) + " and " +
-           inWords(item.most);
+    return shown(number) + " is not between " + shown(item.least) + " and " + shown(item.most);
   }
   if (isOnStep(item, number)) return std::nullopt;
-  return inWords(number) + " is between the steps of " + inWords(item.step) + " from " +
-         inWords(item.least);
+  return shown(number) + " is between the steps of " + shown(item.step) + " from " +
+         shown(item.least);
 }
 
-Objection objectionToOption(
+MaybeError validateOption(
     const Item& item, const std::string& chosen, const std::vector<std::string>& alternatives) {
   if (item.optionSource == OptionSource::Alternatives) {
     const bool isThere =
         std::find(alternatives.begin(), alternatives.end(), chosen) != alternatives.end();
-    return isThere ? Objection{} : "there is no alternative '" + shown(chosen) + "' to choose";
+    return isThere ? MaybeError{} : "there is no alternative '" + shown(chosen) + "' to choose";
   }
   const bool isThere = std::any_of(
       item.options.begin(), item.options.end(), [&](const auto& o) { return o.id == chosen; });
-  return isThere ? Objection{} : "there is no option '" + shown(chosen) + "' to choose";
+  return isThere ? MaybeError{} : "there is no option '" + shown(chosen) + "' to choose";
 }
 
-Objection objectionToChoice(
+MaybeError validateChoice(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives) {
   const auto* chosen = std::get_if<std::string>(&response);
   if (chosen == nullptr) return "the answer is not one of the options";
-  return objectionToOption(item, *chosen, alternatives);
+  return validateOption(item, *chosen, alternatives);
 }
 
-Objection objectionToChoices(
+MaybeError validateChoices(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives) {
   const auto* chosen = std::get_if<std::vector<std::string>>(&response);
   if (chosen == nullptr) return "the answer is no list of options";
   std::set<std::string> seen;
   for (const auto& id : *chosen) {
-    if (auto reason = objectionToOption(item, id, alternatives)) return reason;
+    if (auto reason = validateOption(item, id, alternatives)) return reason;
     if (!seen.insert(id).second) return "the option '" + shown(id) + "' is chosen twice";
   }
   return std::nullopt;
@@ -76,7 +75,7 @@ std::size_t longestAnswer(const Item& item) {
   return static_cast<std::size_t>(item.longestAnswer > 0 ? item.longestAnswer : usual);
 }
 
-Objection objectionToText(const Item& item, const Response& response) {
+MaybeError validateText(const Item& item, const Response& response) {
   const auto* text = std::get_if<std::string>(&response);
   if (text == nullptr) return "the answer is no text";
   if (text->find('\0') != std::string::npos) return "the text holds the character NUL";
@@ -93,23 +92,23 @@ Objection objectionToText(const Item& item, const Response& response) {
 
 }  // namespace
 
-std::optional<std::string> objection(
+std::optional<std::string> validationError(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives) {
   switch (item.type) {
     case ItemType::Likert:
     case ItemType::SemanticDifferential:
-      return objectionToPoint(item, response);
+      return validatePoint(item, response);
     case ItemType::Slider:
     case ItemType::Number:
-      return objectionToNumber(item, response);
+      return validateNumber(item, response);
     case ItemType::SingleChoice:
     case ItemType::PairwiseChoice:
-      return objectionToChoice(item, response, alternatives);
+      return validateChoice(item, response, alternatives);
     case ItemType::MultipleChoice:
-      return objectionToChoices(item, response, alternatives);
+      return validateChoices(item, response, alternatives);
     case ItemType::ShortText:
     case ItemType::LongText:
-      return objectionToText(item, response);
+      return validateText(item, response);
   }
   return "the item has no known type";
 }

@@ -5,41 +5,41 @@
 #include "tests/protocols/small_protocol.h"
 
 namespace protocols {
-namespace blanks_test {
+namespace placeholders_test {
 
-std::vector<Blank> blanksIn(const std::string& json, const FileFinder& find = {}) {
+std::vector<Placeholder> placeholdersOf(const std::string& json, const FileFinder& find = {}) {
   const auto loading = tests::load(json, find);
-  EXPECT_TRUE(loading.loaded) << loading.inWords();
-  return loading.loaded ? blanksOf(*loading.loaded) : std::vector<Blank>();
+  EXPECT_TRUE(loading.loaded) << loading.describe();
+  return loading.loaded ? placeholdersIn(*loading.loaded) : std::vector<Placeholder>();
 }
 
-TEST(Blanks, AreFoundInTheInstrumentsThatAreUsed) {
-  const auto blanks = blanksIn(tests::usualProtocol());
-  ASSERT_EQ(blanks.size(), 1U);
-  EXPECT_EQ(blanks[0].where.substr(0, 17), "consent-punch (en");
+TEST(Placeholders, AreFoundInTheInstrumentsThatAreUsed) {
+  const auto found = placeholdersOf(tests::usualProtocol());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].where.substr(0, 17), "consent-punch (en");
   EXPECT_EQ(
-      blanks[0].words,
+      found[0].words,
       "[[number]], [[date or event]], [[institution]], [[name, e-mail and telephone of the "
       "responsible researcher]]");
-  EXPECT_FALSE(blanks[0].isInProtocol);
+  EXPECT_FALSE(found[0].isInProtocol);
 }
 
-TEST(Blanks, AreFoundInEveryLanguageThatAParticipantCanChoose) {
+TEST(Placeholders, AreFoundInEveryLanguageThatAParticipantCanChoose) {
   const std::string phase = R"({"type": "break", "id": "rest", "seconds": 60,
       "text": {"en": "Rest in room 4.", "de": "Ruhen Sie in [[Raum]] aus."}})";
   const auto english = tests::withPhases({phase});
   ASSERT_NE(english.find(R"("en")"), std::string::npos);
-  EXPECT_EQ(blanksIn(english).size(), 1U) << "nobody can choose German";
+  EXPECT_EQ(placeholdersOf(english).size(), 1U) << "nobody can choose German";
   const auto both = tests::with(english, R"("languages": ["en"])", R"("languages": ["en", "de"])");
-  const auto blanks = blanksIn(both);
-  ASSERT_EQ(blanks.size(), 2U);
-  EXPECT_EQ(blanks[0].words, "[[Raum]]");
-  EXPECT_TRUE(blanks[0].isInProtocol);
-  EXPECT_TRUE(blanks[0].where.ends_with("].text (de)")) << blanks[0].where;
-  EXPECT_EQ(blanks[1].where, "consent-punch (en, de)");
+  const auto found = placeholdersOf(both);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].words, "[[Raum]]");
+  EXPECT_TRUE(found[0].isInProtocol);
+  EXPECT_TRUE(found[0].where.ends_with("].text (de)")) << found[0].where;
+  EXPECT_EQ(found[1].where, "consent-punch (en, de)");
 }
 
-TEST(Blanks, AreFoundInWhatIsChosenFromAsWell) {
+TEST(Placeholders, AreFoundInWhatIsChosenFromAsWell) {
   const std::string form = R"({"$schema": "instrument-1.schema.json", "id": "ward", "version": "1",
       "title": {"en": "Ward"}, "source": {"citation": "ours", "licence": "CC0-1.0"},
       "languages": ["en"],
@@ -48,12 +48,12 @@ TEST(Blanks, AreFoundInWhatIsChosenFromAsWell) {
                              {"id": "b", "text": {"en": "elsewhere"}}]}]})";
   auto json = tests::withPhases({R"({"type": "form", "id": "ward", "instrument": "ward"})"});
   json = tests::with(json, R"("phases": [)", R"("instrument_files": ["ward.json"], "phases": [)");
-  const auto blanks =
-      blanksIn(json, [&](const std::string&) { return std::optional<std::string>(form); });
-  ASSERT_EQ(blanks.size(), 2U);
-  EXPECT_EQ(blanks[1].where, "ward (en)");
-  EXPECT_EQ(blanks[1].words, "[[first ward]]");
+  const auto found =
+      placeholdersOf(json, [&](const std::string&) { return std::optional<std::string>(form); });
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[1].where, "ward (en)");
+  EXPECT_EQ(found[1].words, "[[first ward]]");
 }
 
-}  // namespace blanks_test
+}  // namespace placeholders_test
 }  // namespace protocols
