@@ -23,7 +23,7 @@ BucketTable::BucketTable(std::span<const double> knots) {
 
 /// False where more than a few nodes share a bucket, or the span defies a table.
 bool BucketTable::fill(std::span<const double> knots, std::uint32_t buckets) {
-  const double perUnit = buckets / (knots.back() - knots.front());
+  const double perUnit = buckets / (knots.back() - knots.front());  // subnormal spans overflow
   if (!std::isfinite(perUnit) || !(perUnit > 0.0)) {
     first_.clear();
     return true;

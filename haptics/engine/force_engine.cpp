@@ -108,6 +108,7 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
 
 void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept {
   if (input.isMeasured) {
+    // The work of the last step: the force that was commanded then, times the way since.
     energy_.observe(commanded_, moved_, tool_.velocity, dt);
     desired_ = felt_ != nullptr ? desiredForce(sample) : 0.0;
   }
@@ -118,6 +119,7 @@ void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, doub
   auto gateInput = input;
   gateInput.desired = desired_;
   const auto gate = gate_.step(gateInput, dt);
+  // The limiter comes last: what the passivity controller or the gate asks for is limited, too.
   const auto limited = limiter_.limit(passive * gate.gain, dt);
   sample.force = limited.force;
   sample.interventions = limited.interventions;

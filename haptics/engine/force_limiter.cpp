@@ -15,6 +15,7 @@ ForceLimiter::ForceLimiter(const SafetyLimits& limits) : limits_(limits) {
 
 ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   Limited result;
+  // Without a force or a time there is no safe neighbour of the last force: let go.
   if (!std::isfinite(desired) || !(dt > 0.0)) {
     last_ = 0.0;
     result.interventions = NotFinite;
@@ -23,6 +24,7 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   double force = std::clamp(desired, -limits_.maxForce, limits_.maxForce);
   if (force != desired) result.interventions |= Saturated;
 
+  // After saturation, so that a force beyond the limit is approached no faster than one within.
   const double step = limits_.maxRate * dt;
   const double slewed = std::clamp(force, last_ - step, last_ + step);
   if (slewed != force) result.interventions |= Slewed;
@@ -43,7 +45,7 @@ std::uint8_t ForceGate::closingReasons(const Input& input, double dt) noexcept {
   silence_ = input.isMeasured ? 0.0 : silence_ + dt;
   if (!input.isMeasured) reasons |= NoSample;
   if (!input.isHeld) reasons |= Released;
-  if (!(std::abs(input.velocity) <= limits_.maxVelocity)) reasons |= TooFast;
+  if (!(std::abs(input.velocity) <= limits_.maxVelocity)) reasons |= TooFast;  // NaN is too fast
   return reasons;
 }
 
@@ -53,7 +55,7 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
   const double step = dt / limits_.rampTime;
   if (input.missedPeriods > 1) {
     output.reasons |= MissedPeriods;
-    gain_ = std::max(0.0, gain_ - (input.missedPeriods - 1) * step);
+    gain_ = std::max(0.0, gain_ - (input.missedPeriods - 1) * step);  // as if they had been ticked
   }
 
   // One missing sample is held, by a hair more than a tick so that rounding does not decide.

@@ -12,6 +12,7 @@ constexpr double kLeast = 1.0 / 16.0;  // [µs]: the first bin takes everything 
 int LatenessHistogram::binOf(double lateness) noexcept {
   if (!(lateness > kLeast)) return 0;
   int exponent = 0;
+  // Octave and part of it from the number's own exponent: no logarithm in the tick.
   const double mantissa = std::frexp(lateness / kLeast, &exponent);  // in [0.5, 1)
   const int bin = (exponent - 1) * kPerOctave + static_cast<int>((mantissa - 0.5) * 2 * kPerOctave);
   return std::min(bin, kPerOctave * kOctaves - 1);
@@ -56,6 +57,8 @@ void ClockDrift::add(std::int64_t device, std::int64_t host) noexcept {
     // After a pause there is nothing to close; catch up in one go.
     if (time - windowEnd_ > 4 * kWindow) windowEnd_ += (time - windowEnd_) / kWindow * kWindow;
   }
+  // Transport only adds delay, so the least delay of a window is the best estimate of the clocks'
+  // difference; the drift is the slope of a line through the windows.
   const std::int64_t delay = host - device - offset_;
   if (delay < leastDelay_) {
     leastDelay_ = delay;

@@ -23,6 +23,7 @@ double ballOf(double radius) noexcept {
 double lensOf(double r, double depth, double R) noexcept {
   if (depth <= 0.0) return 0.0;
   if (depth >= 2.0 * std::min(r, R)) return ballOf(std::min(r, R));
+  // Lens of two balls at a distance d (Weisstein, "Sphere-Sphere Intersection").
   const double d = R + r - depth;
   return std::numbers::pi * depth * depth * (d * d + 2.0 * d * (r + R) - 3.0 * (r - R) * (r - R)) /
          (12.0 * d);
@@ -79,6 +80,7 @@ bool Bone::isWholeAgain() noexcept {
     field_.group(kLanes * i) = whole_.group(kLanes * i);
     for (std::size_t lane = 0; lane < kLanes; ++lane) isPartial_[kLanes * i + lane] = 0;
   }
+  // Copied over several steps: all at once would take longer than a tick.
   restored_ = end;
   if (restored_ < groups) return false;
   field_.forgetMoves();
@@ -107,6 +109,8 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
     felt.isDefined = isClear();  // how it got in is not known: it has to come out first
     return felt;
   }
+  // The virtual tool follows the device through a spring (coupling) and stays outside of what it
+  // has not cut; the force is the spring's. A god-object that cuts its way.
   felt.contact = field_.touch(tool_, true);
   const Vec3 out = outOf(felt.contact);
   follow(device, felt.contact, out, dt);
@@ -153,6 +157,8 @@ void Bone::follow(
   const double push = -options_.coupling * dot(gap, out);
   if (push > resistance && options_.isSpinning) {
     // On towards the device, until the push has come down to what the bone gives way at.
+    // Implicit in time: with damping c the tool moves by share·gap / (1 + c/(k dt)), which is
+    // stable for every dt.
     const double share = (push - resistance) / push;
     const double brake = 1.0 + options_.cuttingDamping / (options_.coupling * dt);
     tool_.centre = tool_.centre + atMost((share / brake) * gap, options_.mostAdvance);
@@ -167,6 +173,7 @@ Vec3 Bone::slideOf(Vec3 gap, Vec3 out, double push) const noexcept {
   const Vec3 normal = dot(gap, out) * out;
   const Vec3 across = gap - normal;
   const Vec3 back = push <= 0.0 ? normal : Vec3{};
+  // Coulomb's cone in lengths of the spring: what friction holds, the spring stretches.
   const double held = options_.friction * std::max(push, 0.0) / options_.coupling;
   const double slip = length(across) - held;
   return slip > 0.0 ? back + atMost(across, slip) : back;
@@ -275,6 +282,8 @@ void Bone::leaveRemainder(std::uint32_t slot) noexcept {
   tell(slot);
   std::array<std::uint32_t, 4> spheres{slot};
   std::size_t count = 1;
+  // A sphere of radius b beside the main one (radius m), touching it, the flat cut and the old
+  // sphere (radius r): b = m (r − m)/r, at a distance of 2 √(b m) from the axis.
   const double beside = main * (r - main) / r;
   if (beside >= smallest_) {
     const Vec3 helper = std::abs(outward.z) < 0.9 ? Vec3{0.0, 0.0, 1.0} : Vec3{1.0, 0.0, 0.0};

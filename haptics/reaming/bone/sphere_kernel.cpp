@@ -61,12 +61,16 @@ PALPATE_INLINE void addGroup(const SphereGroup& group, const KernelReamer& reame
   if (!isAny(isTouched)) return;
   Lanes d;
   root(square + kTiny, d);
+  // The area of the cap that the reamer's surface cuts out of a sphere is π R (r² − (d − R)²)/d;
+  // the constant π R follows after the sum.
   const Lanes over = d - reamer.radius;
   Lanes lens = r * r - over * over;
   lens = (isTouched & (lens > 0.0F)) ? lens : none;
   if constexpr (kIsCut) {
     Lanes depth;
     load(group.depth, depth);
+    // A sphere that was cut to `depth` pushes in full where the tool is as deep as that, and less
+    // and less over a share of its radius as the tool goes back: no step in the force.
     Lanes share = (r - over - depth) / (kReleaseShare * r + kTiny) + 1.0F;
     share = share > 0.0F ? share : none;
     share = share < 1.0F ? share : none + 1.0F;
@@ -108,7 +112,7 @@ PALPATE_INLINE void add(
     std::span<const Stretch> stretches,
     const KernelReamer& reamer,
     KernelSums& sums) {
-  constexpr std::size_t kAtMost = 1024;  // groups in single precision
+  constexpr std::size_t kAtMost = 1024;  // groups; rounding adds up to 1024 · 2⁻²⁴ = 6e-5 at most
   Partial partial;
   std::size_t looked = 0;
   for (const auto& stretch : stretches) {

@@ -44,6 +44,8 @@ ContactMatrix contactMatrix(
     for (auto depth = first; depth != depths.end() && farthest > 0.0; ++depth) {
       const double before = sphere.z - (plunge.start + *depth);
       if (before < 0.0) break;  // behind the teeth
+      // The reamer's surface (radius R) cuts a cap out of the sphere, of area π R (r² − (d −
+      // R)²)/d; before/d is the axis' share of its normal.
       const double d = std::hypot(across, before);
       const double lens = r * r - (d - R) * (d - R);
       if (lens <= 0.0) continue;
@@ -59,6 +61,7 @@ std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t lay
   std::vector<std::uint32_t> layerOf(matrix.columns(), static_cast<std::uint32_t>(layers));
   for (std::size_t column = 0; column < matrix.columns(); ++column) {
     if (!matrix.isTouched(column)) continue;
+    // Entries are in the order of depths: the first is where the sphere is first touched.
     layerOf[column] =
         static_cast<std::uint32_t>(layers * matrix.row[matrix.start[column]] / matrix.rows);
   }

@@ -32,6 +32,9 @@ struct Dual {
     double primal = 0.0;
   };
 
+  /// The best densities for given y are a projection, ρ(y) = max(0, ρ₀ + Aᵀy/λ): that is what makes
+  /// the dual smooth and free of bounds. Its gradient is `rest`; any ρ gives an upper bound of the
+  /// optimum (`primal`) and any y a lower one (`value`), so their difference bounds the error.
   Point at(Vector y) const {
     Point point{.y = std::move(y), .densities = {}, .rest = {}};
     point.densities = matrix.transposedTimes({point.y.data(), matrix.rows});
@@ -55,6 +58,8 @@ struct Dual {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t column = 0; column < matrix.columns(); ++column) {
       if (!(densities[column] > 0.0)) continue;
+      // A sphere touches few depths, in rising order: only the lower triangle is filled, which is
+      // all that the Cholesky factorisation reads.
       for (std::size_t i = matrix.start[column]; i < matrix.start[column + 1]; ++i) {
         const double share = matrix.value[i] / lambda;
         double* below = sum.col(matrix.row[i]).data();
@@ -72,6 +77,7 @@ struct Dual {
   std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
     constexpr double kLeastShare = 1e-5;
     const double slope = from.rest.dot(step);
+    // Armijo's condition, and a strict rise: near the optimum the promised rise is below rounding.
     const auto rises = [&](const Point& point, double share) {
       return point.value > from.value && point.value >= from.value + 1e-4 * share * slope;
     };
@@ -123,6 +129,7 @@ double uniformDensity(const ContactMatrix& matrix, std::span<const double> force
   const std::vector<double> ones(matrix.columns(), 1.0);
   const auto felt = matrix.times(ones);
   const double square = asVector(felt).squaredNorm();
+  // Least squares with one unknown: (A 1)·F / |A 1|².
   return square > 0.0 ? std::max(0.0, asVector(felt).dot(asVector(forces)) / square) : 0.0;
 }
 
@@ -131,10 +138,10 @@ DensityFit fitNonNegative(
     std::span<const double> forces,
     std::span<const double> prior,
     double weight) {
-  constexpr int kMostSteps = 60;  // at each weight
-  constexpr double kGap = 1e-9;
-  constexpr double kGapOnTheWay = 1e-2;
-  constexpr double kEase = 0.3;
+  constexpr int kMostSteps = 60;         // at each weight
+  constexpr double kGap = 1e-9;          // relative, at the wanted weight: far below what is felt
+  constexpr double kGapOnTheWay = 1e-2;  // before that only a start for the next weight is needed
+  constexpr double kEase = 0.3;          // from one weight to the next
   double squares = 0.0;
   for (const double v : matrix.value) squares += v * v;
   const double row = squares / static_cast<double>(matrix.rows);  // mean squared
@@ -149,6 +156,8 @@ DensityFit fitNonNegative(
   // shrinks with the weight.
   double eased = std::max(weight, 1.0);
   while (true) {
+    // λ is a share of the mean squared row, so that the fit does not depend on units; a matrix of
+    // zeros still needs a λ to divide by.
     const Dual dual{matrix, forces, prior, std::max(eased * row, 1e-300)};
     const double goal = eased > weight ? kGapOnTheWay : kGap;
     point = dual.at(std::move(y));
@@ -181,6 +190,7 @@ DensityFit fitMultiplicative(
   for (int i = 0; i < iterations; ++i) {
     const auto felt = matrix.times(fit.densities);
     for (std::size_t row = 0; row < matrix.rows; ++row) {
+      // Where nothing is felt no density can change it: 1 leaves all as they are.
       ratio[row] = felt[row] > 0.0 ? std::max(forces[row], 0.0) / felt[row] : 1.0;
     }
     const auto factor = matrix.transposedTimes(ratio);
@@ -222,6 +232,8 @@ double touchedShare(const ContactMatrix& matrix) {
 
 BoneFit fitBone(const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers) {
   BoneFit fit;
+  // A dozen unknowns are well determined by the curve; they are the prior of the spheres, of which
+  // there are far more than depths.
   const auto layerOf = layersOf(matrix, layers);
   const auto few = layered(matrix, layerOf, layers);
   const std::vector<double> uniform(layers, uniformDensity(matrix, forces));

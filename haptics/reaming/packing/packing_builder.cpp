@@ -53,7 +53,7 @@ double largestRadiusOf(const PackingOptions& options, double volume) {
 }
 
 /// The four obstacles whose surfaces are nearest to a place, the nearest first.
-class Nearest {
+class NearestFour {
  public:
   void add(const Obstacle& obstacle) noexcept {
     if (count_ == 4 && obstacle.distance >= all_[3].distance) return;
@@ -107,6 +107,9 @@ class Builder {
   template <typename GoesOn>
   bool pass(double radius, GoesOn goesOn) {
     ++passes_;
+    // A thread writes into the cells of its block and reads one cell beyond. Blocks of one colour
+    // are never neighbours, so no thread reads what another writes: no locks, and the same packing
+    // with any number of threads.
     for (int colour = 0; colour < 8; ++colour) {
       std::vector<std::array<int, 3>> blocks;
       for (int k = colour >> 2; k < blocks_[2]; k += 2) {
@@ -155,6 +158,8 @@ class Builder {
     for (int k = 0; k < blocks_[2]; ++k) {
       for (int j = 0; j < blocks_[1]; ++j) {
         for (int i = 0; i < blocks_[0]; ++i) {
+          // Judged by the ball around a block, with a margin inside. Only in mixed blocks the
+          // body's surface is asked for at every place, which is slow.
           const Vec3 centre = cornerOf({i, j, k}) + Vec3{half, half, half};
           const double inside = body_.nearest(centre).distance;
           kinds_.push_back(
@@ -189,8 +194,8 @@ class Builder {
   }
 
   /// What is around @p place within a cell: beyond the largest radius nothing is told apart.
-  Nearest around(Vec3 place, bool isMixed) const noexcept {
-    Nearest nearest;
+  NearestFour around(Vec3 place, bool isMixed) const noexcept {
+    NearestFour nearest;
     if (isMixed) {
       const auto boundary = body_.nearest(place);
       nearest.add(
@@ -214,10 +219,11 @@ class Builder {
     return nearest;
   }
 
-  static void look(const std::vector<Sphere>& cell, Vec3 place, Nearest& nearest) noexcept {
+  static void look(const std::vector<Sphere>& cell, Vec3 place, NearestFour& nearest) noexcept {
     for (const auto& sphere : cell) {
       const Vec3 away = sphere.centre() - place;
       const double square = dot(away, away);
+      // Nearer than the fourth nearest so far: compared by squares, before the root is taken.
       const double limit = nearest.farthest() + sphere.radius;
       if (limit <= 0.0 || square >= limit * limit) continue;
       nearest.add({std::sqrt(square) - sphere.radius, sphere.centre(), sphere.radius, false});
@@ -229,6 +235,7 @@ class Builder {
     const int along = std::max(1, static_cast<int>(std::ceil(side / (kSpacing * radius))));
     const double step = side / along;
     const bool isMixed = cellKind(block[0], block[1], block[2]) == Kind::Mixed;
+    // Every block of every pass has random numbers of its own, whichever thread fills it.
     std::uint64_t salt = options_.seed;
     for (const int part : {passes_, block[0], block[1], block[2]}) {
       salt = base::SplitMix64(salt ^ static_cast<std::uint64_t>(part)).bits();
@@ -264,6 +271,7 @@ class Builder {
         room = nearest.room();
         best = from;
       }
+      // The four that the sphere touches are the four nearest: it cannot grow further here.
       if (std::abs(nearest.room() - tangent->radius) < 1e-6 * largest_) break;
     }
     if (room < radius || !isIn(best, block)) return;
@@ -291,7 +299,7 @@ class Builder {
         {static_cast<float>(centre.x),
          static_cast<float>(centre.y),
          static_cast<float>(centre.z),
-         std::nextafter(static_cast<float>(room), 0.0F)});
+         std::nextafter(static_cast<float>(room), 0.0F)});  // rounding must not let two overlap
   }
 
   const Solid& body_;

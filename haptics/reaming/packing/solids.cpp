@@ -19,6 +19,8 @@ Acetabulum::Acetabulum(double inner, double outer) : inner_(inner), outer_(outer
 Boundary Acetabulum::nearest(Vec3 place) const noexcept {
   const double radius = length(place);
   const Vec3 outward = radius > 0.0 ? (1.0 / radius) * place : Vec3{0.0, 0.0, 1.0};
+  // The nearest of the rim's plane z = 0, the outer sphere and the inner one; exact inside the
+  // body.
   Boundary found{place.z, {0.0, 0.0, 1.0}};
   if (outer_ - radius < found.distance) found = {outer_ - radius, -1.0 * outward};
   if (inner_ > 0.0 && radius - inner_ < found.distance) found = {radius - inner_, outward};
@@ -75,13 +77,17 @@ Vec3 unit(Vec3 v) noexcept {
 double angleAt(Vec3 corner, Vec3 one, Vec3 other) noexcept {
   const Vec3 a = one - corner;
   const Vec3 b = other - corner;
-  return std::atan2(length(cross(a, b)), dot(a, b));
+  return std::atan2(length(cross(a, b)), dot(a, b));  // exact for small angles, unlike acos
 }
 
 }  // namespace
 
 MeshSolid::MeshSolid(TriangleMesh mesh)
     : mesh_(std::move(mesh)), tree_(boxesOf(mesh_)), volume_(mesh_.volume()) {
+  // Whether a place is inside is told by the normal of the nearest part. At an edge that is the
+  // mean of both faces, at a corner the mean weighted by angles: with these pseudonormals the sign
+  // is right everywhere (Baerentzen & Aanaes 2005); the normal of any one face would be wrong
+  // beside a sharp corner.
   std::vector<Vec3> atCorner(mesh_.vertices.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, Vec3> atEdge;
   const auto& v = mesh_.vertices;

@@ -22,6 +22,7 @@ struct Particle {
 
 /// One particle's move, by its own chance alone: threads change nothing.
 void move(Particle& particle, const std::vector<double>& best, double most) {
+  // The constriction factor of Clerc & Kennedy for φ = 4.1: χ = 0.7298, and χ φ / 2 = 1.49618.
   constexpr double kInertia = 0.7298;
   constexpr double kPull = 1.49618;  // to its own best, and to the best of all
   for (std::size_t i = 0; i < particle.place.size(); ++i) {
@@ -30,6 +31,7 @@ void move(Particle& particle, const std::vector<double>& best, double most) {
     v = kInertia * v + kPull * particle.random.uniform() * (particle.best[i] - x) +
         kPull * particle.random.uniform() * (best[i] - x);
     x += v;
+    // A particle that hits a bound stays there; with its velocity it would leave again at once.
     if (x < 0.0 || x > most) {
       x = x < 0.0 ? 0.0 : most;
       v = 0.0;

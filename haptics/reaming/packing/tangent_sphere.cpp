@@ -49,7 +49,10 @@ bool look(const Obstacle& obstacle, Vec3 from, double& distance, Vec3& normal) n
 
 std::optional<TangentSphere> tangentTo(
     const std::array<Obstacle, 4>& obstacles, Vec3 start, double reach) noexcept {
-  constexpr int kMostSteps = 8;
+  // Unknowns are the centre c and the radius r: dᵢ(c) − r = 0 for the signed distance dᵢ to each
+  // obstacle. Its derivative by c is the unit normal, so a row of Newton's system is
+  // nᵢ·Δc − Δr = r − dᵢ.
+  constexpr int kMostSteps = 8;    // converges quadratically, or not at all
   constexpr double kExact = 1e-7;  // of the reach
   TangentSphere sphere{start, obstacles[0].distance};
   for (int step = 0; step < kMostSteps; ++step) {
@@ -65,6 +68,8 @@ std::optional<TangentSphere> tangentTo(
     sphere.centre = sphere.centre + move;
     sphere.radius += system[3][4];
     const double moved = length(move);
+    // A step that leaves the neighbourhood finds a sphere between other obstacles, or none. The
+    // negated comparisons also catch NaN.
     if (!(moved < reach) || !(length(sphere.centre - start) < 2.0 * reach)) return std::nullopt;
     if (moved < kExact * reach) return sphere;
   }
