@@ -62,7 +62,7 @@ TEST(MaterialFile, CallsTheMiddleSpecimenByItsName) {
   EXPECT_EQ(json.find("\"average\""), std::string::npos);
   questionnaires::Problems problems;
   const auto material = readMaterial(json, problems);
-  ASSERT_TRUE(material) << questionnaires::inWords(problems.all());
+  ASSERT_TRUE(material) << questionnaires::describe(problems.all());
   EXPECT_EQ(material->sets[0].force.average.size(), fit.sets[0].force.average.spline.nodes.size());
 }
 
