@@ -172,14 +172,17 @@ DeviceNeed readDevice(const Node& node) {
 }
 
 Condition readCondition(
-    const Node& node, ReferencedFiles& files, std::vector<FeltSource>& sources) {
+    const Node& node,
+    const Protocol& protocol,
+    ReferencedFiles& files,
+    std::vector<FeltSource>& sources) {
   Condition condition;
   if (!node.isObjectWith({"id", "title", "scene"})) return condition;
   condition.id = node.id("id");
   condition.title = node.text("title");
   if (const auto scene = node.requiredObject("scene")) {
     SceneSources own(files, sources, condition.id);
-    readScene(*scene, own, condition);
+    readScene(*scene, protocol, own, condition);
   }
   return condition;
 }
@@ -212,7 +215,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
   protocol.instrumentFiles = readFileNames(root);
   protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
-    return readCondition(node, files, sources);
+    return readCondition(node, protocol, files, sources);
   });
   protocol.labels = readLabels(root);
   protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);

@@ -37,7 +37,12 @@ Phase readPhase(const questionnaires::Node& node);
 
 /// Reads what is felt and seen in a condition (docs/protocol-format.md, "Scenes") into @p
 /// condition, with what the scene's files hold, from @p sources; problems go where the node's go.
-void readScene(const questionnaires::Node& scene, SceneSources& sources, Condition& condition);
+/// @param protocol  its devices have been read.
+void readScene(
+    const questionnaires::Node& scene,
+    const Protocol& protocol,
+    SceneSources& sources,
+    Condition& condition);
 
 /// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems go where the
 /// node's go.

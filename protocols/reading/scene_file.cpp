@@ -20,6 +20,13 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
+/// What a model is read with besides its JSON.
+struct Context {
+  SceneSources& sources;
+  const haptics::devices::DeviceKind*
+      device;  ///< that it is felt on; nullptr: it has not been read
+};
+
 /// What could be read: complete, or nothing, and then a problem says why.
 template <typename Spec>
 using Read = std::optional<Spec>;
@@ -48,7 +55,7 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
 
 /// @param beyond  where the file does not say.
 Read<engine::InterpolationSpec> readInterpolation(
-    const Node& node, SceneSources& sources, models::BeyondCurve beyond) {
+    const Node& node, const Context& context, models::BeyondCurve beyond) {
   engine::InterpolationSpec spec;
   spec.options.beyond = beyond;
   if (!node.isObjectWith(
@@ -61,7 +68,7 @@ Read<engine::InterpolationSpec> readInterpolation(
   spec.branches = node.choice("branches", engine::kBranchesNames, spec.branches);
   spec.turningWidth = node.number("turning_width", 0.001, 100.0, spec.turningWidth);
   if (node.has("slope_limit")) spec.slopeLimit = node.number("slope_limit", 0.001, 1e6);
-  const auto* cut = sources.cut(name, node.pathOf("cut"));
+  const auto* cut = context.sources.cut(name, node.pathOf("cut"));
   if (cut == nullptr) return std::nullopt;
   useCut(*cut, spec);
   return spec;
@@ -143,7 +150,7 @@ void readNoise(const Node& node, engine::KalmanSpec& spec) {
   spec.noise = noise;
 }
 
-Read<engine::KalmanSpec> readKalman(const Node& node, SceneSources& sources) {
+Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   engine::KalmanSpec spec{
       .noise = models::KalmanNoise<double>::published(kUsualProcess),
       .scheme = models::KalmanScheme::SpaceDomain};
@@ -154,10 +161,10 @@ Read<engine::KalmanSpec> readKalman(const Node& node, SceneSources& sources) {
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
   Read<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
-    interpolation = readInterpolation(*part, sources, models::BeyondCurve::Absent);
+    interpolation = readInterpolation(*part, context, models::BeyondCurve::Absent);
   } else {
     interpolation.emplace().options.beyond = models::BeyondCurve::Absent;
-    useCut(*sources.cut(std::string(kParametricCut), {}), *interpolation);
+    useCut(*context.sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
   Read<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
   if (const auto part = node.object("finite_elements")) elements = readFiniteElements(*part);
@@ -180,7 +187,7 @@ void refuseWithoutMaterial(const Node& node) {
 }
 
 /// Puts the curves of a fitted material into @p spec; false, and a problem, where there are none.
-bool useMaterial(const Node& node, SceneSources& sources, engine::MaterialSpec& spec) {
+bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
   const bool hasJitter = node.flag("jitter", false);
@@ -189,7 +196,7 @@ bool useMaterial(const Node& node, SceneSources& sources, engine::MaterialSpec& 
     node.problem(
         "nodes", "the bone has a material and nodes of its own as well", "keep one of the two");
   }
-  const auto [material, curves] = sources.material(name, set, node.pathOf("material"));
+  const auto [material, curves] = context.sources.material(name, set, node.pathOf("material"));
   if (material != nullptr && curves == nullptr) {
     node.problem(
         "material",
@@ -203,7 +210,7 @@ bool useMaterial(const Node& node, SceneSources& sources, engine::MaterialSpec& 
   return true;
 }
 
-Read<engine::MaterialSpec> readMaterial(const Node& node, SceneSources& sources) {
+Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
   if (!node.isObjectWith(
           {"hardness", "force_scale", "nodes", "material", "test_set", "jitter", "jitter_seed"})) {
@@ -212,12 +219,12 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, SceneSources& sources)
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
   if (node.has("material")) {
-    if (!useMaterial(node, sources, spec)) return std::nullopt;
+    if (!useMaterial(node, context, spec)) return std::nullopt;
     return spec;
   }
   refuseWithoutMaterial(node);
   if (!node.has("nodes")) {
-    sources.useParametricMaterial();
+    context.sources.useParametricMaterial();
     return spec;
   }
   spec.nodes.clear();
@@ -231,7 +238,7 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, SceneSources& sources)
   return spec;
 }
 
-Read<engine::PackingSpec> readPacking(const Node& node, SceneSources& sources) {
+Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) {
   engine::PackingSpec spec;
   if (!node.isObjectWith(
           {"hardness",
@@ -255,17 +262,18 @@ Read<engine::PackingSpec> readPacking(const Node& node, SceneSources& sources) {
   options.coupling = node.number("coupling_n_per_m", 100.0, 1e6, options.coupling);
   options.cuttingDamping = node.number("cutting_damping", 0.0, 1e6, options.cuttingDamping);
   options.friction = node.number("friction", 0.0, 2.0, options.friction);
-  spec.bone = sources.packing(name, node.pathOf("packing"));
+  spec.bone = context.sources.packing(name, node.pathOf("packing"));
   if (spec.bone == nullptr) return std::nullopt;
+  if (context.device != nullptr) spec.mostTravel = context.device->travel.most;
   return spec;
 }
 
 /// The reader of each model; one that is registered and has none does not compile.
 template <typename Spec>
-Read<Spec> readModel(const Node& parameters, SceneSources& sources) = delete;
+Read<Spec> readModel(const Node& parameters, const Context& context) = delete;
 template <>
-Read<engine::InterpolationSpec> readModel(const Node& node, SceneSources& sources) {
-  auto spec = readInterpolation(node, sources, models::BeyondCurve::RampOut);
+Read<engine::InterpolationSpec> readModel(const Node& node, const Context& context) {
+  auto spec = readInterpolation(node, context, models::BeyondCurve::RampOut);
   if (spec && spec->options.beyond == models::BeyondCurve::Absent) {
     node.problem(
         "beyond",
@@ -275,36 +283,37 @@ Read<engine::InterpolationSpec> readModel(const Node& node, SceneSources& source
   return spec;
 }
 template <>
-Read<engine::FiniteElementsSpec> readModel(const Node& node, SceneSources&) {
+Read<engine::FiniteElementsSpec> readModel(const Node& node, const Context&) {
   return readFiniteElements(node);
 }
 template <>
-Read<engine::KalmanSpec> readModel(const Node& node, SceneSources& sources) {
-  return readKalman(node, sources);
+Read<engine::KalmanSpec> readModel(const Node& node, const Context& context) {
+  return readKalman(node, context);
 }
 template <>
-Read<engine::MaterialSpec> readModel(const Node& node, SceneSources& sources) {
-  return readMaterial(node, sources);
+Read<engine::MaterialSpec> readModel(const Node& node, const Context& context) {
+  return readMaterial(node, context);
 }
 template <>
-Read<engine::PackingSpec> readModel(const Node& node, SceneSources& sources) {
-  return readPacking(node, sources);
+Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
+  return readPacking(node, context);
 }
 
-using ReadModel = Read<engine::ModelSpec> (*)(const Node&, SceneSources&);
+using ReadModel = Read<engine::ModelSpec> (*)(const Node&, const Context&);
 
 template <typename... Spec>
 constexpr auto readersOf(std::type_identity<std::variant<Spec...>>) {
   return std::array{Choice<ReadModel>{
-      Spec::kFacts.name, [](const Node& node, SceneSources& sources) -> Read<engine::ModelSpec> {
-        return readModel<Spec>(node, sources);
+      Spec::kFacts.name, [](const Node& node, const Context& context) -> Read<engine::ModelSpec> {
+        return readModel<Spec>(node, context);
       }}...};
 }
 constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 
 }  // namespace
 
-void readScene(const Node& scene, SceneSources& sources, Condition& condition) {
+void readScene(
+    const Node& scene, const Protocol& protocol, SceneSources& sources, Condition& condition) {
   if (!scene.isObjectWith(
           {"device", "model", "parameters", "visualisation", "tissue_follows", "anatomy"}))
     return;
@@ -313,10 +322,12 @@ void readScene(const Node& scene, SceneSources& sources, Condition& condition) {
   condition.seenTissue =
       scene.choice("tissue_follows", engine::kSeenTissueNames, engine::SeenTissue::Penetration);
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
+  const auto* device = protocol.device(condition.device);
+  const Context context{sources, device == nullptr ? nullptr : device->kind};
   const auto read = readChoice(scene, "model", kModels);
   const auto parameters = scene.requiredObject("parameters");
   if (read && parameters) {
-    auto model = (*read)(*parameters, sources);
+    auto model = (*read)(*parameters, context);
     if (parameters->isSound()) condition.model = std::move(model);
   }
   if (condition.anatomy) {

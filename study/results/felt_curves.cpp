@@ -41,7 +41,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   std::vector<FeltCurve> curves;
   for (const auto& condition : protocol.conditions) {
     FeltCurve curve{.condition = condition.id, .device = condition.device};
-    const FeltBins none(*protocol.device(condition.device)->kind, condition.scene);
+    const FeltBins none(*protocol.device(condition.device)->kind, condition.scene());
     FeltBins bins = none;
     std::map<std::string, FeltBins> byParticipant;
     for (const auto& trial : trials) {

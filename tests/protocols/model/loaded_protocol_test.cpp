@@ -99,10 +99,10 @@ TEST(LoadedProtocol, KeepsItsOwnTextAndThatOfItsFilesByteByByte) {
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   EXPECT_EQ(loading.loaded->text, protocol);
   ASSERT_EQ(loading.loaded->files.size(), 2U);
-  EXPECT_EQ(loading.loaded->files[0].name, "mine.json");
-  EXPECT_EQ(loading.loaded->files[0].text, shelf.files.at("mine.json"));
-  EXPECT_EQ(loading.loaded->files[1].name, "cuts/mine.json");
-  EXPECT_EQ(loading.loaded->files[1].text, shelf.files.at("cuts/mine.json"));
+  EXPECT_EQ(loading.loaded->files[0].name, "cuts/mine.json");
+  EXPECT_EQ(loading.loaded->files[0].text, shelf.files.at("cuts/mine.json"));
+  EXPECT_EQ(loading.loaded->files[1].name, "mine.json");
+  EXPECT_EQ(loading.loaded->files[1].text, shelf.files.at("mine.json"));
 }
 
 TEST(LoadedProtocol, KeepsNothingOfWhatIsBuiltIn) {
