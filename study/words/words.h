@@ -13,12 +13,14 @@
 
 namespace study::words {
 
-/// A language's words for what reports say.
+/// A language's words for what reports and the participant's windows say.
 struct Catalogue {
   using Entries = std::map<std::string, std::string, std::less<>>;
+  using Windows = std::map<std::string, Entries, std::less<>>;
 
   Entries messages;  ///< facts from the rooms below (base::Message), by key
   Entries texts;     ///< a report's own texts, by their English
+  Windows windows;   ///< texts of the participant's windows, by the class and their English
 };
 
 /// What reports say, in one language. Where the catalogue lacks something, the English stands.

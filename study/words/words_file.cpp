@@ -22,6 +22,7 @@ Words wordsIn(std::string_view language) {
     Catalogue catalogue;
     json.at("messages").get_to(catalogue.messages);
     json.at("texts").get_to(catalogue.texts);
+    json.at("windows").get_to(catalogue.windows);
     return {std::string(language), std::move(catalogue)};
   }
   std::string known;

@@ -219,10 +219,8 @@ void OperatorWindow::showParticipant() {
 
 void OperatorWindow::speakTheSessionsLanguage() {
   QCoreApplication::removeTranslator(&translator_);
-  const QString language = QString::fromStdString(controller_->session().language());
-  if (translator_.load(QStringLiteral(":/i18n/palpate_%1.qm").arg(language))) {
-    QCoreApplication::installTranslator(&translator_);
-  }
+  translator_.speak(controller_->session().language());
+  QCoreApplication::installTranslator(&translator_);
 }
 
 void OperatorWindow::moveHand(double share) {

@@ -6,9 +6,9 @@
 
 #include <QMainWindow>
 #include <QStackedWidget>
-#include <QTranslator>
 
 #include "study/gui/participant/participant_window.h"
+#include "study/gui/session/catalogue_translator.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/session/stop_key.h"
@@ -76,7 +76,7 @@ class OperatorWindow final : public QMainWindow {
   std::unique_ptr<Rig> rig_;
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;
-  QTranslator translator_;
+  CatalogueTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
   QStringList waiting_;     ///< what could not be told while the screen was the participant's
