@@ -24,6 +24,7 @@
 #include "study/storage/trace_store.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
+#include "tests/support/long_form.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
@@ -283,7 +284,11 @@ TEST_F(ExportLayoutTest, GivesTheSameBytesInEveryLocale) {
   for (const auto format : formats) {
     const auto number = std::to_string(static_cast<int>(format));
     const auto here = exported("here" + number, open(format), "for a test");
-    for (const auto& name : names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      // The short form: tables in every locale, each other format in one.
+      const bool isOthers = static_cast<std::size_t>(format) % names.size() != i;
+      if (isOthers && format != ExportFormat::Csv && !tests::isLong()) continue;
+      const auto& name = names[i];
       const OtherLocale other(name + ".UTF-8");
       const auto there = exported(name + number, open(format), "for a test");
       ASSERT_EQ(filesIn(here), filesIn(there)) << name;

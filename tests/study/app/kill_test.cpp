@@ -14,13 +14,14 @@
 #include "tests/study/app/simulation.h"
 #include "tests/study/made_study.h"
 #include "tests/support/child_process.h"
+#include "tests/support/long_form.h"
 
 namespace study {
 namespace kill_test {
 
 namespace fs = std::filesystem;
 
-constexpr int kPoints = 120;
+const int kPoints = tests::inLongForm(120, 24);
 constexpr int kParticipants = 4;
 
 class KillTest : public testing::Test {
@@ -83,7 +84,8 @@ TEST_F(KillTest, LosesNothingThatWasAcknowledgedWheneverItIsKilled) {
   std::set<std::size_t> stoppedAt;
   for (int point = 0; point < kPoints; ++point) {
     const auto folder = copy("killed");
-    const std::size_t count = static_cast<std::size_t>(point) * all_.size() / kPoints;
+    const std::size_t count =
+        static_cast<std::size_t>(point) * all_.size() / static_cast<std::size_t>(kPoints);
     const int pause = point % 3 == 0 ? 0 : static_cast<int>(random() % 3000);
     SCOPED_TRACE(
         "killed " + std::to_string(pause) + " us after " + std::to_string(count) + " lines");
@@ -93,7 +95,8 @@ TEST_F(KillTest, LosesNothingThatWasAcknowledgedWheneverItIsKilled) {
     if (point % 4 == 0) expectToGoOn(folder);
     if (HasFailure()) return;
   }
-  EXPECT_GE(stoppedAt.size(), 40U) << "the points were not different ones";
+  EXPECT_GE(stoppedAt.size(), static_cast<std::size_t>(kPoints / 3))
+      << "the points were not different ones";
   RecordProperty("points", kPoints);
 }
 

@@ -1,7 +1,6 @@
 // A bit that turns over by itself, a page of zeros, a file that was cut off: found, or without any
 // consequence for what is kept.
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,6 +14,7 @@
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
+#include "tests/support/long_form.h"
 
 namespace study {
 namespace damage_test {
@@ -125,8 +125,7 @@ class DamageTest : public testing::Test {
 };
 
 TEST_F(DamageTest, OfASingleBitIsFoundOrChangesNothing) {
-  const bool isLong = std::getenv("PALPATE_LONG") != nullptr;  // NOLINT: one thread
-  const int flips = isLong ? 3000 : 600;
+  const int flips = tests::inLongForm(3000, 200);
   const std::array<std::string, 4> names{"study.db", "study.db", "traces.db", "identity.db"};
   std::mt19937_64 random(20261121);
   for (int i = 0; i < flips; ++i) {

@@ -1,13 +1,13 @@
 // The n-th call of the disk, and the n-th need of memory, fail.
-// PALPATE_LONG=1 tries all points of both kinds (many minutes); otherwise each of the first 30, and
-// then every few.
-#include <cstdlib>
+// The long form tries all points of both kinds (many minutes); the short one each of the first 12,
+// and then a sample.
 #include <iostream>
 
 #include <gtest/gtest.h>
 
 #include "tests/study/storage/faults.h"
 #include "tests/study/storage/scripted_session.h"
+#include "tests/support/long_form.h"
 
 namespace study {
 namespace fault_test {
@@ -24,8 +24,8 @@ struct Kind {
   Arm when;
   bool isPersistent;
   int error;
-  std::int64_t stride;  ///< between the points that are tried, after the first 30
-  std::size_t fewest;   ///< points that there must be with PALPATE_LONG; a quarter without
+  std::int64_t stride;  ///< between the points that are tried, after the first ones
+  std::size_t fewest;   ///< points that there must be in the long form; an eighth in the short one
 };
 
 constexpr int kIoError = 5;  // EIO
@@ -36,9 +36,10 @@ class FaultTest : public testing::TestWithParam<Kind> {
   static void SetUpTestSuite() { tests::memory_faults::install(); }
   void TearDown() override { GetParam().disarm(); }
 
-  static bool isLong() { return std::getenv("PALPATE_LONG") != nullptr; }  // NOLINT: one thread
-  static std::int64_t stride() { return isLong() ? 1 : GetParam().stride; }
-  static std::size_t fewest() { return isLong() ? GetParam().fewest : GetParam().fewest / 4; }
+  static std::int64_t stride() { return tests::isLong() ? 1 : GetParam().stride; }
+  static std::size_t fewest() {
+    return tests::isLong() ? GetParam().fewest : GetParam().fewest / 8;
+  }
 };
 
 TEST_P(FaultTest, LosesNothingThatWasAcknowledgedAndSpeaksInWords) {
@@ -46,7 +47,7 @@ TEST_P(FaultTest, LosesNothingThatWasAcknowledgedAndSpeaksInWords) {
   tests::ScriptedStudy study;
   std::size_t points = 0;
   std::size_t complete = 0;
-  for (std::int64_t n = 1;; n += n <= 30 ? 1 : stride()) {
+  for (std::int64_t n = 1;; n += n <= 12 ? 1 : stride()) {
     const auto folder = study.copy();
     const auto arm = [&] {
       kind.arm({.first = n, .isPersistent = kind.isPersistent, .error = kind.error});
@@ -77,7 +78,7 @@ constexpr auto kDisk = [](const char* name, Arm when, bool isPersistent, int err
       when,
       isPersistent,
       error,
-      5,
+      17,
       100};
 };
 
@@ -90,7 +91,7 @@ constexpr auto kMemory = [](const char* name, Arm when, bool isPersistent) {
       when,
       isPersistent,
       0,
-      401,
+      1201,
       140};
 };
 
