@@ -33,11 +33,10 @@ int copyConsent(const ConsentArguments& options) {
 
 void addConsentCommand(CLI::App& noun, Action& action) {
   auto options = std::make_shared<ConsentArguments>();
-  auto* verb =
-      noun.add_subcommand("consent", "A copy of what somebody agreed to, for them to keep");
+  auto* verb = noun.add_subcommand("consent", "Write the participant's copy of the signed consent");
   verb->add_option("DIR", options->folder, "The study's folder")->required();
-  verb->add_option("--participant", options->participant, "Their code")->required();
-  verb->add_option("--out", options->out, "What to write: .html or .pdf; nothing is overwritten")
+  verb->add_option("--participant", options->participant, "Participant code")->required();
+  verb->add_option("--out", options->out, "File to write, .html or .pdf; nothing is overwritten")
       ->required();
   verb->callback([&action, options] { action = [options] { return copyConsent(*options); }; });
 }

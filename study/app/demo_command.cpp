@@ -102,7 +102,7 @@ void addDemoCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<DemoArguments>();
   auto* command = program.add_subcommand(
       "demo",
-      "See all of it: both published studies with simulated participants, report and export");
+      "Run both published studies with simulated participants, and write report and export");
   command->add_option("--out", options->out, "Folder to make")->capture_default_str();
   command->add_option("--seed", options->seed, "The same seed gives the same bytes")
       ->capture_default_str();

@@ -72,9 +72,9 @@ int exportAs(const ExportArguments& options) {
 void addExportCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ExportArguments>();
   auto* command = program.add_subcommand(
-      "export", "Data for others: tidy tables, one row per answer, blinded unless asked otherwise");
+      "export", "Export a study's data: tidy tables, one row per answer, blinded by default");
   command->add_option("DIR", options->folder, "The study's folder")->required();
-  command->add_option("--out", options->out, "Folder to make; nothing is overwritten")->required();
+  command->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
   command
       ->add_option(
           "--format",
@@ -87,18 +87,22 @@ void addExportCommand(CLI::App& program, Action& action) {
   command->add_flag(
       "--traces",
       options->traces,
-      "Also what was felt in every trial, 1000 times a second (gzip); needs --unblind");
+      "Include the recorded forces of every trial at 1 kHz (gzip); needs --unblind");
   auto* unblind = command->add_flag(
       "--unblind",
       options->unblind,
-      "Say which rendering an alternative was; goes into the audit trail");
-  auto* reason = command->add_option("--reason", options->reason, "Why it is unblinded");
+      "Name the condition of each alternative; goes into the audit trail");
+  auto* reason = command->add_option("--reason", options->reason, "Reason for unblinding");
   unblind->needs(reason);
   auto* forPublic = command->add_flag(
       "--public",
       options->forPublic,
-      "For strangers: bands, no words, no times, new ids; each person one of at least 5 alike");
-  command->add_option("--k", options->smallestClass, "How many people have to be alike, 5 or more")
+      "Public release: bands, no free text, no times, new ids, k-anonymous (k = 5 or more)");
+  command
+      ->add_option(
+          "--k",
+          options->smallestClass,
+          "Smallest group of participants with the same attributes, 5 or more")
       ->needs(forPublic)
       ->check(CLI::Range(kSmallestPublicClass, std::size_t{100'000}))
       ->capture_default_str();

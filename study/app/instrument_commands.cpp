@@ -141,7 +141,7 @@ CLI::App* addVerb(
 }
 
 void addLanguage(CLI::App& verb, const std::shared_ptr<InstrumentArguments>& options) {
-  verb.add_option("--language", options->language, "Of the words: en, de, nb …")
+  verb.add_option("--language", options->language, "Language of the texts: en, de, nb …")
       ->check([](const std::string& tag) {
         return questionnaires::isLanguageTag(tag) ? std::string()
                                                   : "'" + tag + "' is no language tag";
@@ -153,16 +153,17 @@ void addLanguage(CLI::App& verb, const std::shared_ptr<InstrumentArguments>& opt
 
 void addInstrumentCommands(CLI::App& program, Action& action) {
   auto* noun = program.add_subcommand(
-      "instrument", "Questionnaires: what ships, how they are scored, where their words go");
+      "instrument",
+      "Questionnaires: list, check, scoring keys, files for licensed or translated texts");
   noun->require_subcommand(1);
   auto options = std::make_shared<InstrumentArguments>();
 
-  addVerb(*noun, "list", "What the library has", options, action, app::list);
+  addVerb(*noun, "list", "List the instruments of the library", options, action, app::list);
 
   auto* check = addVerb(
       *noun,
       "check",
-      "All problems of an instrument and its wording files at once",
+      "List all problems of an instrument and its wording files",
       options,
       action,
       app::check);
@@ -171,20 +172,20 @@ void addInstrumentCommands(CLI::App& program, Action& action) {
       "--folder", options->folder, "Where 'wording' lies (default: beside the file, or here)");
   addLanguage(*check, options);
 
-  auto* keys = addVerb(
-      *noun, "keys", "Which answer counts how, before anybody answers", options, action, app::keys);
+  auto* keys =
+      addVerb(*noun, "keys", "Print the scoring key of an instrument", options, action, app::keys);
   keys->add_option("NAME", options->name, kNameHelp)->required();
 
   auto* wording = addVerb(
       *noun,
       "wording",
-      "A file for the words that an instrument may not ship, or lacks in a language",
+      "Write a wording file to fill in: texts under licence, or a translation",
       options,
       action,
       app::wording);
   wording->add_option("NAME", options->name, kNameHelp)->required();
   addLanguage(*wording, options);
-  wording->add_option("--out", options->out, "File to make (default: print it)");
+  wording->add_option("--out", options->out, "File to write (default: print it)");
 }
 
 }  // namespace study::app

@@ -153,29 +153,30 @@ int orders(const OrdersOptions& options) {
 }  // namespace
 
 void addProtocolCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("protocol", "Check a protocol; see everybody's order");
+  auto* noun =
+      program.add_subcommand("protocol", "Check a protocol; list the orders of its participants");
   noun->require_subcommand(1);
 
   auto checking = std::make_shared<CheckOptions>();
   auto* check = noun->add_subcommand(
-      "check", "All problems of a protocol at once, each with its place and how to mend it");
+      "check", "List all problems of a protocol, each with its place and a fix");
   check->add_option("FILE", checking->file, "A protocol file, or one of the library by name")
       ->required();
-  check->add_flag("--json", checking->json, "For programs");
+  check->add_flag("--json", checking->json, "JSON");
   check->callback([&action, checking] { action = [checking] { return app::check(*checking); }; });
 
   auto ordering = std::make_shared<OrdersOptions>();
   auto* orders = noun->add_subcommand(
-      "orders", "Everybody's order before anybody comes, and how balanced it is");
+      "orders", "List the planned orders of conditions, and how balanced they are");
   orders->add_option("FILE", ordering->file, "A protocol file, or one of the library by name")
       ->required();
-  orders->add_option("--participants", ordering->participants, "How many of every cohort")
+  orders->add_option("--participants", ordering->participants, "Participants of each cohort")
       ->required()
       ->check(CLI::Range(1, 100'000));
   auto* seed =
       orders->add_option("--seed", ordering->seed, "Of the study (see 'palpate study status')");
   orders->add_flag(
-      "--csv", ordering->csv, "Everybody's trials as a table for programs, without the balance");
+      "--csv", ordering->csv, "Write the trials of all participants as CSV, without the balance");
   orders->callback([&action, ordering, seed] {
     ordering->hasSeed = seed->count() > 0;
     action = [ordering] { return app::orders(*ordering); };

@@ -71,9 +71,9 @@ void addReportCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReportArguments>();
   auto* command = program.add_subcommand(
       "report",
-      "A results section: tables, figures, what was felt; one page or PDF that needs nothing else");
+      "Write a results section as one HTML page or PDF: tables, figures, rendered forces");
   command->add_option("DIR", options->folders, "Folders of one or more studies")->required();
-  command->add_option("--out", options->out, "What to write: .html or .pdf; nothing is overwritten")
+  command->add_option("--out", options->out, "File to write, .html or .pdf; nothing is overwritten")
       ->required()
       ->check(CLI::Validator(
           [](const std::string& path) -> std::string {
@@ -84,7 +84,7 @@ void addReportCommand(CLI::App& program, Action& action) {
           },
           "FILE"));
   command->add_option(
-      "--figures", options->figures, "Also a new folder with each figure as SVG, PDF and PNG");
+      "--figures", options->figures, "New folder for each figure as SVG, PDF and PNG");
   command->add_option("--language", options->language, "In which language: " + knownLanguages())
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));

@@ -293,8 +293,8 @@ std::vector<std::string> namesIn(const Names& known) {
 
 void addPlay(CLI::App& noun, Action& action) {
   auto options = std::make_shared<PlayOptions>();
-  auto* play = noun.add_subcommand(
-      "play", "What conditions feel like, drawn: force over travel, before any limit");
+  auto* play =
+      noun.add_subcommand("play", "Plot the force of conditions over travel, before any limit");
   play->add_option("FILE", options->file, "A protocol file, or one of the library by name")
       ->required();
   play->add_option(
@@ -302,7 +302,7 @@ void addPlay(CLI::App& noun, Action& action) {
           options->conditions,
           "Its id; several are drawn together, a filter alone with the forces that it fuses")
       ->required();
-  play->add_option("--profile", options->profile, "How the tool moves; cut closes and opens again")
+  play->add_option("--profile", options->profile, "Motion of the tool; cut closes and opens again")
       ->check(CLI::IsMember({"closing", "cut", "sine"}))
       ->capture_default_str();
   play->add_option(
@@ -315,18 +315,19 @@ void addPlay(CLI::App& noun, Action& action) {
       ->check(finiteRange(-1e6, 1e6));
   play->add_option("--speed", options->speed, "[travel units/s, or m/s] (default: 57, or 0.005)")
       ->check(finiteRange(1e-6, 1e6));
-  play->add_option("--rate", options->rate, "Of the steps [Hz] (default: the device's)")
+  play->add_option("--rate", options->rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));
-  play->add_option("--encoder", options->quantum, "What the tool's encoder resolves [travel units]")
+  play->add_option("--encoder", options->quantum, "Resolution of the encoder [travel units]")
       ->check(finiteRange(0.0, 1.0));
   play->add_option(
           "--interpolation-noise",
           options->interpolationNoise,
-          "A filter once for each R of the interpolation [N²], as in the paper's Fig. 11")
+          "Plot a filter for each R of the interpolation [N²], as in the paper's Fig. 11")
       ->check(finiteRange(0.0, 1e9));
-  play->add_option("--smoothing", options->smoothing, "Of a filter, instead of the protocol's")
+  play->add_option(
+          "--smoothing", options->smoothing, "Smoothing of a filter, instead of the protocol's")
       ->check(CLI::IsMember(namesIn(haptics::engine::kSmoothingNames)));
-  play->add_option("--over", options->over, "What the figure's abscissa is")
+  play->add_option("--over", options->over, "Abscissa of the figure")
       ->check(CLI::IsMember({"travel", "time"}))
       ->capture_default_str();
   play->add_option("--out", options->out, "OUT.csv is written, and OUT.svg beside it")->required();
@@ -336,19 +337,23 @@ void addPlay(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addSceneCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("scene", "What a condition consists of, and feels like");
+  auto* noun =
+      program.add_subcommand("scene", "Explain the scene of a condition, or plot its force");
   noun->require_subcommand(1);
   addPlay(*noun, action);
   auto options = std::make_shared<ExplainOptions>();
-  auto* explain =
-      noun->add_subcommand("explain", "What a condition needs, what is left out and why");
+  auto* explain = noun->add_subcommand(
+      "explain", "Explain what a condition's scene computes, what it leaves out and why");
   explain->add_option("FILE", options->file, "A protocol file, or one of the library by name")
       ->required();
   explain->add_option("--condition", options->condition, "Its id in the protocol")->required();
-  explain->add_flag("--visualised", options->visualised, "As in a block with visualisation");
   explain->add_flag(
-      "--cost", options->cost, "Also what a tick takes, and what it would with more in it");
-  explain->add_flag("--json", options->json, "For programs");
+      "--visualised", options->visualised, "Explain it as in a block with visualisation");
+  explain->add_flag(
+      "--cost",
+      options->cost,
+      "Also measure the time of a tick, with and without the optional parts");
+  explain->add_flag("--json", options->json, "JSON");
   explain->callback([&action, options] { action = [options] { return app::explain(*options); }; });
 }
 

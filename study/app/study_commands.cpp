@@ -264,35 +264,36 @@ void addSeed(CLI::App& verb, const std::shared_ptr<StudyArguments>& options, con
 }  // namespace
 
 void addStudyCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("study", "A study on disk: make it, run it, look after it");
+  auto* noun = program.add_subcommand("study", "Create, run and manage a study");
   noun->require_subcommand(1);
   auto options = std::make_shared<StudyArguments>();
 
   auto* create =
-      addVerb(*noun, "create", "Make a study from a protocol", options, action, app::create);
+      addVerb(*noun, "create", "Create a study from a protocol", options, action, app::create);
   create
       ->add_option(
           "--protocol", options->protocol, "A protocol file, or one of the library by name")
       ->required();
-  addSeed(*create, options, "Of everything drawn (default: the protocol's, or drawn now)");
+  addSeed(*create, options, "Seed of all random choices (default: the protocol's, or drawn now)");
 
   auto* run = addVerb(
       *noun,
       "run",
-      "Run a session here in the terminal, or go on with one that was interrupted",
+      "Run a session in the terminal, or resume an interrupted one",
       options,
       action,
       app::run);
-  run->add_option("--cohort", options->cohort, "Of a new participant (default: the first)");
-  run->add_option("--participant", options->participant, "Their code (default: the next free one)");
-  run->add_option("--language", options->language, "Of the texts")->capture_default_str();
+  run->add_option("--cohort", options->cohort, "Cohort of a new participant (default: the first)");
+  run->add_option(
+      "--participant", options->participant, "Participant code (default: the next free one)");
+  run->add_option("--language", options->language, "Language of the texts")->capture_default_str();
   addRunModeOfSession(*run, options->runMode);
   run->add_option("--devices", options->devices, kDevicesHelp);
 
   auto* simulate = addVerb(
       *noun,
       "simulate",
-      "Let people who do not exist take part, through the very same steps",
+      "Simulate participants, through the same steps as a session",
       options,
       action,
       app::simulate);
@@ -300,41 +301,47 @@ void addStudyCommands(CLI::App& program, Action& action) {
       ->add_option(
           "--participants",
           options->participants,
-          "Until so many have finished in all (default: as planned in the protocol)")
+          "Simulate until this many have finished (default: as planned in the protocol)")
       ->check(CLI::Range(1, 100'000));
-  addSeed(*simulate, options, "Of hands and answers (default: the study's)");
+  addSeed(*simulate, options, "Seed of simulated hands and answers (default: the study's)");
   simulate->add_option(
       "--devices",
       options->devices,
-      "Feel it on the devices of this file, in real time (default: simulated ones, at once)");
-  simulate->add_flag("--verbose", options->verbose, "Say what has been saved, as soon as it has");
+      "Use the devices of this file, in real time (default: simulated devices, offline)");
+  simulate->add_flag("--verbose", options->verbose, "Print each answer as soon as it is saved");
 
   auto* amend =
-      addVerb(*noun, "amend", "Use a changed protocol from now on", options, action, app::amend);
+      addVerb(*noun, "amend", "Amend the protocol of a study", options, action, app::amend);
   amend->add_option("--protocol", options->protocol, "The changed protocol")->required();
-  amend->add_option("--reason", options->reason, "Needed once a participant has begun");
+  amend->add_option(
+      "--reason", options->reason, "Reason for the change; required once a participant has begun");
 
   auto* status = addVerb(
-      *noun, "status", "Who has taken part, and how it stands", options, action, app::status);
-  status->add_flag("--json", options->json, "For programs");
+      *noun,
+      "status",
+      "Show participants and the progress of the study",
+      options,
+      action,
+      app::status);
+  status->add_flag("--json", options->json, "JSON");
 
   auto* backup = addVerb(
       *noun,
       "backup",
-      "Copy a study's folder, also while sessions are open, and read the copy again",
+      "Back up a study, also during sessions, and verify the copy",
       options,
       action,
       app::backup);
-  backup->add_option("--out", options->out, "Folder to make; nothing is overwritten")->required();
+  backup->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
 
   auto* verify = addVerb(
       *noun,
       "verify",
-      "Check that everything that was written is still what was written",
+      "Check that no stored data was changed, lost or damaged",
       options,
       action,
       app::verify);
-  verify->add_flag("--json", options->json, "For programs");
+  verify->add_flag("--json", options->json, "JSON");
 
   addConsentCommand(*noun, action);
 }

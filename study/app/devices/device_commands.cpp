@@ -98,13 +98,12 @@ int check(const DeviceArguments& arguments) {
 
 void addEmulate(CLI::App& noun, Action& action) {
   auto* emulate = noun.add_subcommand(
-      "emulate",
-      "Stand in for a device on its real wire; 'help' on its input lists what can go wrong");
+      "emulate", "Emulate a device on its real interface; 'help' on its input lists the faults");
   emulate->require_subcommand(1);
   auto options = std::make_shared<EmulateArguments>();
   const auto common = [&](CLI::App* verb, int (*perform)(const EmulateArguments&)) {
     verb->add_option("--seed", options->seed, "Of hand and faults")->capture_default_str();
-    verb->add_option("--seconds", options->seconds, "How long (default: until it is ended)")
+    verb->add_option("--seconds", options->seconds, "Duration (default: until it is ended)")
         ->check(CLI::PositiveNumber);
     verb->add_flag(
         "--until-input-ends",
@@ -147,12 +146,12 @@ void addEmulate(CLI::App& noun, Action& action) {
 
 void addListen(CLI::App& noun, Action& action) {
   auto* verb =
-      noun.add_subcommand("listen", "Write down what a punch prints with the published sketch");
+      noun.add_subcommand("listen", "Record what a punch with the published sketch prints");
   auto options = std::make_shared<ListenArguments>();
   verb->add_option("PORT", options->port, "Its serial port")->required();
   verb->add_option("--out", options->out, "A CSV file to make (default: the terminal)");
-  verb->add_option("--baud", options->baud, "Of the line")->capture_default_str();
-  verb->add_option("--seconds", options->seconds, "How long (default: until it is ended)")
+  verb->add_option("--baud", options->baud, "Baud rate of the line")->capture_default_str();
+  verb->add_option("--seconds", options->seconds, "Duration (default: until it is ended)")
       ->check(CLI::PositiveNumber);
   verb->callback([&action, options] { action = [options] { return app::listen(*options); }; });
 }
@@ -160,16 +159,17 @@ void addListen(CLI::App& noun, Action& action) {
 void addRehearse(CLI::App& noun, Action& action) {
   auto* rehearse = noun.add_subcommand(
       "rehearse",
-      "Stand-ins for both devices, their check, and a simulated participant who feels them");
+      "Rehearse a study: emulate both devices, check them, run a simulated participant");
   auto options = std::make_shared<RehearseArguments>();
   rehearse->add_option("--out", options->out, "A new folder for device file and study")->required();
-  rehearse->add_option("--protocol", options->protocol, "What is rehearsed")->capture_default_str();
+  rehearse->add_option("--protocol", options->protocol, "Protocol to rehearse")
+      ->capture_default_str();
   rehearse->add_option("--participants", options->participants, "How many")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  rehearse->add_option("--seed", options->seed, "Of everything drawn")->capture_default_str();
-  rehearse->add_option(
-      "--firmware", options->firmware, "The punch's program for the board, run under QEMU");
+  rehearse->add_option("--seed", options->seed, "Seed of all random choices")
+      ->capture_default_str();
+  rehearse->add_option("--firmware", options->firmware, "Firmware of the punch, run under QEMU");
   rehearse->callback(
       [&action, options] { action = [options] { return app::rehearse(*options); }; });
 }
@@ -177,8 +177,7 @@ void addRehearse(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addDeviceCommands(CLI::App& program, Action& action) {
-  auto* noun =
-      program.add_subcommand("device", "Haptic devices: what is there, and whether it works");
+  auto* noun = program.add_subcommand("device", "List, check and emulate haptic devices");
   noun->require_subcommand(1);
   auto options = std::make_shared<DeviceArguments>();
   const auto addFile = [&](CLI::App* verb) {
@@ -187,18 +186,19 @@ void addDeviceCommands(CLI::App& program, Action& action) {
     file->each([options](const std::string&) { options->isFileNamed = true; });
   };
 
-  auto* listing = noun->add_subcommand("list", "Serial ports, and the devices of a device file");
+  auto* listing =
+      noun->add_subcommand("list", "List serial ports, and the devices of a device file");
   addFile(listing);
   listing->callback([&action, options] { action = [options] { return app::list(*options); }; });
 
   auto* checking = noun->add_subcommand(
-      "check", "Listen to every device: PASS, WARN or FAIL, what was measured, and the mend");
+      "check", "Check every device: PASS, WARN or FAIL, what was measured, and a fix");
   addFile(checking);
-  checking->add_option("--protocol", options->protocol, "Also against what this protocol needs");
-  checking->add_option("--seconds", options->seconds, "How long to listen to each")
+  checking->add_option("--protocol", options->protocol, "Also check what this protocol needs");
+  checking->add_option("--seconds", options->seconds, "Time for each device")
       ->check(CLI::Range(0.5, 600.0))
       ->capture_default_str();
-  checking->add_flag("--json", options->json, "For programs");
+  checking->add_flag("--json", options->json, "JSON");
   checking->callback([&action, options] { action = [options] { return app::check(*options); }; });
 
   addEmulate(*noun, action);

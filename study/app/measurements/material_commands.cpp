@@ -164,7 +164,7 @@ void addFit(CLI::App& noun, Action& action) {
   verb->add_option("--out", command->out, "The material file to write; nothing is overwritten");
   verb->add_option("--report", command->report, "A folder for tables, figures and a page");
   verb->add_option("--name", command->name, "Of the material")->capture_default_str();
-  verb->add_option("--title", command->title, "For people")->capture_default_str();
+  verb->add_option("--title", command->title, "Title shown in reports")->capture_default_str();
   verb->callback(
       [&action, command, verb] { action = [command, verb] { return app::fit(*command, *verb); }; });
 }
@@ -267,7 +267,7 @@ void addSynthesise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addMaterialCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("material", "Measured reaming to bone that can be felt");
+  auto* noun = program.add_subcommand("material", "Fit reaming materials to measured series");
   noun->require_subcommand(1);
   addFit(*noun, action);
   addCompare(*noun, action);

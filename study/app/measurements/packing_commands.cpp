@@ -130,33 +130,34 @@ int buildPacking(BuildCommand& command) {
 
 void addBuildPacking(CLI::App& noun, Action& action) {
   auto command = std::make_shared<BuildCommand>();
-  auto* verb = noun.add_subcommand("build", "A closed mesh, or a cup of our own, to spheres");
+  auto* verb = noun.add_subcommand("build", "Fill a closed mesh, or a built-in cup, with spheres");
   verb->add_option(
-      "MESH", command->mesh, "STL, OBJ or PLY, +z into the cup; left out: our own cup");
+      "MESH", command->mesh, "STL, OBJ or PLY, +z into the cup (default: the built-in cup)");
   verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
-  verb->add_option("--unit", command->unit, "Of the mesh; left out: by its size")
+  verb->add_option("--unit", command->unit, "Unit of the mesh (default: judged by its size)")
       ->check(CLI::IsMember({"m", "mm"}));
-  auto* count = verb->add_option("--count", command->options.count, "So many spheres (201532)");
+  auto* count = verb->add_option("--count", command->options.count, "Number of spheres (201532)");
   auto* coverage =
-      verb->add_option("--coverage", command->options.coverage, "This share of the body")
+      verb->add_option("--coverage", command->options.coverage, "Share of the volume to fill")
           ->check(finiteRange(0.01, 0.8));
   auto* smallest =
-      verb->add_option("--smallest-radius", command->smallest, "None smaller than this [mm]")
+      verb->add_option("--smallest-radius", command->smallest, "Radius of the smallest sphere [mm]")
           ->check(finiteRange(0.001, 50.0));
   count->excludes(coverage)->excludes(smallest);
   coverage->excludes(smallest);
-  verb->add_option("--largest-radius", command->largest, "None larger than this [mm]")
+  verb->add_option("--largest-radius", command->largest, "Radius of the largest sphere [mm]")
       ->check(finiteRange(0.001, 50.0));
-  verb->add_option("--reamer-radius", command->reamerRadius, "That will ream it [mm]")
+  verb->add_option("--reamer-radius", command->reamerRadius, "Radius of the reamer [mm]")
       ->check(finiteRange(1.0, 100.0))
       ->capture_default_str();
-  verb->add_option("--seed", command->options.seed, "The same seed, the same spheres")
+  verb->add_option("--seed", command->options.seed, "Seed; the same seed gives the same spheres")
       ->capture_default_str();
-  verb->add_option("--threads", command->options.threads, "However many, the same spheres")
+  verb->add_option(
+          "--threads", command->options.threads, "Threads; the spheres do not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  verb->add_option("--name", command->name, "Of the bone")->capture_default_str();
-  verb->add_option("--title", command->title, "For people")->capture_default_str();
+  verb->add_option("--name", command->name, "Name of the bone")->capture_default_str();
+  verb->add_option("--title", command->title, "Title shown in reports")->capture_default_str();
   verb->callback(
       [&action, command] { action = [command] { return app::buildPacking(*command); }; });
 }
@@ -269,12 +270,13 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
 
 void addFitDensities(CLI::App& noun, Action& action) {
   auto command = std::make_shared<DensityCommand>();
-  auto* verb = noun.add_subcommand("fit", "Densities that make spheres feel like a material");
-  verb->add_option("PACKING", command->packing, "As 'palpate packing build' made it")->required();
+  auto* verb = noun.add_subcommand("fit", "Fit densities of a packing to a material");
+  verb->add_option("PACKING", command->packing, "A packing from 'palpate packing build'")
+      ->required();
   addMaterialOptions(*verb, command->material);
   verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
   verb->add_option("--report", command->report, "A folder for tables, figures and a page");
-  verb->add_option("--depths", command->depths, "Places of the curve that are to be met")
+  verb->add_option("--depths", command->depths, "Number of depths at which the curve is fitted")
       ->check(CLI::Range(20, 2000))
       ->capture_default_str();
   verb->add_option("--method", command->method, "exact, or swarm: the reaming paper's way")
@@ -299,7 +301,8 @@ void addFitDensities(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addPackingCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("packing", "Bone as spheres that can be reamed away");
+  auto* noun =
+      program.add_subcommand("packing", "Sphere packings of bone for reaming with removal");
   noun->require_subcommand(1);
   addBuildPacking(*noun, action);
   addFitDensities(*noun, action);

@@ -13,7 +13,7 @@ namespace reaming = haptics::reaming;
 
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice) {
   verb.add_option("--material", choice.file, "A material file, or parametric")->required();
-  verb.add_option("--test-set", choice.set, "Which of the material's")
+  verb.add_option("--test-set", choice.set, "Test set of the material")
       ->check(CLI::IsMember({"static", "dynamic-1", "dynamic-2"}))
       ->capture_default_str();
 }

@@ -220,7 +220,7 @@ void addImport(CLI::App& noun, Action& action) {
   auto* cuts = import->add_option(
       "--cut",
       command->options.closures,
-      "Which cut, numbered from 1; several become their mean (default: the most typical one)");
+      "Cut to import, numbered from 1; several are averaged (default: the most typical one)");
   import->add_option("--rows", command->rows, "Rows FIRST:LAST instead, numbered from 1")
       ->excludes(cuts);
   addReading(*import, command->reading);
@@ -228,11 +228,11 @@ void addImport(CLI::App& noun, Action& action) {
       ->add_option(
           "--max-slope",
           command->options.maxSlope,
-          "The curve is made gentler where it is steeper [N per travel unit]")
+          "Largest slope of the curve; steeper parts are limited [N per travel unit]")
       ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
-  import->add_option("--name", command->options.name, "Of the cut (default: the file's name)");
-  import->add_flag("--json", command->json, "For programs, full precision");
+  import->add_option("--name", command->options.name, "Name of the cut (default: the file's name)");
+  import->add_flag("--json", command->json, "JSON, full precision");
   import->callback([&action, command] { action = [command] { return app::import(*command);
 };
 }  // namespace
@@ -242,7 +242,7 @@ void addImport(CLI::App& noun, Action& action) {
 void addNoise(CLI::App& noun, Action& action) {
   auto command = std::make_shared<NoiseCommand>();
   auto* noise = noun.add_subcommand(
-      "noise", "How force and stiffness vary in recorded cuts: the process noise of a filter");
+      "noise", "Estimate a filter's process noise from the variation of recorded cuts");
   noise->add_option("FILE", command->file, "A recording as text, five columns")->required();
   noise
       ->add_option(
@@ -254,18 +254,18 @@ void addNoise(CLI::App& noun, Action& action) {
       ->add_option(
           "--least-step",
           command->leastStep,
-          "Rows that moved on by less are left out [travel units]; 0 as in the paper's eq. (22)")
+          "Leave out rows that moved by less [travel units]; 0: as in the paper's eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
   addReading(*noise, command->reading);
-  noise->add_flag("--json", command->json, "As the 'noise' of a protocol, full precision");
+  noise->add_flag("--json", command->json, "JSON for the 'noise' of a protocol, full precision");
   noise->callback([&action, command] { action = [command] { return app::noise(*command); }; });
 }
 
 }  // namespace
 
 void addRecordingCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("recording", "Measured cuts to something that can be felt");
+  auto* noun = program.add_subcommand("recording", "Import measured cuts for rendering");
   noun->require_subcommand(1);
   addImport(*noun, action);
   addNoise(*noun, action);

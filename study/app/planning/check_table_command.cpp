@@ -66,25 +66,26 @@ int checkTable(const CheckTableOptions& options) {
 void addCheckTableCommand(CLI::App& stats, Action& action) {
   auto options = std::make_shared<CheckTableOptions>();
   auto* command = stats.add_subcommand(
-      "check-table", "Does a published table follow from its own means, variances and sizes?");
+      "check-table",
+      "Check whether a published table follows from its own means, variances and sizes");
   command
       ->add_option(
           "GROUPS", options->groups, "A CSV file: group, n (may be missing), mean, variance or sd")
       ->required();
   command->add_option("COMPARISONS", options->comparisons, "A CSV file: group1, group2, p")
       ->required();
-  command->add_option("--sizes", options->sizes, "Sizes of the groups to try: FEWEST MOST")
+  command->add_option("--sizes", options->sizes, "Group sizes to try: SMALLEST LARGEST")
       ->expected(2)
       ->check(CLI::Range(2, 1000));
   auto* scale =
-      command->add_option("--scale", options->scale, "What people answered on: LOWEST HIGHEST")
+      command->add_option("--scale", options->scale, "Range of the answer scale: LOWEST HIGHEST")
           ->expected(2)
           ->check(CLI::Range(-1000, 1000));
-  command->add_option("--parts", options->parts, "Answers come in steps of 1/PARTS of a point")
+  command->add_option("--parts", options->parts, "Answers have steps of 1/PARTS of a point")
       ->check(CLI::Range(1, 20))
       ->needs(scale)
       ->capture_default_str();
-  command->add_flag("--json", options->json, "For programs, full precision");
+  command->add_flag("--json", options->json, "JSON, full precision");
   command->callback([&action, options] { action = [options] { return checkTable(*options); }; });
 }
 

@@ -55,17 +55,24 @@ void addAssumptions(CLI::App& command, PlanOptions& options) {
       .add_option(
           "--shares",
           options.shares,
-          "Of an answer's variance: participant, their taste for a condition, chance (.3 .2 .5)")
+          "Variance components of an answer: participant, participant × condition, residual (.3 .2 "
+          ".5)")
       ->expected(3)
       ->check(finiteRange(0.0, 1.0));
-  command.add_option("--studies", question.studies, "To be simulated; 0 for none")
+  command.add_option("--studies", question.studies, "Studies to simulate; 0 for none")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
-  command.add_option("--seed", question.seed, "Of the simulation")->capture_default_str();
-  command.add_option("--seconds-per-item", question.pace.perItem, "For a statement or a choice")
+  command.add_option("--seed", question.seed, "Seed of the simulation")->capture_default_str();
+  command
+      .add_option(
+          "--seconds-per-item", question.pace.perItem, "Seconds for a statement or a choice")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
-  command.add_option("--seconds-per-cut", question.pace.perCut, "On the device or the real tool")
+  command
+      .add_option(
+          "--seconds-per-cut",
+          question.pace.perCut,
+          "Seconds for a cut on the device or the real tool")
       ->check(finiteRange(0.1, 3600.0))
       ->capture_default_str();
 }
@@ -76,25 +83,29 @@ void addPlanCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<PlanOptions>();
   auto& question = options->question;
   auto* command = program.add_subcommand(
-      "plan", "Before anybody comes: how many participants, what they can show, how long it takes");
+      "plan", "Plan a study: sample size, power, detectable effects, duration");
   command->add_option("PROTOCOL", options->file, "A protocol file, or one of the library by name")
       ->required();
   auto* participants = command->add_option(
-      "--participants", options->participants, "Of every cohort; otherwise what is planned");
+      "--participants", options->participants, "Participants of each cohort (default: as planned)");
   participants->check(CLI::Range(1, 1000));
   command
       ->add_option(
-          "--effect", question.dz, "d_z to be found: mean difference / its deviation among people")
+          "--effect",
+          question.dz,
+          "Effect to detect, d_z: mean difference / its standard deviation across participants")
       ->check(finiteRange(0.01, 100.0))
       ->capture_default_str();
   auto* alpha = command->add_option(
-      "--alpha", options->alpha, "Of a family; otherwise what the protocol declares");
+      "--alpha",
+      options->alpha,
+      "Significance level of a family (default: as declared in the protocol)");
   alpha->check(finiteRange(1e-6, 0.5));
-  command->add_option("--power", question.power, "To be reached")
+  command->add_option("--power", question.power, "Power to reach")
       ->check(finiteRange(0.5, 0.9999))
       ->capture_default_str();
   addAssumptions(*command, *options);
-  command->add_flag("--json", options->json, "For programs, full precision");
+  command->add_flag("--json", options->json, "JSON, full precision");
   command->callback([&action, options, participants, alpha] {
     if (participants->count() > 0) options->question.participants = options->participants;
     if (alpha->count() > 0) options->question.alpha = options->alpha;

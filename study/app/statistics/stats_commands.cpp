@@ -60,7 +60,8 @@ int run(const RunOptions& options) {
 }  // namespace
 
 void addStatsCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("stats", "Tables of a study; tests of any table");
+  auto* noun =
+      program.add_subcommand("stats", "Statistics of a study; statistical tests of any table");
   noun->require_subcommand(1);
 
   auto running = std::make_shared<RunOptions>();
@@ -75,7 +76,7 @@ void addStatsCommands(CLI::App& program, Action& action) {
       ->capture_default_str();
   addRunModeOption(*run, running->runMode);
   addReasonOption(*run, running->reason);
-  auto* json = run->add_flag("--json", running->json, "For programs, full precision");
+  auto* json = run->add_flag("--json", running->json, "JSON, full precision");
   run->add_flag(
          "--watch",
          running->isWatched,

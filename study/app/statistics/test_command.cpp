@@ -152,7 +152,7 @@ int runTest(const TestOptions& options) {
 
 void addTestCommand(CLI::App& stats, Action& action) {
   auto options = std::make_shared<TestOptions>();
-  auto* command = stats.add_subcommand("test", "A test of any table of your own");
+  auto* command = stats.add_subcommand("test", "Run a statistical test on a table of your own");
   auto* list = command->add_flag(
       "--list", options->isList, "All tests, the columns that each needs, and what it answers");
   auto* name = command->add_option("TEST", options->test, "One of --list, for instance welch");
@@ -176,7 +176,7 @@ void addTestCommand(CLI::App& stats, Action& action) {
   command->add_option("--level", options->settings.level, "Of the confidence interval")
       ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "For programs, full precision");
+  command->add_flag("--json", options->json, "JSON, full precision");
   command->callback([&action, options] {
     if (!options->isList && options->test.empty()) throw CLI::RequiredError("TEST");
     if (!options->isList && options->file.empty()) throw CLI::RequiredError("FILE");
