@@ -9,7 +9,9 @@ namespace base {
 namespace {
 
 bool isPseudoLanguage() {
-  static const bool isOn = std::getenv("PALPATE_PSEUDO_LANGUAGE") != nullptr;
+  // Read once; the program never sets its environment.
+  static const bool isOn =
+      std::getenv("PALPATE_PSEUDO_LANGUAGE") != nullptr;  // NOLINT(concurrency-mt-unsafe)
   return isOn;
 }
 
@@ -48,9 +50,11 @@ std::string filled(std::string_view pattern, const std::vector<Argument>& argume
 
 std::string filled(std::string_view pattern, const NamedArguments& arguments) {
   fmt::dynamic_format_arg_store<fmt::format_context> store;
-  for (const auto& [name, argument] : arguments) {
-    std::visit(
-        [&](const auto& value) { store.push_back(fmt::arg(name.c_str(), value)); }, argument);
+  for (const auto& named : arguments) {
+    const auto add = [&](const auto& value) {
+      store.push_back(fmt::arg(named.first.c_str(), value));
+    };
+    std::visit(add, named.second);
   }
   return fmt::vformat(shown(pattern), store);
 }

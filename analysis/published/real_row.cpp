@@ -112,7 +112,9 @@ class RowSearch {
 
   /// Adds one comparison after the other, each in either direction.
   std::optional<std::vector<double>> meansAt(
-      const std::vector<std::size_t>& at, std::size_t next, std::vector<Bound> bounds) const {
+      const std::vector<std::size_t>& at,
+      std::size_t next,
+      const std::vector<Bound>& bounds) const {
     auto numbers = solved(bounds, table_.groups.size() + 1);
     if (!numbers || next == table_.comparisons.size()) return numbers;
     const auto& comparison = table_.comparisons[next];
@@ -124,7 +126,7 @@ class RowSearch {
       auto more = bounds;
       more.push_back({.from = below, .to = above, .most = range.high});
       more.push_back({.from = above, .to = below, .most = -range.low});
-      if (auto means = meansAt(at, next + 1, std::move(more))) return means;
+      if (auto means = meansAt(at, next + 1, more)) return means;
     }
     return std::nullopt;
   }

@@ -31,7 +31,7 @@ void addExact(MannWhitneyResult& result, const TiedGroups& groups, Wide doubledU
 
 void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Placements& places) {
   const auto pairs = static_cast<Wide>(groups.n1) * static_cast<Wide>(groups.n2);
-  const auto all = static_cast<Wide>(groups.n1 + groups.n2);
+  const auto all = static_cast<Wide>(groups.n1) + static_cast<Wide>(groups.n2);
   const Wide untied = all * all * all - all - places.tieSum;
   const DoubleDouble variance =
       exactQuotient(untied, 12 * all * (all - 1)) * exactQuotient(pairs, 1);
