@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/engine/force_engine.h"
+#include "haptics/engine/sample_ring.h"
 
 namespace study {
 namespace {
