@@ -32,7 +32,7 @@ Spec sceneOf(const Protocol& protocol, std::string_view condition) {
   return std::get<Spec>(protocol.condition(condition)->model.value());
 }
 
-TEST(ProtocolKeys, TellWhatTheStudyIs) {
+TEST(ProtocolKeys, DescribeTheStudy) {
   const auto protocol = readGood("every-key");
   EXPECT_EQ(protocol.study.id, "everything");
   EXPECT_EQ(protocol.study.title, "Every key there is");
@@ -46,7 +46,7 @@ TEST(ProtocolKeys, TellWhatTheStudyIs) {
   EXPECT_EQ(protocol.instrumentFiles, std::vector<std::string>{"instruments/comfort.json"});
 }
 
-TEST(ProtocolKeys, TellWhoTakesPartOnWhat) {
+TEST(ProtocolKeys, DescribeCohortsAndDevices) {
   const auto protocol = readGood("every-key");
   EXPECT_EQ(protocol.cohort("surgeons")->title.in("de"), "Chirurginnen und Chirurgen");
   EXPECT_EQ(protocol.cohort("surgeons")->planned, 12);
@@ -59,7 +59,7 @@ TEST(ProtocolKeys, TellWhoTakesPartOnWhat) {
   EXPECT_EQ(protocol.labels.prefix.in("de"), "Variante");
 }
 
-TEST(ProtocolKeys, TellWhatIsFelt) {
+TEST(ProtocolKeys, DescribeTheScenes) {
   const auto protocol = readGood("every-key");
   const auto* recorded = protocol.condition("recorded");
   EXPECT_EQ(recorded->title, "Recorded");
@@ -92,7 +92,7 @@ TEST(ProtocolKeys, TellWhatIsFelt) {
   EXPECT_FALSE(protocol.condition("elastic")->anatomy.has_value());
 }
 
-TEST(ProtocolKeys, TellHowForcesAreFused) {
+TEST(ProtocolKeys, DescribeTheKalmanFilter) {
   const auto protocol = readGood("every-key");
   const auto fused = sceneOf<engine::KalmanSpec>(protocol, "fused");
   EXPECT_EQ(fused.interpolation.options.beyond, models::BeyondCurve::Zero);
@@ -109,7 +109,7 @@ TEST(ProtocolKeys, TellHowForcesAreFused) {
   EXPECT_EQ(fused.noise.interpolation, 0.3);
 }
 
-TEST(ProtocolKeys, TellWhatBoneIsLike) {
+TEST(ProtocolKeys, DescribeTheMaterial) {
   const auto bone = sceneOf<engine::MaterialSpec>(readGood("every-key"), "bone");
   EXPECT_EQ(bone.hardness, 0.25);
   EXPECT_EQ(bone.forceScale, 0.5);
@@ -119,7 +119,7 @@ TEST(ProtocolKeys, TellWhatBoneIsLike) {
   EXPECT_EQ(bone.nodes[1].upper, 330.0);
 }
 
-TEST(ProtocolKeys, TellWhatHappensInASession) {
+TEST(ProtocolKeys, DescribeThePhasesOfASession) {
   const auto protocol = readGood("every-key");
   std::vector<PhaseType> types;
   for (const auto& phase : protocol.phases) types.push_back(phase.type);
@@ -145,7 +145,7 @@ TEST(ProtocolKeys, TellWhatHappensInASession) {
   EXPECT_EQ(protocol.phase("rest")->seconds, 90.5);
 }
 
-TEST(ProtocolKeys, TellHowABlockIsRun) {
+TEST(ProtocolKeys, DescribeABlock) {
   const auto protocol = readGood("every-key");
   const auto& first = protocol.phase("first")->trials;
   EXPECT_EQ(first.conditions, (std::vector<std::string>{"recorded", "elastic", "fused"}));
@@ -162,7 +162,7 @@ TEST(ProtocolKeys, TellHowABlockIsRun) {
   EXPECT_EQ(second.order.of, "first");
 }
 
-TEST(ProtocolKeys, TellWhatIsComparedAndWhatIsPretended) {
+TEST(ProtocolKeys, DescribeTheAnalysisPlanAndTheSimulation) {
   const auto protocol = readGood("every-key");
   const auto& family = protocol.analysis.families.at(0);
   EXPECT_EQ(family.id, "methods");
@@ -196,7 +196,7 @@ TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
   EXPECT_EQ(readGood("largest-seed").seed, std::uint64_t{1} << 53);
 }
 
-TEST(ProtocolKeys, LeaveModelsAsAreSound) {
+TEST(ProtocolKeys, HaveSoundDefaultsForModels) {
   const auto interpolation = readGood("usual-interpolation");
   const auto soft = sceneOf<engine::InterpolationSpec>(interpolation, "soft");
   const auto parametric = haptics::recordings::parametricCut().curve.nodes().size();

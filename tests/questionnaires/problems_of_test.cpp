@@ -119,7 +119,7 @@ TEST(ProblemsOf, AnInstrumentWarnOfScoresOverDifferentRanges) {
   EXPECT_NE(said(instrument).find("warning $.scores[0].items: these items"), std::string::npos);
 }
 
-TEST(ProblemsOf, ASharedScaleAreToldOnce) {
+TEST(ProblemsOf, ASharedScaleAreReportedOnce) {
   auto instrument = sound();
   instrument.scale = Scale{.points = 3, .pointLabels = {english("a"), english("b")}};
   instrument.items[0].scale = *instrument.scale;

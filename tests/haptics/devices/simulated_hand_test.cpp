@@ -37,7 +37,7 @@ TEST(SimulatedHand, ClosesAlongAMinimumJerkPath) {
   EXPECT_NEAR(meant[1198], 0.0, 1e-4);                 // open again
 }
 
-TEST(SimulatedHand, RepeatsItselfExactlyWithoutVariation) {
+TEST(SimulatedHand, RepeatsEveryCycleExactlyWithoutVariation) {
   SimulatedHand hand(kCalm);
   const auto meant = meantBy(hand, kCalm.stiffness, 2400);
   for (std::size_t i = 0; i < 1200; ++i) EXPECT_NEAR(meant[i], meant[i + 1200], 1e-9);

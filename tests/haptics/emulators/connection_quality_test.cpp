@@ -52,7 +52,7 @@ void miss(ConnectionQuality& quality, int times) {
   for (int i = 0; i < times; ++i) quality.missed();
 }
 
-TEST(ConnectionQuality, StartsPoorAndHasToShowItself) {
+TEST(ConnectionQuality, StartsPoorUntilAnswersArrive) {
   ConnectionQuality quality;
   EXPECT_EQ(quality.level(), Level::Poor);
   answer(quality, 69);

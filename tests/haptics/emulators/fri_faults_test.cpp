@@ -181,7 +181,7 @@ TEST_F(FriFaults, PoorQualityEndsTheMotionUntilLifted) {
   EXPECT_TRUE(session_.goTo(State::MonitoringReady));
 }
 
-TEST_F(FriFaults, SafetyStopIsToldAndEndsTheMotion) {
+TEST_F(FriFaults, SafetyStopIsReportedAndEndsTheMotion) {
   session_.client.wrench = wire::fri::Vector6{0.0, 0.0, -10.0, 0.0, 0.0, 0.0};
   session_.go(5);
   session_.order("safety-stop");
@@ -250,7 +250,7 @@ TEST_F(FriFaults, OfAnswersAreCounted) {
   EXPECT_EQ(session_.report().answers.restarts, 1U);
 }
 
-TEST_F(FriFaults, OfStrangersAreCounted) {
+TEST_F(FriFaults, FromOtherSendersAreCounted) {
   devices::DatagramSocket stranger(devices::Endpoint{});
   const std::array<std::uint8_t, 3> bytes{1, 2, 3};
   stranger.send(bytes, session_.controller->local());
@@ -283,7 +283,7 @@ TEST_F(FriFaults, OrdersThatAreNotUnderstoodAreExplained) {
   EXPECT_TRUE(session_.controller->command("  drop\t1 ").isTaken);
 }
 
-TEST_F(FriFaults, StatusTellsEverythingInALine) {
+TEST_F(FriFaults, StatusReportsEverythingInOneLine) {
   const auto reply = session_.controller->command("status");
   EXPECT_TRUE(reply.isTaken);
   for (const std::string_view part :

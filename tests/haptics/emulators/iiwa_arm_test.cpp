@@ -48,7 +48,7 @@ void run(IiwaArm& arm, double seconds, double dt = kDt) {
   for (long i = 0; i < steps; ++i) ASSERT_TRUE(arm.step(dt));
 }
 
-TEST(IiwaArm, StaysAtRestWhenNobodyPushes) {
+TEST(IiwaArm, StaysAtRestWithoutAPush) {
   IiwaArm arm = anArm();
   run(arm, 1.0);
   EXPECT_EQ(arm.position(), overTheTable());

@@ -118,7 +118,7 @@ double largestDifference(const std::vector<double>& a, const std::vector<double>
   return largest;
 }
 
-TEST(SurgeonHand, MovesAnArmTheSameWhateverTheStep) {
+TEST(SurgeonHand, MovesAnArmTheSameWithAnyStep) {
   const std::vector<double> path = pathOfAPerson(0.001);
   EXPECT_GT(*std::max_element(path.begin(), path.end()), 0.018);
   EXPECT_LT(largestDifference(path, pathOfAPerson(0.0005)), 1e-12);  // steps of its own are equal

@@ -34,7 +34,7 @@ TEST(CompiledScene, HoldsNoFiniteElementsForInterpolationAlone) {
   EXPECT_FALSE(isIn(scene, "Kalman filter"));
 }
 
-TEST(CompiledScene, HoldsAMeshOnlyWhereSomebodyLooks) {
+TEST(CompiledScene, HoldsAMeshOnlyWhereItIsVisualised) {
   EXPECT_EQ(CompiledScene({.model = kCut}).mesh(), nullptr);
   const CompiledScene seen({.model = kCut, .isVisualised = true});
   ASSERT_NE(seen.mesh(), nullptr);
@@ -90,7 +90,7 @@ TEST(CompiledScene, SaysWhyForEveryPass) {
   }
 }
 
-TEST(CompiledScene, RefusesWhatIsUnsoundInWords) {
+TEST(CompiledScene, NamesTheReasonWhenItRefusesAnUnsoundSpec) {
   EXPECT_THROW(CompiledScene({.model = InterpolationSpec{}}), std::invalid_argument);
   EXPECT_THROW(CompiledScene({.model = bone(1.5)}), std::invalid_argument);
 }
@@ -107,7 +107,7 @@ TEST(SceneSpec, KnowsWhereItsDataEnd) {
   EXPECT_FALSE(endOfData(FiniteElementsSpec{}).has_value());
 }
 
-TEST(CompiledScene, KnowsItsStiffestSlope) {
+TEST(CompiledScene, ReportsItsSteepestSlope) {
   EXPECT_DOUBLE_EQ(CompiledScene({.model = FiniteElementsSpec{}}).largestStiffness(), 12.0 / 7.0);
   const InterpolationSpec steep{
       .curve = {{0.0, 0.0}, {1.0, 4.0}, {2.0, 3.0}}, .options = {.rampLength = 3.0}};

@@ -48,7 +48,7 @@ TEST(EnergyObserver, AgreesWithEquation25OnHowMuchDampingThatTakes) {
   }
 }
 
-TEST(EnergyObserver, CountsEachContactByItself) {
+TEST(EnergyObserver, CountsEnergyForEachContactSeparately) {
   EnergyObserver observer({});
   for (int i = 0; i < 100; ++i) observer.observe(2.0, 0.1, 100.0, kDt);  // takes 20
   EXPECT_NEAR(observer.energy(), 20.0, 1e-9);

@@ -60,7 +60,7 @@ TEST_F(ForceEngineTest, LetsTheHandFeelTheScene) {
   EXPECT_EQ(device_.commanded, feelAt(5.0));
 }
 
-TEST_F(ForceEngineTest, PushesNobodyWithoutAScene) {
+TEST_F(ForceEngineTest, GivesNoForceWithoutAScene) {
   EXPECT_EQ(feelAt(5.0), 0.0);
   EXPECT_TRUE((engine_.tick(kDt).marks & TickSample::Bare) != 0);
 }
@@ -126,7 +126,7 @@ TEST_F(ForceEngineTest, StartsSoftlyInAnotherScene) {
   EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);
 }
 
-TEST_F(ForceEngineTest, FadesWhileNobodyHoldsTheSwitch) {
+TEST_F(ForceEngineTest, FadesWhileTheSwitchIsReleased) {
   engine_.setScene(&scene_);
   feelAt(6.0);
   device_.sample.isHeld = false;
@@ -300,7 +300,7 @@ TEST_F(ForceEngineTest, FeelsAgainAfterALeapThatNoHandMakes) {
   }
 }
 
-TEST_F(ForceEngineTest, AllocatesNothingInATickWhateverTheScene) {
+TEST_F(ForceEngineTest, AllocatesNothingInATickOfAnyScene) {
   CompiledScene interpolation({.model = InterpolationSpec{.curve = {{3.0, 0.0}, {7.0, 4.0}}}});
   KalmanSpec both;
   both.interpolation.curve = {{3.0, 0.0}, {7.0, 4.0}, {9.0, 2.0}};
@@ -317,7 +317,7 @@ TEST_F(ForceEngineTest, AllocatesNothingInATickWhateverTheScene) {
   }
 }
 
-TEST_F(ForceEngineTest, CountsEachCutOnceAndAnewForEachScene) {
+TEST_F(ForceEngineTest, CountsEachCutOnceAndFromZeroForEachScene) {
   const auto closeAndOpen = [&] {
     for (int i = 0; i <= 200; ++i) {
       device_.sample.travel = 10.0 * std::sin(3.14159265358979 * i / 200);

@@ -31,7 +31,7 @@ TEST(PackingModel, FeelsLikeTheMaterialAndHeals) {
   EXPECT_FALSE(model.respond({.travel = std::nan("")}).isDefined);
 }
 
-TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
+TEST(RemovalModel, RendersTheMaterialOnceAndReportsRemovedSpheresToTheView) {
   RemovalModel model(spec(true), true);
   const auto curve = reaming::curveOf(parametricCurves(), 0.5);
   while (!model.respond({.travel = 0.0}).isDefined) {
@@ -58,7 +58,7 @@ TEST(RemovalModel, FeelsLikeTheMaterialOnceAndTellsTheEyeWhatIsGone) {
   EXPECT_TRUE(isToldAnew);
 }
 
-TEST(CompiledScene, NamesWhatChangesInABoneOnlyWhereSomebodyLooks) {
+TEST(CompiledScene, ReportsChangesOfABoneOnlyWhereItIsVisualised) {
   SceneSpec scene{.model = spec(true)};
   EXPECT_EQ(CompiledScene(scene).bone(), nullptr);
   scene.isVisualised = true;
@@ -67,7 +67,7 @@ TEST(CompiledScene, NamesWhatChangesInABoneOnlyWhereSomebodyLooks) {
   EXPECT_EQ(CompiledScene(scene).bone(), nullptr);  // nothing in it changes
 }
 
-TEST(RemovalModel, TellsTheEyeWhereTheBoneHoldsTheReamer) {
+TEST(RemovalModel, ReportsTheDepthOfTheReamerToTheView) {
   RemovalModel model(spec(true), true);
   while (!model.respond({.travel = -0.001}).isDefined) {
   }

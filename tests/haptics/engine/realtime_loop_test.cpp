@@ -52,7 +52,7 @@ TEST(RealtimeLoop, DoesNotChaseLostTime) {
   EXPECT_GE(nextGap, 0.0015);  // two periods between three ticks, not none
 }
 
-TEST(RealtimeLoop, CountsBeatsThatItLostItselfAsItsOwn) {
+TEST(RealtimeLoop, CountsPeriodsThatItMissedItselfAsItsOwn) {
   // A tick of 20 ms at 1 kHz is nobody else's fault.
   int calls = 0;
   std::atomic<bool> isDone{false};
@@ -112,7 +112,7 @@ TEST(RealtimeLoop, GoesAtThePaceOfADeviceThatSetsIt) {
   EXPECT_LE(loop.finish().seconds, 2.0);
 }
 
-TEST(RealtimeLoop, TicksOnWhereTheDeviceFallsSilentSoThatSomebodyNotices) {
+TEST(RealtimeLoop, TicksOnWhenTheDeviceStopsSoThatTheFaultIsNoticed) {
   ThreadPacer silent;
   std::atomic<int> late{0};
   RealtimeLoop loop({.rate = 200.0, .pacer = &silent}, [&](double dt, double lateness) {

@@ -156,7 +156,7 @@ TEST_F(PunchProgramFaultsTest, CountsFramesThatAreDamaged) {
   EXPECT_EQ(state().badFrames, 0);
 }
 
-TEST_F(PunchProgramFaultsTest, DoesNotListenToAFloodForEver) {
+TEST_F(PunchProgramFaultsTest, LimitsTheBytesThatItReadsInALoop) {
   greetAndArm();
   while (bench_.toBoard.size() < 5000) send(SetForce{.voltage = 1200, .expiry = 20});
   std::size_t left = bench_.toBoard.size();

@@ -24,7 +24,7 @@ TEST_F(PunchProgramTest, AnswersNothingBeforeHello) {
   EXPECT_FALSE(program_->isArmed());
 }
 
-TEST_F(PunchProgramTest, SaysWhoItIsAndThenWhereItIs) {
+TEST_F(PunchProgramTest, SendsItsIdentityAndThenItsPosition) {
   bench_.position = 123;
   greet();
   ASSERT_EQ(said_.hellos.size(), 1U);
@@ -41,7 +41,7 @@ TEST_F(PunchProgramTest, SaysWhoItIsAndThenWhereItIs) {
   EXPECT_TRUE(has(kNotArmed));
 }
 
-TEST_F(PunchProgramTest, HasNothingToDoWithAHostOfAnotherVersion) {
+TEST_F(PunchProgramTest, RefusesAHostOfAnotherVersion) {
   send(Hello{.protocolVersion = kProtocolVersion + 1});
   send(Arm{.isArmed = true, .expiry = 20});
   send(SetForce{.voltage = 5000, .expiry = 20});
@@ -134,7 +134,7 @@ TEST_F(PunchProgramTest, KeepsNoForceLongerThanItWasArmedFor) {
   EXPECT_EQ(step(), 4800);
 }
 
-TEST_F(PunchProgramTest, GivesUpAHostThatFallsSilent) {
+TEST_F(PunchProgramTest, DisarmsWhenTheHostStopsSending) {
   greetAndArm();
   hold(6000, 10);
   steps(40);
@@ -146,7 +146,7 @@ TEST_F(PunchProgramTest, GivesUpAHostThatFallsSilent) {
   EXPECT_EQ(hold(6000, 10), 0);  // until it is armed again
 }
 
-TEST_F(PunchProgramTest, StaysArmedButLetsGoWhereTheHostSpeaksOfSomethingElse) {
+TEST_F(PunchProgramTest, StaysArmedWithoutForceWhenTheHostSendsOtherMessages) {
   greetAndArm();
   hold(6000, 10);
   for (int i = 0; i < 200; ++i) {

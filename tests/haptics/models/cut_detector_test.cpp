@@ -117,7 +117,7 @@ TEST(CutDetector, SaysEachPointOnceAndInOrder) {
   EXPECT_EQ(detector.completedCuts(), 2U);
 }
 
-TEST(CutDetector, KnowsWhatHasHappenedSoFar) {
+TEST(CutDetector, ReportsTheLandmarksFoundSoFar) {
   Detector detector;
   eventsOf(detector, path({{0.0, 0.0}, {4.0, 0.0}, {7.0, 4.4}, {9.0, 3.4}}));
 
@@ -183,7 +183,7 @@ TEST(CutDetector, PassesOverFrictionInTheHinge) {
   expectAt(cut.interception, 6.0, 2.4);
 }
 
-TEST(CutDetector, StartsFromWhateverBiasTheSensorHas) {
+TEST(CutDetector, StartsFromAnyBiasOfTheSensor) {
   std::vector<Sample> biased = kCut;
   for (Sample& corner : biased) corner.force += 2.66;  // N: the worst of PART_I
   const Detector::Cut cut = cutAlong(biased);
@@ -331,7 +331,7 @@ TEST(CutDetector, ForgetsEverythingButItsParameters) {
   EXPECT_EQ(detector.completedCuts(), 1U);
 }
 
-TEST(CutDetector, KnowsUnsoundParameters) {
+TEST(CutDetector, RefusesUnsoundParameters) {
   EXPECT_TRUE(Detector::isSound({}));
   EXPECT_FALSE(Detector::isSound({.closedAbove = 4.0, .openBelow = 4.0}));
   EXPECT_FALSE(Detector::isSound({.contactForce = 0.0}));
@@ -340,7 +340,7 @@ TEST(CutDetector, KnowsUnsoundParameters) {
   EXPECT_FALSE(Detector::isSound({.retreat = std::numeric_limits<double>::quiet_NaN()}));
 }
 
-TEST(CutDetector, StaysFiniteWhateverItIsFed) {
+TEST(CutDetector, StaysFiniteWithAnyInput) {
   std::mt19937 random(76);
   std::uniform_real_distribution<double> travel(-1e3, 1e3);
   std::uniform_real_distribution<double> force(-1e300, 1e300);

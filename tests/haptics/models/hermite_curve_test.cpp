@@ -53,7 +53,7 @@ TEST(HermiteCurve, HasNoForceBeforeContactAndHoldsItBeyondTheEnd) {
   EXPECT_FALSE(curve.at(std::nan(""), hint).isDefined);
 }
 
-TEST(HermiteCurve, AnswersTheSameWhateverTheHintAndTheIndex) {
+TEST(HermiteCurve, AnswersTheSameWithAnyHintAndIndex) {
   const auto pieces = piecesOfCubic();
   const std::vector<double> knots{0.0, 0.7, 1.0, 2.5, 4.0};
   const engine::BucketTable table(knots);
@@ -73,7 +73,7 @@ TEST(HermiteCurve, FillsOneCacheLineAPiece) {
   EXPECT_EQ(alignof(CubicSegment<double>), 64U);
 }
 
-TEST(HermiteCurve, KnowsUnsoundPieces) {
+TEST(HermiteCurve, RefusesUnsoundPieces) {
   auto pieces = piecesOfCubic();
   EXPECT_TRUE(Curve::isSound(pieces.data(), pieces.size()));
   EXPECT_FALSE(Curve::isSound(pieces.data(), 0));

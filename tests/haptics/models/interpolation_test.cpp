@@ -35,7 +35,7 @@ TEST(Interpolation, KnowsItsStiffness) {
   EXPECT_DOUBLE_EQ(curve.at(7.0, hint).stiffness, -0.5);
 }
 
-TEST(Interpolation, AnswersTheSameWhateverTheHint) {
+TEST(Interpolation, AnswersTheSameWithAnyHint) {
   const Curve curve(kNodes.data(), kNodes.size(), kRamp);
   for (double travel = 0.0; travel < 12.0; travel += 0.1) {
     for (std::size_t start = 0; start < 10; ++start) {

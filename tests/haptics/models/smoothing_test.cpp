@@ -25,7 +25,7 @@ TEST(MovingAverage, FeedsItselfAndLeavesThePresentOutAsTheFirmwareDoes) {
   EXPECT_DOUBLE_EQ(average.feed(9.0), 23.0 / 3.0);  // (5 + 9 + 9) / 3
 }
 
-TEST(MovingAverage, BeginsAnewAfterAReset) {
+TEST(MovingAverage, StartsAgainAfterAReset) {
   MovingAverage<double> average(Smoothing::AuthorsFirmware);
   average.feed(100.0);
   average.reset();

@@ -75,7 +75,7 @@ TEST(Closure, HasTheLandmarksOfItsCut) {
   }
 }
 
-TEST(RecordingSurvey, SaysWhatSomebodyShouldKnowBeforeACutIsTaken) {
+TEST(RecordingSurvey, WarnsOfWhatACutWouldInherit) {
   const RecordingSurvey survey = surveyOf({.scales = {1.0, 2.0}, .bias = 0.5, .ending = "1\t0."});
 
   EXPECT_EQ(survey.rows, 100U + 2U * (201U + 201U + 100U));

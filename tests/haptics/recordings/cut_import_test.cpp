@@ -117,7 +117,7 @@ TEST(CutImport, KeepsWhereItCameFrom) {
   expectMentions(provenance.statement, "of the recording 'made.txt'");
 }
 
-TEST(CutImport, IsNamedAfterItsFileUnlessToldOtherwise) {
+TEST(CutImport, IsNamedAfterItsFileByDefault) {
   EXPECT_EQ(importCut(made()).cut.name, "made");
 }
 
@@ -141,14 +141,14 @@ TEST(CutImport, PassesOverClippedAndIncompleteClosuresUnasked) {
   EXPECT_EQ(imported.report.reason, "the only complete closure without a saturated row");
 }
 
-TEST(CutImport, TellsOfARecordingWithoutAClosure) {
+TEST(CutImport, ReportsARecordingWithoutAClosure) {
   EXPECT_EQ(
       complaintAbout(made({.scales = {}})),
       "There is no closure in 'made.txt': its travel never rises above 7. Check that the recorder "
       "was told both end positions, or choose rows.");
 }
 
-TEST(CutImport, TellsOfClosuresThatAreAllClipped) {
+TEST(CutImport, ReportsClosuresThatAreAllClipped) {
   EXPECT_EQ(
       complaintAbout(made({.scales = {2.5, 3.0}})),
       "Each of the 2 complete closures of 'made.txt' has rows where the force sensor was "
@@ -156,21 +156,21 @@ TEST(CutImport, TellsOfClosuresThatAreAllClipped) {
       "number, or rows, if that will do.");
 }
 
-TEST(CutImport, TellsOfClosuresThatAreAllIncomplete) {
+TEST(CutImport, ReportsClosuresThatAreAllIncomplete) {
   EXPECT_EQ(
       complaintAbout(made({.scales = {}, .beginsClosed = true})),
       "None of the 1 closures of 'made.txt' is complete (it lies within the recording and lasts at "
       "most 4 s): choose one by its number, or rows.");
 }
 
-TEST(CutImport, TellsOfAClosureThatIsNotThere) {
+TEST(CutImport, ReportsAClosureThatIsNotThere) {
   EXPECT_EQ(
       complaintAbout(made(), {.closures = {4}}),
       "There is no closure 4 in 'made.txt': it has 3, numbered from 1.");
   expectMentions(complaintAbout(made(), {.closures = {0}}), "There is no closure 0");
 }
 
-TEST(CutImport, TellsOfRowsThatAreNotThere) {
+TEST(CutImport, ReportsRowsThatAreNotThere) {
   EXPECT_EQ(
       complaintAbout(made({.scales = {1.0}}), {.rows = RowRange{600, 603}}),
       "Rows 600 to 603 are no part of 'made.txt': it has rows 1 to 602, and the first must come "
@@ -180,7 +180,7 @@ TEST(CutImport, TellsOfRowsThatAreNotThere) {
   expectMentions(complaintAbout(made(), {.rows = RowRange{9, 5}}), "no part of");
 }
 
-TEST(CutImport, TellsOfRowsThatDoNotClose) {
+TEST(CutImport, ReportsRowsThatDoNotClose) {
   EXPECT_EQ(
       complaintAbout(made(), {.rows = RowRange{320, 480}}),
       "Rows 320 to 480 are no closing hand (their travel does not rise): choose other rows.");

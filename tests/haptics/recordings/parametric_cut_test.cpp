@@ -65,7 +65,7 @@ TEST(ParametricCut, HasALandmarkForEachPointThatADetectorFindsToo) {
   EXPECT_NEAR(found.bottomOut->travel, cut.landmarks.bottomOut->travel, 1e-9);
 }
 
-TEST(ParametricCut, SaysThatNobodyRecordedIt) {
+TEST(ParametricCut, IsMarkedAsSynthetic) {
   const Cut cut = parametricCut();
   EXPECT_TRUE(cut.isSynthetic);
   EXPECT_EQ(cut.provenance.statement, "parametric; not a recording");

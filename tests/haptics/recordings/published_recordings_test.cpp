@@ -150,7 +150,7 @@ TEST_P(PublishedRecording, HasLandmarksInTheOrderOfTheTravel) {
   }
 }
 
-TEST_P(PublishedRecording, IsImportedOrRefusedInWords) {
+TEST_P(PublishedRecording, IsImportedOrRefusedWithAReason) {
   SKIP_WITHOUT_FETCHED_DATA(path());
   const Recording recording = readRecordingFile(tests::fetchedData(path()));
   if (GetParam().interceptions == 0) {

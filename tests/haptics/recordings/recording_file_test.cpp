@@ -30,20 +30,20 @@ TEST(RecordingFile, ReadsWhatTheFileSays) {
   EXPECT_EQ(recording.source, "slow cut - Copy.txt");
 }
 
-TEST(RecordingFile, TellsOfAFileThatIsNotThere) {
+TEST(RecordingFile, ReportsAFileThatIsNotThere) {
   EXPECT_EQ(
       complaintAbout("/nowhere/cut.txt"),
       "There is no recording '/nowhere/cut.txt': check the name and the folder.");
 }
 
-TEST(RecordingFile, TellsOfAFolder) {
+TEST(RecordingFile, ReportsAFolder) {
   const tests::ScratchFolder folder;
   EXPECT_EQ(
       complaintAbout(folder.path()),
       "'" + folder.path().string() + "' is a folder: name one recording in it, a .txt file.");
 }
 
-TEST(RecordingFile, TellsOfAPipeInsteadOfWaitingForIt) {
+TEST(RecordingFile, ReportsAPipeInsteadOfWaitingForIt) {
   const tests::ScratchFolder folder;
   const std::string pipe = folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -51,7 +51,7 @@ TEST(RecordingFile, TellsOfAPipeInsteadOfWaitingForIt) {
       complaintAbout(pipe), "'" + pipe + "' is no plain file: copy the recording into one first.");
 }
 
-TEST(RecordingFile, TellsOfAFileThatIsTooLarge) {
+TEST(RecordingFile, ReportsAFileThatIsTooLarge) {
   const tests::ScratchFolder folder;
   const std::string path = folder.write("huge.txt", "");
   std::filesystem::resize_file(path, kLargestRecording + 1);  // a hole: it takes no space
@@ -62,7 +62,7 @@ TEST(RecordingFile, TellsOfAFileThatIsTooLarge) {
           "check that it is one.");
 }
 
-TEST(RecordingFile, TellsOfAFileThatMayNotBeRead) {
+TEST(RecordingFile, ReportsAFileThatMayNotBeRead) {
   const tests::ScratchFolder folder;
   const std::string path = folder.write("locked.txt", "1 2 3 4 5");
   std::filesystem::permissions(path, std::filesystem::perms::none);

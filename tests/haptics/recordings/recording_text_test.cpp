@@ -40,7 +40,7 @@ TEST(RecordingText, ReadsTheFiveColumns) {
   EXPECT_EQ(recording.refusedCount, 0U);
 }
 
-TEST(RecordingText, ReadsTheSameWhateverTheLinesEndIn) {
+TEST(RecordingText, ReadsTheSameWithAnyLineEnding) {
   const Recording plain = readRecording(tests::textOf({}));
   const Recording windows = readRecording(tests::textOf({.lineEnd = "\r\n"}));
   const Recording rtf = readRecording(tests::textOf({.lineEnd = "\r\\\n"}));
@@ -145,7 +145,7 @@ struct DecimalComma : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
 };
 
-TEST(RecordingText, ReadsADecimalPointWhateverTheLocale) {
+TEST(RecordingText, ReadsADecimalPointInAnyLocale) {
   const std::locale before =
       std::locale::global(std::locale(std::locale::classic(), new DecimalComma));
   const double grams = readRecording(kRow).rows[0].grams;
@@ -153,19 +153,19 @@ TEST(RecordingText, ReadsADecimalPointWhateverTheLocale) {
   EXPECT_EQ(grams, 99.23);
 }
 
-TEST(RecordingText, TellsOfAnEmptyFile) {
+TEST(RecordingText, ReportsAnEmptyFile) {
   EXPECT_EQ(complaintAbout(""), "'cut.txt' is empty: copy or record it again.");
   EXPECT_EQ(complaintAbout("\n\t\n}"), "'cut.txt' has only empty lines: record it again.");
 }
 
-TEST(RecordingText, TellsOfAFileThatIsNoText) {
+TEST(RecordingText, ReportsAFileThatIsNoText) {
   EXPECT_EQ(
       complaintAbout(std::string("PK\3\4\0\0", 6)),
       "'cut.txt' is no text (byte 5 is zero): choose the recorder's .txt file, saved as plain text "
       "and not as UTF-16.");
 }
 
-TEST(RecordingText, TellsOfAFileWithoutARow) {
+TEST(RecordingText, ReportsAFileWithoutARow) {
   EXPECT_EQ(
       complaintAbout("{\\rtf1\\ansi}\nwhatever\n"),
       "No line of 'cut.txt' is a row of five numbers (force reading, grams, potentiometer, travel, "
@@ -173,7 +173,7 @@ TEST(RecordingText, TellsOfAFileWithoutARow) {
       "punch.");
 }
 
-TEST(RecordingText, TellsOfAMissingPotentiometer) {
+TEST(RecordingText, ReportsAMissingPotentiometer) {
   EXPECT_EQ(
       complaintAbout("144\t99.23\t0.25\t192037.00\t\n145\t99.90\t0.51\t192040.00\t\n1\t0."),
       "'cut.txt' has four columns: the raw potentiometer (column 3) is missing. The recorder "

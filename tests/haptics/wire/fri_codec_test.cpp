@@ -162,7 +162,7 @@ TEST(FriCodec, WritesNothingBeyondTheBuffer) {
   }
 }
 
-TEST(FriCodec, WritesNoDatagramThatNobodyTakes) {
+TEST(FriCodec, WritesNoDatagramLargerThanTheLimit) {
   MonitoringMessage message = full();
   const std::string name(63, 'x');
   while (IoValue* const value = message.monitorData->inputs.add()) value->name = Name(name);

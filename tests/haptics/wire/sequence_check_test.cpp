@@ -46,7 +46,7 @@ TEST(SequenceCheck, CountsWhatIsLostDoubledAndOvertakenOverTheWrap) {
   EXPECT_EQ(check.restarts(), 0U);
 }
 
-TEST(SequenceCheck, TakesASenderThatBeginsAnewForOne) {
+TEST(SequenceCheck, RecognisesASenderThatRestarts) {
   SequenceCheck<std::uint32_t> check;
   for (std::uint32_t i = 5000; i < 5100; ++i) check.take(i);
   EXPECT_EQ(check.take(0), SequenceCheck<std::uint32_t>::Verdict::Restart);

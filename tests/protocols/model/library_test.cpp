@@ -73,14 +73,14 @@ TEST(ProtocolLibrary, CallsEveryFileAfterItsStudy) {
   for (const auto& name : kShipped) EXPECT_EQ(read(name).loaded.protocol.study.id, name);
 }
 
-TEST(ProtocolLibrary, NeedsNothingButTheProgram) {
+TEST(ProtocolLibrary, NeedsNoOtherFile) {
   for (const auto& name : kShipped) {
     EXPECT_TRUE(read(name).loaded.files.empty()) << name;
     EXPECT_TRUE(read(name).loaded.protocol.instrumentFiles.empty()) << name;
   }
 }
 
-TEST(ProtocolLibrary, SpeaksThreeLanguagesThroughout) {
+TEST(ProtocolLibrary, IsCompleteInThreeLanguages) {
   for (const auto& name : kShipped) {
     const auto reading = read(name);
     EXPECT_EQ(reading.loaded.protocol.languages, (Words{"en", "de", "nb"})) << name;

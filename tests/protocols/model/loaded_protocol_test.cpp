@@ -146,7 +146,7 @@ TEST(LoadedProtocol, PutsTheShippedCutIntoAFusedSceneThatNamesNone) {
   EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size());
 }
 
-TEST(LoadedProtocol, ReadsAFileOnceAndTellsOnceWhatIsWrongWithIt) {
+TEST(LoadedProtocol, ReadsAFileOnceAndReportsItsProblemsOnce) {
   const auto text = tests::with(
       feeling("mine.json"),
       R"("model": "finite-elements",
@@ -170,7 +170,7 @@ TEST(LoadedProtocol, AsksForNoFileOutsideItsFolder) {
   EXPECT_TRUE(shelf.asked.empty());
 }
 
-TEST(LoadedProtocol, TellsWhyAFileCannotBeRead) {
+TEST(LoadedProtocol, ReportsWhyAFileCannotBeRead) {
   const FileFinder broken = [](const std::string&) -> std::optional<std::string> {
     throw questionnaires::Error("The disk is on fire.");
   };
@@ -306,7 +306,7 @@ TEST(LoadedProtocolFile, IsTheLibrarysWhereAFolderBearsItsName) {
   EXPECT_TRUE(loaded.has_value()) << describe(problems.all());
 }
 
-TEST(LoadedProtocolFile, SaysInWordsThatItIsNotThereOrNoFile) {
+TEST(LoadedProtocolFile, ReportsThatItIsMissingOrNoFile) {
   const tests::ScratchFolder folder;
   Problems problems;
   EXPECT_THROW(loadProtocolFile(folder / "nothing.json", problems), questionnaires::Error);
@@ -316,7 +316,7 @@ TEST(LoadedProtocolFile, SaysInWordsThatItIsNotThereOrNoFile) {
   EXPECT_TRUE(problems.all().empty());
 }
 
-TEST(LoadedProtocolFile, TellsOfAFileBesideItThatIsTooLarge) {
+TEST(LoadedProtocolFile, ReportsAFileBesideItThatIsTooLarge) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("protocol.json", naming(R"(["large.json"])"));
   folder.write("large.json", std::string(10'000'000, ' '));
@@ -384,7 +384,7 @@ TEST(LoadedProtocol, FindsWordingBesideItsFile) {
   EXPECT_TRUE(loadProtocolFile(protocol, none).has_value()) << describe(none.all());
 }
 
-TEST(LoadedProtocol, IsToldOfAnInstrumentThatIsAskedOnceAndMeasuresAChange) {
+TEST(LoadedProtocol, WarnsOfAnInstrumentThatMeasuresAChangeAndIsAskedOnce) {
   const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-common", "ssq"));
   ASSERT_TRUE(once.loaded.has_value()) << once.describe();
   EXPECT_NE(

@@ -121,7 +121,7 @@ TEST(Orders, OfThreeAreTheSameBalancedOrComplete) {
   EXPECT_EQ(balanced, rowsOf(OrderType::Complete, 3));
 }
 
-TEST(Orders, AreAsWrittenForEverybodyWhereTheyAreFixed) {
+TEST(Orders, AreAsWrittenForAllWhereTheyAreFixed) {
   for (std::uint64_t slot = 0; slot < 20; ++slot) {
     EXPECT_EQ(orderFor(OrderType::Fixed, 5, 7, slot, "b/c"), (Row{0, 1, 2, 3, 4}));
   }

@@ -30,7 +30,7 @@ std::vector<std::string> conditionsOf(const PlannedBlock& block) {
 
 using Names = std::vector<std::string>;
 
-TEST(Schedule, IsThePapersInThePublishedStudyForEverybody) {
+TEST(Schedule, IsThatOfThePaperInThePublishedStudyForEveryParticipant) {
   const auto protocol = libraryProtocol("punch-face-validity");
   for (std::uint64_t slot = 0; slot < 6; ++slot) {
     const auto schedule = scheduleFor(protocol, 99, "professional", slot);

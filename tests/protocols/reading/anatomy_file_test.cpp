@@ -110,7 +110,7 @@ TEST(AnatomyFile, LeavesOutWhatIsThereForOrientation) {
   EXPECT_EQ(knee->surfaces.size(), 1U);
 }
 
-TEST(AnatomyFile, RefusesWhatIsNoKneeInWords) {
+TEST(AnatomyFile, NamesTheReasonWhenItRefusesAMesh) {
   EXPECT_TRUE(says(complaintAbout(""), "no mesh that can be read"));
   EXPECT_TRUE(says(complaintAbout("this is a letter, and no mesh at all\n"), "save it as OBJ"));
   EXPECT_TRUE(says(complaintAbout(square("patella", 60, 2)), "nothing of the knee has this name"));
@@ -156,7 +156,7 @@ std::string seeing(const std::string& first, const std::string& second) {
   return json;
 }
 
-TEST(AnatomyOfAProtocol, IsReadOnceSharedKeptAndTold) {
+TEST(AnatomyOfAProtocol, IsReadOnceSharedKeptAndListed) {
   int asked = 0;
   const auto find = [&](const std::string& name) -> std::optional<std::string> {
     asked += name == "knee.obj" ? 1 : 0;

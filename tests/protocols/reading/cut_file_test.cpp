@@ -96,7 +96,7 @@ TEST(CutFile, KeepsNumbersThatNoDecimalOfAFewDigitsIs) {
   EXPECT_EQ(again.landmarks.yield->force, -1.0 / 3.0);
 }
 
-TEST(CutFile, CanBeReadWhateverItsRecordingIsCalled) {
+TEST(CutFile, CanBeReadWithAnyNameOfItsRecording) {
   auto cut = haptics::recordings::parametricCut();
   cut.provenance.sourceFile = "M\xfcller \"1\"\n\\.txt";  // Latin-1, quotes, a new line
   const auto name = read(cutAsJson(cut, "")).provenance.sourceFile;
@@ -239,7 +239,7 @@ TEST(CutFile, RefusesWhatIsTooLargeOrTooDeep) {
   EXPECT_NE(refusalOf(std::string(100'000, '[')).find("nested deeper"), std::string::npos);
 }
 
-TEST(CutFile, TellsOnceWhatIsWrongWithACurve) {
+TEST(CutFile, ReportsAProblemOfACurveOnce) {
   auto cut = soundCut();
   cut["curve"] = json::parse(R"([{"travel": 1, "force_n": "x"}])");
   const auto words = refusalOf(cut.dump());
@@ -253,7 +253,7 @@ TEST(CutFile, KeepsWhatWasSaidBefore) {
   EXPECT_EQ(problems.all().size(), 1U);
 }
 
-TEST(CutFile, TellsEverythingAtOnce) {
+TEST(CutFile, ReportsAllProblemsAtOnce) {
   auto cut = soundCut();
   cut["name"] = "a b";
   cut["title"] = "";

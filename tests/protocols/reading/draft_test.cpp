@@ -33,7 +33,7 @@ std::string mine() {
   return tests::with(tests::corpusText("good", "instruments/comfort"), "\"comfort\"", "\"mine\"");
 }
 
-TEST(Draft, MissesNoInstrumentThatMayLieInAMissingFile) {
+TEST(Draft, DoesNotMissAnInstrumentOfAMissingFile) {
   EXPECT_EQ(
       saidAbout(askingMine(R"(["mine.json"])")),
       Words{"$.instrument_files[0]: there is no file 'mine.json'"});

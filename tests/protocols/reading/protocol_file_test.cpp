@@ -71,11 +71,11 @@ void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& 
   EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
 
-TEST(ProtocolFile, TellsWhatIsWrongWithTheStructureAndHowToMendIt) {
+TEST(ProtocolFile, ReportsStructuralProblemsWithTheirFix) {
   expectRefusals("bad", structuralRefusals());
 }
 
-TEST(ProtocolFile, TellsWhatNoSchemaSees) {
+TEST(ProtocolFile, ReportsWhatNoSchemaCanCheck) {
   expectRefusals("semantic", tests::semanticRefusals());
 }
 
@@ -102,7 +102,7 @@ TEST(ProtocolFile, TakesWhatIsSound) {
   }
 }
 
-TEST(ProtocolFile, TellsEverythingAtOnce) {
+TEST(ProtocolFile, ReportsAllProblemsAtOnce) {
   const auto loading = tests::load(
       R"({"$schema": "protocol-2.schema.json",
           "study": {"id": "my study", "title": "", "versoin": "1"},

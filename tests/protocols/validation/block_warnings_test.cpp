@@ -53,7 +53,7 @@ std::string lacksPrevious(const std::string& item, const std::string& condition)
          condition + "' can come first in this block, where there is none";
 }
 
-TEST(BlockWarnings, WarnsOfOneOrderForEverybody) {
+TEST(BlockWarnings, WarnsOfOneOrderForAll) {
   const Words expected{"$.phases[1].order: everybody feels this block in the same order"};
   EXPECT_EQ(warningsOf(ordered("fixed", 8)), expected);
 }
@@ -87,7 +87,7 @@ TEST(BlockWarnings, AsksForTwiceAsManyWhereTheConditionsAreOdd) {
   EXPECT_EQ(loading.problems.back().fix, message("not_balanced.fix", 6)) << loading.describe();
 }
 
-TEST(BlockWarnings, SpeaksOfEveryCohortThatDoesNotBalance) {
+TEST(BlockWarnings, WarnsOfEveryCohortThatDoesNotBalance) {
   const auto text = tests::with(
       tests::usualProtocol(),
       R"([{ "id": "anyone", "title": "Anyone" }])",
@@ -100,7 +100,7 @@ TEST(BlockWarnings, SpeaksOfEveryCohortThatDoesNotBalance) {
           "$.phases[1].order: 5 participants of 'c' do not balance this design"}));
 }
 
-TEST(BlockWarnings, HasNothingToCountWhereOrdersAreDrawnOrNobodyIsPlanned) {
+TEST(BlockWarnings, SaysNothingOfBalanceWhereOrdersAreDrawnOrNoneIsPlanned) {
   EXPECT_EQ(warningsOf(ordered("random", 7)), Words{});
   EXPECT_EQ(warningsOf(ordered("complete", 0)), Words{});
 }

@@ -31,7 +31,7 @@ std::vector<questionnaires::Problem> warningsOf(auto model) {
   return problems.all();
 }
 
-TEST(SceneWarnings, KnowsHowMuchTheInterpolationWeighs) {
+TEST(SceneWarnings, ComputesTheWeightOfTheInterpolation) {
   // The weights of the four schemes with the published noise, and of space-domain at equal R.
   using haptics::engine::interpolationWeight;
   EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::PaperText, 7.742)), 0.22, 0.03);
@@ -41,7 +41,7 @@ TEST(SceneWarnings, KnowsHowMuchTheInterpolationWeighs) {
   EXPECT_NEAR(interpolationWeight(filter(KalmanScheme::SpaceDomain, 0.001)), 0.5, 1e-6);
 }
 
-TEST(SceneWarnings, WarnsOfAFilterThatHearsOneForceOnly) {
+TEST(SceneWarnings, WarnsOfAFilterThatUsesOneForceOnly) {
   EXPECT_TRUE(warningsOf(filter(KalmanScheme::AuthorsFirmware, 7.742)).empty());
   EXPECT_TRUE(warningsOf(filter(KalmanScheme::SpaceDomain, 0.001)).empty());
   const auto deaf = warningsOf(filter(KalmanScheme::SpaceDomain, 7.742));

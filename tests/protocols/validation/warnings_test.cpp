@@ -69,7 +69,7 @@ TEST(ProtocolWarnings, PassesOnWhatIsToBeFilledInInAnInstrumentOfTheLibrary) {
   EXPECT_EQ(loading.describe(), "warning " + kTemplate + "\n");
 }
 
-TEST(ProtocolWarnings, TellsOfATemplateOnceHoweverOftenItIsUsed) {
+TEST(ProtocolWarnings, WarnsOfATemplateOnce) {
   const auto text = tests::withPhases(
       {R"({"id": "end", "type": "debrief", "instrument": "debrief"})",
        R"({"id": "again", "type": "debrief", "instrument": "debrief"})"});
@@ -78,7 +78,7 @@ TEST(ProtocolWarnings, TellsOfATemplateOnceHoweverOftenItIsUsed) {
   EXPECT_TRUE(said[0].starts_with("debrief $.introduction.en: still to be filled in: [[date"));
 }
 
-TEST(ProtocolWarnings, PassesOnWhatIsToBeFilledInInAFileOfOnesOwnOnce) {
+TEST(ProtocolWarnings, WarnsOfPlaceholdersInAnOwnFileOnce) {
   const auto mine = tests::with(instrumentFile("mine"), "It felt real.", "As real as [[what]]?");
   EXPECT_EQ(
       warningsOf(askingMine(), holding(mine)),
@@ -86,7 +86,7 @@ TEST(ProtocolWarnings, PassesOnWhatIsToBeFilledInInAFileOfOnesOwnOnce) {
             "into the study's folder and write what holds there"});
 }
 
-TEST(ProtocolWarnings, LeavesComparisonsWithThePreviousToTheBlocksButForAFileOfOnesOwn) {
+TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAnOwnFile) {
   const auto published =
       tests::with(tests::usualProtocol(), "realism-common", "punch-face-validity");
   for (const auto& words : warningsOf(published)) {
@@ -116,7 +116,7 @@ TEST(ProtocolWarnings, MissesTheUsualLabelInALanguageOfTheStudy) {
   EXPECT_TRUE(said[0].starts_with("$.labels.prefix: there is no text in 'nb'"));
 }
 
-TEST(ProtocolWarnings, FindsBlanksInTheProtocolsOwnTextsInEveryLanguage) {
+TEST(ProtocolWarnings, FindsPlaceholdersInTheProtocolsTextsInEveryLanguage) {
   auto text = tests::withPhases({R"({"id": "rest", "type": "break",
            "text": {"en": "Rest.", "de": "Ruhen Sie sich [[wie lange]] aus."}})"});
   text = tests::with(text, R"(["en"])", R"(["en", "de"])");
@@ -153,7 +153,7 @@ TEST(ProtocolWarnings, FindsAFileThatNothingAsks) {
       Words{"$.instrument_files[0]: nothing asks 'mine'; name it in a phase, or remove the file"});
 }
 
-TEST(ProtocolWarnings, TellsWhereAFileTakesThePlaceOfTheLibrarys) {
+TEST(ProtocolWarnings, WarnsOfAFileThatReplacesOneOfTheLibrary) {
   const auto text =
       tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-common")");
   EXPECT_EQ(
@@ -185,7 +185,7 @@ TEST(ProtocolWarnings, FindsAConditionThatNoBlockUses) {
       Words{"$.conditions[0]: no block uses 'lost'; nobody will feel it; remove it"});
 }
 
-TEST(ProtocolWarnings, IsSilentAboutWhatIsUnwiseWhileSomethingIsWrong) {
+TEST(ProtocolWarnings, GivesNoWarningsWhileThereAreErrors) {
   auto text = tests::with(tests::usualProtocol(), "balancedLatinSquare", "fixed");
   text = tests::with(text, "\"alpha\": 0.05", "\"alpha\": 5");
   const auto loading = tests::load(text);

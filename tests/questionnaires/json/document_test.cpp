@@ -48,7 +48,7 @@ TEST(ParseJson, KeepsLargeWholeNumbersExactly) {
   EXPECT_EQ(std::get<std::int64_t>(reading.value->data), 9007199254740993);
 }
 
-TEST(ParseJson, TellsFractionsFromWholeNumbers) {
+TEST(ParseJson, DistinguishesFractionsFromWholeNumbers) {
   EXPECT_TRUE(std::holds_alternative<double>(read("1.5").value->data));
   EXPECT_TRUE(std::holds_alternative<double>(read("1.0").value->data));
   EXPECT_TRUE(std::holds_alternative<std::int64_t>(read("1").value->data));

@@ -7,7 +7,7 @@
 namespace questionnaires {
 namespace problem_test {
 
-TEST(Problems, AreToldOnePerLine) {
+TEST(Problems, AreListedOnePerLine) {
   Problems problems;
   problems.add("$.id", "this is odd", "mend it");
   problems.warn("$", base::Message::verbatim("this is unusual"));
@@ -23,7 +23,7 @@ TEST(Problems, KnowErrorsFromWarnings) {
   EXPECT_TRUE(problems.hasErrors());
 }
 
-TEST(Problems, AreNotToldWithoutEnd) {
+TEST(Problems, AreListedUpToALimit) {
   Problems problems;
   for (std::size_t i = 0; i < 2 * kMostProblems; ++i) problems.add("$", std::to_string(i));
   ASSERT_EQ(problems.all().size(), kMostProblems + 1);

@@ -67,7 +67,7 @@ TEST(LabelOf, IsEmptyForWordsAndNumbers) {
   EXPECT_EQ(labelOf({.type = ItemType::Number}, 0.0, "en"), "");
 }
 
-TEST(Keyed, ReversesWhatIsWordedAgainst) {
+TEST(Keyed, ReversesItemsWordedAgainst) {
   const Item against{.key = -1};
   EXPECT_EQ(keyed(against, 1), 5);
   EXPECT_EQ(keyed(against, 3), 3);

@@ -67,7 +67,7 @@ TEST(Library, CallsEveryFileAfterItsInstrument) {
   }
 }
 
-TEST(Library, SpeaksThreeLanguagesToParticipants) {
+TEST(Library, IsCompleteInThreeLanguages) {
   const std::vector<std::string> languages{"en", "de", "nb"};
   // Terms of others, of which we know no established translation.
   const std::map<std::string, std::vector<std::string>> fewer{
@@ -198,7 +198,7 @@ TEST(Library, NamesPersonsOnlyInTheConsentForms) {
   }
 }
 
-TEST(Library, TellsAndDoesNotAskInInformation) {
+TEST(Library, AsksNothingInInformation) {
   for (const auto* id : {"information-punch", "information-reaming", "debrief"}) {
     EXPECT_TRUE(shipped().at(id).items.empty()) << id;
     EXPECT_FALSE(shipped().at(id).introduction.isEmpty()) << id;

@@ -10,11 +10,11 @@ namespace localized_text_test {
 
 const LocalizedText kThanks({{"en", "Thank you"}, {"de", "Danke"}});
 
-TEST(LocalizedText, SpeaksTheLanguageItIsAskedIn) {
+TEST(LocalizedText, ReturnsTheRequestedLanguage) {
   EXPECT_EQ(kThanks.in("de"), "Danke");
 }
 
-TEST(LocalizedText, SpeaksEnglishWhereItMust) {
+TEST(LocalizedText, FallsBackToEnglish) {
   EXPECT_EQ(kThanks.in("nb"), "Thank you");
 }
 

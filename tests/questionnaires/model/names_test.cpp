@@ -21,14 +21,14 @@ TEST(IsSoundId, RefusesWhatTheyDoNot) {
   EXPECT_FALSE(isSoundId(std::string(65, 'x')));
 }
 
-TEST(Nearest, ForgivesOneSlipOfTheFinger) {
+TEST(Nearest, FindsAWordWithOneTypingError) {
   constexpr std::array<std::string_view, 3> kKnown{"title", "introduction", "scale"};
   for (const auto* slip : {"titel", "tite", "tittle", "tidle", "tltle"}) {
     EXPECT_EQ(nearest(slip, kKnown), "title") << slip;
   }
 }
 
-TEST(Nearest, GuessesNothingFromAFarWord) {
+TEST(Nearest, FindsNothingForAnUnrelatedWord) {
   constexpr std::array<std::string_view, 2> kKnown{"id", "title"};
   EXPECT_FALSE(nearest("xy", kKnown).has_value());
   EXPECT_FALSE(nearest("", kKnown).has_value());

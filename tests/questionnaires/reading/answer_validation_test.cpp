@@ -33,17 +33,17 @@ std::string text(std::string_view character, std::size_t times) {
   return result;
 }
 
-TEST(AnswerValidation, IsNoneToThePointsOfAScale) {
+TEST(AnswerValidation, AcceptsThePointsOfAScale) {
   for (std::int64_t point = 1; point <= 5; ++point) EXPECT_EQ(reason(kAgreement, point), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToPointsOutsideTheScale) {
+TEST(AnswerValidation, RefusesPointsOutsideTheScale) {
   EXPECT_EQ(reason(kAgreement, std::int64_t{0}), "0 is no point of the scale from 1 to 5");
   EXPECT_EQ(reason(kAgreement, std::int64_t{6}), "6 is no point of the scale from 1 to 5");
   EXPECT_NE(reason(kAgreement, std::numeric_limits<std::int64_t>::min()), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToHalfAPoint) {
+TEST(AnswerValidation, RefusesHalfAPoint) {
   EXPECT_EQ(reason(kAgreement, 3.0), "the answer is no point of the scale");
   EXPECT_EQ(reason(kAgreement, "3"), "the answer is no point of the scale");
 }
@@ -54,7 +54,7 @@ TEST(AnswerValidation, TreatsOppositeWordsLikeAScale) {
   EXPECT_EQ(reason(item, std::int64_t{4}), "4 is no point of the scale from -3 to 3");
 }
 
-TEST(AnswerValidation, IsNoneToTheStepsOfASlider) {
+TEST(AnswerValidation, AcceptsTheStepsOfASlider) {
   EXPECT_EQ(reason(kSlider, 0.0), "none");
   EXPECT_EQ(reason(kSlider, 100.0), "none");
   EXPECT_EQ(reason(kSlider, std::int64_t{35}), "none");
@@ -76,7 +76,7 @@ TEST(AnswerValidation, LetsEveryValuePassWithoutSteps) {
   EXPECT_EQ(reason(item, 33.333), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToWhateverIsNoFiniteNumber) {
+TEST(AnswerValidation, RefusesNumbersThatAreNotFinite) {
   for (const double number : {NAN, -NAN, INFINITY, -INFINITY}) {
     EXPECT_EQ(reason(kNumber, number), "the answer is no finite number");
     EXPECT_EQ(reason(kSlider, number), "the answer is no finite number");
@@ -84,12 +84,12 @@ TEST(AnswerValidation, IsRaisedToWhateverIsNoFiniteNumber) {
   EXPECT_EQ(reason(kNumber, "1"), "the answer is no number");
 }
 
-TEST(AnswerValidation, IsNoneToAnOption) {
+TEST(AnswerValidation, AcceptsAnOption) {
   EXPECT_EQ(reason(kChoice, "yes"), "none");
   EXPECT_EQ(reason(kPair, "b"), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToWhatIsNoOption) {
+TEST(AnswerValidation, RefusesWhatIsNoOption) {
   EXPECT_EQ(reason(kChoice, "maybe"), "there is no option 'maybe' to choose");
   EXPECT_EQ(reason(kChoice, ""), "there is no option '' to choose");
   EXPECT_EQ(reason(kPair, std::int64_t{1}), "the answer is not one of the options");
@@ -102,18 +102,18 @@ TEST(AnswerValidation, KnowsOnlyTheAlternativesOfTheBlock) {
   EXPECT_NE(reason(kAlternatives, "1"), "none");
 }
 
-TEST(AnswerValidation, IsNoneToAnyNumberOfOptions) {
+TEST(AnswerValidation, AcceptsAnyNumberOfOptions) {
   EXPECT_EQ(reason(kChoices, Texts{}), "none");
   EXPECT_EQ(reason(kChoices, Texts{"b", "a"}), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToAnOptionChosenTwice) {
+TEST(AnswerValidation, RefusesAnOptionChosenTwice) {
   EXPECT_EQ(reason(kChoices, Texts{"a", "a"}), "the option 'a' is chosen twice");
   EXPECT_EQ(reason(kChoices, Texts{"a", "c"}), "there is no option 'c' to choose");
   EXPECT_EQ(reason(kChoices, "a"), "the answer is no list of options");
 }
 
-TEST(AnswerValidation, IsNoneToAHundredThousandCharactersOfAnyScript) {
+TEST(AnswerValidation, AcceptsAHundredThousandCharactersOfAnyScript) {
   for (const auto* character : {"a", "é", "😀", "م", "\xCC\x81", "\xE2\x80\xAE", "\n"}) {
     EXPECT_EQ(reason(kLong, text(character, 100'000)), "none") << character;
   }
@@ -130,7 +130,7 @@ TEST(AnswerValidation, CountsCharactersAndNotBytes) {
   EXPECT_NE(reason(two, "abc"), "none");
 }
 
-TEST(AnswerValidation, IsRaisedToWhatIsNoText) {
+TEST(AnswerValidation, RefusesWhatIsNoText) {
   EXPECT_EQ(reason(kLong, std::string("a\0b", 3)), "the text holds the character NUL");
   EXPECT_EQ(reason(kLong, "caf\xE9"), "the text is no sound UTF-8");
   EXPECT_EQ(reason(kLong, "\xED\xA0\x80"), "the text is no sound UTF-8");

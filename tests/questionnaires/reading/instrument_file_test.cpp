@@ -67,11 +67,11 @@ void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& 
   EXPECT_TRUE(files.empty()) << "nobody expects anything of " << *files.begin();
 }
 
-TEST(InstrumentFile, TellsWhatIsWrongWithTheStructureAndHowToMendIt) {
+TEST(InstrumentFile, ReportsStructuralProblemsWithTheirFix) {
   expectRefusals("bad", tests::structuralRefusals());
 }
 
-TEST(InstrumentFile, TellsWhatNoSchemaSees) {
+TEST(InstrumentFile, ReportsWhatNoSchemaCanCheck) {
   expectRefusals("semantic", tests::semanticRefusals());
 }
 
@@ -86,7 +86,7 @@ TEST(InstrumentFile, SaysNothingTwice) {
   }
 }
 
-TEST(InstrumentFile, TakesWhatIsSound) {
+TEST(InstrumentFile, ReadsEverySoundFile) {
   for (const auto& name : filesIn("good")) {
     const auto reading = read("good", name);
     EXPECT_TRUE(reading.instrument.has_value()) << name << "\n" << describe(reading.problems.all());
@@ -94,7 +94,7 @@ TEST(InstrumentFile, TakesWhatIsSound) {
   }
 }
 
-TEST(InstrumentFile, TellsEverythingAtOnce) {
+TEST(InstrumentFile, ReportsAllProblemsAtOnce) {
   Problems problems;
   const auto instrument = readInstrument(
       R"({"$schema": "instrument-2.schema.json", "id": "my id", "version": 1, "titel": "T",

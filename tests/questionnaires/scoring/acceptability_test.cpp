@@ -34,13 +34,13 @@ TEST(Acceptability, IsTheShareAtOrAboveTheThresholdWithItsCount) {
   EXPECT_EQ(items[0].share, 0.6);
 }
 
-TEST(Acceptability, TurnsRoundWhatIsWordedAgainst) {
+TEST(Acceptability, ReversesItemsWordedAgainst) {
   const auto items = acceptabilityOf(kTwo, answering("against", {1, 2, 3, 5}));
   EXPECT_EQ(items[1].acceptable, 2U);  // 5, 4, 3, 1
   EXPECT_EQ(items[1].share, 0.5);
 }
 
-TEST(Acceptability, CountsNobodyWhoDidNotAnswer) {
+TEST(Acceptability, CountsOnlyThoseWhoAnswered) {
   auto participants = answering("for", {5, 3});
   participants.push_back({{"for", std::nullopt}});
   participants.push_back({});
@@ -50,7 +50,7 @@ TEST(Acceptability, CountsNobodyWhoDidNotAnswer) {
   EXPECT_EQ(items[0].share, 0.5);
 }
 
-TEST(Acceptability, IsUndefinedWhereNobodyAnswered) {
+TEST(Acceptability, IsUndefinedWithoutAnswers) {
   const auto items = acceptabilityOf(kTwo, {});
   EXPECT_FALSE(items[0].share.has_value());
   EXPECT_EQ(items[0].reason, "nobody answered this item");

@@ -107,7 +107,7 @@ TEST(PunchFaceValidity, IsBestWhereEveryoneAgreesWithWhatSpeaksForIt) {
   EXPECT_FALSE(scoreOf(punch, "face-validity-2", answers).has_value());
 }
 
-TEST(Scored, ReversesWhatIsWordedAgainst) {
+TEST(Scored, ReversesItemsWordedAgainst) {
   EXPECT_EQ(scored(kThree, kMean, points({5, 4, 1})), 14.0 / 3.0);  // 5, 4, 6 - 1
 }
 

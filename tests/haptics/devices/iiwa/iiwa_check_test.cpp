@@ -14,7 +14,7 @@ using namespace emulated_arm;
 
 class IiwaCheckTest : public EmulatedArm {};
 
-TEST_F(IiwaCheckTest, SaysInWordsWhyItCannotBeOpened) {
+TEST_F(IiwaCheckTest, NamesTheReasonWhenItCannotBeOpened) {
   const auto mine = settings();
   IiwaDevice first(mine);
   const std::int64_t begin = timing::now();
@@ -39,7 +39,7 @@ TEST_F(IiwaCheckTest, DoesNotListenToAnotherAddress) {
   EXPECT_EQ(report().answers.taken, 0U);
 }
 
-TEST_F(IiwaCheckTest, IsFoundFit) {
+TEST_F(IiwaCheckTest, PassesItsCheck) {
   connect(settings());
   std::vector<CheckResult> found;
   during([&] { found = device_->check(0.2); });
@@ -59,7 +59,7 @@ TEST_F(IiwaCheckTest, IsFoundFit) {
   EXPECT_NEAR(report().force, -10.0, 1e-3);
 }
 
-TEST_F(IiwaCheckTest, IsFoundUnfitInAnotherModeThanTheRobots) {
+TEST_F(IiwaCheckTest, FailsItsCheckInAnotherModeThanTheRobots) {
   auto mine = settings();
   const auto options = controllerFor(mine);
   mine.overlay = IiwaOverlay::JointTorque;
@@ -74,7 +74,7 @@ TEST_F(IiwaCheckTest, IsFoundUnfitInAnotherModeThanTheRobots) {
   EXPECT_NE(device_->lifecycle(), Lifecycle::Checked);
 }
 
-TEST_F(IiwaCheckTest, IsToldWhichOverlayTheRobotTakes) {
+TEST_F(IiwaCheckTest, NamesTheOverlayThatTheRobotTakes) {
   auto mine = settings();
   const auto options = controllerFor(mine);
   mine.overlay = IiwaOverlay::JointTorque;
@@ -86,7 +86,7 @@ TEST_F(IiwaCheckTest, IsToldWhichOverlayTheRobotTakes) {
   EXPECT_TRUE(says(lineOf(found, "force overlay")->mend, R"("overlay": "wrench")"));
 }
 
-TEST_F(IiwaCheckTest, IsFoundUnfitWhenItFallsSilent) {
+TEST_F(IiwaCheckTest, FailsItsCheckWhenMessagesStop) {
   connect(settings());
   during([&] { device_->open(); });
   const auto found = device_->check(0.2);  // and no period goes by
@@ -96,7 +96,7 @@ TEST_F(IiwaCheckTest, IsFoundUnfitWhenItFallsSilent) {
   EXPECT_NE(device_->lifecycle(), Lifecycle::Checked);
 }
 
-TEST_F(IiwaCheckTest, IsFoundUnfitWhereItHadBeenSilentForLong) {
+TEST_F(IiwaCheckTest, FailsItsCheckAfterALongSilence) {
   connect(settings());
   during([&] { device_->open(); });
   auto checked = std::async(std::launch::async, [&] { return device_->check(1.2); });
@@ -108,7 +108,7 @@ TEST_F(IiwaCheckTest, IsFoundUnfitWhereItHadBeenSilentForLong) {
   EXPECT_TRUE(says(lineOf(found, "longest silence")->measured, "a trial ends at 40 ms"));
 }
 
-TEST_F(IiwaCheckTest, SaysWhoElseSends) {
+TEST_F(IiwaCheckTest, NamesAnotherSenderOnItsPort) {
   auto mine = settings();
   const auto options = controllerFor(mine);
   mine.robot = "192.0.2.147";  // an address for documentation: nobody has it
@@ -119,7 +119,7 @@ TEST_F(IiwaCheckTest, SaysWhoElseSends) {
   EXPECT_TRUE(says(why, R"("robot_address": "127.0.0.1")"));
 }
 
-TEST_F(IiwaCheckTest, IsFoundUnfitWhereItsPortCannotBeHad) {
+TEST_F(IiwaCheckTest, FailsItsCheckWhereItsPortIsInUse) {
   const auto mine = settings();
   const DatagramSocket other(Endpoint{.port = mine.port});
   IiwaDevice device(mine);

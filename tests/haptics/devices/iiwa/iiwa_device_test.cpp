@@ -53,7 +53,7 @@ TEST_P(IiwaSessionTest, ReachesCommandingAndGivesForceAgainstAdvancing) {
   EXPECT_LT(turn(0.0).travel, 0.0);  // and has been pushed back by it
 }
 
-TEST_P(IiwaSessionTest, KnowsTravelAsTheControllerDoes) {
+TEST_P(IiwaSessionTest, ComputesTheTravelOfTheController) {
   const auto mine = settings(GetParam().version, GetParam().overlay);
   auto options = controllerFor(mine);
   options.arm.person = {
@@ -76,7 +76,7 @@ TEST_P(IiwaSessionTest, KnowsTravelAsTheControllerDoes) {
   EXPECT_GT(most, 0.015);
 }
 
-TEST_F(IiwaDeviceTest, CountsTravelFromWhereItIsArmedUnlessToldOtherwise) {
+TEST_F(IiwaDeviceTest, CountsTravelFromWhereItIsArmedByDefault) {
   auto mine = settings();
   mine.zero.reset();
   auto options = controllerFor(mine);
@@ -86,7 +86,7 @@ TEST_F(IiwaDeviceTest, CountsTravelFromWhereItIsArmedUnlessToldOtherwise) {
   EXPECT_NEAR(turn(0.0).travel, 0.0, 1e-4);
 }
 
-TEST_F(IiwaDeviceTest, SpeaksToTheRobotAtItsAddressWhereverThatIs) {
+TEST_F(IiwaDeviceTest, ConnectsToARobotAtAnyAddress) {
   auto mine = settings();
   mine.robot = "127.0.0.2";
   auto options = controllerFor(mine);

@@ -57,7 +57,7 @@ TEST_F(IiwaFaultsTest, CountsGarbageWithoutAChecksumToo) {
   EXPECT_NEAR(report().force, -5.0, 1e-3);
 }
 
-TEST_F(IiwaFaultsTest, IsNeverMovedByAnImpostor) {
+TEST_F(IiwaFaultsTest, IgnoresMessagesOfAnImpostor) {
   const auto mine = settings();
   connect(mine);
   order("impostor 1000000");  // from the first message on
@@ -108,7 +108,7 @@ TEST_P(IiwaSpoiledTest, IsNotActedUponAndEndsAsAFaultWhereItLasts) {
   EXPECT_EQ(report().force, 0.0);
 }
 
-TEST_F(IiwaFaultsTest, RefusesAnotherVersionInWords) {
+TEST_F(IiwaFaultsTest, NamesTheReasonWhenItRefusesAnotherVersion) {
   connect(settings(Version::V2_7));
   order("wrong-version");
   EXPECT_TRUE(says(whyNot([&] { during([this] { device_->open(); }); }), "cannot be read as FRI"));
@@ -198,7 +198,7 @@ TEST_F(IiwaFaultsTest, EndsWithTheSession) {
   EXPECT_TRUE(says(device_->fault(), "has stopped commanding"));
 }
 
-TEST_F(IiwaFaultsTest, IsConnectedAnewAfterEveryFault) {
+TEST_F(IiwaFaultsTest, ReconnectsAfterEveryFault) {
   connect(settings());
   for (const char* fault : {"stall 100", "restart", "wrong-version"}) {
     work(10.0);

@@ -208,7 +208,7 @@ TEST_F(IiwaMessagesTest, EndsWhereItDoesNotSayWhereItsJointsAre) {
   endsSaying("does not say where its joints are");
 }
 
-TEST_F(IiwaMessagesTest, EndsWhereItBeginsToCountAnew) {
+TEST_F(IiwaMessagesTest, EndsWhenTheRobotRestartsItsCounter) {
   next_ = 1000;
   arm();
   turn(0.0);
@@ -253,7 +253,7 @@ TEST_F(IiwaMessagesTest, EndsWhereAJointIsOverloaded) {
   endsSaying("joint A7 is overloaded");
 }
 
-TEST_F(IiwaMessagesTest, TellsHowFastItsToolMoves) {
+TEST_F(IiwaMessagesTest, ReportsTheVelocityOfItsTool) {
   arm();
   const IiwaKinematics kinematics(settings_.model, settings_.tool);
   JointVector velocity = JointVector::Zero();
@@ -271,7 +271,7 @@ TEST_F(IiwaMessagesTest, TellsHowFastItsToolMoves) {
   EXPECT_NEAR(sample.travel, displacementAlong(kDown, start, kinematics.tool(joints)), 1e-9);
 }
 
-TEST_F(IiwaMessagesTest, IsTheOnlyOneThatIsHeard) {
+TEST_F(IiwaMessagesTest, IsTheOnlySenderThatIsAccepted) {
   arm();
   DatagramSocket elsewhere(Endpoint{.address = endpointFrom("127.0.0.7")->address});
   DatagramSocket beside(Endpoint{});
@@ -292,7 +292,7 @@ TEST_F(IiwaMessagesTest, IsTheOnlyOneThatIsHeard) {
   EXPECT_EQ(answers().size(), 1U);
 }
 
-TEST_F(IiwaMessagesTest, IsAnsweredInTimeWhileSomebodyFloodsTheLine) {
+TEST_F(IiwaMessagesTest, IsAnsweredInTimeDuringAFloodOfDatagrams) {
   arm();
   const std::jthread flood([&](const std::stop_token& stop) {
     DatagramSocket stranger(Endpoint{});
@@ -304,7 +304,7 @@ TEST_F(IiwaMessagesTest, IsAnsweredInTimeWhileSomebodyFloodsTheLine) {
   EXPECT_LT(timing::now() - begin, 4 * kSecond);  // it comes back at all
 }
 
-TEST_F(IiwaMessagesTest, IsTakenOverByTheNewestWhereWeWereLate) {
+TEST_F(IiwaMessagesTest, IsAnsweredForItsNewestMessageAfterADelay) {
   arm();
   for (int i = 0; i < 5; ++i) say();
   EXPECT_EQ(tick(10.0).status, DeviceStatus::Ok);

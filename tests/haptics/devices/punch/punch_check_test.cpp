@@ -20,7 +20,7 @@ using namespace emulated_punch;
 
 class PunchCheckTest : public EmulatedPunch {};
 
-TEST_F(PunchCheckTest, SaysInWordsWhyItCannotBeOpened) {
+TEST_F(PunchCheckTest, NamesTheReasonWhenItCannotBeOpened) {
   EXPECT_TRUE(
       says(whyNot([&] { PunchDevice(settings(folder_ / "nobody")).open(); }), "no serial port"));
   const auto file = folder_.write("file", "no line");
@@ -87,7 +87,7 @@ TEST_F(PunchCheckTest, RefusesABoardThatCannotBe) {
   EXPECT_TRUE(says(whyNot([&] { PunchDevice(settings(broken.port())).open(); }), "what cannot be"));
 }
 
-TEST_F(PunchCheckTest, LeavesALineToWhoHasItAlready) {
+TEST_F(PunchCheckTest, RefusesALineThatIsInUse) {
   connect(atRest());
   device_->open();
   PunchDevice second(settings(board_->port()));
@@ -97,7 +97,7 @@ TEST_F(PunchCheckTest, LeavesALineToWhoHasItAlready) {
   EXPECT_EQ(whyNot([&] { second.open(); }), "");
 }
 
-TEST_F(PunchCheckTest, RestsWhileNobodyTicks) {
+TEST_F(PunchCheckTest, UsesLittleProcessorTimeWithoutTicks) {
   connect(atRest());
   device_->open();
   rusage before{};
@@ -118,7 +118,7 @@ bool isFit(const std::vector<CheckResult>& found) {
   });
 }
 
-TEST_F(PunchCheckTest, IsFoundFit) {
+TEST_F(PunchCheckTest, PassesItsCheck) {
   connect({});
   std::vector<CheckResult> found;
   const std::int64_t until = soon(kPatience);
@@ -139,7 +139,7 @@ TEST_F(PunchCheckTest, IsFoundFit) {
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Checked);
 }
 
-TEST_F(PunchCheckTest, IsFoundUnfitWhereNobodyIsThere) {
+TEST_F(PunchCheckTest, FailsItsCheckWithoutABoard) {
   PunchDevice device(settings(folder_ / "nobody"));
   const auto found = device.check(0.1);
   ASSERT_EQ(found.size(), 1U);
@@ -147,7 +147,7 @@ TEST_F(PunchCheckTest, IsFoundUnfitWhereNobodyIsThere) {
   EXPECT_TRUE(says(found[0].mend, "no serial port"));
 }
 
-TEST_F(PunchCheckTest, IsFoundUnfitWhereItsDriverIsBroken) {
+TEST_F(PunchCheckTest, FailsItsCheckWithABrokenDriver) {
   connect(atRest());
   board_->order("driver-fault");
   const auto found = device_->check(0.5);
@@ -157,7 +157,7 @@ TEST_F(PunchCheckTest, IsFoundUnfitWhereItsDriverIsBroken) {
   EXPECT_NE(device_->lifecycle(), Lifecycle::Checked);
 }
 
-TEST_F(PunchCheckTest, IsFoundUnfitWhereItsLineLosesFrames) {
+TEST_F(PunchCheckTest, FailsItsCheckWhenFramesAreLost) {
   connect(atRest());
   const CheckResult* lost = nullptr;
   std::vector<CheckResult> found;

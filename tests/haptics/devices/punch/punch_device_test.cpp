@@ -60,7 +60,7 @@ TEST_F(PunchDeviceTest, FollowsTheTravel) {
   EXPECT_GT(most, 8.0);
 }
 
-TEST_F(PunchDeviceTest, KnowsTravelAsItWasCalibrated) {
+TEST_F(PunchDeviceTest, AppliesItsCalibrationToTravel) {
   connect(atRest());
   auto other = settings(board_->port());
   other.travelPerCount = -0.01;
@@ -105,7 +105,7 @@ TEST_F(PunchDeviceTest, ClipsAForceThatItDoesNotHaveAndCountsIt) {
   EXPECT_EQ(device_->link().clipped, clipped);
 }
 
-TEST_F(PunchDeviceTest, PushesNobodyWithWhatIsNoNumber) {
+TEST_F(PunchDeviceTest, GivesNoForceForACommandThatIsNotFinite) {
   connect(atRest());
   openAndHold();
   for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {
@@ -161,7 +161,7 @@ TEST_F(PunchDeviceTest, CountsExactlyWhatWentWrongOnTheLine) {
   EXPECT_EQ(device_->link().lost + device_->link().damaged, 0U);  // and begins anew
 }
 
-TEST_F(PunchDeviceTest, TravelsBackNoWayForAFrameThatCameLate) {
+TEST_F(PunchDeviceTest, IgnoresAFrameThatCameLate) {
   connect({});
   openAndHold();
   board_->order("reorder 100");

@@ -31,7 +31,7 @@ TEST_F(PunchFaultsTest, LetsGoWithinFiftyMillisecondsWhenItIsUnplugged) {
   EXPECT_LT(*after, 50.0);
 }
 
-TEST_F(PunchFaultsTest, IsConnectedAnewAfterItWasUnplugged) {
+TEST_F(PunchFaultsTest, ReconnectsAfterItWasUnplugged) {
   connect(atRest());
   for (int i = 0; i < 2; ++i) {
     EXPECT_TRUE(endsBy("unplug", "unplugged"));
@@ -42,7 +42,7 @@ TEST_F(PunchFaultsTest, IsConnectedAnewAfterItWasUnplugged) {
   EXPECT_EQ(device_->fault(), "");
 }
 
-TEST_F(PunchFaultsTest, NoticesAPlugThatIsPulledWhileNobodyTicks) {
+TEST_F(PunchFaultsTest, NoticesThatItIsUnpluggedWithoutTicks) {
   connect(atRest());
   device_->open();
   board_->order("unplug");
@@ -50,7 +50,7 @@ TEST_F(PunchFaultsTest, NoticesAPlugThatIsPulledWhileNobodyTicks) {
   EXPECT_NE(device_->fault(), "");
 }
 
-TEST_F(PunchFaultsTest, GivesUpABoardThatFallsSilent) {
+TEST_F(PunchFaultsTest, FaultsWhenTheBoardStopsSending) {
   connect(atRest());
   ASSERT_TRUE(push(4.0));
   const std::int64_t muted = timing::now();
@@ -63,14 +63,14 @@ TEST_F(PunchFaultsTest, GivesUpABoardThatFallsSilent) {
   EXPECT_FALSE(board_->isArmed());
 }
 
-TEST_F(PunchFaultsTest, GivesUpABoardThatHasBeenReset) {
+TEST_F(PunchFaultsTest, FaultsWhenTheBoardIsReset) {
   connect(atRest());
   EXPECT_TRUE(endsBy("reset", "has sent nothing for 50 ms"));
   EXPECT_EQ(board_->force(), 0.0);
   EXPECT_TRUE(push(4.0));  // after open() it is as good as new
 }
 
-TEST_F(PunchFaultsTest, GivesUpABoardThatHangsAndItsWatchdogLetsGo) {
+TEST_F(PunchFaultsTest, FaultsWhenTheBoardHangsAndTheWatchdogReleasesTheForce) {
   connect(atRest());
   EXPECT_TRUE(endsBy("stall 300", "has sent nothing for 50 ms"));
   EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));

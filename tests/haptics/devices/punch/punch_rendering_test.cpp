@@ -110,7 +110,7 @@ TEST_F(PunchRenderingTest, SaysWhichScenesStayWithTheHost) {
   EXPECT_TRUE(says(refused(unsound), "unsound"));
 }
 
-TEST_F(PunchRenderingTest, WatchesABoardThatDoesNotAnswerToAScene) {
+TEST_F(PunchRenderingTest, FaultsWhenTheBoardDoesNotConfirmAScene) {
   connect(atRest());
   device_->open();
   board_->order("mute 1000");

@@ -199,7 +199,7 @@ TEST(Bone, SaysNothingToADeviceThatBeganInside) {
   while (!bone.step(plunge.at(-0.001), kTick).isDefined) ASSERT_LT(++steps, 100);
 }
 
-TEST(Bone, StandsWhateverADeviceDoes) {
+TEST(Bone, StaysSoundWithAnyMotionOfTheDevice) {
   Experiment e;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(e.bone.step({0.026, {nan, 0.0, 0.0}, {0.0, 0.0, 1.0}}, kTick).isDefined);

@@ -68,7 +68,7 @@ TEST(PackingBuilder, StopsAtACoverageOrASmallestRadius) {
   EXPECT_LE(coarse.spheres.front().radius, 0.003F);
 }
 
-TEST(PackingBuilder, TellsWhereItIsAndCanBeCancelled) {
+TEST(PackingBuilder, ReportsProgressAndCanBeCancelled) {
   const Acetabulum cup;
   int told = 0;
   EXPECT_FALSE(pack(cup, {.count = 5000}, [&](const PackingProgress& progress) {

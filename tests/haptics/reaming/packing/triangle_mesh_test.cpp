@@ -114,7 +114,7 @@ TEST(TriangleMesh, IsNotMendedWhereACornerIsNowhere) {
   EXPECT_NE(all(problemsOf(mesh)).find("no number"), std::string::npos);
 }
 
-TEST(TriangleMesh, IsMendedWithWords) {
+TEST(TriangleMesh, ReportsEveryRepair) {
   auto mesh = box({}, {0.03, 0.02, 0.01});
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);  // inside out
   for (auto& t : mesh.triangles) {                       // and every corner for itself
