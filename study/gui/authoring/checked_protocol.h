@@ -8,23 +8,24 @@
 
 namespace study::gui {
 
-/// A protocol file as it is now, and everything that is to be said about it.
+/// A protocol file as read from disk, with all problems found in it.
 struct CheckedProtocol {
-  std::string source;                               ///< a file, or the name of one that ships
-  std::string text;                                 ///< empty where it cannot be read
-  std::optional<protocols::LoadedProtocol> loaded;  ///< nothing where there are errors
+  std::string source;                               ///< a path, or the name of a built-in protocol
+  std::string text;                                 ///< empty if the file cannot be read
+  std::optional<protocols::LoadedProtocol> loaded;  ///< nothing if there are errors
   std::vector<questionnaires::Problem> problems;
 
   int errors() const noexcept;
   int warnings() const noexcept;
-  /// What `palpate protocol check` says last: sound, or not to be used yet.
+  /// The last line of `palpate protocol check`: the protocol is sound, or cannot be used yet.
   std::string verdict() const;
 };
 
-/// Reads and checks it, as `palpate protocol check` does. A file that cannot be read is a problem.
+/// Reads and checks a protocol as `palpate protocol check` does. An unreadable file is reported as
+/// a problem.
 CheckedProtocol checkProtocol(const std::string& source);
 
-/// The names of the protocols that ship.
+/// The names of the built-in protocols.
 std::vector<std::string> shippedProtocols();
 
 }  // namespace study::gui

@@ -6,7 +6,7 @@
 namespace study::gui {
 namespace {
 
-constexpr int kSettlesIn = 150;  // [ms]: an editor writes in several goes
+constexpr int kSettlesIn = 150;  // [ms]: editors write a file in several steps
 
 }  // namespace
 
@@ -45,7 +45,7 @@ std::map<QString, FileWatch::State> FileWatch::look() const {
 }
 
 void FileWatch::lookAgain() {
-  watchAll();  // a file that was put in another's place is a new one
+  watchAll();  // a replaced file has to be added again
   const auto now = look();
   if (now == before_) return;
   before_ = now;

@@ -11,18 +11,18 @@
 
 namespace study::gui {
 
-/// Tells when one of some files has changed, also where an editor puts a new file in its place.
+/// Emits a signal when one of several files changes, also when an editor replaces the file.
 class FileWatch final : public QObject {
   Q_OBJECT
 
  public:
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// Watches these, and no others any more. One that is not there is watched for.
+  /// Watches these files and no others. A file that does not exist yet may appear later.
   void watch(const QStringList& files);
 
  signals:
-  /// Once for changes that follow each other at once.
+  /// Emitted once for changes in quick succession.
   void changed();
 
  private:

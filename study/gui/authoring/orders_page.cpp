@@ -14,9 +14,9 @@
 namespace study::gui {
 namespace {
 
-constexpr int kMostOrders = 200;  // of every cohort; the command line prints more
+constexpr int kMostOrders = 200;  // per cohort; the command line prints more
 
-/// "2 kalman · 1 interpolation": alternatives in the order in which they are felt.
+/// The conditions of a block in the order of its trials: "2 kalman · 1 interpolation".
 QString inOrder(const protocols::PlannedBlock& block) {
   QStringList trials;
   for (const auto& trial : block.trials) {

@@ -14,8 +14,8 @@
 
 namespace study::gui {
 
-/// Everybody's order before anybody comes, and how balanced it is, as `palpate protocol orders`
-/// tells it.
+/// The planned condition order of each participant and how balanced the orders are, as in `palpate
+/// protocol orders`.
 class OrdersPage final : public QWidget {
   Q_OBJECT
 

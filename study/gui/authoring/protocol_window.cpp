@@ -22,9 +22,9 @@
 namespace study::gui {
 namespace {
 
-/// The line of the protocol's @p text, from 0, that a problem is about.
+/// The line of the protocol's @p text, from 0, to which a problem refers.
 int lineOf(const std::string& text, const questionnaires::Problem& problem) {
-  // "information-punch $.introduction.en" is about another file: shown is where that is named.
+  // "information-punch $.introduction.en" refers to another file: use the line that names the file.
   const auto name = problem.path.substr(0, problem.path.find(' '));
   if (name.empty() || name.front() == '$') {
     return problem.line ? *problem.line : questionnaires::lineOf(text, problem.path);

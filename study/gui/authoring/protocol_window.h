@@ -14,22 +14,21 @@ namespace study::gui {
 class TimelinePage;
 class OrdersPage;
 
-/// A protocol as its author wants to see it: the text, the day of a participant, everybody's order,
-/// and all problems, each at its place. Read anew whenever the file changes; it changes nothing
-/// itself.
+/// Shows a protocol to its author: the text, a session's timeline, each participant's order, and
+/// all problems with their places. It reloads the file after each change and never writes it.
 class ProtocolWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// @param source  a file, or the name of a protocol that ships.
+  /// @param source  a path, or the name of a built-in protocol.
   explicit ProtocolWindow(const QString& source, QWidget* parent = nullptr);
 
   const CheckedProtocol& checked() const noexcept { return checked_; }
-  /// The line that is marked, from 0; nothing is marked: -1.
+  /// The highlighted line, from 0; −1: none.
   int markedLine() const noexcept { return marked_; }
 
  public slots:
-  /// Reads the file now.
+  /// Reads the file again.
   void reload();
 
  signals:

@@ -14,7 +14,7 @@ constexpr int kBarHeight = 54;  // [px]
 constexpr int kScaleHeight = 26;
 constexpr int kTickLength = 6;
 
-/// Minutes between two marks, so that there are not too many.
+/// The interval between tick marks [min], chosen so that there are not too many.
 int minutesBetweenMarks(double minutes) {
   for (const int step : {1, 2, 5, 10, 15, 30}) {
     if (minutes / step <= 15.0) return step;

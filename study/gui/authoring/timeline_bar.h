@@ -7,8 +7,8 @@
 
 namespace study::gui {
 
-/// A session as a bar: every phase as long as it lasts. What is felt is filled, what is read and
-/// answered is not; each says so below in words.
+/// A session as a bar whose segments are as long as the phases last. Phases on the device are
+/// filled, phases of reading and answering are outlined. A label below names each.
 class TimelineBar final : public QWidget {
   Q_OBJECT
 

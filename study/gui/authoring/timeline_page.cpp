@@ -17,7 +17,7 @@ QString asMinutes(double seconds) {
   return QString::number(seconds / 60.0, 'f', 1);
 }
 
-/// What somebody does in a step, without what it is: that stands in the order.
+/// Describes a step without its condition, which depends on the participant's order.
 QString describedStep(const Step& step, const PartOfSession& part) {
   QString words = asText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);

@@ -9,8 +9,7 @@
 
 namespace study::gui {
 
-/// A protocol as the day of a participant: phases and steps, with the minutes that `palpate plan`
-/// takes for each.
+/// The phases and steps of a session, with the minutes that `palpate plan` estimates for each.
 class TimelinePage final : public QWidget {
   Q_OBJECT
 
@@ -22,7 +21,7 @@ class TimelinePage final : public QWidget {
   void clear();
 
  signals:
-  /// Somebody looks at a phase: its number, from 0.
+  /// A phase was selected: its index, from 0.
   void phaseChosen(int phase);
 
  private:

@@ -14,8 +14,8 @@
 
 namespace study::gui {
 
-/// Data for others, blinded unless somebody gives a reason. For strangers: who could be found among
-/// whom stands in the window before anything is written.
+/// Exports a study's data, blinded unless a reason for unblinding is given. Before an export for
+/// the public, the dialog shows how many participants could be identified.
 class ExportDialog final : public WorkDialog {
   Q_OBJECT
 

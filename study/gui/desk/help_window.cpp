@@ -24,7 +24,7 @@ namespace {
 constexpr const char* kFirstPage = "qrc:/help/running-a-study.md";
 constexpr const char* kHelpProperty = "help";
 
-/// What the windows are about, by the name of their class and a word of a heading.
+/// The class name of each window or panel, and text from the heading of its topic.
 constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>>({
     {"HomeWindow", "The studio"},
     {"NewStudyDialog", "Make the study"},
@@ -54,22 +54,22 @@ bool belongsToParticipant(const QWidget& widget) {
   return false;
 }
 
-/// Qt sets what it reads from Markdown without air between paragraphs.
+/// Adds the space between paragraphs that Qt's Markdown import omits.
 void makeRoomRound(const QTextBlock& block) {
   const bool isHeading = block.blockFormat().headingLevel() > 0;
   const bool isCode = block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
   QTextBlockFormat format;
   format.setTopMargin(isHeading ? 22.0 : 0.0);
   format.setBottomMargin(isCode ? 0.0 : 8.0);
-  format.setNonBreakableLines(false);  // a long command goes on in the next line
+  format.setNonBreakableLines(false);  // wraps long commands
   QTextCursor(block).mergeBlockFormat(format);
 }
 
-/// A picture in a text.
+/// A picture in the text.
 struct Picture {
-  int place;   ///< of its character
-  int width;   ///< its own [px]
-  int indent;  ///< of its line [px]
+  int place;   ///< position of its character
+  int width;   ///< natural width [px]
+  int indent;  ///< indentation of its line [px]
 };
 
 std::vector<Picture> picturesIn(const QTextDocument& document) {
@@ -91,7 +91,7 @@ std::vector<Picture> picturesIn(const QTextDocument& document) {
   return pictures;
 }
 
-/// No picture wider than @p room [px], and none larger than it is.
+/// Scales each picture to at most @p room [px] wide and at most its natural width.
 void fitPictures(QTextDocument& document, int room) {
   for (const auto& picture : picturesIn(document)) {
     QTextCursor cursor(&document);
@@ -139,7 +139,7 @@ HelpWindow* openHelp() noexcept {
 }
 
 void showHelp(const QString& topic, const QWidget* beside) {
-  // A modal window keeps all others from being used, but for those that belong to it.
+  // A modal window blocks all other windows except its children.
   auto* modal = QApplication::activeModalWidget();
   if (openHelp() != nullptr && modal != nullptr && openHelp()->parentWidget() != modal) {
     delete openHelp();
@@ -149,7 +149,9 @@ void showHelp(const QString& topic, const QWidget* beside) {
     window->setWindowFlag(Qt::Window);
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setAttribute(Qt::WA_QuitOnClose, false);
-    // Over the window that asks, so that it never covers what a participant sees on another screen.
+    // Places the help over the window that asked, so that it never covers the participant's window
+    // on
+    // another screen.
     constexpr QPoint kAside(60, 40);
     if (beside != nullptr) window->move(beside->window()->frameGeometry().topLeft() + kAside);
     helpWindow() = window;
@@ -198,12 +200,12 @@ void HelpWindow::listHeadings() {
 }
 
 bool HelpWindow::eventFilter(QObject* watched, QEvent* event) {
-  // The text has its new lines only after this event.
+  // The text is laid out again only after this event.
   if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &HelpWindow::fitToWidth);
   return QMainWindow::eventFilter(watched, event);
 }
 
-/// What is at the top stays there.
+/// Fits the pictures without changing the text at the top.
 void HelpWindow::fitToWidth() {
   const auto place = text_->cursorForPosition({0, 0});
   const int before = text_->cursorRect(place).top();
@@ -223,7 +225,7 @@ void HelpWindow::goTo(int number) {
 void HelpWindow::showTopic(const QString& topic) {
   const QUrl first(QString::fromUtf8(kFirstPage));
   if (text_->source() != first) text_->setSource(first);
-  show();  // only then does the text know how long its lines are
+  show();  // the text has its layout only when it is visible
   for (int row = 0; row < contents_->count(); ++row) {
     if (row > 0 && !contents_->item(row)->text().contains(topic)) continue;
     if (row == 0 && !topic.isEmpty()) continue;

@@ -7,22 +7,22 @@
 
 namespace study::gui {
 
-/// The documentation as it was when the program was built, beside the windows that it is about.
+/// Shows the documentation that was built into the program.
 class HelpWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
   explicit HelpWindow(QWidget* parent = nullptr);
 
-  /// Shows "Running a study" at the heading that holds @p topic; from its beginning where none
+  /// Shows "Running a study" at the heading that contains @p topic, or at its beginning if none
   /// does.
   void showTopic(const QString& topic);
 
-  /// The heading that is shown.
+  /// The heading on display.
   QString heading() const { return heading_; }
 
  protected:
-  /// Pictures follow the width of the text.
+  /// Scales pictures to the width of the text.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -35,14 +35,14 @@ class HelpWindow final : public QMainWindow {
   QString heading_;
 };
 
-/// Opens help on F1 in every window of the desk; nothing happens in the participant's. A widget
-/// with the property "help" is about that topic; others are about what their window is.
+/// Opens help on F1 in every window except the participant's. The topic is the widget's property
+/// "help", or else that of its window.
 void offerHelp(QApplication& application);
 
-/// What F1 shows in @p widget; nothing where there is no help to be had.
+/// The topic that F1 shows for @p widget; empty if there is no help.
 QString helpTopicOf(const QWidget& widget);
 
-/// The window that F1 opened last; nothing before.
+/// The window that F1 opened last; nullptr before the first.
 HelpWindow* openHelp() noexcept;
 
 /// Opens help on a topic, as F1 does in @p beside.

@@ -28,7 +28,7 @@
 
 namespace study::gui {
 
-/// A study with its windows, in the order in which they may go.
+/// A study and its window. Each member uses those before it.
 struct HomeWindow::OpenStudy {
   OpenStudy(const std::string& folder, const std::string& deviceFile)
       : study(Study::open(folder, clock)), window(study, deviceFile) {}
@@ -124,7 +124,7 @@ void HomeWindow::makeMenus() {
   measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { askForShape(this); });
   addThemesTo(*menuBar()->addMenu(tr("&View")));
   auto* help = menuBar()->addMenu(tr("&Help"));
-  // F1 itself is seen by offerHelp(), wherever the keyboard is.
+  // offerHelp() handles F1 itself, wherever the focus is.
   help->addAction(
       tr("&Help for this window\tF1"), this, [this] { showHelp(helpTopicOf(*this), this); });
   help->addAction(tr("&Tour in three steps…"), this, &HomeWindow::showTour);
@@ -235,7 +235,7 @@ void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> sessi
 bool HomeWindow::eventFilter(QObject* watched, QEvent* event) {
   const bool isOperator = open_ && watched == &open_->window;
   if (isOperator && event->type() == QEvent::Hide && !event->spontaneous()) {
-    show();  // before the program finds that its last window has gone
+    show();  // before Qt quits because the last window was closed
     QTimer::singleShot(0, this, &HomeWindow::closeStudy);
   }
   return QMainWindow::eventFilter(watched, event);
@@ -289,7 +289,7 @@ void HomeWindow::askForProtocol() {
 void HomeWindow::readProtocol(const QString& source) {
   auto* window = new ProtocolWindow(source);
   window->setAttribute(Qt::WA_DeleteOnClose);
-  window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home page
+  window->setAttribute(Qt::WA_QuitOnClose, false);  // the program ends with the home window
   connect(this, &QObject::destroyed, window, &QObject::deleteLater);
   window->show();
 }

@@ -12,25 +12,26 @@
 
 namespace study::gui {
 
-/// The first window: the studies of this computer, a new one, and everything that is done with one
-/// besides running it. Opens the operator's window, and is there again when that is closed.
+/// The first window: the list of this computer's studies, a button for a new one, and every task
+/// apart from running sessions. It hides while the operator's window is open and returns
+/// afterwards.
 class HomeWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// @param deviceFile  of the laboratory; empty: each study's own, or virtual instruments.
+  /// @param deviceFile  the laboratory's device file; empty: each study's own, or virtual devices.
   explicit HomeWindow(std::string deviceFile = {}, QWidget* parent = nullptr);
   ~HomeWindow() override;
 
-  /// Looks at all studies again.
+  /// Reads the summaries of all studies again.
   void refresh();
-  /// Chooses a study of the list, and puts it there first if it is new.
+  /// Selects a study in the list. A new one is added at the top.
   void choose(const QString& folder);
-  /// The operator's window; nothing where no study is open.
+  /// The operator's window; nullptr if no study is open.
   OperatorWindow* operatorWindow() const noexcept;
 
  public slots:
-  /// Opens the operator's window of a study, and goes on with a session where one is given.
+  /// Opens a study in the operator's window and resumes @p session if one is given.
   void openStudy(const QString& folder, std::optional<SessionId> session = std::nullopt);
   void makeStudy();
   void chooseFolder();
@@ -53,12 +54,12 @@ class HomeWindow final : public QMainWindow {
   void forgetChosen();
   void askForProtocol();
   template <typename Dialog>
-  void openDialog();  ///< about the chosen study
+  void openDialog();  ///< a dialog about the selected study
   template <typename Dialog>
-  void openTool();  ///< about none
+  void openTool();  ///< a dialog that needs no study
 
   std::string deviceFile_;
-  std::vector<StudySummary> studies_;  ///< as in the list
+  std::vector<StudySummary> studies_;  ///< in the order of the list
   QTableWidget* list_;
   StudyPanel* panel_;
   std::unique_ptr<OpenStudy> open_;

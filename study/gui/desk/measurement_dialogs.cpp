@@ -12,9 +12,10 @@ namespace study::gui {
 namespace {
 
 constexpr int kMostSpheres = 2'000'000;
-constexpr int kUsualSpheres = 201'532;  // as in the publication
+constexpr int kUsualSpheres = 201'532;  // as in the published model
 
-/// Runs the work behind a bar; what it said, or nothing where it failed or was cancelled.
+/// Runs the work behind a progress dialog.
+/// @return the description of its result; nothing if it failed or was cancelled.
 std::optional<QString> saidBy(
     QWidget* parent,
     const QString& title,

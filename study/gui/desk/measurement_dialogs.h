@@ -8,7 +8,7 @@
 
 namespace study::gui {
 
-/// Takes a cut from a recording of the punch, for a protocol.
+/// Imports a cut from a recording of the punch for use in a protocol.
 class ImportCutDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class ImportCutDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// Makes a reaming material from a folder of measured series.
+/// Fits a reaming material to a folder of measured series.
 class FitMaterialDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class FitMaterialDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// Fills the program's own cup with spheres.
+/// Fills the built-in cup with spheres.
 class BuildBoneDialog final : public WorkDialog {
   Q_OBJECT
 

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 namespace reaming = haptics::reaming;
 
-/// Before anything is computed: what would be refused at the end.
+/// Throws before the computation starts if the file could not be written at its end.
 void requireNewFile(const std::string& out, std::string_view ending) {
   if (!out.ends_with(ending)) {
     throw UserError(
@@ -36,7 +36,7 @@ void requireNewFile(const std::string& out, std::string_view ending) {
   }
 }
 
-/// The test that the name of a file speaks of; nothing where it speaks of none.
+/// The test named in a file name; nothing if there is none.
 std::optional<reaming::TestSet> testOf(const std::string& name) {
   for (std::size_t i = 0; i < reaming::kTestSets.size(); ++i) {
     if (name.find(reaming::kTestSets[i]) != std::string::npos) {
@@ -61,7 +61,7 @@ std::vector<fs::path> seriesIn(const std::string& folder) {
   return files;
 }
 
-/// Tells how far it is; false where it was cancelled, since nothing may be thrown there.
+/// Reports progress. Returns false if cancelled, because the caller must not throw.
 bool goesOn(const Progress& progress, const reaming::PackingProgress& now, std::size_t wanted) {
   try {
     tell(

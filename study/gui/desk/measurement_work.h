@@ -9,26 +9,26 @@
 
 namespace study::gui {
 
-// What the dialogs about measurements do, in any thread. Each writes a new file, overwrites
-// nothing, and says in a few lines what it made. They throw in words, and whatever the progress
-// throws.
+// The work behind the measurement dialogs, callable from any thread. Each function writes a new
+// file, never overwrites one, and returns a few lines that describe the result. They throw errors
+// with a message for the user, and pass on what @p progress throws.
 
-/// @param cut  its number in the recording, from 1; nothing: the most typical one.
+/// @param cut  its number in the recording, from 1; nothing: the most typical cut.
 std::string importCutTo(
     const std::string& recording,
     std::optional<std::size_t> cut,
     const std::string& out,
     const Progress& progress);
 
-/// @param folder  of series, CSV or TSV, each with its test in its name: static, dynamic-1,
-///                dynamic-2.
+/// @param folder  CSV or TSV files, one per series. Each file name contains its test: static,
+///                dynamic-1 or dynamic-2.
 std::string fitMaterialTo(
     const std::string& folder,
     const std::string& title,
     const std::string& out,
     const Progress& progress);
 
-/// @param out  ends in .packing.
+/// @param out  a path that ends in .packing.
 std::string buildBoneTo(
     std::size_t spheres, std::uint64_t seed, const std::string& out, const Progress& progress);
 

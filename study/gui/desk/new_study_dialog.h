@@ -10,20 +10,20 @@
 
 namespace study::gui {
 
-/// Makes a study from a protocol: one that ships, or a file, which is checked as soon as it is
-/// named and again whenever it changes.
+/// Creates a study from a built-in protocol or a protocol file. A file is checked when it is chosen
+/// and after each change.
 class NewStudyDialog final : public WorkDialog {
   Q_OBJECT
 
  public:
   explicit NewStudyDialog(QWidget* parent = nullptr);
 
-  /// Takes a protocol file of one's own.
+  /// Selects a protocol file.
   void setProtocolFile(const QString& file);
 
  signals:
   void created(const QString& folder);
-  /// Somebody wants to see the protocol's text and problems side by side.
+  /// The user wants to see the protocol's text beside its problems.
   void protocolRequested(const QString& source);
 
  protected:

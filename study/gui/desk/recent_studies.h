@@ -10,17 +10,17 @@ namespace study::gui {
 /// A study that was opened on this computer.
 struct RecentStudy {
   QString folder;  ///< absolute
-  QString title;   ///< as it was when it was opened last; told where the folder is gone
+  QString title;   ///< when last opened; shown if the folder no longer exists
   QDateTime opened;
 };
 
-/// Those that this person opened, the last one first; at most kMostRecent.
+/// The studies that this user opened, latest first; at most kMostRecent.
 std::vector<RecentStudy> recentStudies();
 
-/// Puts a study first.
+/// Puts a study at the top of the list.
 void rememberStudy(const QString& folder, const QString& title);
 
-/// Takes a study off the list; its folder stays as it is.
+/// Removes a study from the list. Its folder is not changed.
 void forgetStudy(const QString& folder);
 
 inline constexpr int kMostRecent = 20;

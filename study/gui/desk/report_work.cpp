@@ -14,7 +14,7 @@
 namespace study::gui {
 namespace {
 
-/// Before anything is computed: what would be refused at the end.
+/// Throws before the computation starts if the file could not be written at its end.
 void requireWritable(const std::string& out) {
   const auto ending = std::filesystem::path(out).extension();
   if (ending != ".html" && ending != ".pdf") {
@@ -29,7 +29,7 @@ void requireWritable(const std::string& out) {
 }  // namespace
 
 void write(const ReportOrder& order, const Progress& progress) {
-  constexpr double kStep = 0.25;  // of four
+  constexpr double kStep = 0.25;  // one of four steps
   requireWritable(order.out);
   SystemClock clock;
   auto study = Study::open(order.folder, clock, accessToNote(order.reason));

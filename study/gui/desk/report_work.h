@@ -7,17 +7,17 @@
 
 namespace study::gui {
 
-/// Which report, of what.
+/// What to report, and where to write it.
 struct ReportOrder {
-  std::string folder;  ///< of the study
+  std::string folder;  ///< the study's folder
   RunMode mode = RunMode::Live;
   std::string language = "en";
-  std::string out;     ///< .html or .pdf; nothing is overwritten
-  std::string reason;  ///< why conditions are named beside live sessions' results
+  std::string out;     ///< ends in .html or .pdf; an existing file is not overwritten
+  std::string reason;  ///< for naming the conditions in results of live sessions
 };
 
-/// Writes it, as `palpate report` does. May run in any thread.
-/// @throws storage::StorageError, UserError  in words.
+/// Writes the report as `palpate report` does. Can be called from any thread.
+/// @throws storage::StorageError, UserError  with a message for the user.
 void write(const ReportOrder& order, const Progress& progress);
 
 }  // namespace study::gui

@@ -1,4 +1,4 @@
-// What a self-test says of the screens.
+// The part of the self-test that checks screens.
 #include <QGuiApplication>
 #include <QScreen>
 
@@ -36,7 +36,7 @@ CheckResult judgeScreen(const QScreen& screen) {
   return found;
 }
 
-/// Who would draw a simulation, found by trying.
+/// Tests which renderer is available by opening one.
 CheckResult judgeGraphics() {
   const auto graphics = scene::openGraphics();
   return {

@@ -21,8 +21,8 @@ using haptics::engine::RealtimeLoop;
 
 constexpr double kRate = 1000.0;  // [Hz]
 constexpr int kCommits = 40;
-constexpr double kPromptCommit = 0.02;  // [s]: nobody notices the page that waits for it
-constexpr double kSlowCommit = 0.2;     // [s]: everybody does
+constexpr double kPromptCommit = 0.02;  // [s]: not noticeable between pages
+constexpr double kSlowCommit = 0.2;     // [s]: clearly noticeable between pages
 
 std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress& progress) {
   const auto own = order.study / kDeviceFileName;
@@ -56,7 +56,7 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
 }
 
 SelfTestLine testClock(double seconds) {
-  // As much as a scene of a study takes of a tick.
+  // Loads each tick about as much as a scene of a study does.
   volatile double sink = 0.0;
   RealtimeLoop loop({.rate = kRate}, [&sink](double dt, double) {
     for (int i = 0; i < 2000; ++i) sink = sink + dt;
@@ -149,7 +149,7 @@ std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progres
   tell(progress, kUnknownShare, "ticking a thousand times a second");
   lines.push_back(testClock(order.seconds));
   tell(progress, kUnknownShare, "writing to the disk");
-  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): nobody sets it here
+  const char* home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): no thread sets it
   lines.push_back(testCommits(
       !order.study.empty() ? order.study : std::filesystem::path(home == nullptr ? "." : home)));
   if (order.study.empty()) return lines;

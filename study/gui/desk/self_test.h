@@ -12,26 +12,26 @@
 
 namespace study::gui {
 
-/// One line of a self-test: of what part, and what was found there.
+/// One line of a self-test: the part and its finding.
 struct SelfTestLine {
   std::string part;  ///< "clock"
   haptics::devices::CheckResult found;
 };
 
-/// What is tested.
+/// The scope of a self-test.
 struct SelfTestOrder {
-  std::filesystem::path study;  ///< its folder; empty: this computer alone
-  std::string deviceFile;       ///< empty: the study's own, if it has one
-  double seconds = 2.0;         ///< for the clock, and for each device
+  std::filesystem::path study;  ///< a study's folder; empty: the computer only
+  std::string deviceFile;       ///< empty: the study's own, if any
+  double seconds = 2.0;         ///< duration for the clock, and for each device [s]
 };
 
-/// Devices, clock and database, as they are now. Blocks for some seconds; any thread.
+/// Tests devices, clock and database. Blocks for some seconds. Can be called from any thread.
 std::vector<SelfTestLine> testComputer(const SelfTestOrder& order, const Progress& progress);
 
-/// The screens. The window's thread.
+/// Tests the screens. Call it from the GUI thread.
 std::vector<SelfTestLine> testScreens();
 
-/// What measured numbers mean for a study.
+/// Compares measurements with what a study needs.
 SelfTestLine judgeClock(
     const haptics::engine::RealtimeLoop::Report& report, bool isRealtime, double rate);
 SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder);

@@ -9,8 +9,8 @@
 
 namespace study::gui {
 
-/// Whether this computer is fit for a study day: devices, clock, database, screen; each with what
-/// was measured and what to do about it.
+/// Tests whether this computer is ready for a study: devices, clock, database and screen. Shows for
+/// each the measured value and what to do.
 class SelfTestDialog final : public QDialog {
   Q_OBJECT
 

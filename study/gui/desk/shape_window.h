@@ -5,12 +5,12 @@
 
 namespace study::gui {
 
-/// Opens a window with a bone (a packing, in colours that say how hard it is) or a knee (an anatomy
-/// as OBJ, with the punch in it) as trials show them.
-/// @throws questionnaires::Error  in words, if the file holds neither.
+/// Opens a window with a bone (a packing, coloured by density) or a knee (an anatomy as OBJ,
+/// together with the punch), drawn as in a trial.
+/// @throws questionnaires::Error  with a message for the user, if the file holds neither.
 QWidget* openShape(const QString& path, QWidget* parent);
 
-/// Asks for such a file, and opens it or says what is wrong with it.
+/// Asks for such a file and opens it. Shows a message if that fails.
 void askForShape(QWidget* parent);
 
 }  // namespace study::gui

@@ -14,7 +14,7 @@
 
 namespace study::gui {
 
-/// Copies a study to a new folder and reads the copy again.
+/// Copies a study to a new folder and verifies the copy.
 class BackupDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class BackupDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// Reads a study to its last byte and says check by check whether it holds.
+/// Verifies a whole study and lists the result of each check.
 class VerifyDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class VerifyDialog final : public WorkDialog {
   std::string folder_;
 };
 
-/// Writes the page for a paper.
+/// Writes the report of a study.
 class ReportDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -54,7 +54,7 @@ class ReportDialog final : public WorkDialog {
   void work() override;
 
  private:
-  /// Live sessions are unblinded with a reason only.
+  /// Asks for a reason where live sessions would be unblinded.
   void updateChoices();
 
   std::string folder_;
@@ -64,14 +64,15 @@ class ReportDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// All checks as lines: "✓ the audit trail is unbroken", and what is wrong below those that fail.
+/// All checks, one line each, such as "✓ the audit trail is unbroken", with the errors below a
+/// failed check.
 QString describe(const Verification& verification);
 
-/// A choice of the sessions that count, with how many of each there are.
+/// A list of run modes to choose from, each with its number of sessions.
 QComboBox* runModeChoice(const StudySummary& study, QWidget* parent);
 RunMode chosenMode(const QComboBox& choice);
 
-/// A name for something new beside a study: "/home/a/my-study-report".
+/// A path for a new file or folder next to a study: "/home/a/my-study-report".
 QString beside(const std::string& folder, const QString& ending);
 
 }  // namespace study::gui

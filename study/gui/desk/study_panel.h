@@ -9,8 +9,8 @@
 
 namespace study::gui {
 
-/// One study: what it is, who has taken part, what can be done with it, and what can be done with
-/// every session that nobody has ended.
+/// One study: what it is, who has taken part, the actions on it, and the actions on each unfinished
+/// session.
 class StudyPanel final : public QFrame {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class StudyPanel final : public QFrame {
 
   void show(const StudySummary& summary);
   using QFrame::show;
-  /// No study is chosen.
+  /// Shows that no study is selected.
   void clear();
 
  signals:
@@ -41,9 +41,9 @@ class StudyPanel final : public QFrame {
   QLabel* folder_;
   QLabel* problem_;
   QPushButton* open_;
-  std::vector<QPushButton*> actions_;  ///< that need a study which can be opened
+  std::vector<QPushButton*> actions_;  ///< enabled only if the study can be opened
   QPushButton* forget_;
-  QWidget* place_;  ///< of the unfinished sessions
+  QWidget* place_;  ///< holds the unfinished sessions
   QVBoxLayout* unfinished_;
 };
 

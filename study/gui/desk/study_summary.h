@@ -9,25 +9,26 @@
 
 namespace study::gui {
 
-/// What stands about a study on the home page. Knows no condition.
+/// What the home page shows about a study. Contains no condition.
 struct StudySummary {
   std::string folder;
   std::string title;
   std::string protocol;  ///< "punch-face-validity 1.0, frozen 2026-11-20 …"
   std::map<RunMode, int> completed;
-  std::map<RunMode, int> sessions;  ///< all of them, however they ended
+  std::map<RunMode, int> sessions;  ///< all of them, finished or not
   std::vector<UnfinishedSession> unfinished;
-  bool isGone = false;  ///< there is no such folder any more
-  std::string problem;  ///< why it cannot be opened, in words; empty where it can
+  bool isGone = false;  ///< the folder no longer exists
+  std::string problem;  ///< a message that says why the study cannot be opened; empty if it can
 };
 
-/// Looks at a study without changing it. What is wrong with it stands in the summary.
+/// Reads a study without changing it. Problems are returned in the summary.
 StudySummary summaryOf(const std::string& folder);
 
 /// "12 live completed, 1 unfinished; 3 simulated".
 std::string sessionsInWords(const StudySummary& summary);
 
-/// The run mode that most likely is meant: live where anybody took part, or else what there is.
+/// The run mode to offer first: live if there are live sessions, else simulated, else pilot; live
+/// if there are none.
 RunMode likelyRunMode(const StudySummary& summary);
 
 }  // namespace study::gui

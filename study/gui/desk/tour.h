@@ -20,8 +20,8 @@ class LivePlot;
 
 namespace study::gui {
 
-/// Three steps for whoever opens the studio for the first time: feel a punch that is not there, see
-/// what a participant sees, see what is kept. Nothing of it is written anywhere.
+/// A tour of three steps for new users: feel a virtual punch, see what a participant sees, see the
+/// recorded data. Nothing is saved.
 class Tour final : public QDialog {
   Q_OBJECT
 
@@ -30,10 +30,10 @@ class Tour final : public QDialog {
   ~Tour() override;
 
   int step() const { return steps_->currentIndex(); }
-  /// What was felt; nothing before.
+  /// The record of the trial in the tour; nothing before it.
   const std::optional<TrialRecord>& felt() const noexcept { return felt_; }
 
-  /// Whether nobody has seen it on this computer, or closed it.
+  /// Whether the tour has neither been seen nor dismissed on this computer.
   static bool isNew();
 
  public slots:

@@ -10,11 +10,11 @@
 
 namespace study::gui {
 
-/// A punch that is not there, under somebody's mouse: ticks a thousand times a second as in a
-/// study, and keeps what was felt in memory only.
+/// A virtual punch that is moved with the mouse. It ticks at 1 kHz as in a study and keeps the
+/// recording in memory only.
 class VirtualPunch {
  public:
-  /// @param need, scene  of a sound protocol.
+  /// @param need, scene  from a sound protocol.
   VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene);
   ~VirtualPunch();
 
@@ -22,7 +22,7 @@ class VirtualPunch {
 
   bool isRunning() const noexcept { return live_ != nullptr; }
   void begin();
-  /// Where the hand means to be, from 0 (open) to 1 (closed).
+  /// Sets the wanted hand position, from 0 (open) to 1 (closed).
   void moveTo(double share);
   LiveTrial::Status status() const { return live_ ? live_->status() : LiveTrial::Status{}; }
   bool nextToPlot(haptics::engine::TickSample& sample) {
@@ -30,7 +30,7 @@ class VirtualPunch {
   }
   TrialRecord finish();
 
-  /// What was kept of the last time.
+  /// The recording of the last trial.
   const std::vector<storage::TraceSample>& samples() const noexcept { return samples_; }
 
  private:
@@ -40,7 +40,7 @@ class VirtualPunch {
   SimulatedRig rig_;
   std::vector<storage::TraceSample> samples_;
   std::unique_ptr<Trial> trial_;
-  std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
+  std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first
 };
 
 }  // namespace study::gui

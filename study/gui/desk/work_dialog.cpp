@@ -70,7 +70,7 @@ void WorkDialog::fit() {
 
 void WorkDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
-  fit();  // only now is it known how large everything is in this theme
+  fit();  // sizes depend on the theme, which applies only from here on
 }
 
 void WorkDialog::clear() {

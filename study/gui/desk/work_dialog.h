@@ -9,12 +9,12 @@
 
 namespace study::gui {
 
-/// A few questions, a button that does the work, and what came of it, in one window.
+/// A dialog with a form, a button that does the work, and the result.
 class WorkDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// How it came out; each has a sign of its own beside its colour.
+  /// The kind of result. Each has a symbol as well as a colour.
   enum class Outcome { Good, Warning, Bad };
 
  protected:
@@ -23,15 +23,15 @@ class WorkDialog : public QDialog {
   QFormLayout& form() noexcept { return *form_; }
   QPushButton& go() noexcept { return *go_; }
 
-  /// Says how it came out, in a line, and more about it below.
+  /// Shows the result in one line, and details below.
   void say(Outcome outcome, const QString& line, const QString& more = {});
-  /// Shows words below without an outcome.
+  /// Shows details without a result.
   void tellMore(const QString& more);
   void clear();
-  /// Makes room for what is shown now.
+  /// Resizes the dialog to its contents.
   void fit();
 
-  /// Runs when the button is pressed.
+  /// Called when the button is pressed.
   virtual void work() = 0;
 
   void showEvent(QShowEvent* event) override;

@@ -26,7 +26,7 @@ void saveConsentCopy(Study& study, const std::string& participant, QWidget* pare
       QStringLiteral("consent-%1.pdf").arg(QString::fromStdString(participant)),
       QFileDialog::tr("PDF (*.pdf);;Page (*.html)"),
       nullptr,
-      QFileDialog::DontConfirmOverwrite);  // nothing is overwritten
+      QFileDialog::DontConfirmOverwrite);  // existing files are never overwritten
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".pdf");
   attempt(parent, [&] { writeConsentCopy(study, participant, path.toStdString()); });

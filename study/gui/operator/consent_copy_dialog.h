@@ -8,11 +8,13 @@
 
 namespace study::gui {
 
-/// Asks where to, and writes a copy of what somebody agreed to, as a page or a PDF; says why where
-/// that does not work. @param participant  their code.
+/// Asks for a file and writes a copy of the consent that the participant gave, as HTML or PDF.
+/// Shows a message if that fails.
+/// @param participant  the participant's code.
 void saveConsentCopy(Study& study, const std::string& participant, QWidget* parent);
 
-/// The same without asking. @throws UserError, storage::StorageError  in words.
+/// Writes the copy to @p path without asking: PDF if the name ends in .pdf, HTML otherwise.
+/// @throws UserError, storage::StorageError  with a message for the operator.
 void writeConsentCopy(Study& study, const std::string& participant, const std::string& path);
 
 }  // namespace study::gui

@@ -74,7 +74,7 @@ QWidget* ControlPanel::makeButtons() {
     grid->addWidget(buttons[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
   }
   resume_->setProperty("role", QStringLiteral("tool"));
-  grid->addWidget(resume_, 1, 0);  // in the place of "Pause…": one of them can be pressed
+  grid->addWidget(resume_, 1, 0);  // shares a place with "Pause…": one of them is enabled
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);
   layout->addLayout(grid);
@@ -115,7 +115,7 @@ void ControlPanel::askAndDo(Perform action, const QString& what, SessionEvent ev
   const QString consequence = isEnd ? tr("This ends the session for good; what was answered is "
                                          "kept, and its place in the design is free again.\n\n")
                                     : QString();
-  controller_->stop();  // no force while somebody types why
+  controller_->stop();  // no force while the operator types a reason
   bool isMeant = false;
   const QString reason = QInputDialog::getText(
       this,
@@ -133,7 +133,7 @@ void ControlPanel::keepNote() {
   showNotes();
 }
 
-/// The newest first.
+/// Lists the newest note first.
 void ControlPanel::showNotes() {
   notes_->clear();
   if (controller_ == nullptr) return;
@@ -143,7 +143,7 @@ void ControlPanel::showNotes() {
   }
 }
 
-/// "P003", and "Orthopaedic surgeons · live · English".
+/// Shows, for example, "P003" and "Orthopaedic surgeons · live · English".
 void ControlPanel::showWho() {
   if (controller_ == nullptr) return;
   const auto& session = controller_->session();
@@ -167,7 +167,7 @@ void ControlPanel::refresh() {
   const bool isRunning = isOpen && controller_->isTrialRunning();
   stop_->setEnabled(isRunning);
   for (const auto& choice : choices_) {
-    // While something is felt there is one button only, and withdrawing.
+    // During a trial only stopping and withdrawing are possible.
     const bool isAllowed = isOpen && controller_->session().allows(choice.event);
     choice.button->setEnabled(isAllowed && (!isRunning || choice.event == SessionEvent::Withdrew));
   }

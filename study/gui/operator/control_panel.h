@@ -14,24 +14,24 @@ namespace study::gui {
 
 class SessionController;
 
-/// What the operator may do, as far as the session allows it; every exceptional step asks for its
-/// reason. However low the screen is, the button that stops stays in sight.
+/// The operator's buttons. Each is enabled only while the session allows its action, and each
+/// exceptional action asks for a reason. The stop button stays visible on low screens.
 class ControlPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ControlPanel(QWidget* parent = nullptr);
 
-  /// Nothing where no session is open.
+  /// Shows @p controller's session; nullptr: no session is open.
   void follow(SessionController* controller);
   void refresh();
   QPushButton* stopButton() const noexcept { return stop_; }
 
  signals:
   void interviewFinished();
-  /// The screen is to be the participant's.
+  /// The operator hands the screen to the participant.
   void handOverRequested();
-  /// The participant wants a copy of what they agreed to.
+  /// The participant asks for a copy of the consent they gave.
   void consentCopyRequested();
   void closeSessionRequested();
 

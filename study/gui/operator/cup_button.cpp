@@ -12,8 +12,8 @@
 namespace study::gui {
 namespace {
 
-/// Whether a bone of spheres is seen anywhere in @p protocol. The same in every step of a study, so
-/// that it says nothing about one.
+/// Whether any trial of @p protocol shows a bone of spheres. The result is the same in each step of
+/// a study, so it does not reveal the condition of a step.
 bool isBoneSeen(const protocols::Protocol& protocol) {
   const bool isAnyBlockSeen =
       std::any_of(protocol.phases.begin(), protocol.phases.end(), [](const auto& phase) {
@@ -80,7 +80,7 @@ void CupButton::refresh() {
 }
 
 void CupButton::closeWindow() {
-  delete window_.data();  // at once: what it follows may go
+  delete window_.data();  // at once, because the window's trial may be deleted next
 }
 
 bool CupButton::mayShow() {
@@ -102,7 +102,7 @@ bool CupButton::mayShow() {
 
 void CupButton::openWindow() {
   if (!isAllowed_ || present().seen == nullptr || !mayShow()) return;
-  if (present().seen == nullptr) return;  // the trial has ended meanwhile
+  if (present().seen == nullptr) return;  // the trial may have ended meanwhile
   if (window_.isNull()) {
     const auto spec = sceneFor(controller_->session());
     window_ = new scene::CupWindow(

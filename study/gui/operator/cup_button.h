@@ -8,13 +8,12 @@
 
 namespace study::gui {
 
-/// Why the operator of @p session may not see its bones in colours: they could tell the condition
-/// where labels are drawn, so that the operator does not know it either. Empty where nothing keeps
-/// them from it.
+/// Why the operator of @p session may not see the bone in colours: in a double-blind session the
+/// colours could reveal the condition. Empty if the operator may see them.
 QString whyNoColours(const Session& session);
 
-/// For the operator: opens a window with the bone in colours while a participant reams one that
-/// they see. There is nothing of that window before, and it goes with the trial.
+/// Opens a window that shows the operator the bone in colours while a participant reams a visible
+/// one. The window is created on the click and closes when the trial ends.
 class CupButton final : public QPushButton {
   Q_OBJECT
 
@@ -22,14 +21,16 @@ class CupButton final : public QPushButton {
   explicit CupButton(QWidget* parent = nullptr);
   ~CupButton() override;
 
-  /// Nothing where no session is open. The controller outlives the next call.
+  /// Shows @p controller's trials; nullptr: no session is open. The controller must live until the
+  /// next call.
   void follow(SessionController* controller);
-  /// Whether there is something to see may have changed.
+  /// Enables the button if there is a bone to show now; otherwise disables it and closes the
+  /// window.
   void refresh();
   void closeWindow();
 
  private:
-  /// Asks where a participant would see the window, too; No is what Enter says.
+  /// Asks for confirmation if the participant would see the window, too. Enter means No.
   bool mayShow();
   void openWindow();
   scene::CupWindow::Present present() const;

@@ -74,7 +74,7 @@ void CutTable::add(const TickSample& sample) {
   ++cut_;
 }
 
-/// Into the row of the present cut.
+/// Writes a cell in the row of the current cut.
 void CutTable::write(int column, const QString& words) {
   if (rowCount() <= cut_) {
     setRowCount(cut_ + 1);

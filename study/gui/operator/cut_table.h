@@ -7,15 +7,15 @@
 
 namespace study::gui {
 
-/// The cuts of a trial as they happen: each landmark when it has become clear, with the force and
-/// the travel of a cut that is complete.
+/// The cuts of a running trial. Each landmark appears as soon as it is detected, with its force and
+/// travel once the cut is complete.
 class CutTable final : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit CutTable(QWidget* parent = nullptr);
 
-  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  /// Clears the table for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample);
 

@@ -79,7 +79,7 @@ bool DevicePanel::mayBegin(const Found& otherwise) {
 }
 
 Found DevicePanel::listen() {
-  timer_.stop();  // the rig belongs to the worker until it is done
+  timer_.stop();  // the worker owns the rig until it is done
   Found found;
   const auto listenToAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
@@ -97,8 +97,8 @@ Found DevicePanel::listen() {
       found.push_back({need.id, preflight(*device, &need, kListenFor)});
     }
   };
-  // Nobody may begin a trial meanwhile: its dialog takes all clicks until the devices have
-  // answered.
+  // No trial can begin meanwhile, because the modal dialog takes all clicks until the check is
+  // over.
   const bool isDone = BackgroundTask::run(
       window(), tr("Devices"), listenToAll, BackgroundTask::Cancelling::Impossible);
   if (!isDone) {

@@ -19,33 +19,34 @@ class Rig;
 
 namespace study::gui {
 
-/// How the instruments of this study are: a line each, and a button that checks them. Of virtual
-/// instruments it says just that.
+/// The state of the study's devices, one line each, and a button that checks them. For virtual
+/// devices it only says that they are virtual.
 class DevicePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  /// Protocol and rig outlive it.
+  /// Protocol and rig must outlive the panel.
   DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent = nullptr);
 
-  /// While a trial runs nothing is checked.
+  /// Disables checking while a trial runs.
   void setBusy(bool isBusy);
 
-  /// Before a session: checks every device, and asks where one has failed, or anything of what was
-  /// found @p otherwise; No is what Enter says. Virtual instruments are always fit.
+  /// Checks every device before a session. If a device or one of the findings in @p otherwise has
+  /// failed, asks whether to begin all the same; Enter means No.
+  /// @return whether the session may begin. Virtual devices always pass.
   bool mayBegin(const std::vector<FindingsDialog::Found>& otherwise);
 
  public slots:
-  /// Checks every device of the protocol, and shows what was found.
+  /// Checks every device of the protocol and shows the findings.
   void check();
 
  private:
   void refresh();
-  /// A few seconds, during which the window draws but takes no clicks.
+  /// Measures for a few seconds. The window is repainted meanwhile but takes no clicks.
   std::vector<FindingsDialog::Found> listen();
 
   const protocols::Protocol& protocol_;
-  HardwareRig* rig_;  ///< null: virtual instruments
+  HardwareRig* rig_;  ///< nullptr: virtual devices
   std::map<std::string, QLabel*> lines_;
   QPushButton* button_ = nullptr;
   QTimer timer_;

@@ -8,9 +8,9 @@
 
 namespace study::gui {
 
-/// What is not fit about the texts that somebody would read who is enrolled now: of a live
-/// participant whatever still stands in double square brackets. Nothing where all is well, and for
-/// those who do not count.
+/// Findings about the texts that a newly enrolled participant would read. For a live session each
+/// placeholder that is still in double square brackets fails. Empty if there are none, and in other
+/// run modes.
 std::vector<FindingsDialog::Found> textsBefore(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment);
 

@@ -68,7 +68,7 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
   table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Stretch);
-  // Rows follow the widths that the long columns get when the window is shown.
+  // Row heights depend on the column widths, which are known when the window is shown.
   table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   return table;
 }

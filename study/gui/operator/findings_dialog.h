@@ -9,19 +9,19 @@
 
 namespace study::gui {
 
-/// What a check before a session has found, of devices and texts: PASS, WARN, FAIL, what was
-/// measured, what to do.
+/// Shows the findings of a check before a session, for devices and texts: PASS, WARN or FAIL, the
+/// measured value, and what to do.
 class FindingsDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  /// What was found of one device, or of the texts.
+  /// The findings about one device, or about the texts.
   struct Found {
     std::string part;
     std::vector<haptics::devices::CheckResult> results;
   };
 
-  /// Whether to show them, or also to ask whether to go on without what has failed.
+  /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
   enum class Asks { Nothing, GoWithout };
 
   FindingsDialog(const std::vector<Found>& found, Asks asks, QWidget* parent);

@@ -78,7 +78,7 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   slice_ = 0;
   last_ = 0.0;
   plot_->xAxis->setRange(0.0, kShown);
-  // What an ordinary hand does; more makes the scale grow.
+  // The range of a normal hand movement. Larger values extend the axis.
   auto* speed = plot_->graph(2)->valueAxis();
   plot_->yAxis->setRange(0.0, device.plot.force);
   plot_->yAxis2->setRange(0.0, device.plot.travel);

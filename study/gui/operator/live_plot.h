@@ -13,11 +13,11 @@ class QCustomPlot;
 
 namespace study::gui {
 
-/// Force, position and velocity over the last ten seconds, as they happen.
+/// Plots force, position and velocity over the last ten seconds of a running trial.
 ///
-/// Every hundredth of a second is drawn as the least and the largest of its ticks, in the order in
-/// which they came: no peak is lost, and a picture costs a fifth of one with every tick. One-pixel
-/// pens, because a wider one makes every picture many times dearer.
+/// Each slice of 10 ms is drawn as its minimum and maximum, in the order in which they occurred. No
+/// peak is lost, and drawing takes a fifth of the time of drawing every tick. Pens are one pixel
+/// wide because wider pens are many times slower.
 class LivePlot final : public QWidget {
   Q_OBJECT
 
@@ -27,21 +27,21 @@ class LivePlot final : public QWidget {
 
   explicit LivePlot(QWidget* parent = nullptr);
 
-  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  /// Clears the plot for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample);
-  /// Draws what was added.
+  /// Draws the samples that were added.
   void refresh();
 
-  /// What a channel (0 force, 1 travel, 2 velocity) shows: x the time [s], y the value in the unit
-  /// of travelScaleOf().
+  /// The points of a channel (0 force, 1 travel, 2 velocity): x is the time [s], y the value in the
+  /// unit of travelScaleOf().
   std::vector<QPointF> channel(int index) const;
 
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
-  /// The least and the largest value of a slice of time.
+  /// The minimum and maximum of a channel within one slice of time.
   struct Slice {
     double least = 0.0, largest = 0.0;
     double leastAt = 0.0, largestAt = 0.0;  ///< [s]
@@ -54,10 +54,10 @@ class LivePlot final : public QWidget {
   void paintAsTheTheme();
 
   QCustomPlot* plot_;
-  double scale_ = 1.0;  ///< of travel and velocity
+  double scale_ = 1.0;  ///< factor for travel and velocity
   std::array<Slice, 3> slices_;
   double period_ = 0.001;   ///< [s]
-  std::int64_t slice_ = 0;  ///< since the start
+  std::int64_t slice_ = 0;  ///< index, counted from the start
   double last_ = 0.0;       ///< [s]
 };
 

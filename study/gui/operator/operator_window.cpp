@@ -61,13 +61,14 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   constexpr QSize kComfortable(1280, 860);
   const QSize available = screen()->availableSize();
   resize(kComfortable.boundedTo(available));
-  // A desktop puts its frame round what is as large as the screen, and the last line below its
-  // edge.
+  // A desktop adds its frame around a window as large as the screen, which would push the last line
+  // off the screen.
   if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connectPanels();
 }
 
-/// What holds in a session and between sessions: the study, and how its instruments are.
+/// The header, which is visible in a session and between sessions: the study and the state of its
+/// devices.
 QWidget* OperatorWindow::makeHead() {
   auto* head = new QWidget(this);
   auto* lines = new QVBoxLayout(head);
@@ -87,7 +88,7 @@ QWidget* OperatorWindow::makeSession() {
   auto* columns = new QHBoxLayout(page);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(20);
-  constexpr int kControlsWidth = 470;  // [px]: "Participant withdraws…" twice
+  constexpr int kControlsWidth = 470;  // [px]: width of "Participant withdraws…" twice
   controls_->setFixedWidth(kControlsWidth);
   columns->addWidget(controls_);
   middle_->addWidget(trial_);
@@ -153,7 +154,7 @@ void OperatorWindow::begin(Session session) {
       this,
       &OperatorWindow::tellWhatWaited,
       Qt::QueuedConnection);
-  wearTheme(*participant_, ThemeName::Light);  // the same for everybody who takes part
+  wearTheme(*participant_, ThemeName::Light);  // the same for each participant
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
   pages_->setCurrentIndex(1);
@@ -176,7 +177,8 @@ void OperatorWindow::followSession() {
   });
 }
 
-/// Nobody could answer a message behind a window that covers the screen: it waits for the PIN.
+/// Shows a message. While the participant's window is locked it waits for the PIN, because the
+/// locked window covers it.
 void OperatorWindow::tell(const QString& why) {
   if (participant_ && participant_->lock().isLocked()) {
     waiting_ << why;

@@ -22,31 +22,33 @@ class SessionsPage;
 class DevicePanel;
 class TrialPanel;
 
-/// What the operator sees: who has taken part, where the present session is, how the device and its
-/// clock are, and one large button that means no force at once. Knows alternatives, not conditions.
+/// The operator's window: the list of sessions, the state of the running session, the state of the
+/// device and its timing, and a large stop button that switches the force off at once. It shows
+/// alternatives but never conditions.
 class OperatorWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  /// The study outlives it.
-  /// @param deviceFile  of the laboratory; empty: the study's own, or else virtual instruments.
-  /// @throws UserError  if it cannot be used.
+  /// The study must outlive the window.
+  /// @param deviceFile  the laboratory's device file; empty: the study's own, or else virtual
+  /// devices.
+  /// @throws UserError  if the device file cannot be used.
   explicit OperatorWindow(
       Study& study, const std::string& deviceFile = {}, QWidget* parent = nullptr);
   ~OperatorWindow() override;
 
-  /// Begins a session and shows it to the participant.
+  /// Begins a session and opens the participant's window.
   void enrol(const Enrolment& enrolment);
-  /// Goes on with one that was interrupted.
+  /// Resumes an interrupted session.
   void resume(SessionId id);
-  /// The same after a check of devices and texts, where the operator does not think better of it.
+  /// Checks devices and texts, then enrols. If a check fails, the operator decides.
   void enrolIfFit(const Enrolment& enrolment);
-  /// Goes on after a check of the devices.
+  /// Checks the devices, then resumes. If a check fails, the operator decides.
   void resumeIfFit(SessionId id);
 
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
-  /// The instruments, for trying out what happens when one is gone.
+  /// The devices. Tests use this to disconnect one.
   Rig& rig() noexcept { return *rig_; }
 
  protected:
@@ -65,23 +67,23 @@ class OperatorWindow final : public QMainWindow {
   void stop();
   void showInterview();
   void endSession();
-  /// Asks whether to go on though something could not be kept; No is what Enter says.
+  /// Asks whether to close although something could not be saved. Enter means No.
   bool wantsToLose();
   void updateAll();
   void moveHand(double share);
   void speakTheSessionsLanguage();
 
   Study& study_;
-  std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices
+  std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices, by id
   std::unique_ptr<Rig> rig_;
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;
   CatalogueTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
-  QStringList waiting_;     ///< what could not be told while the screen was the participant's
-  QStackedWidget* pages_;   ///< between sessions, in a session
-  QStackedWidget* middle_;  ///< of a session: the trial, the interview
+  QStringList waiting_;     ///< messages that wait until the participant's window is unlocked
+  QStackedWidget* pages_;   ///< between sessions, and during a session
+  QStackedWidget* middle_;  ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
   SessionsPage* sessions_;
   ControlPanel* controls_;

@@ -13,8 +13,8 @@
 
 namespace study::gui {
 
-/// The histogram of lateness: a bar for each range, as high as the logarithm of its ticks, so that
-/// the one that was late among a million is seen.
+/// A histogram of lateness with one bar per range. Heights are logarithmic, so that one late tick
+/// in a million is visible.
 class ServoPanel::Bars final : public QWidget {
  public:
   Bars(const ServoHealth& health, QWidget* parent) : QWidget(parent), health_(health) {

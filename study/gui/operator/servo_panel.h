@@ -9,18 +9,18 @@
 
 namespace study::gui {
 
-/// How punctually a trial is rendered: rate, how late ticks were, how often the force was held
-/// back, and the energy of the contact.
+/// Shows how punctually a trial is rendered: the rate, the lateness of ticks, how often the force
+/// limiter intervened, and the energy of the contact.
 class ServoPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ServoPanel(QWidget* parent = nullptr);
 
-  /// A new trial begins on such a device, of ticks at @p rate [Hz].
+  /// Clears the panel for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
-  /// Writes and draws what was added.
+  /// Shows the samples that were added.
   void refresh();
 
   const ServoHealth& health() const noexcept { return health_; }

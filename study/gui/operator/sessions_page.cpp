@@ -19,13 +19,13 @@ namespace {
 
 enum SessionColumn { kCode, kCohort, kRunMode, kLanguage, kBegun, kStatus, kSessionColumns };
 
-/// "2026-03-09 08:15", as the clock on the wall showed it.
+/// A UTC time as local time: "2026-03-09 08:15".
 QString localTime(const std::string& utc) {
   const auto when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODateWithMs);
   return when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
-/// "in progress", "aborted hardware".
+/// A status as text: "in progress", "aborted hardware".
 QString statusInWords(const std::string& status) {
   return QString::fromStdString(status).replace(u'_', u' ');
 }
@@ -164,7 +164,7 @@ void SessionsPage::fillTable(
   table_->scrollToBottom();
 }
 
-/// How many of each cohort have finished, and have not ended otherwise.
+/// Shows how many participants of each cohort have completed.
 void SessionsPage::fillCohorts(
     const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol) {
   QStringList lines;
@@ -191,7 +191,7 @@ const UnfinishedSession* SessionsPage::selectedUnfinished() const {
   return found == unfinished_.end() ? nullptr : &*found;
 }
 
-/// Of an unfinished session what happened to it, and what can be done.
+/// Shows what happened to the selected unfinished session and what can be done.
 void SessionsPage::showSelected() {
   const auto* one = selectedUnfinished();
   resume_->setEnabled(one != nullptr && !one->isOpenElsewhere());

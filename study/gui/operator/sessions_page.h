@@ -16,16 +16,17 @@
 
 namespace study::gui {
 
-/// What the operator sees between sessions: who has taken part, whom to go on with and what can be
-/// done there, how many of each cohort are still to come, and a new participant.
+/// The operator's page between sessions: a table of all sessions, details and a resume button for
+/// unfinished ones, the remaining participants of each cohort, and a form that enrols a
+/// participant.
 class SessionsPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The study outlives it.
+  /// The study must outlive the page.
   explicit SessionsPage(Study& study, QWidget* parent = nullptr);
 
-  /// Reads them again.
+  /// Reads the sessions from the database again.
   void refresh();
 
  signals:

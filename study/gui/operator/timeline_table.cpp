@@ -10,7 +10,7 @@
 namespace study::gui {
 namespace {
 
-/// A step as an operator may read it: the alternative, never what it is.
+/// Describes a step by its alternative, without its condition.
 QString describe(const Step& step) {
   const QString phase = QString::fromStdString(step.phase);
   if (step.isOffered)
@@ -24,7 +24,7 @@ QString describe(const Step& step) {
   return phase;
 }
 
-/// How a step stands that is not the present one.
+/// The status of a step other than the current one.
 QString stateOf(const SessionController& controller, int step) {
   if (controller.attempts(step) == 0) return {};
   switch (controller.statusOf(step)) {
@@ -59,7 +59,7 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
 }
 
 void TimelineTable::resizeEvent(QResizeEvent* event) {
-  constexpr int kRoomForTheKind = 520;  // [px]; what a step is shows in its name, too
+  constexpr int kRoomForTheKind = 520;  // [px]; the step's name contains its kind as well
   setColumnHidden(2, event->size().width() < kRoomForTheKind);
   QTableWidget::resizeEvent(event);
 }
@@ -71,7 +71,7 @@ void TimelineTable::show(const SessionController* controller) {
   setRowCount(steps);
   if (controller == nullptr) return;
   for (int row = 0; row < steps; ++row) fillRow(row, *controller);
-  // Measured once: to do so at every step would take longer than to keep the answers.
+  // Measured only once: at each step it would take longer than saving the answers.
   for (const int narrow : {0, 2, 3}) {
     if (isNew) resizeColumnToContents(narrow);
   }

@@ -6,15 +6,15 @@
 
 namespace study::gui {
 
-/// The steps of a session in their order, each with its attempts and how it stands. Names
-/// alternatives as the participant knows them, and no condition.
+/// The steps of a session in order, each with its attempts and status. It shows the alternatives by
+/// the participant's labels and never the conditions.
 class TimelineTable final : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit TimelineTable(QWidget* parent = nullptr);
 
-  /// Shows where the session is; empty where there is none.
+  /// Shows the steps of @p controller's session; nullptr: an empty table.
   void show(const SessionController* controller);
 
  protected:

@@ -6,13 +6,13 @@
 
 namespace study::gui {
 
-/// In which unit an operator reads a device's travel.
+/// The unit in which an operator reads a device's travel.
 struct TravelScale {
-  double factor;         ///< from the device's unit to this one
+  double factor;         ///< from the device's unit to the displayed unit
   QString unit;          ///< "mm"
-  QString suffix;        ///< behind a number where room is scarce: " mm", or nothing
+  QString suffix;        ///< appended to a number in narrow columns: " mm", or empty
   QString velocityUnit;  ///< "mm/s", "/s"
-  QString energyUnit;    ///< of force times the device's own unit: "J"
+  QString energyUnit;    ///< force times the device's own travel unit: "J"
 };
 
 TravelScale travelScaleOf(const haptics::devices::DeviceKind& device);

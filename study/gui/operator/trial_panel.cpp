@@ -39,7 +39,8 @@ TrialPanel::TrialPanel(QWidget* parent)
   cuts_->setMinimumHeight(92);
   constexpr int kThreeSteps = 104;  // [px]
   steps_->setMinimumHeight(kThreeSteps);
-  // As much as there is, and on a low screen no more than they need: their hints are larger.
+  // These three take all free space and ignore their size hints, which are too large for a low
+  // screen.
   const std::array<QWidget*, 3> yielding{steps_, plot_, cuts_};
   for (auto* widget : yielding) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
@@ -65,7 +66,7 @@ TrialPanel::TrialPanel(QWidget* parent)
 void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
-  // Nothing of whoever was felt before.
+  // Removes the previous session's trial.
   showNothing(*haptics::deviceKinds().front(), kNominalRate);
   cup_->follow(controller);
   updateSteps();

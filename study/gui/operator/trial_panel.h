@@ -13,28 +13,29 @@ class LivePlot;
 class ServoPanel;
 class TimelineTable;
 
-/// Where the session is, step by step, and what is felt just now: force, position and velocity, the
-/// cuts, and how punctually it is rendered. Red until healthy.
+/// The steps of the session and the running trial: force, position, velocity, cuts and timing. The
+/// status label is red until the timing is good.
 class TrialPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit TrialPanel(QWidget* parent = nullptr);
 
-  /// Nothing where no session is open. The controller outlives the next call.
+  /// Shows @p controller's session; nullptr: no session is open. The controller must live until the
+  /// next call.
   void follow(SessionController* controller);
-  /// The steps have changed.
+  /// Updates the table after a change of step.
   void updateSteps();
-  /// New numbers from a running trial.
+  /// Shows new samples of the running trial.
   void updateTrial();
-  /// What an operator alone may see of the bone is seen no longer.
+  /// Closes the window with the coloured bone, which only the operator may see.
   void closeBone();
 
  private:
   enum class Health { Good, Resting, Bad };
 
   void beginTrial();
-  /// Empties what tells of a trial, for one on such a device, of ticks at @p rate [Hz].
+  /// Clears all trial displays for a trial on @p device with ticks at @p rate [Hz].
   void showNothing(const haptics::devices::DeviceKind& device, double rate);
   void showHealth(const QString& words, Health health);
   void showState();

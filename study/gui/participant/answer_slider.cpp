@@ -17,7 +17,7 @@ AnswerSlider::AnswerSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setMinimumHeight(56);
   setFocusPolicy(Qt::StrongFocus);
   connect(this, &QSlider::valueChanged, this, [this](int position) {
-    isTouched_ = true;  // also where a screen reader moved it
+    isTouched_ = true;  // also when a screen reader moved it
     emit answered(position);
   });
 }
@@ -54,7 +54,7 @@ void AnswerSlider::keyPressEvent(QKeyEvent* event) {
   const bool moves = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
                      event->key() == Qt::Key_Home || event->key() == Qt::Key_End;
   if (moves && !isTouched_) {
-    // The first key takes hold of it in the middle; from there it moves.
+    // The first key press puts the handle in the middle; later ones move it.
     take(QPointF(width() / 2.0, height() / 2.0));
     return;
   }

@@ -4,7 +4,7 @@
 
 namespace study::gui {
 
-/// A slider without a default: it shows no handle until somebody has touched it.
+/// A slider without a default value. It draws no handle until it is first used.
 class AnswerSlider final : public QSlider {
   Q_OBJECT
 
@@ -12,7 +12,7 @@ class AnswerSlider final : public QSlider {
   explicit AnswerSlider(QWidget* parent = nullptr);
 
   bool isTouched() const noexcept { return isTouched_; }
-  /// Shows @p position as answered.
+  /// Shows @p position as the answer.
   void answerWith(int position);
 
  signals:

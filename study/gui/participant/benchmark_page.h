@@ -6,8 +6,8 @@
 
 namespace study::gui {
 
-/// The real thing, on the physical tool: what to do, and a large button for every cut that was
-/// made.
+/// A page for cuts with the physical tool: an instruction and a large button to press after each
+/// cut.
 class BenchmarkPage final : public QWidget {
   Q_OBJECT
 

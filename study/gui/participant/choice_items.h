@@ -9,7 +9,7 @@
 
 namespace study::gui {
 
-/// A point between two ends: agreement with a statement, or a place between two words.
+/// A point on a scale between two ends: agreement with a statement, or a place between two words.
 class PointItem final : public ItemWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class PointItem final : public ItemWidget {
   OptionButtons* buttons_;
 };
 
-/// One of several options, listed or felt.
+/// One of several options: written ones, or the alternatives that were felt.
 class ChoiceItem final : public ItemWidget {
   Q_OBJECT
 
@@ -40,7 +40,7 @@ class ChoiceItem final : public ItemWidget {
   OptionButtons* buttons_;
 };
 
-/// Any number of several options.
+/// Several options of which any number can be ticked.
 class MultipleChoiceItem final : public ItemWidget {
   Q_OBJECT
 

@@ -9,7 +9,7 @@
 
 namespace study::gui {
 
-/// A place between two ends.
+/// A position on a slider between two ends.
 class SliderItem final : public ItemWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class SliderItem final : public ItemWidget {
   AnswerSlider* slider_;
 };
 
-/// A number, typed; point or comma.
+/// A typed number, with a decimal point or comma.
 class NumberItem final : public ItemWidget {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class NumberItem final : public ItemWidget {
   QLineEdit* line_;
 };
 
-/// Words: one line, or several. A change is handed on when the typing rests.
+/// Free text of one line or several. changed() is emitted when typing pauses.
 class TextItem final : public ItemWidget {
   Q_OBJECT
 

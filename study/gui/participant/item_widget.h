@@ -12,13 +12,13 @@
 
 namespace study::gui {
 
-/// One question, to be answered. Shows a value and hands over a value; nothing is chosen
-/// beforehand.
+/// The widget of one questionnaire item. It shows and returns a response. No option is selected by
+/// default.
 class ItemWidget : public QWidget {
   Q_OBJECT
 
  public:
-  /// What may be chosen where the item takes its options from elsewhere: id and text.
+  /// The options, as id and text, of an item that does not list its own.
   struct Choices {
     std::vector<std::pair<std::string, QString>> alternatives;
   };
@@ -27,9 +27,9 @@ class ItemWidget : public QWidget {
 
   const questionnaires::Item& item() const noexcept { return item_; }
 
-  /// Nothing while it is not answered.
+  /// The response; nothing while the item is unanswered.
   virtual std::optional<questionnaires::Response> response() const = 0;
-  /// Shows what was answered before, without emitting changed().
+  /// Shows an earlier response without emitting changed().
   virtual void show(const questionnaires::Response& response) = 0;
 
  signals:
@@ -43,7 +43,7 @@ class ItemWidget : public QWidget {
   QString language_;
 };
 
-/// The widget for @p item.
+/// Makes the widget for @p item.
 ItemWidget* makeItemWidget(
     const questionnaires::Item& item,
     const ItemWidget::Choices& choices,

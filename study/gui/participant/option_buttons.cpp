@@ -59,7 +59,7 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
     (*found)->click();
     return true;
   }
-  // A digit chooses the option that is called so, or has that place.
+  // A digit chooses the option with that text, or else at that position.
   const QString digit = key->text();
   for (auto* candidate : buttons_) {
     if (!digit.isEmpty() && candidate->text() == digit) {

@@ -9,9 +9,10 @@
 
 namespace study::gui {
 
-/// Some buttons of which one may be chosen; none is at first.
+/// A row or column of buttons of which at most one is chosen. None is chosen at first.
 ///
-/// Space, Enter or a digit chooses; the arrow keys only move, so that a stray key alters no answer.
+/// Space, Enter or a digit chooses. Arrow keys only move the focus, so that a stray key changes no
+/// answer.
 class OptionButtons final : public QWidget {
   Q_OBJECT
 
@@ -21,20 +22,20 @@ class OptionButtons final : public QWidget {
     QString accessibleName;  ///< what a screen reader says
   };
 
-  /// @param role  of the buttons in the style sheet: "point", "option".
+  /// @param role  the buttons' role in the style sheet: "point" or "option".
   OptionButtons(
       const std::vector<Option>& options,
       Qt::Orientation orientation,
       const QString& role,
       QWidget* parent = nullptr);
 
-  /// −1 while nothing is chosen.
+  /// The index of the chosen option; −1 while none is chosen.
   int chosen() const { return group_->checkedId(); }
   void choose(int index);
   QPushButton* button(int index) const { return buttons_[static_cast<std::size_t>(index)]; }
 
  signals:
-  /// Also where a screen reader chose it.
+  /// Emitted also when a screen reader chose the option.
   void chosenChanged(int index);
 
  protected:

@@ -18,7 +18,7 @@
 namespace study::gui {
 
 QString nativeName(const QString& language) {
-  // Qt names the regional variant that it takes for the default ("American English").
+  // Qt names the default regional variant ("American English").
   if (language == QStringLiteral("en")) return QStringLiteral("English");
   const QString name = QLocale(language).nativeLanguageName();
   return name.isEmpty() ? language : name.left(1).toUpper() + name.mid(1);
@@ -101,7 +101,7 @@ void ParticipantWindow::changeEvent(QEvent* event) {
 
 void ParticipantWindow::showStep() {
   const auto& session = controller_.session();
-  // The same trial goes on: its page stays, with the hand on it.
+  // The same trial is still running: keep its page, which has the mouse.
   if (feel_ != nullptr && controller_.isTrialRunning()) {
     feel_->setRunning(true);
     return;
@@ -116,7 +116,7 @@ void ParticipantWindow::showStep() {
 void ParticipantWindow::showPage(QWidget* page) {
   if (page_ != nullptr) {
     page_->hide();
-    page_->setParent(nullptr);  // nobody finds it any more
+    page_->setParent(nullptr);  // so that findChild() does not return it any more
     page_->deleteLater();
   }
   page_ = page;
@@ -221,7 +221,7 @@ QWidget* ParticipantWindow::makeBreak() {
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
   next_->setEnabled(false);
   auto* page = makeMessage(tr("A short break"), localized(phase->text));
-  // With the page goes its end: another page decides by itself when there is a way on.
+  // The timer belongs to the page: if the page changes, Next must stay as the new page sets it.
   QTimer::singleShot(
       static_cast<int>(step.seconds * 1000.0), page, [this] { next_->setEnabled(true); });
   return page;
@@ -269,7 +269,7 @@ void ParticipantWindow::updateTrial() {
 }
 
 void ParticipantWindow::closeEvent(QCloseEvent* event) {
-  // Only the operator ends a session.
+  // Only the operator can end a session.
   mayClose_ ? event->accept() : event->ignore();
 }
 

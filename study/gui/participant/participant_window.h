@@ -16,25 +16,25 @@ namespace study::gui {
 class TrialPage;
 class QuestionnairePage;
 
-/// What a participant sees: one page at a time, how far they are, and a button that goes on when
-/// the page is complete. Names no condition, shows nobody else's data, and does not close by
-/// itself.
+/// The participant's window: one page at a time, a progress bar, and a Next button that is enabled
+/// when the page is complete. It shows no condition and no other participant's data, and only the
+/// operator can close it.
 class ParticipantWindow final : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param pin  what opens the window when it is locked; outlives it.
-  /// @param moveHand  where the pointer hand of a virtual instrument goes, 0 (open) … 1 (closed).
+  /// @param pin  unlocks the window; must outlive it.
+  /// @param moveHand  called with the hand position of a virtual device, 0 (open) … 1 (closed).
   ParticipantWindow(
       SessionController& controller,
       OperatorPin& pin,
       std::function<void(double)> moveHand,
       QWidget* parent = nullptr);
 
-  /// The operator closes the session; only then does this window close.
+  /// Called when the operator closes the session. Before this call the window refuses to close.
   void allowClosing() { mayClose_ = true; }
 
-  /// The screen is the participant's until the operator's PIN.
+  /// Keeps the screen on this window until the operator's PIN is entered.
   ScreenLock& lock() noexcept { return *lock_; }
 
  protected:
@@ -72,7 +72,7 @@ class ParticipantWindow final : public QWidget {
   bool mayClose_ = false;
 };
 
-/// What a language is called by those who speak it.
+/// The name of a language in that language.
 QString nativeName(const QString& language);
 
 }  // namespace study::gui

@@ -43,7 +43,8 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
   layout->addStretch(1);
   scroll->setWidget(inside);
   outer->addWidget(scroll);
-  // A frame round the first answer would look chosen, and is a nudge: it comes with the first Tab.
+  // A focus frame around the first answer would look like a choice and could influence
+  // participants. It appears with the first Tab.
   scroll->setFocusPolicy(Qt::StrongFocus);
   scroll->setAccessibleName(content.title);
   scroll->setAccessibleDescription(content.introduction);
@@ -75,7 +76,7 @@ void QuestionnairePage::handOn(std::size_t index) {
     ++told.changes;
   }
   told.response = response;
-  told.isKept = true;  // takeBack() comes before the signal returns
+  told.isKept = true;  // takeBack() is called before the signal returns
   const auto& item = widgets_[index]->item();
   if (response) {
     emit answered(

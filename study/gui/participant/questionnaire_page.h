@@ -11,8 +11,7 @@
 
 namespace study::gui {
 
-/// A questionnaire to be filled in. Shows and collects; what becomes of the answers is not its
-/// business.
+/// A questionnaire to fill in. It shows items and emits responses; it does not save them.
 class QuestionnairePage final : public QWidget {
   Q_OBJECT
 
@@ -23,34 +22,34 @@ class QuestionnairePage final : public QWidget {
     std::vector<questionnaires::Item> items;
     ItemWidget::Choices choices;
     QString language;
-    std::vector<GivenAnswer> before;  ///< what has been answered already
+    std::vector<GivenAnswer> before;  ///< answers given earlier
   };
 
   explicit QuestionnairePage(const Content& content, QWidget* parent = nullptr);
 
-  /// Every required item has an answer.
+  /// Whether every required item has a valid answer.
   bool isComplete() const;
 
-  /// Hands on whatever was written and has not been yet.
+  /// Emits the answers that have been entered but not emitted yet, or that could not be saved.
   void flush();
 
  public slots:
-  /// An item's answer could not be kept: it is handed on once more, with the next or by flush().
+  /// Marks an item's answer as not saved. It is emitted again by flush().
   void takeBack(const QString& item);
 
  signals:
-  /// An item has an answer, or another one.
+  /// An item was answered, or its answer changed.
   void answered(const study::GivenAnswer& answer);
-  /// An item has none any more.
+  /// An item's answer was removed.
   void retracted(const QString& item);
   void completeChanged(bool isComplete);
 
  private:
   struct Told {
-    std::optional<questionnaires::Response> response;  ///< as last handed on
-    double firstTouch = 0.0;                           ///< [s]
-    int changes = -1;                                  ///< −1: untouched
-    bool isKept = true;                                ///< as far as anybody has said
+    std::optional<questionnaires::Response> response;  ///< the last one emitted
+    double firstTouch = 0.0;                           ///< since the page was shown [s]
+    int changes = -1;    ///< of the answer after the first; −1: unanswered
+    bool isKept = true;  ///< false after takeBack()
   };
 
   void handOn(std::size_t index);

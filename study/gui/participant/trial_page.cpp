@@ -10,7 +10,7 @@
 
 namespace study::gui {
 namespace {
-constexpr double kWholeStroke = 220.0;  // [px] of dragging close the handle altogether
+constexpr double kWholeStroke = 220.0;  // [px] of dragging that close the handle completely
 }
 
 TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
@@ -23,7 +23,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);
-  // A picture wants the room; words make do with what is left.
+  // A picture gets the space, and text the remainder.
   layout->setSpacing(picture == nullptr ? 20 : 8);
   if (picture == nullptr) layout->addStretch(1);
   layout->addWidget(hugeLabel(content.name, this));

@@ -11,35 +11,36 @@
 
 namespace study::gui {
 
-/// A calm page while something is felt: which alternative, how many cuts of how many, nothing else.
+/// The participant's page during a trial. It shows only the alternative's name and the number of
+/// cuts made and required.
 ///
-/// Without a device the page is the handle: whoever holds the space bar closes it, whoever drags on
-/// the page closes it as far as they drag.
+/// With a virtual device the page is the handle: holding the space bar closes it, and dragging
+/// closes it in proportion to the distance.
 class TrialPage final : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
-    QString name;  ///< "Alternative 2"
+    QString name;  ///< the alternative's label: "Alternative 2"
     int minimumCuts = 3;
-    bool isOffered = false;                      ///< once more, to whoever wants to
-    const haptics::devices::DeviceKind* device;  ///< whose words are shown
+    bool isOffered = false;  ///< an optional further trial, which may be declined
+    const haptics::devices::DeviceKind* device;  ///< whose words for strokes are shown
     std::string language = "en";
   };
 
-  /// @param picture  of what is felt, which the page takes in; nothing where it is not seen.
+  /// @param picture  a view of the simulation, of which the page takes ownership; nullptr: no view.
   TrialPage(const Content& content, QWidget* picture, QWidget* parent = nullptr);
 
-  /// The trial has begun, or not yet.
+  /// Switches between the running trial and the offer to begin it.
   void setRunning(bool isRunning);
   void setCuts(int cuts);
 
  signals:
   void beginRequested();
   void enoughRequested();
-  /// It is not wanted once more.
+  /// The participant declined the optional trial.
   void declined();
-  /// Where the hand means to be, from 0 (open) to 1 (closed).
+  /// The wanted hand position, from 0 (open) to 1 (closed).
   void handMoved(double share);
 
  protected:

@@ -9,22 +9,22 @@
 
 namespace study::gui::scene {
 
-/// What the colours of a bone mean: a scale with its numbers and their unit, in words as well for
-/// those who do not see it.
+/// A legend for the colours of a bone: a colour scale with numbers and a unit, and the same as text
+/// for screen readers.
 class ColourLegend final : public QWidget {
   Q_OBJECT
 
  public:
   explicit ColourLegend(QWidget* parent = nullptr);
 
-  /// Colours of densities.
+  /// Shows the scale of densities.
   void showDensity(const DensityRange& range);
-  /// Colours of what has been removed.
+  /// Shows the scale of removed material.
   void showRemoval();
-  /// Colours that mean nothing.
+  /// Shows no scale: the colours have no meaning.
   void showNothing();
 
-  /// What stands at the scale, from its low end to its high one.
+  /// The labels of the scale, from its low end to its high end.
   const std::vector<QString>& marks() const noexcept { return marks_; }
 
   QSize sizeHint() const override { return {560, 74}; }
@@ -37,7 +37,7 @@ class ColourLegend final : public QWidget {
 
   QString title_;
   std::vector<QString> marks_;
-  Tint (*tint_)(float) = nullptr;  ///< from low (0) to high (1)
+  Tint (*tint_)(float) = nullptr;  ///< colour of a value from low (0) to high (1)
   bool hasUntouched_ = false;
 };
 

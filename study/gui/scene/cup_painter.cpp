@@ -17,8 +17,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kPace = std::chrono::milliseconds(67);
 
-/// Where processors are scarce it has a tenth of what others have: enough to go on, too little to
-/// be felt or seen.
+/// Lowers the thread's priority. On a busy processor it gets a tenth of the time of other threads:
+/// enough to make progress, but too little to disturb haptics or the participant's view.
 void standBack() {
   constexpr int kNice = 10;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
@@ -26,7 +26,7 @@ void standBack() {
 
 }  // namespace
 
-/// The cup on the thread that draws it. Another choice of colours makes it anew, as it was.
+/// The cup, used by the drawing thread. A change of colours builds it again in its current state.
 class CupPainter::Cup {
  public:
   Cup(const haptics::engine::PackingSpec& spec, SphereColours colours) : spec_(spec) {
@@ -64,7 +64,7 @@ CupPainter::CupPainter(const haptics::engine::PackingSpec& spec, Changes past, Q
 
 CupPainter::~CupPainter() = default;
 
-/// Where the thread has the lock just now, the next call hands on more.
+/// Does not block: if the thread holds the lock, the next call passes the changes.
 void CupPainter::handOn(double depth, bool isRunning) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;

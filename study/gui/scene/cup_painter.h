@@ -17,45 +17,46 @@
 
 namespace study::gui::scene {
 
-/// Draws a cup in colours for a researcher, on a thread of its own that stands back where others
-/// want the processor: whoever feels and sees the trial is served first. At most 15 pictures a
-/// second, half of what a participant sees without a graphics card.
+/// Draws a coloured cup for the operator in a background thread. The thread has a low priority so
+/// that the haptic rendering and the participant's view come first. It draws at most 15 pictures a
+/// second, half of the rate of the participant's view without a graphics card.
 ///
-/// All calls come from the window's thread, and none of them waits but the end: for the picture
-/// under way.
+/// Call all functions from the GUI thread. Only the destructor blocks: it waits for the picture in
+/// progress.
 class CupPainter final : public QObject {
   Q_OBJECT
 
  public:
   using Changes = std::vector<haptics::engine::SphereChange>;
 
-  /// @param past  what has become of the bone until now.
+  /// @param past  the changes of the bone so far.
   CupPainter(const haptics::engine::PackingSpec& spec, Changes past, QObject* parent = nullptr);
   ~CupPainter() override;
 
   void choose(SphereColours colours) { next_.colours = colours; }
   void resize(QSize size) { next_.size = size.expandedTo({16, 16}); }
-  /// A sphere has changed.
+  /// Adds a change of a sphere.
   void tell(const haptics::engine::SphereChange& change) { next_.changes.push_back(change); }
-  /// Hands on all that has been said: again and again, several times a second.
-  /// @param depth  of the reamer, along its plunge [m].
+  /// Passes the latest changes and settings to the thread. Call it several times a second.
+  /// @param depth  of the reamer, along its path [m].
   void handOn(double depth, bool isRunning);
 
  signals:
   void painted(const QImage& picture);
-  /// What the ends of the colours of densities mean.
+  /// The densities at both ends of the colour scale.
   void measured(study::gui::scene::DensityRange range);
-  /// Nothing more will be painted: why, in words.
+  /// Drawing failed with the message @p why, and stops.
   void failed(const QString& why);
 
  private:
-  /// What is to be drawn.
+  /// What to draw next.
   struct Wish {
     SphereColours colours = SphereColours::Density;
     QSize size{640, 440};
-    double depth = std::numeric_limits<double>::quiet_NaN();  ///< [m]; NaN: nothing wished yet
+    double depth =
+        std::numeric_limits<double>::quiet_NaN();  ///< of the reamer [m]; NaN: not set yet
     bool isRunning = false;
-    Changes changes;  ///< since the last picture
+    Changes changes;  ///< not drawn yet
   };
   class Cup;
 
@@ -65,12 +66,13 @@ class CupPainter final : public QObject {
   void showPicture(const QImage& picture);
 
   const haptics::engine::PackingSpec spec_;
-  Wish next_;  ///< the window's thread's own
+  Wish next_;  ///< used by the GUI thread only
   std::mutex mutex_;
   std::condition_variable_any woken_;
-  Wish wish_;             ///< under the mutex
-  bool hasNews_ = false;  ///< under the mutex
-  std::jthread thread_;   // last: joined before what it uses goes
+  Wish wish_;             ///< guarded by mutex_
+  bool hasNews_ = false;  ///< guarded by mutex_
+  std::jthread
+      thread_;  // declared last, so that it is joined before the members that it uses are destroyed
 };
 
 }  // namespace study::gui::scene

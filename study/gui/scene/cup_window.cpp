@@ -9,7 +9,7 @@ namespace study::gui::scene {
 namespace {
 
 constexpr int kLookAgain = 67;      // [ms]
-constexpr double kOutside = -0.02;  // of the reamer where nobody reams [m]
+constexpr double kOutside = -0.02;  // depth of the reamer without a trial [m]
 
 }  // namespace
 
@@ -90,7 +90,8 @@ void CupWindow::choose(int index) {
   }
 }
 
-/// What a participant sees is asked how far it is; it goes with its page, and this with it.
+/// Reads the depth from the participant's view. That view is deleted with its page; this window
+/// closes then.
 void CupWindow::follow() {
   if (!trial_) return painter_->handOn(kOutside, false);
   const Present now = trial_();

@@ -15,24 +15,25 @@
 
 namespace study::gui::scene {
 
-/// A bone for a researcher: coloured by how hard it is or by what the reamer has taken, with what
-/// the colours mean. Still, or as a participant reams it.
+/// Shows the operator a bone, coloured by density or by the material removed, with a legend. The
+/// bone is either unchanged or follows a running trial.
 class CupWindow final : public QWidget {
   Q_OBJECT
 
  public:
-  /// The trial that is followed, asked for again and again: whether it goes on.
+  /// The state of the trial that the window follows.
   struct Present {
-    HipScene* seen = nullptr;  ///< by the participant; nothing: the trial is over
+    HipScene* seen = nullptr;  ///< the participant's view; nullptr: the trial is over
     bool isRunning = false;
   };
   using Trial = std::function<Present()>;
 
-  /// @param trial  closes the window when it is over; none: a bone that stays as it is.
+  /// @param trial  returns the trial's state, and the window closes when the trial is over; empty:
+  /// the bone does not change.
   CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWidget* parent = nullptr);
   ~CupWindow() override;
 
-  /// Colours that say nothing of this bone are not offered.
+  /// Removes a colouring from the choices.
   void leaveOut(SphereColours colours);
 
   QSize sizeHint() const override { return {760, 600}; }
@@ -47,7 +48,8 @@ class CupWindow final : public QWidget {
   QSize pictureSize() const;
 
   Trial trial_;
-  HipScene* heard_ = nullptr;  ///< whose changes are told here; the trial says when it goes
+  HipScene* heard_ =
+      nullptr;  ///< the view whose changes are received; not dereferenced after the trial is over
   DensityRange range_;
   QComboBox* colours_;
   QLabel* picture_;

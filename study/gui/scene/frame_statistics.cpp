@@ -6,8 +6,8 @@
 namespace study::gui::scene {
 namespace {
 
-constexpr double kPerMicrosecond = 1e-3;  // of a nanosecond
-constexpr double kMillisecond = 1e-3;     // of a microsecond
+constexpr double kPerMicrosecond = 1e-3;  // µs in a nanosecond
+constexpr double kMillisecond = 1e-3;     // ms in a microsecond
 
 }  // namespace
 

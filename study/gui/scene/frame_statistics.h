@@ -7,14 +7,14 @@
 
 namespace study::gui::scene {
 
-/// Counts frames: how many, how far apart, how old what they show.
+/// Counts displayed frames and measures their intervals and latencies.
 class FrameStatistics {
  public:
-  /// @param period  that frames are meant to be apart [ns], > 0.
+  /// @param period  the intended interval between frames [ns], > 0.
   explicit FrameStatistics(std::int64_t period) : period_(period) {}
 
-  /// A frame was shown at @p shown, of a device that was read at @p sampled (0: it was not). Both
-  /// in [ns on CLOCK_MONOTONIC].
+  /// Adds a frame displayed at @p shown that shows a device sample taken at @p sampled (0: no
+  /// sample), both in ns on CLOCK_MONOTONIC.
   void add(std::int64_t shown, std::int64_t sampled);
 
   std::int64_t frames() const noexcept { return frames_; }

@@ -6,10 +6,10 @@
 
 namespace study::gui::scene {
 
-/// What runs on the graphics card. Its context is current whenever it is used, and outlives it.
+/// A shader program. Its OpenGL context must outlive it and be current during every call.
 class GlProgram {
  public:
-  /// @throws std::runtime_error  with what the driver says, where it does not compile.
+  /// @throws std::runtime_error  with the driver's message if a shader does not compile.
   GlProgram(
       QOpenGLExtraFunctions& gl, const QByteArray& vertexCode, const QByteArray& fragmentCode);
   ~GlProgram();

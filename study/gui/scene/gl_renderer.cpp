@@ -11,7 +11,7 @@ namespace {
 constexpr GLenum kBgra = 0x80E1;         // GL_BGRA
 constexpr GLenum kWholePixels = 0x8367;  // GL_UNSIGNED_INT_8_8_8_8_REV
 constexpr GLenum kPointSizes = 0x8642;   // GL_PROGRAM_POINT_SIZE
-constexpr int kSamples = 4;              // of a pixel, on a graphics card
+constexpr int kSamples = 4;              // samples per pixel on a graphics card
 
 QSurfaceFormat wantedFormat() {
   QSurfaceFormat format;
@@ -132,7 +132,7 @@ void GlRenderer::upload(Body& body, const Part& part) {
       bytesOf(mesh.vertices.size(), sizeof(Vertex)),
       mesh.vertices.data(),
       GL_DYNAMIC_DRAW);
-  // A body that changes its shape keeps its triangles.
+  // A body's triangles stay the same when its shape changes.
   if (body.count == mesh.triangles.size()) return;
   body.count = mesh.triangles.size();
   gl_.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, body.triangles);
@@ -156,7 +156,7 @@ void GlRenderer::uploadSpheres(SphereCloud& spheres) {
     ballRoom_ = needed + needed / 2;
     gl_.glBufferData(
         GL_ARRAY_BUFFER, bytesOf(ballRoom_, sizeof(SphereInstance)), nullptr, GL_DYNAMIC_DRAW);
-    spheres.forgetUploads();  // the new room is empty
+    spheres.forgetUploads();  // the new buffer is empty
   }
   sphereBytes_ +=
       sizeof(SphereInstance) * spheres.uploadChanges([this](std::size_t first, auto some) {
@@ -191,7 +191,7 @@ const QImage& GlRenderer::draw(const Scene& scene, QSize size) {
   return picture_;
 }
 
-/// Everything upside down: so the first row that is read back is the uppermost.
+/// Draws upside down, so that the first row read back is the top row.
 void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   const QRect place = placeOf(shot, size);
   QMatrix4x4 upsideDown;

@@ -12,17 +12,17 @@
 
 namespace study::gui::scene {
 
-/// Draws scenes with OpenGL 3.3, beside the screen, and reads the picture back: the window stays an
-/// ordinary one, and everything is alike whoever draws. What changes is handed on, and nothing
-/// else: bodies whose shape is new, spheres that the reamer has touched.
+/// Draws scenes with OpenGL 3.3 into an off-screen buffer and reads the picture back. The window
+/// therefore needs no OpenGL, and pictures are handled alike for both renderers. Only changes are
+/// uploaded: meshes with a new revision, and spheres that the reamer has touched.
 class GlRenderer final : public Renderer {
  public:
   enum class Detail {
-    Fitting,  ///< light at every pixel and smooth edges on a graphics card only
-    Finest,   ///< everywhere, however long it takes
+    Fitting,  ///< per-pixel lighting and anti-aliasing only on a graphics card
+    Finest,   ///< per-pixel lighting and anti-aliasing always, however slow
   };
 
-  /// @throws std::runtime_error  in words, where there is no OpenGL 3.3.
+  /// @throws std::runtime_error  with a message if OpenGL 3.3 is not available.
   explicit GlRenderer(Detail detail = Detail::Fitting);
   ~GlRenderer() override;
 
@@ -32,15 +32,15 @@ class GlRenderer final : public Renderer {
   std::uint64_t sphereBytes() const override { return sphereBytes_; }
 
  private:
-  /// A body on the card.
+  /// The buffers of a mesh on the graphics card.
   struct Body {
     GLuint array = 0;
     GLuint vertices = 0;
     GLuint triangles = 0;
     std::uint64_t revision = 0;
-    std::size_t count = 0;  ///< of triangles
+    std::size_t count = 0;  ///< number of triangles
   };
-  /// A picture in the making: what is drawn on, and where it is read from.
+  /// A framebuffer with its colour and depth buffers.
   struct Canvas {
     GLuint frame = 0;
     GLuint colours = 0;
@@ -62,15 +62,15 @@ class GlRenderer final : public Renderer {
   QString name_;
   bool isOnProcessor_ = false;
   bool isFine_ = true;
-  int samples_ = 0;  ///< of a pixel; 0: one
+  int samples_ = 0;  ///< per pixel; 0: no multisampling
   std::optional<GlProgram> bodies_;
   std::optional<GlProgram> balls_;
   Canvas drawn_;
-  Canvas read_;  ///< where samples are brought together
+  Canvas read_;  ///< the target in which samples are resolved
   std::vector<Body> parts_;
   GLuint ballArray_ = 0;
   GLuint ballBuffer_ = 0;
-  std::size_t ballRoom_ = 0;  ///< instances
+  std::size_t ballRoom_ = 0;  ///< capacity of the buffer [instances]
   std::uint64_t sphereBytes_ = 0;
   QImage picture_;
 };

@@ -2,12 +2,12 @@
 
 namespace study::gui::scene {
 
-/// EXACT is defined where a graphics card draws: light and depth are then computed at every pixel,
-/// otherwise light at every vertex, and a sphere's depth once.
+/// EXACT is defined on a graphics card: light and depth are computed per pixel. Otherwise light is
+/// computed per vertex, and each sphere has one depth.
 inline constexpr const char* kExactly = "#version 330 core\n#define EXACT\n";
 inline constexpr const char* kRoughly = "#version 330 core\n";
 
-/// How bright things are: the same as shading.cpp.
+/// Computes brightness with the same equations as brightnessOf() in software_renderer.cpp.
 inline constexpr const char* kShadingCode = R"glsl(
 uniform vec3 lampPlace;
 uniform float lampReach;
@@ -43,7 +43,7 @@ vec3 shown(vec3 light) {
   return sqrt(min(light, vec3(1.0)));
 }
 
-/// What is left where the picture darkens towards its rim.
+/// The share of brightness that is left as a round view darkens towards its rim.
 float vignette(vec2 pixel) {
   if (disc.z <= 0.0) return 1.0;
   vec2 away = (pixel - disc.xy) / disc.z;
@@ -99,14 +99,14 @@ void main() {
 }
 )glsl";
 
-/// For each sphere a triangle that faces the eye, the smallest around its disc; or, with less to do
-/// for a processor, a point as large as the disc.
+/// Draws each sphere as the smallest triangle around its disc, facing the eye. Without EXACT it
+/// draws a point as large as the disc, which is cheaper on a processor.
 inline constexpr const char* kSphereVertexCode = R"glsl(
 layout(location = 0) in vec4 sphere;
 layout(location = 1) in vec4 tint;
 uniform mat4 toEye;
 uniform mat4 projection;
-uniform float pointScale;  // pixels that a millimetre has at a distance of one
+uniform float pointScale;  // pixels per millimetre at a distance of 1 mm
 #ifdef EXACT
 out vec2 corner;
 #endif

@@ -11,7 +11,7 @@ namespace study::gui::scene {
 namespace {
 
 constexpr float kPerMetre = 1000.0F;
-constexpr float kTurnsPerSecond = 1.5F;  // slower than a real one, so that it can be seen
+constexpr float kTurnsPerSecond = 1.5F;  // slower than a real reamer, so that the motion is visible
 constexpr float kPlainRadius = 26.0F;    // [mm]
 constexpr float kPlainInner = 25.5F;
 constexpr float kPlainOuter = 41.0F;
@@ -30,7 +30,7 @@ HipScene::HipScene(const Options& options) {
   scene_.parts.push_back({.mesh = std::move(reamer.shaft)});
   options.packing == nullptr ? addPlainCup() : addSpheres(options);
   lookIntoTheCup();
-  // Colours that say something are read where there is light.
+  // Colours with a meaning need even light to be read.
   constexpr float kEven = 0.28F;
   if (options.colours != SphereColours::Neutral) scene_.shots.front().light.ambient = kEven;
   follow({}, 0.0);
@@ -47,7 +47,7 @@ void HipScene::addSpheres(const Options& options) {
   scene_.spheres = spheres_.get();
 }
 
-/// Half of a hollow hemisphere, as the parametric packing fills it.
+/// Adds half of a hollow hemisphere, with the shape of the parametric packing.
 void HipScene::addPlainCup() {
   std::vector<Ring> rings;
   constexpr int kRings = 48;
@@ -74,7 +74,7 @@ void HipScene::addPlainCup() {
 
 void HipScene::lookIntoTheCup() {
   Shot shot;
-  // The way into the cup runs up to the left, as the surgeon at the table has it.
+  // The opening of the cup points up and left, as a surgeon sees it.
   shot.view.lookAt(kEye, kMiddle, {-0.55F, 0.0F, 0.62F});
   shot.fieldOfView = 22.0F;
   shot.nearest = 60.0F;

@@ -10,12 +10,13 @@
 
 namespace study::gui::scene {
 
-/// A cup that is reamed, cut open along its axis so that one sees the reamer at work: the spheres
-/// of the condition's bone, or a plain cup where there are none.
+/// A cup that is being reamed, cut open along its axis so that the reamer is visible. It consists
+/// of the spheres of the condition's bone, or is a plain cup if the condition has none.
 class HipScene final : public SimulatedScene {
  public:
   struct Options {
-    const haptics::engine::PackingSpec* packing = nullptr;  ///< of the condition; none: a plain cup
+    const haptics::engine::PackingSpec* packing =
+        nullptr;  ///< of the condition; nullptr: a plain cup
     SphereColours colours = SphereColours::Neutral;
   };
 
@@ -24,12 +25,12 @@ class HipScene final : public SimulatedScene {
   void follow(const Look& look, double seconds) override;
   const Scene& scene() const noexcept override { return scene_; }
 
-  /// Takes over what has happened to a sphere, from elsewhere than a trial's bone.
+  /// Applies a change of a sphere that does not come from a trial's bone.
   void apply(const haptics::engine::SphereChange& change);
-  /// Lets somebody else see every change as well, when it is followed; nobody: nothing.
+  /// Also passes each change to @p listener from follow(); empty: to none.
   using Listener = std::function<void(const haptics::engine::SphereChange&)>;
   void tellChangesTo(Listener listener) { listener_ = std::move(listener); }
-  /// Where the reamer is, along its plunge [m].
+  /// The depth of the reamer along its path [m].
   double depth() const noexcept { return depth_; }
   const SphereCloud* spheres() const noexcept { return spheres_.get(); }
 

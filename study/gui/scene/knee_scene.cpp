@@ -55,7 +55,7 @@ void KneeScene::lookThroughTheScope() {
 
 void KneeScene::lookAtTheHandles() {
   Shot shot{.place = {0.65, 0.2, 0.34, 0.75}, .aspect = 1.75};
-  // From the instrument's side, the tip to the left.
+  // From the side, with the instrument's tip to the left.
   shot.view.lookAt({-66.0F, -38.0F, -330.0F}, {-66.0F, -38.0F, 0.0F}, {0.0F, 1.0F, 0.0F});
   shot.view *= punchPose(layout_).inverted();
   shot.fieldOfView = 16.5F;
@@ -87,7 +87,7 @@ void KneeScene::follow(const Look& look, double seconds) {
   ++piece.revision;
 }
 
-/// Parts the tissue once in a closure, and lets go of the piece when the hand has opened.
+/// Cuts the tissue once per closure, and releases the piece when the hand opens.
 void KneeScene::followTheCut(const Look& look) {
   const bool isThrough = look.isCutThrough || look.travel > kCertainlyCut;
   if (!isParted_ && look.travel > kOpenAgain && isThrough) {
@@ -100,8 +100,8 @@ void KneeScene::followTheCut(const Look& look) {
   }
 }
 
-/// A piece that is held lies a little apart; one that is let go floats off, and the next bite is
-/// brought under the punch.
+/// A held piece lies slightly apart. A released piece floats away, and the tissue moves to the next
+/// bite.
 void KneeScene::movePiece(double seconds) {
   if (!isParted_ && meniscus_.hasPiece()) {
     released_ += seconds;
@@ -118,7 +118,7 @@ void KneeScene::movePiece(double seconds) {
   const QVector3D inwards = (layout_.arcCentre - middle).normalized();
   auto& pose = scene_.parts[Piece].pose;
   pose.setToIdentity();
-  // Out of the open jaws to their left, not through them.
+  // Moves the piece out of the open jaws to their left, so that it does not pass through them.
   const QVector3D left = -punchPose(layout_).column(2).toVector3D();
   pose.translate(
       middle + (0.35F + 2.0F * share) * inwards + 5.0F * share * left +

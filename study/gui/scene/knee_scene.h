@@ -9,11 +9,12 @@ struct Anatomy;
 
 namespace study::gui::scene {
 
-/// A knee as an arthroscope shows it, with a punch at the meniscus; beside it the whole punch, so
-/// that its handles can be seen.
+/// A knee as an arthroscope shows it, with a punch at the meniscus. A second view beside it shows
+/// the whole punch with its handles.
 class KneeScene final : public SimulatedScene {
  public:
-  /// @param own  surfaces in place of ours; nothing: ours. Not needed any more afterwards.
+  /// @param own  surfaces that replace the built-in ones; nullptr: none. Not used after
+  /// construction.
   explicit KneeScene(const protocols::Anatomy* own = nullptr);
 
   void follow(const Look& look, double seconds) override;
@@ -43,9 +44,9 @@ class KneeScene final : public SimulatedScene {
   KneeLayout layout_;
   Scene scene_;
   Meniscus meniscus_;
-  bool isParted_ = false;  ///< in this closure
-  double released_ = 0.0;  ///< since the piece was let go [s]
-  float toMoveOn_ = 0.0F;  ///< of the tissue, under the punch [°]
+  bool isParted_ = false;  ///< since the hand last opened
+  double released_ = 0.0;  ///< since the piece was released [s]
+  float toMoveOn_ = 0.0F;  ///< angle by which the tissue still moves under the punch [°]
 };
 
 }  // namespace study::gui::scene

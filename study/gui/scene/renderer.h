@@ -10,7 +10,7 @@
 
 namespace study::gui::scene {
 
-/// Draws scenes. One scene all along: a renderer may keep copies of its bodies.
+/// Draws scenes. Use one renderer for one scene only, because it may cache the scene's meshes.
 class Renderer {
  public:
   virtual ~Renderer() = default;
@@ -18,35 +18,35 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// A picture of @p size pixels, good until the next is drawn.
+  /// Draws a picture of @p size pixels, which is valid until the next call.
   virtual const QImage& draw(const Scene& scene, QSize size) = 0;
 
-  /// Who draws: "llvmpipe (LLVM 15.0.6, 256 bits)", "software rasteriser".
+  /// The name of the renderer: "llvmpipe (LLVM 15.0.6, 256 bits)", "software rasteriser".
   virtual QString name() const = 0;
 
-  /// Whether a processor does the work that a graphics card is for.
+  /// Whether the processor draws instead of a graphics card.
   virtual bool isOnProcessor() const = 0;
 
-  /// What has been handed on about spheres since the beginning.
+  /// The number of bytes uploaded for spheres since the beginning.
   virtual std::uint64_t sphereBytes() const = 0;
 };
 
-/// Who draws on this computer, and what there is to say about it.
+/// The renderer for this computer, with a remark about it.
 struct Graphics {
   std::unique_ptr<Renderer> renderer;
-  /// For the person at the desk: why no graphics card draws, what follows, what to do. Empty where
-  /// one does.
+  /// A message for the operator: why no graphics card draws, the consequence, and what to do. Empty
+  /// if a graphics card draws.
   QString remark;
 };
 
-/// Which renderer is asked for.
+/// The renderer to use.
 enum class RendererChoice {
-  Best,      ///< OpenGL where there is any, the processor where there is none
-  Software,  ///< the processor, whatever there is
-  Finest,    ///< OpenGL with everything that a graphics card is trusted with, whoever draws
+  Best,      ///< OpenGL if available, otherwise the software renderer
+  Software,  ///< the software renderer
+  Finest,    ///< OpenGL with all features, even without a graphics card
 };
 
-/// Never fails: the processor draws where nothing else does.
+/// Makes a renderer. Never fails: without OpenGL it is the software renderer.
 Graphics openGraphics(RendererChoice choice = RendererChoice::Best);
 
 }  // namespace study::gui::scene

@@ -7,18 +7,19 @@
 
 namespace study::gui::scene {
 
-/// What is known of a trial when a picture is drawn.
+/// The state of a trial when a picture is drawn.
 struct Look {
   double travel = 0.0;          ///< [device's travel unit]
   double force = 0.0;           ///< [N]
-  bool isCutThrough = false;    ///< what the tool closes on has given way
-  bool isRunning = false;       ///< a trial is under way
-  std::int64_t sampleTime = 0;  ///< when the device was read [ns on CLOCK_MONOTONIC]; 0: never
-  const haptics::engine::MeshView* mesh = nullptr;  ///< of the trial's scene, where it has one
-  haptics::engine::BoneView* bone = nullptr;        ///< of the trial's scene, where it has one
+  bool isCutThrough = false;    ///< the tissue between the jaws is cut
+  bool isRunning = false;       ///< whether a trial is running
+  std::int64_t sampleTime = 0;  ///< time of the device's sample [ns on CLOCK_MONOTONIC]; 0: none
+  const haptics::engine::MeshView* mesh =
+      nullptr;                                ///< of the trial's scene; nullptr if it has none
+  haptics::engine::BoneView* bone = nullptr;  ///< of the trial's scene; nullptr if it has none
 };
 
-/// A scene that follows a trial.
+/// A scene that shows the state of a trial.
 class SimulatedScene {
  public:
   virtual ~SimulatedScene() = default;
@@ -26,7 +27,7 @@ class SimulatedScene {
   SimulatedScene(const SimulatedScene&) = delete;
   SimulatedScene& operator=(const SimulatedScene&) = delete;
 
-  /// Brings everything to where it is now, @p seconds after the last time.
+  /// Moves everything to the current state, @p seconds after the previous call.
   virtual void follow(const Look& look, double seconds) = 0;
 
   virtual const Scene& scene() const noexcept = 0;

@@ -13,7 +13,8 @@ namespace study::gui::scene {
 namespace {
 
 namespace timing = haptics::timing;
-constexpr double kMostOnProcessor = 1920.0 * 1080.0;  // pixels; more is drawn coarser
+constexpr double kMostOnProcessor =
+    1920.0 * 1080.0;  // pixels; larger views are drawn at a lower resolution
 constexpr double kMostOnCard = 2560.0 * 1600.0;
 
 }  // namespace
@@ -21,7 +22,7 @@ constexpr double kMostOnCard = 2560.0 * 1600.0;
 SimulationView::SimulationView(
     std::unique_ptr<SimulatedScene> scene, Graphics graphics, Pace pace, QWidget* parent)
     : QWidget(parent), scene_(std::move(scene)), graphics_(std::move(graphics)), pace_(pace) {
-  setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
+  setAttribute(Qt::WA_TransparentForMouseEvents);  // the page under it handles the mouse
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::NoFocus);
   setMinimumSize(320, 200);
@@ -45,7 +46,7 @@ ViewReport SimulationView::report() const {
   return report;
 }
 
-/// That frames are meant to be apart [ns].
+/// The intended interval between frames [ns].
 std::int64_t SimulationView::period() const {
   const double rate = screen() != nullptr ? screen()->refreshRate() : 60.0;
   const double refresh = 1e9 / std::clamp(rate, 30.0, 240.0);
@@ -84,7 +85,7 @@ void SimulationView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.drawImage(rect(), picture);
   painted_ = look;
-  // The window hands its picture on when this event is over: then this frame is shown.
+  // The window shows its contents when this event has been handled. The frame counts as shown then.
   QTimer::singleShot(0, this, &SimulationView::noteShown);
 }
 

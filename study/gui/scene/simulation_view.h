@@ -14,15 +14,16 @@
 
 namespace study::gui::scene {
 
-/// A simulated scene in a window: asks for the newest that is known just before it draws, again and
-/// again, and counts its frames while a trial runs. Takes no mouse and no key.
+/// A widget that shows a simulated scene. It reads the latest state before each picture and counts
+/// the frames of a running trial. It ignores mouse and keyboard.
 class SimulationView final : public QWidget {
   Q_OBJECT
 
  public:
   enum class Pace {
-    Display,  ///< as often as the display; on a processor half as often, so that the hand is served
-    Unbound,  ///< as often as it goes, to be measured
+    Display,  ///< the display's rate; half of it without a graphics card, to leave time for the
+              ///< haptic loop
+    Unbound,  ///< as fast as possible, for benchmarks
   };
 
   SimulationView(
@@ -31,14 +32,14 @@ class SimulationView final : public QWidget {
       Pace pace = Pace::Display,
       QWidget* parent = nullptr);
 
-  /// What is known now, asked for before each picture.
+  /// Sets the function that returns the current state; called before each picture.
   void follow(std::function<Look()> look) { look_ = std::move(look); }
 
-  /// How the frames were that the present trial, or the last one, was shown in.
+  /// The frame statistics of the running trial, or else of the last one.
   ViewReport report() const;
 
   const Renderer& renderer() const noexcept { return *graphics_.renderer; }
-  /// For the person at the desk; empty where a graphics card draws.
+  /// A message for the operator; empty if a graphics card draws.
   const QString& remark() const noexcept { return graphics_.remark; }
   SimulatedScene& scene() noexcept { return *scene_; }
 
@@ -61,8 +62,8 @@ class SimulationView final : public QWidget {
   QTimer next_;
   QElapsedTimer sinceLast_;
   std::optional<FrameStatistics> statistics_;
-  std::int64_t due_ = 0;         ///< of the next picture [ns on CLOCK_MONOTONIC]
-  std::optional<Look> painted_;  ///< what the picture shows that is on its way to the display
+  std::int64_t due_ = 0;         ///< time of the next picture [ns on CLOCK_MONOTONIC]
+  std::optional<Look> painted_;  ///< state in the picture that is not on the display yet
   std::int64_t lostChanges_ = 0;
   bool wasRunning_ = false;
 };

@@ -8,21 +8,21 @@ namespace study::gui::scene {
 namespace {
 
 constexpr float kBehind = -0.25F;
-constexpr float kNearLamp = 2.1F;  // how bright a lamp is that things are close to
+constexpr float kNearLamp = 2.1F;  // brightness of a near lamp
 constexpr float kFarLamp = 1.05F;
 constexpr float kShine = 0.85F;
-constexpr float kDullest = 0.85F;  // gloss from which on it is metal
+constexpr float kDullest = 0.85F;  // gloss from which a surface is metal
 constexpr float kMetals = 10.0F;
 
-/// What polished steel shows of what is around it, [0, 1]: light above and below, less
-/// between.
+/// The brightness that polished steel reflects from its surroundings, [0, 1]: bright above and
+/// below, darker between.
 float around(QVector3D normal, QVector3D toEye) {
   const float up = 2.0F * QVector3D::dotProduct(normal, toEye) * normal.y() - toEye.y();
   const float square = up * up;
   return (0.25F + 0.75F * square / (square + 0.12F)) * (up > 0.0F ? 1.0F : 0.75F);
 }
 
-/// To the 16th power.
+/// x to the 16th power.
 float sixteenth(float x) {
   const float fourth = x * x * x * x;
   return fourth * fourth * fourth * fourth;
@@ -32,7 +32,7 @@ float sixteenth(float x) {
 
 Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss) {
   const QVector3D toEye = -place.normalized();
-  // A sheet may be seen from behind; a round body just turns away at its edge.
+  // A sheet may be seen from behind. A round body's surface only turns away slightly at its edge.
   if (QVector3D::dotProduct(normal, toEye) < kBehind) normal = -normal;
   const bool isNear = light.reach > 0.0F;
   const QVector3D way = isNear ? light.place - place : light.place;
@@ -46,7 +46,7 @@ Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, f
   const float sharp = sixteenth(mirrored);
   const float sharper = sharp * sharp * sharp * sharp;
   const float shine = kShine * gloss * gloss * (sharp + gloss * (sharper - sharp));
-  // What comes from everywhere comes a little more from above.
+  // Ambient light is slightly brighter from above.
   const float ambient = light.ambient * (1.0F + 0.5F * normal.y());
   const float diffuse = ambient + power * facing;
   const float metal = std::clamp(kMetals * (gloss - kDullest), 0.0F, 1.0F);
@@ -67,7 +67,7 @@ QRgb asPixel(float red, float green, float blue) {
   return qRgb(byte(red), byte(green), byte(blue));
 }
 
-/// A colour along a row, in 65536ths.
+/// A colour channel along a row, in 65536ths.
 struct Channel {
   Channel(float first, float last, float steps)
       : begin(fixed(first)),
@@ -80,7 +80,7 @@ struct Channel {
   int step;
 };
 
-/// From linear light to what is shown, 0 to 255.
+/// Converts linear light to a channel of the screen, 0 to 255.
 float shown(float light) {
   return 255.0F * std::sqrt(std::min(light, 1.0F));
 }
@@ -104,7 +104,8 @@ const QImage& SoftwareRenderer::draw(const Scene& scene, QSize size) {
   return picture_;
 }
 
-/// An empty ground, and nothing near, whatever an earlier look has left there.
+/// Paints the shot's background and clears its part of the depth buffer, which an earlier shot may
+/// have filled.
 void SoftwareRenderer::begin(const Frame& frame) {
   const auto& ground = frame.shot->ground;
   const QRect place = frame.place.intersected(picture_.rect());
@@ -154,7 +155,7 @@ void SoftwareRenderer::project(const Frame& frame, Corner& corner) const {
              0.5F * high * (1.0F - frame.projection(1, 1) * corner.eye.y() / distance);
 }
 
-/// Leaves out what lies behind the nearest plane.
+/// Clips a triangle at the near plane.
 void SoftwareRenderer::clip(const Frame& frame, const Corner& a, const Corner& b, const Corner& c) {
   const float nearest = frame.shot->nearest;
   const Corner* in[3] = {&a, &b, &c};
@@ -181,7 +182,7 @@ void SoftwareRenderer::clip(const Frame& frame, const Corner& a, const Corner& b
 void SoftwareRenderer::fill(const Frame& frame, const Corner& a, const Corner& b, const Corner& c) {
   const float area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (std::abs(area) < 1e-6F) return;
-  // How much everything changes for a pixel to the right, and for one down.
+  // The change of each value per pixel to the right, and per pixel down.
   const auto along = [&](float Corner::*what, float xb, float xc) {
     return ((b.*what - a.*what) * xc - (c.*what - a.*what) * xb) / area;
   };
@@ -276,16 +277,16 @@ void SoftwareRenderer::drawSphere(
       if (nearness <= near[x]) continue;
       near[x] = nearness;
       const float facing = std::max(0.0F, nx * toLamp.x() + ny * toLamp.y() + nz * toLamp.z());
-      // Between spheres there is little light.
+      // Little light reaches the gaps between spheres.
       const float bright = (0.45F + 0.55F * nz) * (ambient * (1.0F + 0.5F * ny) + 1.05F * facing);
       row[x] = asPixel(shown(red * bright), shown(green * bright), shown(blue * bright));
     }
   }
 }
 
-/// A disc on black, darker towards its rim.
+/// Cuts the view to a disc on black that darkens towards its rim.
 void SoftwareRenderer::darkenRim(const Frame& frame) {
-  constexpr int kSteps = 512;  // of the square of the radius
+  constexpr int kSteps = 512;  // for the square of the radius
   int left[kSteps + 1];        // in 256ths
   for (int i = 0; i <= kSteps; ++i) {
     left[i] = static_cast<int>(256.0F * vignette(std::sqrt(static_cast<float>(i) / kSteps)));

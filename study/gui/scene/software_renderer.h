@@ -7,30 +7,31 @@
 
 namespace study::gui::scene {
 
-/// How bright things are, for the renderer that has no shaders; gl_shaders.h says the same.
+/// The brightness of a surface, for the renderer without shaders. gl_shaders.h has the same
+/// equations.
 ///
-/// Light comes from one lamp and a little from everywhere, is thrown back evenly, and by gloss in a
-/// highlight (Blinn); polished steel mirrors what is above and below. Seen through an arthroscope,
-/// the picture grows darker towards its rim.
+/// Light comes from one lamp and evenly from all directions. Surfaces reflect it diffusely
+/// (Lambert) and, by their gloss, in a highlight (Blinn). Polished steel mirrors its surroundings
+/// above and below. A view through an arthroscope darkens towards its rim.
 struct Brightness {
-  float diffuse = 0.0F;  ///< times the colour of the surface
-  float shine = 0.0F;    ///< added to it
+  float diffuse = 0.0F;  ///< multiplies the colour of the surface
+  float shine = 0.0F;    ///< is added to it
 };
 
 /// @param place, normal  in the eye's frame. @param gloss  in [0, 1].
 Brightness brightnessOf(const Light& light, QVector3D place, QVector3D normal, float gloss);
 
-/// What is left at @p radius from the middle of a round look, 1 being its rim.
+/// The brightness at @p radius from the middle of a round view, whose rim is at 1.
 float vignette(float radius);
 
-/// A colour in linear light, and back on the screen: 0 to 1.
+/// Converts a colour channel from the screen's scale to linear light, 0 to 1.
 inline float linear(std::uint8_t channel) {
   const float c = static_cast<float>(channel) / 255.0F;
   return c * c;
 }
 
-/// Draws scenes on the processor alone, where there is no OpenGL: light is computed at vertices,
-/// every pixel remembers how near it is.
+/// Draws scenes on the processor without OpenGL. Light is computed per vertex, with a depth buffer
+/// per pixel.
 class SoftwareRenderer final : public Renderer {
  public:
   const QImage& draw(const Scene& scene, QSize size) override;
@@ -39,9 +40,9 @@ class SoftwareRenderer final : public Renderer {
   std::uint64_t sphereBytes() const override { return sphereBytes_; }
 
  private:
-  /// A vertex on its way to the screen.
+  /// A vertex during projection.
   struct Corner {
-    QVector3D eye;                              ///< place in the eye's frame
+    QVector3D eye;                              ///< position in the eye's frame
     float x = 0.0F, y = 0.0F, nearness = 0.0F;  ///< on the screen; 1 / distance
     float red = 0.0F, green = 0.0F, blue = 0.0F;
   };
@@ -63,7 +64,7 @@ class SoftwareRenderer final : public Renderer {
   void darkenRim(const Frame& frame);
 
   QImage picture_;
-  std::vector<float> nearness_;  ///< of every pixel: 1 / distance; 0: nothing there
+  std::vector<float> nearness_;  ///< 1 / distance of each pixel; 0: empty
   std::vector<Corner> corners_;
   std::uint64_t sphereBytes_ = 0;
 };

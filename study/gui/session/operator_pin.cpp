@@ -53,7 +53,7 @@ QLineEdit* pinLine(QWidget* parent) {
   return line;
 }
 
-/// What still keeps two entries from being a PIN; empty where nothing does.
+/// Why two entries are not accepted as a PIN; empty if they are.
 QString whyNot(const QString& first, const QString& second) {
   if (const auto objection = OperatorPin::objection(first)) return *objection;
   return first == second ? QString() : QDialog::tr("The two are not the same yet.");

@@ -8,26 +8,27 @@
 
 namespace study::gui {
 
-/// Four to twelve digits that the operator knows and the participant does not. Kept in memory only,
-/// as long as the program runs; it guards a screen, not data.
+/// A PIN of four to twelve digits that only the operator knows. It is kept in memory while the
+/// program runs. It protects a screen, not data.
 class OperatorPin {
  public:
   static constexpr int kFewestDigits = 4;
   static constexpr int kMostDigits = 12;
-  static constexpr int kFreeTries = 3;  ///< before each further one has to wait
-  static constexpr int kWait = 10;      ///< [s], doubled with every wrong try after that
+  static constexpr int kFreeTries = 3;  ///< wrong tries before a wait
+  static constexpr int kWait = 10;  ///< the first wait [s]; it doubles with every further wrong try
 
-  /// Why @p digits cannot be a PIN, in words; nothing where they can.
+  /// Why @p digits cannot be a PIN; nothing if they can.
   static std::optional<QString> objection(const QString& digits);
 
   bool isChosen() const noexcept { return !digits_.isEmpty(); }
+  /// Sets the PIN.
   /// @pre objection(digits) is nothing
   void choose(const QString& digits) { digits_ = digits; }
 
-  /// Whether it is the PIN; never while waitLeft() is not 0.
+  /// Whether @p digits are the PIN. Always false while waitLeft() is not 0.
   bool opensWith(const QString& digits);
 
-  /// How long nobody may try now [s]; 0: they may.
+  /// The time until the next try is allowed [s].
   int waitLeft() const;
 
  private:
@@ -36,7 +37,7 @@ class OperatorPin {
   QDeadlineTimer wait_{0};
 };
 
-/// Asks the operator for a new PIN, twice; nothing where they think better of it.
+/// Asks the operator twice for a new PIN; nothing if they cancel.
 std::optional<QString> askForNewPin(QWidget* parent);
 
 }  // namespace study::gui

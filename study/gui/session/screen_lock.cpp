@@ -27,7 +27,7 @@ void ScreenLock::lock() {
   cover(true);
 }
 
-/// Over the whole screen, or an ordinary window again.
+/// Covers the whole screen, or makes the window a normal one again.
 void ScreenLock::cover(bool isCovering) {
   window_.setWindowFlag(Qt::WindowStaysOnTopHint, isCovering);
   window_.setWindowFlag(Qt::FramelessWindowHint, isCovering);
@@ -41,8 +41,8 @@ void ScreenLock::cover(bool isCovering) {
   if (auto* handle = window_.windowHandle()) handle->setKeyboardGrabEnabled(false);
 }
 
-/// A desktop gives the keyboard to a window that can be seen, and to no other; some give it to
-/// none.
+/// Retries because a desktop grants a keyboard grab only to a visible window. Some desktops never
+/// grant it.
 void ScreenLock::grabKeyboard() {
   auto* handle = window_.windowHandle();
   constexpr int kMostTries = 50;
@@ -60,7 +60,7 @@ bool ScreenLock::eventFilter(QObject* watched, QEvent* event) {
     window_.raise();
     window_.activateWindow();
   }
-  // Resized by somebody: a lock covers the screen, and its question stays in the middle.
+  // The window was resized: close the question, which would no longer be in the middle.
   if (event->type() == QEvent::Resize && sheet_ != nullptr) putAway();
   return QObject::eventFilter(watched, event);
 }

@@ -11,17 +11,18 @@
 
 namespace study::gui {
 
-/// Keeps a window in front of everything else while somebody else than the operator sits at the
-/// screen: whole screen, no frame, the keyboard its own, and back in front when something else
-/// comes there. A small button in its corner asks for the operator's PIN, and opens it.
+/// Keeps the participant's window in front of everything else: full screen, without a frame, with
+/// the keyboard grabbed, and raised again when another window comes to the front. A small button in
+/// its corner asks for the operator's PIN, which unlocks the window.
 ///
-/// A desktop may still keep a key of its own (Ctrl+Alt+F1 leads to a console):
-/// docs/running-a-study.md says what to set there.
+/// A desktop may still handle some keys itself (Ctrl+Alt+F1 opens a console).
+/// docs/running-a-study.md describes the settings for that.
 class ScreenLock final : public QObject {
   Q_OBJECT
 
  public:
-  /// @param button  what asks for the PIN; shown while locked. Window, button and PIN outlive it.
+  /// @param button  asks for the PIN; visible while locked. Window, button and PIN must outlive the
+  /// lock.
   ScreenLock(QWidget& window, QPushButton& button, OperatorPin& pin);
 
   bool isLocked() const noexcept { return isLocked_; }
@@ -30,7 +31,7 @@ class ScreenLock final : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
-  /// The PIN was right; the window is an ordinary one again.
+  /// The right PIN was entered. The window is a normal window again.
   void opened();
 
  private:
@@ -47,7 +48,7 @@ class ScreenLock final : public QObject {
   QPointer<QFrame> sheet_;
   QPointer<QLineEdit> digits_;
   QPointer<QLabel> answer_;
-  QTimer grab_;  ///< until the keyboard is ours: not before the window is there
+  QTimer grab_;  ///< retries the keyboard grab until it succeeds, which needs a visible window
   int tries_ = 0;
   bool isLocked_ = false;
 };

@@ -9,27 +9,27 @@
 
 namespace study::gui {
 
-/// How well a trial is rendered while it runs, tick by tick: lateness, what the limiter had to hold
-/// back, and the energy of the contact. Nothing of it depends on a clock of its own.
+/// Timing and safety statistics of a running trial, tick by tick: lateness, force limiting, and the
+/// energy of the contact. It reads no clock of its own.
 class ServoHealth {
  public:
-  /// Upper edges of the bars of lateness [µs]; the last bar has none.
+  /// Upper edges of the lateness bars [µs]. The last bar has no upper edge.
   static constexpr std::array<double, 7> kEdges{10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
 
   void add(const haptics::engine::TickSample& sample);
 
   std::uint64_t ticks() const noexcept { return ticks_; }
-  /// Ticks per bar, the first up to kEdges[0].
+  /// Ticks per bar; the first bar counts lateness up to kEdges[0].
   const std::array<std::uint64_t, kEdges.size() + 1>& bars() const noexcept { return bars_; }
-  /// The lateness that a share @p q of all ticks did not exceed [µs].
+  /// The quantile @p q of the ticks' lateness [µs].
   double lateness(double q) const noexcept { return histogram_.quantile(q); }
   double largestLateness() const noexcept { return histogram_.largest(); }  ///< [µs]
   /// The share of ticks in which the scene asked for more force than the limit, 0 … 1.
   double saturatedShare() const noexcept { return share(saturated_); }
-  /// … and those in which the device gave no measurement.
+  /// The share of ticks without a measurement from the device, 0 … 1.
   double invalidShare() const noexcept { return share(invalid_); }
-  /// What the present contact has taken up, and the least that any came down to; below 0 it gave
-  /// more than it was given [N·device's travel unit].
+  /// The energy absorbed in the current contact, and the smallest value since the start. A negative
+  /// value means that the contact released more energy than it received. [N·device's travel unit]
   double energy() const noexcept { return energy_; }
   double leastEnergy() const noexcept { return leastEnergy_; }
 

@@ -7,7 +7,7 @@
 
 namespace study::gui {
 namespace {
-constexpr int kLookEvery = 16;  // [ms]: sixty pictures a second
+constexpr int kLookEvery = 16;  // [ms]: about sixty times a second
 }
 
 SessionController::SessionController(Study& study, Rig& rig, Session session, QObject* parent)

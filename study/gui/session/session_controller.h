@@ -22,15 +22,15 @@ namespace scene {
 class HipScene;
 }
 
-/// One session for the windows: passes what people do on to the session, runs its trials, and tells
-/// everybody what has changed. Decides nothing that the session does not allow.
+/// The link between one session and the windows. It passes user actions to the session, runs its
+/// trials, and emits signals on changes. What is allowed is decided by the session.
 ///
-/// Slots here do not throw: what failed is told by failed(), and nothing has changed then.
+/// Slots do not throw. If one fails, it emits failed() and changes nothing.
 class SessionController final : public QObject {
   Q_OBJECT
 
  public:
-  /// Study and rig outlive it.
+  /// Study and rig must outlive the controller.
   SessionController(Study& study, Rig& rig, Session session, QObject* parent = nullptr);
   ~SessionController() override;
 
@@ -38,43 +38,45 @@ class SessionController final : public QObject {
   Session& session() noexcept { return session_; }
   bool isTrialRunning() const noexcept { return live_ != nullptr; }
   LiveTrial::Status trialStatus() const { return live_ ? live_->status() : LiveTrial::Status{}; }
-  /// How the tissue gives way; nothing where the trial is not seen.
+  /// How the tissue deforms; nullptr if the trial is not visualised.
   const haptics::engine::MeshView* mesh() const;
-  /// What changes in the bone; nothing where nothing does, or the trial is not seen.
+  /// The changes of the bone; nullptr if there are none or the trial is not visualised.
   haptics::engine::BoneView* bone() const;
-  /// Whom to ask how a trial was seen, when it ends; nobody where it is not.
+  /// Sets the function that returns the frame statistics at the end of a trial; empty: the trial is
+  /// not visualised.
   void reportViewBy(std::function<std::optional<ViewReport>()> report) {
     viewReport_ = std::move(report);
   }
-  /// How the trial is seen; nothing where it is not.
+  /// The frame statistics of the trial; nothing if it is not visualised.
   std::optional<ViewReport> viewReport() const {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
-  /// Whom to ask for the cup that the participant sees; nobody where none is seen.
+  /// Sets the function that returns the cup shown to the participant; empty: no cup is shown.
   void showCupBy(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
   scene::HipScene* seenCup() const { return cup_ ? cup_() : nullptr; }
-  /// The next sample for a plot.
+  /// Takes the next sample for a plot.
+  /// @return false if there is none.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
   }
-  /// The device that the present trial needs; empty where the step is none.
+  /// The id of the device that the current trial needs; empty in other steps.
   QString deviceName() const;
   const haptics::devices::DeviceKind& deviceKind() const;
   double trialRate() const { return trial_ ? trial_->rate() : 0.0; }  ///< [Hz]
 
-  /// How often a step has been begun, and how its last attempt stands.
+  /// The number of attempts at a step, and the status of the last one.
   int attempts(int step) const;
   storage::VisitStatus statusOf(int step) const;
 
-  /// What the operator has written down in this session, in order.
+  /// A note that the operator wrote.
   struct Note {
     QDateTime when;  ///< local time
     QString text;
   };
   std::vector<Note> notes() const;
 
-  /// Asks whoever shows the step for what was written and not handed on, and keeps it.
-  /// @return whether all of it is kept; failed() has said what is not.
+  /// Asks the page of the current step to emit its unsaved answers, and saves them.
+  /// @return whether all were saved; failed() was emitted for each that was not.
   bool keepAll();
 
  public slots:
@@ -82,12 +84,12 @@ class SessionController final : public QObject {
   void retract(const QString& item);
   void countBenchmarkCut();
   void finishStep();
-  /// What is offered once more is not wanted.
+  /// Skips the optional repetition of a trial.
   void declineOffer();
   void beginTrial();
-  /// Enough was felt.
+  /// Ends the trial if the participant has made enough cuts.
   void finishTrial();
-  /// No force at once.
+  /// Switches the force off at once and breaks the trial off.
   void stop();
   void repeatStep(const QString& reason);
   void skipStep(const QString& reason);
@@ -96,19 +98,20 @@ class SessionController final : public QObject {
   void withdraw(const QString& reason);
   void reject(const QString& reason);
   void giveUpOnDevice(const QString& reason);
-  /// Returns whether it is kept.
+  /// Saves a note.
+  /// @return whether it was saved.
   bool note(const QString& text);
   void chooseLanguage(const QString& language);
 
  signals:
-  /// The step is about to be left, or shown in other words: whoever shows it hands on what was
-  /// written and has not been yet.
+  /// Emitted before the step is left or the language changes. The page of the step then emits its
+  /// unsaved answers.
   void aboutToLeave();
-  /// An answer, or that it was taken back, could not be kept; failed() has said why.
+  /// An answer or its removal could not be saved. failed() has given the reason.
   void notKept(const QString& item);
-  /// Another step, or another state of this one.
+  /// The step or its state changed.
   void stepChanged();
-  /// While a trial runs: new numbers.
+  /// Emitted while a trial runs: there are new samples.
   void trialChanged();
   void languageChanged();
   void failed(const QString& why);
@@ -118,10 +121,11 @@ class SessionController final : public QObject {
   void endTrial(TrialEnding ending);
   template <typename Action>
   bool tryTo(Action&& action);
-  /// The step goes only when everything that was written in it is kept.
+  /// Runs @p action, which leaves the step, only if all answers were saved.
   template <typename Action>
   void leaveBy(Action&& action);
-  /// The session goes to its end whatever could not be kept: that was told.
+  /// Runs @p action, which ends the session, even if an answer could not be saved; failed() was
+  /// emitted then.
   template <typename Action>
   void endBy(Action&& action);
 
@@ -130,11 +134,11 @@ class SessionController final : public QObject {
   Session session_;
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;
-  std::unique_ptr<LiveTrial> live_;  // after the trial: goes first
+  std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first
   std::function<std::optional<ViewReport>()> viewReport_;
   std::function<scene::HipScene*()> cup_;
   QTimer watch_;
-  bool isAllKept_ = true;  ///< of what was handed on since keepAll() was asked
+  bool isAllKept_ = true;  ///< of the answers received since the last keepAll()
 };
 
 }  // namespace study::gui

@@ -4,16 +4,16 @@
 
 namespace study::gui {
 
-/// The key that means no force at once, in whatever window of this program the focus is: Esc, Pause
-/// or F12. A foot switch or a large button on the desk that types one of them is a stop as well.
+/// The keys that switch the force off at once in every window of the program: Esc, Pause and F12. A
+/// foot switch or a large button that types one of these keys works as well.
 class StopKey final : public QObject {
   Q_OBJECT
 
  public:
-  /// Looks at every key from now on, and takes none while it is not armed.
+  /// Filters all key events from now on. While it is not armed it consumes none.
   explicit StopKey(QObject* parent = nullptr);
 
-  /// While a trial runs the keys mean stop and nothing else.
+  /// While armed, during a trial, these keys only mean stop.
   void setArmed(bool isArmed) { isArmed_ = isArmed; }
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -18,8 +18,8 @@ namespace {
 using haptics::devices::View;
 using scene::SimulationView;
 
-/// @param view  not None.
-/// @param knee  that is seen in place of ours; nothing: ours.
+/// @param view  must not be None.
+/// @param knee  surfaces that replace the built-in ones; nullptr: none.
 std::unique_ptr<scene::SimulatedScene> simulatedSceneOf(
     View view, const haptics::engine::SceneSpec& spec, const protocols::Anatomy* knee) {
   switch (view) {
@@ -46,7 +46,7 @@ scene::Look lookAt(const SessionController& controller) {
       .bone = controller.bone()};
 }
 
-/// Puts the simulation into @p place, following the trial.
+/// Creates the view of the simulation in @p place and connects it to the trial.
 void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionController& controller) {
   const auto& session = controller.session();
   const auto* condition = session.protocol().protocol.condition(session.step().condition);
@@ -75,11 +75,11 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
   const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
   if (!isSeen) return nullptr;
   auto* place = new QWidget(parent);
-  place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it is the handle
+  place->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
   place->setStyleSheet(QStringLiteral("background: black;"));
   place->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   (new QVBoxLayout(place))->setContentsMargins(0, 0, 0, 0);
-  // The page is there at once; what draws is made while it is read.
+  // The page appears at once. The renderer is created while the participant reads it.
   constexpr int kAfterThePage = 20;  // [ms]
   QTimer::singleShot(
       kAfterThePage, place, [place, spec, &controller, visit = controller.session().visit()] {
@@ -111,7 +111,7 @@ QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
   const QString remark = scene::openGraphics().remark;
   if (remark.isEmpty()) return nullptr;
   auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);
-  line->setToolTip(remark);  // what to do about it as well
+  line->setToolTip(remark);  // includes advice
   line->setObjectName(QStringLiteral("graphics-remark"));
   return line;
 }

@@ -8,20 +8,21 @@
 
 namespace study::gui {
 
-/// The place of the simulation of the trial that the session stands before; what draws comes into
-/// it a moment later and follows the trial, whose frames are kept with it. Nothing, and nothing of
-/// it is made, where the trial is felt without being seen. The controller outlives it.
+/// A widget for the simulation of the current trial. The renderer is created a moment later,
+/// follows the trial, and its frame statistics are saved with the trial. The controller must
+/// outlive the widget.
+/// @return nullptr, with nothing created, if the trial is not visualised.
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent);
 
-/// For the operator, how the present trial is seen: " · 29.9 pictures a second, 18 ms old"; nothing
-/// where it is not.
+/// The frame rate and latency of the current trial for the operator: " · 29.9 pictures a second, 18
+/// ms old". Empty if the trial is not visualised.
 QString viewInWords(const SessionController& controller);
 
-/// Whether anything in @p protocol is seen.
+/// Whether any trial of @p protocol is visualised.
 bool isAnythingSeen(const protocols::Protocol& protocol);
 
-/// For the operator, what there is to say about who draws: a sentence, and on hovering what to do
-/// about it; nothing where a graphics card draws, or @p protocol shows nothing.
+/// A label for the operator about the renderer, with advice as its tool tip; nullptr if a graphics
+/// card draws or if @p protocol visualises nothing.
 QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent);
 
 }  // namespace study::gui

@@ -8,9 +8,9 @@
 
 namespace study::gui {
 
-/// Runs @p action. If it fails, tells the person at the desk why and returns false.
+/// Runs @p action. If it throws, shows the error's message and returns false.
 ///
-/// Exceptions must not cross Qt's event loop, so whatever a slot does that may fail, it attempts.
+/// Exceptions must not cross Qt's event loop, so slots call this for whatever may throw.
 template <typename Action>
 bool attempt(QWidget* parent, Action&& action) {
   try {

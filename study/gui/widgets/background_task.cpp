@@ -47,7 +47,7 @@ BackgroundTask::BackgroundTask(
     try {
       work([this](double share, const std::string& words) { tellFromWorker(share, words); });
     } catch (...) {
-      failure = std::current_exception();  // told at the desk, where the window's thread sees it
+      failure = std::current_exception();  // shown later by the GUI thread
     }
     const std::lock_guard lock(mutex_);
     failure_ = std::move(failure);
@@ -105,7 +105,7 @@ bool BackgroundTask::run(
   try {
     std::rethrow_exception(task.failure());
   } catch (const Cancelled&) {
-    return false;  // whoever cancelled knows
+    return false;  // cancelled by the user, who needs no message
   } catch (...) {
     return attempt(parent, [&] { std::rethrow_exception(task.failure()); });
   }

@@ -16,11 +16,11 @@
 
 namespace study::gui {
 
-/// A piece of work in a thread of its own, while the windows stay alive: how far it is, what it is
-/// doing, and a button that cancels it where it can be cancelled.
+/// Runs work in its own thread behind a dialog with a progress bar, a message and, if possible, a
+/// Cancel button. The windows stay responsive.
 ///
-/// The work tells by the Progress that it is given; one that never tells a share has a bar that
-/// only moves. Cancelling makes the next call of Progress throw Cancelled.
+/// The work reports through the Progress that it is given. If it reports no share, the bar only
+/// shows activity. After Cancel the next call of Progress throws Cancelled.
 class BackgroundTask final : public QDialog {
   Q_OBJECT
 
@@ -28,28 +28,28 @@ class BackgroundTask final : public QDialog {
   using Work = std::function<void(const Progress&)>;
   enum class Cancelling { Possible, Impossible };
 
-  /// Shows the dialog and begins. What the work uses outlives it.
+  /// Shows the dialog and starts the work, whose data must outlive the dialog.
   BackgroundTask(
       const QString& title,
       Work work,
       Cancelling cancelling = Cancelling::Possible,
       QWidget* parent = nullptr);
-  /// Cancels, and waits for the work to end.
+  /// Cancels the work and waits for its end.
   ~BackgroundTask() override;
 
-  /// Runs @p work behind a dialog; if it fails, tells the person at the desk why.
-  /// @return whether it came to its end: neither failed nor cancelled.
+  /// Runs @p work behind a dialog. If it fails, shows the error's message.
+  /// @return whether it completed: it neither failed nor was cancelled.
   static bool run(
       QWidget* parent,
       const QString& title,
       const Work& work,
       Cancelling cancelling = Cancelling::Possible);
 
-  /// Why it did not come to its end; nothing while it runs, and when it did.
+  /// The exception that ended the work; nullptr while it runs and if it completed.
   std::exception_ptr failure() const noexcept { return failure_; }
 
  public slots:
-  /// Asks the work to end; it does so at the next place where it can.
+  /// Asks the work to stop. It stops at its next call of Progress.
   void reject() override;
 
  private:
@@ -60,12 +60,12 @@ class BackgroundTask final : public QDialog {
   QProgressBar* bar_;
   QPushButton* cancel_;
   QTimer watch_;
-  std::mutex mutex_;  ///< guards the next four
+  std::mutex mutex_;  ///< guards the next four members
   double share_ = kUnknownShare;
   std::string said_;
   bool isCancelled_ = false;
   bool isOver_ = false;
-  std::exception_ptr failure_;  ///< the worker's until it is over
+  std::exception_ptr failure_;  ///< written by the worker before isOver_ is set
   std::unique_ptr<QThread> worker_;
 };
 

@@ -44,9 +44,9 @@ void setRole(QLabel& label, const char* role) {
   const QString wanted = QString::fromLatin1(role);
   if (label.property("role").toString() == wanted) return;
   label.setProperty("role", wanted);
-  label.style()->unpolish(&label);  // the style sheet asks for the role
+  label.style()->unpolish(&label);  // makes the style sheet read the role again
   label.style()->polish(&label);
-  QEvent change(QEvent::StyleChange);  // a frame takes its new room from it
+  QEvent change(QEvent::StyleChange);  // the frame updates its margins on this event
   QCoreApplication::sendEvent(&label, &change);
 }
 

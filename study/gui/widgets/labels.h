@@ -11,20 +11,20 @@
 
 namespace study::gui {
 
-/// Words from below the windows, as Qt has them.
+/// Converts UTF-8 text from the rooms below the windows to a QString.
 QString asText(std::string_view words);
-/// "cuts" as "Cuts".
+/// Makes the first letter a capital: "cuts" → "Cuts".
 QString capitalised(const QString& words);
-/// The title of a cohort; its id where only an earlier version of the protocol had it.
+/// The title of a cohort. If only an earlier version of the protocol has it, its id.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
 
-/// Labels of a page, as the theme draws them.
+/// Labels in the styles of the theme.
 QLabel* titleLabel(const QString& text, QWidget* parent);
 QLabel* bodyLabel(const QString& text, QWidget* parent);
 QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
 
-/// Lets a label be drawn as another: "good", "warn", "resting", "bad", "quiet", "heading".
+/// Changes the style of a label: "good", "warn", "resting", "bad", "quiet", "heading".
 void setRole(QLabel& label, const char* role);
 
 }  // namespace study::gui

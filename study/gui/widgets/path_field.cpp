@@ -16,7 +16,7 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(line_, 1);
   row->addWidget(choose);
-  // A form gives a row less than its button needs, unless it is told.
+  // A form layout gives a row less height than its button needs without a minimum.
   choose->ensurePolished();
   setMinimumHeight(choose->sizeHint().height());
   setFocusProxy(line_);
@@ -36,7 +36,7 @@ void PathField::choose() {
       break;
     case Kind::NewFile:
     case Kind::NewFolder:
-      // Nothing is ever overwritten, and the work itself says so where the name is taken.
+      // No confirmation: the work refuses to overwrite a file and says so.
       chosen = QFileDialog::getSaveFileName(
           this, name_, before, filter_, nullptr, QFileDialog::DontConfirmOverwrite);
       break;

@@ -5,14 +5,14 @@
 
 namespace study::gui {
 
-/// A path to be written or chosen.
+/// A line edit for a path, with a button that opens a file dialog.
 class PathField final : public QWidget {
   Q_OBJECT
 
  public:
   enum class Kind { ExistingFile, ExistingFolder, NewFile, NewFolder };
 
-  /// @param filter  of files, as Qt's file dialog takes it: "Protocols (*.json)".
+  /// @param filter  for files, in the syntax of QFileDialog: "Protocols (*.json)".
   PathField(Kind kind, const QString& name, const QString& filter = {}, QWidget* parent = nullptr);
 
   QString path() const { return line_->text().trimmed(); }

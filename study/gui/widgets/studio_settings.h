@@ -5,8 +5,8 @@
 
 namespace study::gui {
 
-/// What the studio remembers from one start to the next: recent studies, the theme, that the tour
-/// was seen. Nothing about a participant.
+/// The settings of the studio on this computer: recent studies, the theme, and whether the tour was
+/// seen. They contain nothing about participants.
 inline QSettings studioSettings() {
   return QSettings(
       QSettings::IniFormat,

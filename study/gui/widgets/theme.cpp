@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* kWornTheme = "wears";
 
-/// With @name where a colour stands, and @name.text for that of the words on it. Ordinary words
-/// have the palette's colours: where a rule gives one, Qt halves the contrast of place holders.
+/// @name stands for a background colour and @name.text for the colour of text on it. Normal text
+/// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
 constexpr const char* kStyleSheet = R"css(
 QWidget { background: @window; font-size: 16px; }
 QLabel[role="title"] { font-size: 30px; font-weight: 600; }
@@ -113,7 +113,8 @@ ThemeName& wornByAll() noexcept {
   return worn;
 }
 
-/// Where Qt paints without asking a style sheet: menus of fields, links, place holders.
+/// The palette for what Qt paints without a style sheet: menus of combo boxes, links, placeholder
+/// text.
 QPalette paletteOf(const Theme& theme) {
   QPalette palette;
   palette.setColor(QPalette::Window, theme.window.background);
@@ -170,7 +171,7 @@ void applyTheme(QApplication& application, ThemeName name) {
 void wearTheme(QWidget& window, ThemeName name) {
   window.setProperty(kWornTheme, nameOf(name));
   window.setPalette(paletteOf(themeNamed(name)));
-  // A palette of the whole program would come through where the style sheet names no colour.
+  // Without these rules the application's palette applies where the style sheet sets no colour.
   const auto& own = themeNamed(name);
   window.setStyleSheet(
       QStringLiteral(

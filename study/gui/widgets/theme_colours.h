@@ -6,7 +6,7 @@ namespace study::gui {
 
 Theme lightTheme();
 Theme darkTheme();
-/// Yellow and white on black: for low vision, and for a bright room.
+/// Yellow and white on black, for low vision and for bright rooms.
 Theme highContrastTheme();
 
 }  // namespace study::gui

@@ -11,7 +11,8 @@ constexpr Tint kCortical{246, 231, 209, 40};
 constexpr Tint kCancellous{226, 186, 160, 30};
 constexpr Tint kUntouched{138, 150, 164, 25};
 
-/// No two spheres are quite alike: from 0 to 1, by their number.
+/// A pseudo-random number in [0, 1] from the slot's index, which makes each sphere look slightly
+/// different.
 float chanceOf(std::size_t slot) {
   const auto mixed = static_cast<std::uint32_t>(slot) * 2654435761U;
   return static_cast<float>(mixed >> 16U) / 65535.0F;
@@ -21,7 +22,7 @@ float densityOf(const haptics::reaming::SphereField& field, std::size_t slot) {
   return field.group(slot).density[slot % haptics::reaming::kLanes];
 }
 
-/// The colour at @p share of the way through @p stops.
+/// The interpolated colour at @p share of the way through @p stops.
 template <std::size_t N>
 Tint along(const std::array<Tint, N>& stops, float share) {
   const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(N - 1);
@@ -65,7 +66,8 @@ Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
 
 Tint tintAfter(SphereColours colours, Tint tint, float whole, float left) {
   if (colours != SphereColours::Removal) return tint;
-  const float gone = whole > 0.0F ? 1.0F - left / whole : 0.5F;  // split off: part of another
+  const float gone =
+      whole > 0.0F ? 1.0F - left / whole : 0.5F;  // 0.5: split off from another sphere
   return removalTint(gone);
 }
 

@@ -5,21 +5,21 @@
 
 namespace study::gui::scene {
 
-/// What the ends of the colours of a density mean.
+/// The densities at both ends of the colour scale.
 struct DensityRange {
-  double softest = 0.0;  ///< and what is softer [N/m²]
-  double hardest = 1.0;  ///< and what is harder [N/m²]
+  double softest = 0.0;  ///< this or softer [N/m²]
+  double hardest = 1.0;  ///< this or harder [N/m²]
 };
 
-/// Of nearly all spheres of a bone: one in fifty lies beyond each end.
+/// The range that holds all but 4 % of a bone's spheres: one in fifty lies beyond each end.
 DensityRange densityRangeOf(const haptics::reaming::SphereField& field);
 
-/// The colours of a bone's spheres.
+/// Computes the colours of a bone's spheres.
 class BoneTints {
  public:
   BoneTints(const haptics::reaming::SphereField& field, SphereColours colours);
 
-  /// Of the sphere in @p slot, which lies at the bone's surface or within it.
+  /// The colour of the sphere in @p slot at the bone's surface, or inside the bone.
   Tint of(std::size_t slot, bool isAtTheSurface) const;
 
  private:
@@ -28,19 +28,20 @@ class BoneTints {
   DensityRange range_;
 };
 
-/// The colour of a sphere that was painted @p tint and had a radius of @p whole, with @p left of it
-/// [mm].
+/// The colour of a sphere with the initial colour @p tint and radius @p whole [mm] when its radius
+/// has become @p left [mm].
 Tint tintAfter(SphereColours colours, Tint tint, float whole, float left);
 
-/// A density from soft (0) to hard (1): viridis, which reads the same in grey and to the
-/// colour-blind.
+/// The colour of a density from soft (0) to hard (1). The scale is viridis: its lightness rises
+/// evenly, so it can be read in grey and with colour blindness.
 Tint scaleTint(float share);
 
-/// A sphere that the reamer has not touched.
+/// The colour of a sphere that the reamer has not touched.
 Tint untouchedTint();
 
-/// How much of a sphere the reamer has taken, from just touched (0) to nearly all (1): from dark to
-/// bright as well, and nowhere like an untouched one.
+/// The colour of a sphere of which the reamer has removed a share, from 0 (just touched) to 1
+/// (almost all). It rises from dark to bright and differs from that of an untouched sphere
+/// everywhere.
 Tint removalTint(float share);
 
 }  // namespace study::gui::scene

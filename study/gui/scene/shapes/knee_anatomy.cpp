@@ -24,14 +24,14 @@ float plateauHeight(float x, float z) {
 
 QVector3D punchMouth(const KneeLayout& layout) {
   constexpr float kBiteIn = 1.9F;  // from the free edge [mm]
-  constexpr float kAbove = 1.25F;  // the plateau, of the lower jaw [mm]
+  constexpr float kAbove = 1.25F;  // of the lower jaw above the plateau [mm]
   QVector3D mouth = onArc(layout, layout.toolAngle, layout.innerRadius + kBiteIn);
   mouth.setY(plateauHeight(mouth.x(), mouth.z()) + kAbove);
   return mouth;
 }
 
 QMatrix4x4 punchPose(const KneeLayout& layout) {
-  constexpr float kReach = 5.6F;  // of the hinge from the bite [mm]
+  constexpr float kReach = 5.6F;  // from the hinge to the bite [mm]
   const QVector3D along = QVector3D(-0.42F, -0.06F, -0.90F).normalized();
   const QVector3D across = QVector3D::crossProduct(along, {0, 1, 0}).normalized();
   const QVector3D up = QVector3D::crossProduct(across, along);
@@ -61,7 +61,7 @@ constexpr Tint kCartilageShade{229, 214, 194, 190};
 constexpr Tint kSynoviumPale{205, 128, 112, 140};
 constexpr Tint kVessel{128, 34, 36, 120};
 
-/// Places over a rectangle of (u, v) in [0, 1]², row by row, each painted.
+/// A sheet over (u, v) in [0, 1]², row by row, with a colour for each point.
 template <typename Place, typename Paint>
 Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
   std::vector<QVector3D> places;
@@ -79,8 +79,8 @@ Mesh surface(int columns, int rows, Place placeOf, Paint tintOf) {
   return mesh;
 }
 
-/// How much of a vessel there is @p angle [°] to the side and @p height [mm] above the tissue: a
-/// few that climb, each with a branch.
+/// The visibility of blood vessels at @p angle [°] to the side and @p height [mm] above the tissue.
+/// A few vessels climb, each with a branch.
 float vesselAt(float angle, float height) {
   float most = 0.0F;
   for (int i = -5; i <= 5; ++i) {
@@ -101,7 +101,7 @@ float vesselAt(float angle, float height) {
 
 Mesh plateauSurface(const KneeLayout& layout) {
   const auto angleAt = [](float u) { return 360.0F * u - 180.0F; };
-  // Rings around the crescent's middle, closest where its free edge lies on them.
+  // Rings around the crescent's centre, closest together at its free edge.
   const auto radiusAt = [edge = layout.innerRadius](float v) {
     constexpr float kEdge = 0.7F;
     if (v >= kEdge) return edge + 27.0F * std::pow((v - kEdge) / (1.0F - kEdge), 1.4F);
@@ -123,7 +123,7 @@ Mesh plateauSurface(const KneeLayout& layout) {
         const float patch =
             0.5F + 0.5F * std::sin(0.11F * place.x() + 3.0F) * std::sin(0.13F * place.z());
         const Tint ground = blend(kCartilage, kCartilageShade, 0.6F * patch);
-        // Little light comes under the tissue, where there is any.
+        // Darker under the tissue, which blocks the light.
         const float within = std::clamp((v - 0.45F) / 0.25F, 0.0F, 1.0F);
         const float beside = std::abs(angleAt(u));
         const float isThere = std::clamp((layout.halfAngle - beside) / 6.0F, 0.0F, 1.0F);
@@ -140,7 +140,7 @@ Mesh condyleSurface() {
       [&](float u, float v) {
         constexpr float kTurn = 6.2831853F;
         const float around = kTurn * u;
-        // From the lowest place; a little beside it, so that every triangle there has a side.
+        // Starts beside the lowest point, so that no triangle there is degenerate.
         const float up = 0.30F * kTurn * std::max(v, 0.0005F);
         const float bump = 1.0F + 0.02F * v * v * std::sin(5.0F * around) * std::sin(9.0F * up);
         return centre + bump * radii *
@@ -158,7 +158,7 @@ Mesh condyleSurface() {
 
 Mesh capsuleSurface(const KneeLayout& layout) {
   const auto angleAt = [](float u) {
-    const float side = 2.0F * u - 1.0F;  // closer together where one looks
+    const float side = 2.0F * u - 1.0F;  // denser where the camera looks
     return std::copysign(150.0F * std::pow(std::abs(side), 1.35F), side);
   };
   const auto riseAt = [](float v) { return std::pow(v, 1.6F); };
@@ -193,7 +193,7 @@ QVector3D vectorOf(const NamedSurface::Triple& triple) {
   return {triple[0], triple[1], triple[2]};
 }
 
-/// From the file's frame, the punch's mouth, into the knee's.
+/// Converts from the file's frame, which has its origin at the punch's mouth, to the knee's.
 Mesh asMesh(const NamedSurface& surface, QVector3D mouth, Tint tint) {
   Mesh mesh;
   mesh.vertices.reserve(surface.places.size());
@@ -210,7 +210,7 @@ Mesh asMesh(const NamedSurface& surface, QVector3D mouth, Tint tint) {
   return mesh;
 }
 
-/// Adds an object to an OBJ file, whose corners count on from @p written.
+/// Appends an object to an OBJ file that has @p written vertices so far.
 void addObject(
     std::string& text, const char* name, const Mesh& mesh, QVector3D mouth, std::size_t& written) {
   text += fmt::format("o {}\n", name);

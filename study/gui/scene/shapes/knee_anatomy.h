@@ -11,52 +11,53 @@
 
 namespace study::gui::scene {
 
-/// Where things lie in the knee that we draw: x to the right, y up, the shin's plateau below, the
-/// meniscus as a crescent behind, its horns towards the eye [mm].
+/// Positions in the built-in knee. x points to the right and y up. The tibial plateau is below, and
+/// the meniscus behind it is a crescent whose horns point to the eye [mm].
 struct KneeLayout {
   QVector3D arcCentre{0.0F, 0.0F, -2.0F};  ///< of the crescent
-  float innerRadius = 13.0F;               ///< its free edge [mm]
+  float innerRadius = 13.0F;               ///< the free edge [mm]
   float outerRadius = 23.0F;
-  float halfAngle = 118.0F;  ///< of the crescent, to either side of −z [°]
-  float toolAngle = 12.0F;   ///< where the punch bites, to the right of −z [°]
-  float heldAngle = 140.0F;  ///< over which the string of finite elements lies [°]
+  float halfAngle = 118.0F;  ///< of the crescent, to each side of −z [°]
+  float toolAngle = 12.0F;   ///< position of the punch's bite, to the right of −z [°]
+  float heldAngle = 140.0F;  ///< angle spanned by the string of finite elements [°]
 };
 
-/// The place @p radius from the arc's centre, @p angle [°] to the right of −z, at height 0.
+/// The point at distance @p radius [mm] from the arc's centre, @p angle [°] to the right of −z, at
+/// y = 0.
 QVector3D onArc(const KneeLayout& layout, float angle, float radius);
 
-/// The height of the shin's plateau.
+/// The height of the tibial plateau [mm].
 float plateauHeight(float x, float z);
 
-/// Where the punch bites: on its lower jaw, at the tissue.
+/// The position of the bite: on the punch's lower jaw, at the tissue [mm].
 QVector3D punchMouth(const KneeLayout& layout);
 
-/// Where the punch is: from its own frame to the knee's.
+/// The pose of the punch: from its own frame to the knee's.
 QMatrix4x4 punchPose(const KneeLayout& layout);
 
-/// How cartilage and a joint's capsule look where they are not painted more finely.
+/// The colours of cartilage and synovium on surfaces without their own colours.
 inline constexpr Tint kCartilage{238, 231, 216, 205};
 inline constexpr Tint kSynovium{170, 78, 70, 130};
 
-/// What surrounds the meniscus, as plain curved sheets: cartilage below and above, the joint's
-/// capsule behind.
+/// The built-in surfaces around the meniscus: cartilage below and above, and the joint capsule
+/// behind.
 Mesh plateauSurface(const KneeLayout& layout);
 Mesh condyleSurface();
 Mesh capsuleSurface(const KneeLayout& layout);
 
-/// What surrounds the meniscus.
+/// The surfaces around the meniscus.
 struct KneeSurfaces {
   Mesh tibia;
   Mesh femur;
   Mesh capsule;
 };
 
-/// Surfaces of our own making, and in their place those that @p own has, if there is one. A surface
-/// without colours is painted as ours is.
+/// The built-in surfaces, each replaced by the surface of the same name in @p own if there is one.
+/// A surface without colours gets the built-in colour.
 KneeSurfaces kneeSurfaces(const KneeLayout& layout, const protocols::Anatomy* own);
 
-/// Our own knee as an OBJ file's text, in the frame and the unit that protocols::Anatomy has: what
-/// anatomies can be fitted to. Meniscus and punch are in it for orientation.
+/// The built-in knee as an OBJ file, in the frame and unit of protocols::Anatomy. Users fit their
+/// anatomies to it. It contains meniscus and punch for orientation.
 std::string kneeAsObj(const KneeLayout& layout);
 
 }  // namespace study::gui::scene

@@ -10,26 +10,26 @@ namespace study::gui::scene {
 namespace {
 
 constexpr float kDegrees = 180.0F / 3.14159265F;
-constexpr float kMillimetresPerTravel = 0.33F;  // at the bite, as the jaw has it
+constexpr float kMillimetresPerTravel = 0.33F;  // at the bite, from the jaw's geometry
 constexpr float kBiteHalf = 2.9F;               // along the edge [mm]
 constexpr float kBiteDepth = 3.6F;              // across it [mm]
 constexpr std::size_t kMostBites = 12;
 constexpr int kSections = 140;
 constexpr int kPieceSections = 24;
-constexpr int kAcross = 8;   // places across a surface
-constexpr int kUpright = 2;  // places up a face
+constexpr int kAcross = 8;   // points across a surface
+constexpr int kUpright = 2;  // points up a face
 constexpr float kThinnest = 0.22F;
 
 constexpr Tint kEdge{244, 236, 214, 150};
 constexpr Tint kRim{226, 178, 158, 120};
 constexpr Tint kCutFace{252, 246, 230, 90};
 
-/// How high the tissue is where it is left alone, at @p share of the way to its rim [mm].
+/// The height of the undeformed tissue at @p share of the way to its rim [mm].
 float restHeight(float share) {
   return 0.42F + 5.6F * std::pow(share, 1.3F);
 }
 
-/// A smooth curve through the nodes of the string.
+/// Interpolates the displacements of the string's nodes with a cubic Hermite spline.
 float through(const std::vector<haptics::engine::MeshView::Point>& nodes, double place) {
   if (place <= nodes.front().position || place >= nodes.back().position) return 0.0F;
   std::size_t i = 0;
@@ -61,7 +61,7 @@ void Meniscus::cut() {
   hasPiece_ = true;
 }
 
-/// Where the free edge is after the first @p bites [mm from the arc's centre].
+/// The radius of the free edge after the first @p bites [mm from the arc's centre].
 float Meniscus::edgeAt(float angle, std::size_t bites) const {
   const float own = angle + moved_;
   float edge = layout_.innerRadius + 0.14F * std::sin(0.13F * own) + 0.06F * std::sin(0.41F * own);
@@ -74,7 +74,7 @@ float Meniscus::edgeAt(float angle, std::size_t bites) const {
   return edge;
 }
 
-/// How far the string has given way at @p angle [mm].
+/// The displacement of the string at @p angle [mm].
 float Meniscus::displacementAt(float angle, const Squeeze& squeeze) const {
   const auto& string = squeeze.string;
   if (string.size() < 3) return 0.0F;
@@ -94,7 +94,7 @@ Meniscus::Column Meniscus::column(float angle, float radius, const Squeeze& sque
   Column column{onArc(layout_, angle, radius), {}};
   column.low.setY(plateauHeight(column.low.x(), column.low.z()) + 0.02F);
   column.high = column.low;
-  // Towards its rim it is held by the capsule.
+  // The capsule holds the tissue at its rim.
   const float dip = (1.0F - 0.8F * share) * displacementAt(angle, squeeze);
   const float height = std::max(restHeight(share) - dip, 0.3F * restHeight(share));
   column.high.setY(column.low.y() + height);
@@ -102,9 +102,9 @@ Meniscus::Column Meniscus::column(float angle, float radius, const Squeeze& sque
   return column;
 }
 
-/// The lower jaw lifts what lies on it, the upper one presses down what is under it.
+/// Lifts tissue that lies in the lower jaw and presses down tissue under the upper jaw.
 void Meniscus::keepClearOfTheJaws(Column& column, float openness) const {
-  constexpr float kEase = 0.16F;  // [1/mm]: how steeply the tissue comes back beside the jaws
+  constexpr float kEase = 0.16F;  // [1/mm]: how fast the deformation decreases beside the jaws
   QVector3D low = toPunch_.map(column.low);
   QVector3D high = toPunch_.map(column.high);
   const float aside = std::max(0.0F, std::abs(low.z()) - kJawHalfWidth - 0.35F);
@@ -120,8 +120,8 @@ void Meniscus::keepClearOfTheJaws(Column& column, float openness) const {
   column.high = fromPunch_.map(high);
 }
 
-/// Goes once round the tissue at @p angle: over it, down its rim, back below, up its edge. Corners
-/// are there twice, so that they stay sharp.
+/// Adds one cross-section of the tissue at @p angle: along the top, down the rim, back along the
+/// bottom, up the edge. Corners are duplicated so that they stay sharp.
 void Meniscus::addSection(Mesh& mesh, float angle, bool isPiece, const Squeeze& squeeze) const {
   const std::size_t bites = bites_.size();
   const float inner = edgeAt(angle, isPiece ? bites - 1 : bites);
@@ -170,7 +170,7 @@ void Meniscus::shape(Mesh& mesh, float from, float to, bool isPiece, const Squee
         mesh.triangles.push_back({first + i, first + kRound + i, first + kRound + next});
       }
     }
-    // The two ends, each from the surface above to the one below.
+    // Close the two ends with triangles between top and bottom.
     for (std::uint32_t i = 0; i + 1 < kRound / 2; ++i) {
       const std::uint32_t j = kRound - 1 - i;
       mesh.triangles.push_back({i, i + 1, j});

@@ -8,29 +8,29 @@
 
 namespace study::gui::scene {
 
-/// The meniscus that is drawn: a wedge bent to a crescent, thin at its free edge. It gives way as
-/// the finite-element mesh does, keeps clear of the jaws, and parts where it is cut: a bite is then
-/// a piece of its own. Body and piece are closed surfaces, and hold together what was there before.
+/// The visible meniscus: a wedge bent into a crescent, thin at its free edge. It deforms like the
+/// finite-element mesh and does not intersect the jaws. A cut separates a bite, which becomes a
+/// second closed surface. Body and piece together have the volume of the tissue before the cut.
 class Meniscus {
  public:
   explicit Meniscus(const KneeLayout& layout);
 
-  /// What presses on it.
+  /// The load on the tissue.
   struct Squeeze {
-    /// The string of finite elements under the tool; the largest displacement is where the tool
-    /// is. None: nothing presses.
+    /// The string of finite elements under the tool. Its largest displacement is at the
+    /// tool. Empty: no load.
     std::vector<haptics::engine::MeshView::Point> string;
     float openness = 1.0F;  ///< of the jaw
   };
 
-  /// Shapes body and piece anew.
+  /// Recomputes the shape of body and piece.
   void squeeze(const Squeeze& squeeze);
 
-  /// Parts a bite from the free edge, where the punch is.
+  /// Cuts a bite out of the free edge at the position of the punch.
   void cut();
-  /// The piece is taken away.
+  /// Removes the piece.
   void dropPiece() { hasPiece_ = false; }
-  /// Moves the tissue along under the punch by @p angle [°], for the next bite.
+  /// Moves the tissue under the punch by @p angle [°], to the position of the next bite.
   void moveOn(float angle) { moved_ += angle; }
 
   bool hasPiece() const noexcept { return hasPiece_; }
@@ -38,7 +38,7 @@ class Meniscus {
   const Mesh& piece() const noexcept { return piece_; }
 
  private:
-  /// A column of tissue: from below to above at one place.
+  /// A vertical column of tissue, from its lower to its upper point.
   struct Column {
     QVector3D low;
     QVector3D high;
@@ -54,8 +54,8 @@ class Meniscus {
   KneeLayout layout_;
   QMatrix4x4 fromPunch_;
   QMatrix4x4 toPunch_;
-  std::vector<float> bites_;  ///< where, on the tissue itself [°]
-  float moved_ = 0.0F;        ///< of the tissue under the punch [°]
+  std::vector<float> bites_;  ///< positions in the tissue's own frame [°]
+  float moved_ = 0.0F;        ///< rotation of the tissue under the punch [°]
   bool hasPiece_ = false;
   Mesh body_;
   Mesh piece_;

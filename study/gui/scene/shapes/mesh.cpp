@@ -19,7 +19,7 @@ PlaceKey keyOf(const QVector3D& v) {
       std::llround(kPerMillimetre * static_cast<double>(v.z()))};
 }
 
-/// Which place each vertex is at: the same number for the same place.
+/// An index for each vertex, the same for vertices at the same position.
 std::vector<std::uint32_t> welded(const Mesh& mesh) {
   std::map<PlaceKey, std::uint32_t> places;
   std::vector<std::uint32_t> place;
@@ -31,7 +31,7 @@ std::vector<std::uint32_t> welded(const Mesh& mesh) {
   return place;
 }
 
-/// As long as the triangle is large.
+/// The triangle's normal, with its length proportional to the area.
 QVector3D normalOf(const Mesh& mesh, const Triangle& t) {
   const QVector3D& a = mesh.vertices[t.a].position;
   return QVector3D::crossProduct(mesh.vertices[t.b].position - a, mesh.vertices[t.c].position - a);
@@ -122,7 +122,7 @@ std::size_t openEdges(const Mesh& mesh) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto from = corners[i];
       const auto to = corners[(i + 1) % 3];
-      if (from == to) continue;  // a triangle that is none
+      if (from == to) continue;  // a degenerate triangle
       from < to ? ++runs[{from, to}] : --runs[{to, from}];
     }
   }

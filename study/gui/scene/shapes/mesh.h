@@ -8,7 +8,7 @@
 
 namespace study::gui::scene {
 
-/// A colour as it is drawn; gloss says how wet or polished a surface looks (0 dull, 255 mirror).
+/// A colour and the gloss of a surface (0: matt, 255: mirror).
 struct Tint {
   std::uint8_t red = 255;
   std::uint8_t green = 255;
@@ -16,9 +16,9 @@ struct Tint {
   std::uint8_t gloss = 60;
 };
 
-/// @p share of the way from @p a to @p b, in [0, 1].
+/// The colour at @p share of the way from @p a to @p b, in [0, 1].
 Tint blend(Tint a, Tint b, float share);
-/// @p tint, so much brighter: > 0.
+/// The colour @p tint times @p brightness, > 0.
 Tint lit(Tint tint, float brightness);
 
 struct Vertex {
@@ -39,26 +39,26 @@ struct Mesh {
   std::vector<Triangle> triangles;
 };
 
-/// Adds @p more to @p mesh.
+/// Appends @p more to @p mesh.
 void append(Mesh& mesh, const Mesh& more);
 
-/// Turns and moves all of @p mesh.
+/// Transforms all of @p mesh by @p pose.
 void place(Mesh& mesh, const QMatrix4x4& pose);
 
 void paint(Mesh& mesh, Tint tint);
 
-/// Gives every vertex the normal of the triangles that share it.
+/// Sets each vertex's normal to the area-weighted mean of the triangles that share it.
 void smoothen(Mesh& mesh);
 
-/// Gives every corner the normal of those triangles around its place that meet its own at less
-/// than @p angle [°]: round things look round, and edges stay edges.
+/// Sets each corner's normal to the area-weighted mean of the triangles at its position whose angle
+/// to its own triangle is less than @p angle [°]. Round surfaces look round and edges stay sharp.
 void crease(Mesh& mesh, float angle);
 
-/// Edges without a neighbour that runs the other way, places being the same within a micrometre.
-/// A closed surface has none.
+/// The number of edges without a neighbour in the opposite direction, where positions within a
+/// micrometre count as equal. A closed surface has none.
 std::size_t openEdges(const Mesh& mesh);
 
-/// What a closed surface holds [mm³]; below 0 where it is inside out.
+/// The volume of a closed surface [mm³]; negative if its triangles face inwards.
 double volumeOf(const Mesh& mesh);
 
 }  // namespace study::gui::scene

@@ -22,7 +22,7 @@ Mesh placesOf(const std::vector<Ring>& rings) {
   return mesh;
 }
 
-/// Joins ring @p from to ring @p to.
+/// Adds the triangles between ring @p from and ring @p to.
 void join(Mesh& mesh, std::size_t corners, std::size_t from, std::size_t to) {
   for (std::size_t i = 0; i < corners; ++i) {
     const std::size_t next = (i + 1) % corners;
@@ -35,7 +35,7 @@ void join(Mesh& mesh, std::size_t corners, std::size_t from, std::size_t to) {
   }
 }
 
-/// Closes ring @p at with a fan around its middle.
+/// Closes ring @p at with a triangle fan around its centre.
 void cap(Mesh& mesh, std::size_t corners, std::size_t at, bool isFirst) {
   QVector3D middle;
   for (std::size_t i = 0; i < corners; ++i) middle += mesh.vertices[corners * at + i].position;
@@ -100,7 +100,7 @@ Ring slab(float x, float low, float high, float half, float rounding) {
 }
 
 Mesh rod(float from, float to, float radius, int corners) {
-  constexpr float kLongest = 5.0F;  // so that light can change along it
+  constexpr float kLongest = 5.0F;  // short enough for light to vary along the rod
   const int steps = 1 + static_cast<int>(std::abs(to - from) / kLongest);
   std::vector<Ring> rings;
   for (int i = 0; i <= steps; ++i) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kPerMetre = 1000.0F;
 constexpr float kCellsPerDiameter = 1.8F;
-constexpr int kEmptyAtTheSurface = 6;  // of the 27 cells in and around that of a sphere
+constexpr int kEmptyAtTheSurface = 6;  // of the 27 cells in and around a sphere's cell
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void SphereCloud::readSlots(const haptics::reaming::SphereField& field) {
   }
 }
 
-/// Cells a little larger than a sphere, with an empty one all round.
+/// Makes a grid with cells slightly larger than a sphere and a margin of empty cells.
 void SphereCloud::layGrid() {
   constexpr float kFar = 1e9F;
   QVector3D low(kFar, kFar, kFar);
@@ -97,7 +97,7 @@ void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
   }
 }
 
-/// All as at the beginning.
+/// Resets everything to the initial state.
 void SphereCloud::begin() {
   held_.assign(grid_.size(), 0);
   cells_.assign(grid_.size(), {});
@@ -129,7 +129,7 @@ bool SphereCloud::isKept(const SphereInstance& sphere) const noexcept {
   return sphere.radius > 0.0F && (!options_.isHalved || sphere.y >= 0.0F);
 }
 
-/// Whether nothing lies between the eye and an empty cell.
+/// Whether the line from an empty cell to the eye crosses only empty cells.
 bool SphereCloud::isOpen(std::size_t cell) const {
   const auto [i, j, k] = grid_.placeOf(cell);
   const QVector3D index(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
@@ -163,7 +163,7 @@ void SphereCloud::eachNeighbour(std::size_t cell, Visit visit) const {
   }
 }
 
-/// A section goes through gaps: there one looks past the first spheres.
+/// A section cuts through gaps, through which the second layer of spheres is visible.
 bool SphereCloud::isBeforeTheSection(std::size_t cell) const noexcept {
   const auto row = static_cast<float>(grid_.placeOf(cell)[1]);
   return options_.isHalved && grid_.low.y() + grid_.cell * (row + 0.5F) < 0.5F * grid_.cell;
@@ -175,7 +175,7 @@ void SphereCloud::bareDeeper(std::size_t cell) {
   });
 }
 
-/// Draws what lies in and around a cell into which one can look.
+/// Draws the spheres in and around a visible cell.
 void SphereCloud::bare(std::size_t cell) {
   eachNeighbour(cell, [this](std::size_t other) {
     if (isBare_[other] != 0) return;
@@ -268,7 +268,8 @@ std::size_t SphereCloud::uploadChanges(const Upload& upload) {
     if (!all.empty()) upload(0, all);
     return all.size();
   }
-  constexpr std::uint32_t kGap = 8;  // it is cheaper to send so many again than to begin anew
+  constexpr std::uint32_t kGap =
+      8;  // sending so many unchanged instances is cheaper than another range
   std::sort(changed_.begin(), changed_.end());
   std::size_t sent = 0;
   for (std::size_t i = 0; i < changed_.size();) {

@@ -14,14 +14,14 @@
 
 namespace study::gui::scene {
 
-/// What the colour of a sphere says.
+/// What the colours of the spheres show.
 enum class SphereColours {
-  Neutral,  ///< bone, and nothing else: what participants see
-  Density,  ///< how hard it is
-  Removal,  ///< how much of it the reamer has taken
+  Neutral,  ///< bone without information: the participant's view
+  Density,  ///< the density
+  Removal,  ///< the share that the reamer has removed
 };
 
-/// A sphere as it is drawn. A radius of 0: none.
+/// A sphere to draw. A radius of 0 means none.
 struct SphereInstance {
   float x = 0.0F;  ///< [mm]
   float y = 0.0F;
@@ -30,38 +30,38 @@ struct SphereInstance {
   Tint tint;
 };
 
-/// The spheres of a bone that can be seen: those at its surface, and what the reamer lays bare. All
-/// others have neighbours all round, and are not drawn.
+/// The visible spheres of a bone: those at its surface and those that the reamer has uncovered. All
+/// others are surrounded by neighbours and are not drawn.
 ///
-/// Tells which of them have changed, so that only these are handed on to whoever draws them.
+/// The cloud records which instances have changed, so that a renderer uploads only these.
 class SphereCloud {
  public:
   struct Options {
-    QVector3D eye{0.0F, -100.0F, -60.0F};  ///< from where it is looked at, in the bone's frame [mm]
-    bool isHalved = true;                  ///< only the half with y > 0: a section through the cup
+    QVector3D eye{0.0F, -100.0F, -60.0F};  ///< the eye's position in the bone's frame [mm]
+    bool isHalved = true;  ///< only the half with y ≥ 0: a section through the cup
     SphereColours colours = SphereColours::Neutral;
   };
 
-  /// @param field  whose slots the changes will name.
+  /// @param field  the bone; changes refer to its slots.
   SphereCloud(const haptics::reaming::SphereField& field, const Options& options);
 
-  /// Takes over what has happened to a sphere, or that all are whole again.
+  /// Applies a change of one sphere, or a reset of all.
   void apply(const haptics::engine::SphereChange& change);
 
-  /// What has become of the spheres since the beginning, one change for each that is not as it was:
-  /// another cloud of the same bone that applies them looks the same.
+  /// The changes since the beginning, one for each changed sphere. A second cloud of the same bone
+  /// that applies them looks the same.
   std::vector<haptics::engine::SphereChange> changesSoFar() const;
 
   const std::vector<SphereInstance>& instances() const noexcept { return instances_; }
   std::size_t shown() const noexcept { return instances_.size() - free_.size(); }
 
-  /// Hands over what has changed since it was last asked, in stretches of instances from @p first
-  /// on, and forgets it. The first time that is everything.
-  /// @return how many instances.
+  /// Passes the instances that changed since the last call to @p upload, in contiguous ranges that
+  /// start at index @p first. The first call passes all.
+  /// @return the number of instances passed.
   using Upload = std::function<void(std::size_t first, std::span<const SphereInstance> stretch)>;
   std::size_t uploadChanges(const Upload& upload);
 
-  /// So that the next uploadChanges() hands over everything: for a new reader.
+  /// Makes the next uploadChanges() pass all instances, for a new renderer.
   void forgetUploads() noexcept { isAllNew_ = true; }
 
  private:
@@ -75,10 +75,10 @@ class SphereCloud {
   };
   struct Slot {
     SphereInstance sphere;
-    float whole = 0.0F;          ///< radius at the beginning [mm]
-    std::uint32_t cell = 0;      ///< of the grid
-    std::int32_t instance = -1;  ///< -1: not drawn
-    Tint tint;                   ///< at the beginning
+    float whole = 0.0F;          ///< initial radius [mm]
+    std::uint32_t cell = 0;      ///< index in the grid
+    std::int32_t instance = -1;  ///< −1: not drawn
+    Tint tint;                   ///< initial colour
   };
 
   void readSlots(const haptics::reaming::SphereField& field);
@@ -99,12 +99,12 @@ class SphereCloud {
   Options options_;
   Grid grid_;
   std::vector<Slot> slots_;
-  std::vector<SphereInstance> whole_;              ///< all slots, as they were at the beginning
-  std::vector<std::vector<std::uint32_t>> cells_;  ///< slots that are, or were, in each cell
-  std::vector<std::uint32_t> held_;                ///< spheres in each cell now
-  std::vector<char> isBare_;                       ///< cells whose spheres are drawn
+  std::vector<SphereInstance> whole_;              ///< the initial state of all slots
+  std::vector<std::vector<std::uint32_t>> cells_;  ///< slots that are or were in each cell
+  std::vector<std::uint32_t> held_;                ///< number of spheres in each cell now
+  std::vector<char> isBare_;                       ///< whether a cell's spheres are drawn
   std::vector<SphereInstance> instances_;
-  std::vector<std::uint32_t> free_;  ///< instances that nobody needs
+  std::vector<std::uint32_t> free_;  ///< unused instances
   std::vector<std::uint32_t> changed_;
   bool isAllNew_ = true;
 };

@@ -25,7 +25,7 @@ Mesh finished(Mesh mesh, Tint tint, float angle = 35.0F) {
   return mesh;
 }
 
-/// A plate with a rail on either side, between which the upper jaw bites.
+/// A plate between two rails; the upper jaw closes between them.
 Mesh lowerJaw() {
   Mesh jaw = finished(
       loft(
@@ -180,7 +180,8 @@ constexpr Tint kToothSteel{214, 218, 223, 245};
 constexpr Tint kHole{38, 38, 42, 20};
 constexpr Tint kShaftSteel{176, 181, 188, 242};
 
-/// A frame on the cap, @p polar away from its top: x along the way that it turns, z outwards.
+/// A frame on the cap at the angle @p polar from its top: x in the direction of rotation, z
+/// outwards.
 QMatrix4x4 onTheCap(float radius, float polar, float azimuth) {
   QMatrix4x4 pose;
   pose.rotate(azimuth * 180.0F / kPi, 0.0F, 0.0F, 1.0F);
@@ -190,7 +191,7 @@ QMatrix4x4 onTheCap(float radius, float polar, float azimuth) {
   return pose;
 }
 
-/// A lip that rises to its edge, before the hole through which chips go.
+/// A lip that rises to a cutting edge in front of a hole for chips.
 Mesh tooth(float size) {
   const float w = 0.75F * size;
   const float h = 0.42F * size;
@@ -214,7 +215,7 @@ Mesh hole(float size) {
   return disc;
 }
 
-/// Teeth in spirals from the top to the rim.
+/// Adds teeth in spirals from the top to the rim.
 void addTeeth(Mesh& cap, float radius) {
   constexpr int kSpirals = 9;
   constexpr int kPerSpiral = 10;
@@ -223,7 +224,7 @@ void addTeeth(Mesh& cap, float radius) {
     for (int i = 0; i < kPerSpiral; ++i) {
       const float share = (static_cast<float>(i) + 0.9F) / kPerSpiral;
       const float polar = 0.47F * kPi * share;
-      if (i < 2 && spiral % 3 != 0) continue;  // there is no room for all at the top
+      if (i < 2 && spiral % 3 != 0) continue;  // the top has no room for all
       const float azimuth = 2.0F * kPi * static_cast<float>(spiral) / kSpirals + 1.5F * share;
       const QMatrix4x4 pose = onTheCap(radius, polar, azimuth);
       for (Mesh part : {tooth(size), hole(size)}) {
@@ -243,7 +244,7 @@ ReamerShape reamerShape(float radius) {
     const float polar = 0.5F * kPi * static_cast<float>(i) / kSteps;
     profile.emplace_back(std::max(radius * std::sin(polar), 0.01F), radius * std::cos(polar));
   }
-  // Over the rim, and in to the hub on which the shaft sits.
+  // Over the rim and inwards to the hub on the shaft.
   for (const auto& [r, z] :
        {std::pair{1.0F, -0.06F},
         {0.93F, -0.07F},
@@ -269,12 +270,12 @@ ReamerShape reamerShape(float radius) {
       40);
   paint(shape.shaft, kShaftSteel);
   crease(shape.shaft, 30.0F);
-  // A flat on one side, so that the turning can be seen.
+  // A flat on one side makes the rotation visible.
   Mesh key = loft({slab(-150.0F, 4.6F, 5.9F, 1.3F, 0.2F), slab(-22.0F, 4.6F, 5.9F, 1.3F, 0.2F)});
   paint(key, lit(kShaftSteel, 0.72F));
   crease(key, 30.0F);
   QMatrix4x4 upright;
-  upright.rotate(-90.0F, 0.0F, 1.0F, 0.0F);  // x to z
+  upright.rotate(-90.0F, 0.0F, 1.0F, 0.0F);  // turns x to z
   place(key, upright);
   append(shape.shaft, key);
   return shape;

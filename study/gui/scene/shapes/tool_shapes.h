@@ -4,34 +4,34 @@
 
 namespace study::gui::scene {
 
-/// An arthroscopic punch of our own making, in a frame of its own: the jaw's hinge at the origin,
-/// its tip along x, its upper jaw along y [mm].
+/// The built-in arthroscopic punch. In its frame the hinge of the jaw is at the origin, the tip
+/// points along x, and the upper jaw is on the side of +y [mm].
 struct PunchShape {
   Mesh body;   ///< shaft and lower jaw
-  Mesh grip;   ///< the handle that stays
+  Mesh grip;   ///< the fixed handle
   Mesh jaw;    ///< the upper jaw
-  Mesh rod;    ///< that moves it, along the shaft
-  Mesh lever;  ///< the handle that is moved
+  Mesh rod;    ///< moves the jaw, along the shaft
+  Mesh lever;  ///< the moving handle
 };
 
 PunchShape punchShape();
 
-/// Where its moving parts are. @param openness  1: handles apart, jaw open; 0: closed.
+/// The poses of the moving parts. @param openness  1: handles apart, jaw open; 0: closed.
 QMatrix4x4 jawPose(float openness);
 QMatrix4x4 rodPose(float openness);
 QMatrix4x4 leverPose(float openness);
 
-/// How far its jaws reach beyond the hinge, and half their width [mm].
+/// The length of the jaws beyond the hinge, and half of their width [mm].
 inline constexpr float kJawLength = 9.0F;
 inline constexpr float kJawHalfWidth = 1.45F;
 
-/// The height of the upper jaw's edge above the lower jaw at @p x from the hinge [mm].
+/// The height of the upper jaw's edge above the lower jaw, at @p x from the hinge [mm].
 float jawHeight(float openness, float x);
 
-/// An acetabular reamer of our own making: half a sphere of @p radius [mm] around the origin with
-/// its teeth towards +z, on a shaft along −z.
+/// The built-in acetabular reamer: a hemisphere of @p radius [mm] around the origin, with its teeth
+/// towards +z, on a shaft along −z.
 struct ReamerShape {
-  Mesh cap;    ///< spins; closed but for its teeth, which are closed each
+  Mesh cap;    ///< spins; the cap and each of its teeth are closed surfaces
   Mesh shaft;  ///< spins
 };
 
