@@ -16,7 +16,7 @@
 #include "haptics/devices/device.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/session/trial_setup.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 #include "study/trial/live_trial.h"
 #include "study/words/counted.h"
 
@@ -67,10 +67,14 @@ class TerminalSession {
   TerminalSession(Study& study, Session& session, const std::string& deviceFile)
       : study_(study),
         session_(session),
-        rig_(rigFor(deviceFile, study.folder(), [this](const protocols::DeviceNeed& need) {
-          return simulatedHandFor(
-              need, study_.seed(), session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
-        })) {}
+        deviceSet_(
+            deviceSetFor(deviceFile, study.folder(), [this](const protocols::DeviceNeed& need) {
+              return simulatedHandFor(
+                  need,
+                  study_.seed(),
+                  session_.cohort(),
+                  static_cast<std::uint64_t>(session_.slot()));
+            })) {}
 
   void run() {
     fmt::print(
@@ -250,7 +254,7 @@ class TerminalSession {
     auto traces = study_.openTraces();
     std::unique_ptr<Trial> trial;
     try {
-      trial = trialFor(session_, *rig_, traces);
+      trial = trialFor(session_, *deviceSet_, traces);
     } catch (const haptics::devices::DeviceError& error) {
       fmt::print("{}\n", error.what());
       return;  // the same step again
@@ -269,7 +273,7 @@ class TerminalSession {
 
   Study& study_;
   Session& session_;
-  std::unique_ptr<Rig> rig_;
+  std::unique_ptr<DeviceSet> deviceSet_;
 };
 
 std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {

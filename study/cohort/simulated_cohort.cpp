@@ -12,7 +12,7 @@
 #include "haptics/timing/standstill_watch.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/session/trial_setup.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 #include "study/trial/live_trial.h"
 
 namespace study {
@@ -43,7 +43,7 @@ class Sitting {
         session_(session),
         clock_(clock),
         acknowledge_(acknowledge),
-        devices_(on.rig),
+        devices_(on.deviceSet),
         watch_(on.watch),
         person_(
             session.protocol().protocol.simulation,
@@ -76,11 +76,11 @@ class Sitting {
   void feel() {
     const int cuts = session_.step().minimumCuts;
     // The hand is fresh in every trial: one that is done again after a crash feels the same.
-    SimulatedRig rig([&](const protocols::DeviceNeed& need) {
+    SimulatedDeviceSet deviceSet([&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(
           need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
     });
-    Trial trial(rig.device(deviceFor(session_)), setupFor(session_, study_.traces()));
+    Trial trial(deviceSet.device(deviceFor(session_)), setupFor(session_, study_.traces()));
     session_.beginTrial();
     const auto record = runOffline(trial, cuts, kLongestTrial);
     clock_.advance(record.duration);
@@ -93,12 +93,12 @@ class Sitting {
   }
 
   /// On devices that are there, in real time. One that fails is connected anew, some times over.
-  void feelOn(Rig& rig) {
+  void feelOn(DeviceSet& deviceSet) {
     const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;
     std::unique_ptr<Trial> trial;
     try {
-      trial = trialFor(session_, rig, study_.traces());
+      trial = trialFor(session_, deviceSet, study_.traces());
     } catch (const haptics::devices::DeviceError& error) {
       // An arm that is not let command is waited for ten seconds each time.
       const auto now = std::chrono::steady_clock::now();
@@ -182,7 +182,7 @@ class Sitting {
   Session& session_;
   SimulatedClock& clock_;
   const Acknowledge& acknowledge_;
-  Rig* devices_;
+  DeviceSet* devices_;
   haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
   int failures_ = 0;   ///< of devices, one after the other
@@ -270,9 +270,9 @@ std::vector<SimulatedEnding> simulateCohorts(
     const std::string& deviceFile,
     haptics::timing::StandstillWatch* watch) {
   // Nobody who does not exist moves a real device unless asked to.
-  std::unique_ptr<Rig> devices;
+  std::unique_ptr<DeviceSet> devices;
   if (!deviceFile.empty()) {
-    devices = rigFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
+    devices = deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(need, seed, {}, 0);
     });
   }

@@ -14,11 +14,11 @@
 
 namespace study {
 
-class Rig;
+class DeviceSet;
 
 /// Devices that are felt in real time, where there are any.
 struct OnDevices {
-  Rig* rig = nullptr;
+  DeviceSet* deviceSet = nullptr;
   haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
 };
 

@@ -29,11 +29,12 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
       }};
 }
 
-std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, storage::TraceStore& traces) {
+std::unique_ptr<Trial> trialFor(
+    const Session& session, DeviceSet& deviceSet, storage::TraceStore& traces) {
   const auto& need = deviceFor(session);
   auto setup = setupFor(session, traces);
-  auto& device = rig.device(need);
-  rig.prepare(need, setup.scene);
+  auto& device = deviceSet.device(need);
+  deviceSet.prepare(need, setup.scene);
   return std::make_unique<Trial>(device, std::move(setup));
 }
 

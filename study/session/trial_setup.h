@@ -4,7 +4,7 @@
 
 #include "study/session/session.h"
 #include "study/storage/trace_store.h"
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 #include "study/trial/trial.h"
 
 namespace study {
@@ -18,8 +18,9 @@ haptics::engine::SceneSpec sceneFor(const Session& session);
 /// That trial as it is to be rendered, its samples kept in @p traces, which outlives it.
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);
 
-/// That trial on its device of @p rig, open and armed.
+/// That trial on its device of @p deviceSet, open and armed.
 /// @throws UserError, haptics::devices::DeviceError  if the device is not there or not ready.
-std::unique_ptr<Trial> trialFor(const Session& session, Rig& rig, storage::TraceStore& traces);
+std::unique_ptr<Trial> trialFor(
+    const Session& session, DeviceSet& deviceSet, storage::TraceStore& traces);
 
 }  // namespace study

@@ -17,7 +17,7 @@
 #include "study/app/devices/device_rehearse.h"
 #include "study/app/devices/device_report.h"
 #include "study/model/user_error.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::app {
 namespace {
@@ -47,9 +47,9 @@ int list(const DeviceArguments& arguments) {
     return arguments.isFileNamed ? 1 : 0;
   }
   fmt::print("Devices in {}:\n", arguments.file);
-  HardwareRig rig(loadDevices(arguments.file), anyHand);
-  for (const auto& entry : rig.entries()) {
-    const auto& can = rig.find(entry.id)->capabilities();
+  HardwareDeviceSet deviceSet(loadDevices(arguments.file), anyHand);
+  for (const auto& entry : deviceSet.entries()) {
+    const auto& can = deviceSet.find(entry.id)->capabilities();
     fmt::print(
         "  {:<12} {:<28} up to {:g} N, {:g} to {:g} {}{}\n",
         entry.id,
@@ -69,7 +69,7 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
         "No device file " + arguments.file +
         " is there. docs/devices.md shows one, and 'palpate device check FILE' takes any other.");
   }
-  HardwareRig rig(loadDevices(arguments.file), anyHand);
+  HardwareDeviceSet deviceSet(loadDevices(arguments.file), anyHand);
   std::vector<protocols::DeviceNeed> needs;
   if (!arguments.protocol.empty()) {
     questionnaires::Problems problems;
@@ -80,7 +80,7 @@ std::vector<DeviceFindings> findingsOf(const DeviceArguments& arguments) {
     }
     needs = loaded->protocol.devices;
   }
-  return checkAll(rig, needs, arguments.seconds);
+  return checkAll(deviceSet, needs, arguments.seconds);
 }
 
 int check(const DeviceArguments& arguments) {

@@ -19,7 +19,7 @@
 #include "study/model/user_error.h"
 #include "study/session/verification.h"
 #include "study/storage/event_log.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 #include "study/words/counted.h"
 
 namespace study::app {
@@ -99,10 +99,10 @@ bool areFit(
   constexpr int kMostChecks = 5;
   for (int i = 1;; ++i) {
     watch.restart();
-    HardwareRig rig(loadDevices(deviceFile), [&](const protocols::DeviceNeed& need) {
+    HardwareDeviceSet deviceSet(loadDevices(deviceFile), [&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(need, arguments.seed, {}, 0);
     });
-    const auto found = checkAll(rig, protocol.devices, 2.0);
+    const auto found = checkAll(deviceSet, protocol.devices, 2.0);
     std::fputs(checksAsText(found).c_str(), stdout);
     if (isFit(found)) return true;
     if (watch.longest() < kDevicePatience || i == kMostChecks) return false;

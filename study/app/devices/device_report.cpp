@@ -9,18 +9,18 @@ namespace study::app {
 using haptics::devices::Finding;
 
 std::vector<DeviceFindings> checkAll(
-    HardwareRig& rig, const std::vector<protocols::DeviceNeed>& needs, double seconds) {
+    HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds) {
   const auto needOf = [&](const std::string& id) {
     const auto need =
         std::find_if(needs.begin(), needs.end(), [&](const auto& n) { return n.id == id; });
     return need == needs.end() ? nullptr : &*need;
   };
   std::vector<DeviceFindings> found;
-  for (const auto& entry : rig.entries()) {
-    found.push_back({entry.id, preflight(*rig.find(entry.id), needOf(entry.id), seconds)});
+  for (const auto& entry : deviceSet.entries()) {
+    found.push_back({entry.id, preflight(*deviceSet.find(entry.id), needOf(entry.id), seconds)});
   }
   for (const auto& need : needs) {
-    if (rig.find(need.id) != nullptr) continue;
+    if (deviceSet.find(need.id) != nullptr) continue;
     found.push_back(
         {need.id,
          {{Finding::Fail,

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::app {
 
@@ -13,10 +13,10 @@ struct DeviceFindings {
   std::vector<haptics::devices::CheckResult> results;
 };
 
-/// Checks all devices of @p rig, @p seconds each; those that @p needs names also against them. A
-/// device that is needed and not there is a finding.
+/// Checks all devices of @p deviceSet, @p seconds each; those that @p needs names also against
+/// them. A device that is needed and not there is a finding.
 std::vector<DeviceFindings> checkAll(
-    HardwareRig& rig, const std::vector<protocols::DeviceNeed>& needs, double seconds);
+    HardwareDeviceSet& deviceSet, const std::vector<protocols::DeviceNeed>& needs, double seconds);
 
 /// No FAIL among them.
 bool isFit(const std::vector<DeviceFindings>& found) noexcept;

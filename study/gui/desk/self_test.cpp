@@ -10,7 +10,7 @@
 #include "study/model/trial_record.h"
 #include "study/model/user_error.h"
 #include "study/storage/study_schema.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
 namespace {
@@ -40,10 +40,10 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
     return simulatedHandFor(need, 1, {}, 0);
   };
   try {
-    HardwareRig rig(loadDevices(file), anyHand);
-    for (const auto& entry : rig.entries()) {
+    HardwareDeviceSet deviceSet(loadDevices(file), anyHand);
+    for (const auto& entry : deviceSet.entries()) {
       tell(progress, kUnknownShare, "listening to " + entry.id);
-      for (auto& result : preflight(*rig.find(entry.id), nullptr, order.seconds)) {
+      for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, order.seconds)) {
         result.what = entry.id + ": " + result.what;
         lines.push_back({"devices", std::move(result)});
       }

@@ -7,18 +7,19 @@ namespace study::gui {
 VirtualPunch::VirtualPunch(protocols::DeviceNeed need, haptics::engine::SceneSpec scene)
     : need_(std::move(need)),
       scene_(std::move(scene)),
-      rig_([this](const protocols::DeviceNeed& wanted) -> std::unique_ptr<haptics::devices::Hand> {
-        auto hand = pointerHandFor(wanted);
-        hand_ = hand.get();
-        return hand;
-      }) {}
+      deviceSet_(
+          [this](const protocols::DeviceNeed& wanted) -> std::unique_ptr<haptics::devices::Hand> {
+            auto hand = pointerHandFor(wanted);
+            hand_ = hand.get();
+            return hand;
+          }) {}
 
 VirtualPunch::~VirtualPunch() = default;
 
 void VirtualPunch::begin() {
   samples_.clear();
   trial_ = std::make_unique<Trial>(
-      rig_.device(need_),
+      deviceSet_.device(need_),
       Trial::Setup{
           .scene = scene_,
           .limits =

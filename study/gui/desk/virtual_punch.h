@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "protocols/model/protocol.h"
+#include "study/trial/device_set.h"
 #include "study/trial/live_trial.h"
-#include "study/trial/rig.h"
 #include "study/trial/trial.h"
 
 namespace study::gui {
@@ -37,7 +37,7 @@ class VirtualPunch {
   protocols::DeviceNeed need_;
   haptics::engine::SceneSpec scene_;
   haptics::devices::PointerHand* hand_ = nullptr;
-  SimulatedRig rig_;
+  SimulatedDeviceSet deviceSet_;
   std::vector<storage::TraceSample> samples_;
   std::unique_ptr<Trial> trial_;
   std::unique_ptr<LiveTrial> live_;  // declared after the trial, so that it is destroyed first

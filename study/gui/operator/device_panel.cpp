@@ -5,7 +5,7 @@
 
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
 namespace {
@@ -18,13 +18,15 @@ constexpr double kListenFor = 2.0;  // [s]
 
 }  // namespace
 
-DevicePanel::DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent)
-    : QWidget(parent), protocol_(protocol), rig_(dynamic_cast<HardwareRig*>(&rig)) {
+DevicePanel::DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceSet, QWidget* parent)
+    : QWidget(parent),
+      protocol_(protocol),
+      deviceSet_(dynamic_cast<HardwareDeviceSet*>(&deviceSet)) {
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(0, 0, 0, 0);
   auto* layout = new QVBoxLayout;
   columns->addLayout(layout, 1);
-  if (rig_ == nullptr) {
+  if (deviceSet_ == nullptr) {
     layout->addWidget(quietLabel(
         tr("Devices are virtual: the participant's mouse or space bar is the hand."), this));
     return;
@@ -52,7 +54,7 @@ void DevicePanel::setBusy(bool isBusy) {
 
 void DevicePanel::refresh() {
   for (const auto& [id, line] : lines_) {
-    const auto* device = rig_->find(id);
+    const auto* device = deviceSet_->find(id);
     const auto name = QString::fromStdString(id) + QStringLiteral(": ");
     const auto fault =
         device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
@@ -69,7 +71,7 @@ void DevicePanel::check() {
 
 bool DevicePanel::mayBegin(const Found& otherwise) {
   Found found = otherwise;
-  if (rig_ != nullptr) {
+  if (deviceSet_ != nullptr) {
     const auto heard = listen();
     found.insert(found.end(), heard.begin(), heard.end());
   }
@@ -79,12 +81,12 @@ bool DevicePanel::mayBegin(const Found& otherwise) {
 }
 
 Found DevicePanel::listen() {
-  timer_.stop();  // the worker owns the rig until it is done
+  timer_.stop();  // the worker owns the device set until it is done
   Found found;
   const auto listenToAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
       tell(progress, kUnknownShare, "listening to " + need.id);
-      auto* device = rig_->find(need.id);
+      auto* device = deviceSet_->find(need.id);
       if (device == nullptr) {
         found.push_back(
             {need.id,

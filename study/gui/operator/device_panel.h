@@ -13,8 +13,8 @@
 #include "study/gui/operator/findings_dialog.h"
 
 namespace study {
-class HardwareRig;
-class Rig;
+class HardwareDeviceSet;
+class DeviceSet;
 }  // namespace study
 
 namespace study::gui {
@@ -25,8 +25,8 @@ class DevicePanel final : public QWidget {
   Q_OBJECT
 
  public:
-  /// Protocol and rig must outlive the panel.
-  DevicePanel(const protocols::Protocol& protocol, Rig& rig, QWidget* parent = nullptr);
+  /// Protocol and device set must outlive the panel.
+  DevicePanel(const protocols::Protocol& protocol, DeviceSet& deviceSet, QWidget* parent = nullptr);
 
   /// Disables checking while a trial runs.
   void setBusy(bool isBusy);
@@ -46,7 +46,7 @@ class DevicePanel final : public QWidget {
   std::vector<FindingsDialog::Found> listen();
 
   const protocols::Protocol& protocol_;
-  HardwareRig* rig_;  ///< nullptr: virtual devices
+  HardwareDeviceSet* deviceSet_;  ///< nullptr: virtual devices
   std::map<std::string, QLabel*> lines_;
   QPushButton* button_ = nullptr;
   QTimer timer_;

@@ -25,14 +25,14 @@
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/trial_setup.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::gui {
 
 OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWidget* parent)
     : QMainWindow(parent),
       study_(study),
-      rig_(rigFor(
+      deviceSet_(deviceSetFor(
           deviceFile,
           study.folder(),
           [this](const protocols::DeviceNeed& need) -> std::unique_ptr<haptics::devices::Hand> {
@@ -45,7 +45,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
       sessions_(new SessionsPage(study, this)),
       controls_(new ControlPanel(this)),
       trial_(new TrialPanel(this)),
-      devices_(new DevicePanel(study.protocol().protocol, *rig_, this)) {
+      devices_(new DevicePanel(study.protocol().protocol, *deviceSet_, this)) {
   const auto title = QString::fromStdString(study.protocol().protocol.study.title);
   setWindowTitle(tr("Palpate — %1").arg(title));
   addThemesTo(*menuBar()->addMenu(tr("&View"))->addMenu(tr("Theme")));
@@ -143,7 +143,7 @@ void OperatorWindow::resumeIfFit(SessionId id) {
 }
 
 void OperatorWindow::begin(Session session) {
-  controller_ = std::make_unique<SessionController>(study_, *rig_, std::move(session));
+  controller_ = std::make_unique<SessionController>(study_, *deviceSet_, std::move(session));
   followSession();
   speakTheSessionsLanguage();
   participant_ = std::make_unique<ParticipantWindow>(

@@ -12,7 +12,7 @@
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/session/stop_key.h"
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 
 namespace study::gui {
 
@@ -49,7 +49,7 @@ class OperatorWindow final : public QMainWindow {
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
   /// The devices. Tests use this to disconnect one.
-  Rig& rig() noexcept { return *rig_; }
+  DeviceSet& deviceSet() noexcept { return *deviceSet_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -75,7 +75,7 @@ class OperatorWindow final : public QMainWindow {
 
   Study& study_;
   std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices, by id
-  std::unique_ptr<Rig> rig_;
+  std::unique_ptr<DeviceSet> deviceSet_;
   std::unique_ptr<SessionController> controller_;
   std::unique_ptr<ParticipantWindow> participant_;
   CatalogueTranslator translator_;

@@ -10,8 +10,9 @@ namespace {
 constexpr int kLookEvery = 16;  // [ms]: about sixty times a second
 }
 
-SessionController::SessionController(Study& study, Rig& rig, Session session, QObject* parent)
-    : QObject(parent), study_(study), rig_(rig), session_(std::move(session)) {
+SessionController::SessionController(
+    Study& study, DeviceSet& deviceSet, Session session, QObject* parent)
+    : QObject(parent), study_(study), deviceSet_(deviceSet), session_(std::move(session)) {
   watch_.setInterval(kLookEvery);
   connect(&watch_, &QTimer::timeout, this, &SessionController::watchTrial);
 }
@@ -101,7 +102,7 @@ void SessionController::beginTrial() {
   if (live_) return;
   const bool isRunning = tryTo([&] {
     traces_.emplace(study_.openTraces());
-    trial_ = trialFor(session_, rig_, *traces_);
+    trial_ = trialFor(session_, deviceSet_, *traces_);
     session_.beginTrial();
     live_ = std::make_unique<LiveTrial>(*trial_);
   });

@@ -12,8 +12,8 @@
 
 #include "study/session/session.h"
 #include "study/storage/session_repository.h"
+#include "study/trial/device_set.h"
 #include "study/trial/live_trial.h"
-#include "study/trial/rig.h"
 #include "study/trial/trial.h"
 
 namespace study::gui {
@@ -30,8 +30,8 @@ class SessionController final : public QObject {
   Q_OBJECT
 
  public:
-  /// Study and rig must outlive the controller.
-  SessionController(Study& study, Rig& rig, Session session, QObject* parent = nullptr);
+  /// Study and device set must outlive the controller.
+  SessionController(Study& study, DeviceSet& deviceSet, Session session, QObject* parent = nullptr);
   ~SessionController() override;
 
   const Session& session() const noexcept { return session_; }
@@ -130,7 +130,7 @@ class SessionController final : public QObject {
   void endBy(Action&& action);
 
   Study& study_;
-  Rig& rig_;
+  DeviceSet& deviceSet_;
   Session session_;
   std::optional<storage::TraceStore> traces_;
   std::unique_ptr<Trial> trial_;

@@ -76,7 +76,7 @@ TEST_F(PunchSession, DoesNotEndATrialBeforeItsLeastNumberOfCuts) {
 TEST_F(PunchSession, StaysOnAPageWhoseStepCouldNotBeFinished) {
   auto session = Session::enrol(study_, {.cohort = "professional", .runMode = RunMode::Pilot});
   while (session.missing().empty()) session.finishStep();
-  SessionController controller(study_, window_.rig(), std::move(session));
+  SessionController controller(study_, window_.deviceSet(), std::move(session));
   const auto visit = controller.session().visit();
   QSignalSpy changes(&controller, &SessionController::stepChanged);
   QSignalSpy failures(&controller, &SessionController::failed);
@@ -106,12 +106,12 @@ TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
   participant_.goTo(StepKind::Trial);
   const auto step = window_.controller()->session().stepIndex();
   participant_.cut(1);
-  dynamic_cast<SimulatedRig&>(window_.rig()).unplug("punch");
+  dynamic_cast<SimulatedDeviceSet&>(window_.deviceSet()).unplug("punch");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.controller()->isTrialRunning(); }, 2000));
   EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "aborted_hardware");
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 
-  dynamic_cast<SimulatedRig&>(window_.rig()).plugIn("punch");
+  dynamic_cast<SimulatedDeviceSet&>(window_.deviceSet()).plugIn("punch");
   window_.controller()->repeatStep(QStringLiteral("cable"));
   EXPECT_EQ(window_.controller()->session().stepIndex(), step);
   participant_.doStep();

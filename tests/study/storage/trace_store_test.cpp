@@ -10,7 +10,7 @@
 #include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
@@ -88,7 +88,7 @@ class KeptTrialTest : public testing::Test {
     session_.finishTrial(record);
   }
 
-  haptics::devices::Device& device() { return rig_.device(deviceFor(session_)); }
+  haptics::devices::Device& device() { return deviceSet_.device(deviceFor(session_)); }
 
   Trial::Setup setup() { return setupFor(session_, study_->traces()); }
 
@@ -104,7 +104,7 @@ class KeptTrialTest : public testing::Test {
   tests::MadeStudy study_{
       tests::protocolFrom(tests::shortProtocol({.labels = "position", .minimumCuts = 3}))};
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
-  SimulatedRig rig_{
+  SimulatedDeviceSet deviceSet_{
       [](const protocols::DeviceNeed& need) { return simulatedHandFor(need, 7, "surgeons", 0); }};
   VisitKey visit_;
   std::int64_t ticks_ = 0;
@@ -155,7 +155,7 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   Trial trial(device(), setup());
   session_.beginTrial();
   for (int i = 0; i < 1500; ++i) trial.keep(trial.step(1e-3));
-  rig_.unplug(deviceFor(session_).id);
+  deviceSet_.unplug(deviceFor(session_).id);
   const auto record = runOffline(trial, 3, 60.0);
   EXPECT_EQ(record.ending, TrialEnding::DeviceGone);
   EXPECT_EQ(record.ticks, 1501);  // found in the first tick
@@ -164,7 +164,7 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
 
   EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));  // the operator decides first
   EXPECT_TRUE(session_.allows(SessionEvent::RepeatedStep));
-  rig_.plugIn(deviceFor(session_).id);
+  deviceSet_.plugIn(deviceFor(session_).id);
   session_.repeatStep("the plug is in again");
   Trial again(device(), setup());
   session_.beginTrial();

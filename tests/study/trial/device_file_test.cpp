@@ -7,7 +7,7 @@
 #include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 #include "study/session/session.h"
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
@@ -171,14 +171,14 @@ TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
   EXPECT_GT(keys, 10);
 }
 
-TEST(HardwareRig, RefusesInWordsWhatTheFileDoesNotHave) {
+TEST(HardwareDeviceSet, RefusesInWordsWhatTheFileDoesNotHave) {
   questionnaires::Problems problems;
-  HardwareRig rig(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
+  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);
   });
   const auto refusal = [&](const protocols::DeviceNeed& need) {
     try {
-      rig.device(need);
+      deviceSet.device(need);
     } catch (const std::exception& error) {
       return std::string(error.what());
     }
@@ -187,18 +187,18 @@ TEST(HardwareRig, RefusesInWordsWhatTheFileDoesNotHave) {
   expectIn(refusal({.id = "knife"}), "'knife'");
   expectIn(refusal({.id = "spare", .kind = &punchKind()}), "needs a punch as 'spare'");
   expectIn(refusal({.id = "punch", .kind = &punchKind()}), "There is no serial port");
-  EXPECT_FALSE(rig.isOpen("punch"));
+  EXPECT_FALSE(deviceSet.isOpen("punch"));
   EXPECT_EQ(refusal({.id = "spare", .kind = &reamerKind()}), "");
-  EXPECT_TRUE(rig.isOpen("spare"));
+  EXPECT_TRUE(deviceSet.isOpen("spare"));
 }
 
 TEST(Preflight, WarnsWhereTheProtocolAsksForMoreThanTheDeviceGives) {
   questionnaires::Problems problems;
-  HardwareRig rig(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
+  HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);
   });
   const protocols::DeviceNeed need{.id = "spare", .kind = &reamerKind(), .maxForce = 300.0};
-  const auto found = preflight(*rig.find("spare"), &need, 0.1);
+  const auto found = preflight(*deviceSet.find("spare"), &need, 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(found.back().measured, "300 N of 140 N");
   expectIn(found.back().mend, "force_scale");

@@ -8,7 +8,7 @@
 
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 #include "tests/study/faulting_device.h"
 #include "tests/study/made_study.h"
 

@@ -1,4 +1,4 @@
-#include "study/trial/hardware_rig.h"
+#include "study/trial/hardware_device_set.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,10 +17,11 @@ using haptics::devices::Lifecycle;
 
 }  // namespace
 
-HardwareRig::HardwareRig(std::vector<DeviceEntry> entries, SimulatedRig::HandFor handFor)
+HardwareDeviceSet::HardwareDeviceSet(
+    std::vector<DeviceEntry> entries, SimulatedDeviceSet::HandFor handFor)
     : entries_(std::move(entries)), handFor_(std::move(handFor)) {}
 
-Device& HardwareRig::made(const DeviceEntry& entry) {
+Device& HardwareDeviceSet::made(const DeviceEntry& entry) {
   auto& device = devices_[entry.id];
   if (device) return *device;
   if (const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings)) {
@@ -35,13 +36,13 @@ Device& HardwareRig::made(const DeviceEntry& entry) {
   return *device;
 }
 
-Device* HardwareRig::find(const std::string& id) {
+Device* HardwareDeviceSet::find(const std::string& id) {
   const auto entry = std::find_if(
       entries_.begin(), entries_.end(), [&](const auto& candidate) { return candidate.id == id; });
   return entry == entries_.end() ? nullptr : &made(*entry);
 }
 
-Device& HardwareRig::device(const protocols::DeviceNeed& need) {
+Device& HardwareDeviceSet::device(const protocols::DeviceNeed& need) {
   auto* device = find(need.id);
   if (device == nullptr) {
     throw UserError(
@@ -60,14 +61,14 @@ Device& HardwareRig::device(const protocols::DeviceNeed& need) {
   return *device;
 }
 
-bool HardwareRig::isOpen(const std::string& id) const {
+bool HardwareDeviceSet::isOpen(const std::string& id) const {
   const auto found = devices_.find(id);
   if (found == devices_.end()) return false;
   const auto state = found->second->lifecycle();
   return state != Lifecycle::Closed && state != Lifecycle::Faulted;
 }
 
-void HardwareRig::prepare(
+void HardwareDeviceSet::prepare(
     const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) {
   for (const auto& entry : entries_) {
     const auto* punch = std::get_if<SerialPunchSettings>(&entry.settings);
@@ -76,15 +77,15 @@ void HardwareRig::prepare(
   }
 }
 
-std::unique_ptr<Rig> rigFor(
+std::unique_ptr<DeviceSet> deviceSetFor(
     const std::string& deviceFile,
     const std::filesystem::path& studyFolder,
-    SimulatedRig::HandFor handFor) {
+    SimulatedDeviceSet::HandFor handFor) {
   const auto own = studyFolder / kDeviceFileName;
   if (deviceFile.empty() && !std::filesystem::exists(own)) {
-    return std::make_unique<SimulatedRig>(std::move(handFor));
+    return std::make_unique<SimulatedDeviceSet>(std::move(handFor));
   }
-  return std::make_unique<HardwareRig>(
+  return std::make_unique<HardwareDeviceSet>(
       loadDevices(deviceFile.empty() ? own.string() : deviceFile), std::move(handFor));
 }
 

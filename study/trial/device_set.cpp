@@ -1,11 +1,11 @@
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 
 #include "base/random.h"
 
 namespace study {
 
 using haptics::devices::SimulatedHand;
-haptics::devices::Device& SimulatedRig::device(const protocols::DeviceNeed& need) {
+haptics::devices::Device& SimulatedDeviceSet::device(const protocols::DeviceNeed& need) {
   auto& held = open_[need.id];
   if (!held.device) {
     held.hand = handFor_(need);
@@ -14,12 +14,12 @@ haptics::devices::Device& SimulatedRig::device(const protocols::DeviceNeed& need
   return *held.device;
 }
 
-void SimulatedRig::unplug(const std::string& id) {
+void SimulatedDeviceSet::unplug(const std::string& id) {
   const auto held = open_.find(id);
   if (held != open_.end()) held->second.device->unplug();
 }
 
-void SimulatedRig::plugIn(const std::string& id) {
+void SimulatedDeviceSet::plugIn(const std::string& id) {
   const auto held = open_.find(id);
   if (held != open_.end()) held->second.device->plugIn();
 }

@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "study/trial/device_file.h"
-#include "study/trial/rig.h"
+#include "study/trial/device_set.h"
 
 namespace study {
 
 /// The instruments of a laboratory, as its device file describes them. A device is opened when it
 /// is first needed, and opened anew where it has failed since: whoever asks for it then has decided
 /// so.
-class HardwareRig final : public Rig {
+class HardwareDeviceSet final : public DeviceSet {
  public:
   /// @param handFor  for what the file has simulated.
-  HardwareRig(std::vector<DeviceEntry> entries, SimulatedRig::HandFor handFor);
+  HardwareDeviceSet(std::vector<DeviceEntry> entries, SimulatedDeviceSet::HandFor handFor);
 
   /// @throws UserError  if the file has no such device, or it is another instrument.
   /// @throws haptics::devices::DeviceError  if it cannot be opened.
@@ -35,7 +35,7 @@ class HardwareRig final : public Rig {
   haptics::devices::Device& made(const DeviceEntry& entry);
 
   std::vector<DeviceEntry> entries_;
-  SimulatedRig::HandFor handFor_;
+  SimulatedDeviceSet::HandFor handFor_;
   std::map<std::string, std::unique_ptr<haptics::devices::Hand>> hands_;
   std::map<std::string, std::unique_ptr<haptics::devices::Device>> devices_;
 };
@@ -43,10 +43,10 @@ class HardwareRig final : public Rig {
 /// The devices of @p deviceFile; where none is named, of the study's own device file if it has one;
 /// otherwise simulated ones.
 /// @throws UserError  if the file cannot be used, in words.
-std::unique_ptr<Rig> rigFor(
+std::unique_ptr<DeviceSet> deviceSetFor(
     const std::string& deviceFile,
     const std::filesystem::path& studyFolder,
-    SimulatedRig::HandFor handFor);
+    SimulatedDeviceSet::HandFor handFor);
 
 /// Whether @p device is fit for what a protocol needs of it: what it finds itself, and what the
 /// protocol asks for beyond its strength.

@@ -14,12 +14,12 @@
 namespace study {
 
 /// The instruments of a session. None is opened before a step needs it.
-class Rig {
+class DeviceSet {
  public:
-  virtual ~Rig() = default;
-  Rig() = default;
-  Rig(const Rig&) = delete;
-  Rig& operator=(const Rig&) = delete;
+  virtual ~DeviceSet() = default;
+  DeviceSet() = default;
+  DeviceSet(const DeviceSet&) = delete;
+  DeviceSet& operator=(const DeviceSet&) = delete;
 
   /// The device that a protocol calls @p need.id; opened now if it was not.
   virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
@@ -31,12 +31,12 @@ class Rig {
 };
 
 /// Simulated instruments, each in a hand that somebody provides.
-class SimulatedRig final : public Rig {
+class SimulatedDeviceSet final : public DeviceSet {
  public:
   using HandFor =
       std::function<std::unique_ptr<haptics::devices::Hand>(const protocols::DeviceNeed&)>;
 
-  explicit SimulatedRig(HandFor handFor) : handFor_(std::move(handFor)) {}
+  explicit SimulatedDeviceSet(HandFor handFor) : handFor_(std::move(handFor)) {}
 
   haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
   bool isOpen(const std::string& id) const override { return open_.count(id) > 0; }
