@@ -2,11 +2,13 @@
 // experiments): tables with tabs below sub-<label>/ses-<label>/beh/, dictionaries beside them, n/a
 // for what is missing. Labels: letters and digits.
 #include <algorithm>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "study/export/codebook.h"
 #include "study/export/export_parts.h"
+#include "study/export/study_tables.h"
 #include "study/model/new_file.h"
 
 namespace study {
@@ -14,15 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using ByName = std::map<std::string, std::vector<Level>>;
-
-/// "P001" and 1: whose rows these are.
-using BidsSitting = std::pair<std::string, std::int64_t>;
-
-std::string textOf(const Cell& cell) {
-  const auto* text = std::get_if<std::string>(&cell);
-  return text == nullptr ? std::string() : *text;
-}
 
 /// A cell of a table with tabs, which cannot hold any: they become spaces, as do new lines.
 std::string tsvCell(const Cell& cell) {
@@ -36,7 +29,7 @@ std::string tsvCell(const Cell& cell) {
   return text.empty() ? "n/a" : text;
 }
 
-std::string asTsv(const DataTable& table) {
+std::string asTsv(const ExportedTable& table) {
   std::string text;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     text += (i == 0 ? "" : "\t") + table.columns[i].name;
@@ -49,122 +42,93 @@ std::string asTsv(const DataTable& table) {
   return text;
 }
 
-Json sidecarOf(const DataTable& table, const ByName& levels) {
+Json sidecarOf(const ExportedTable& table) {
   Json json;
   for (const auto& column : table.columns) {
     auto& entry = json[column.name] = {{"Description", column.description}};
-    for (const auto& level : levelsOf(column, levels)) entry["Levels"][level.value] = level.label;
-    if (column.name.ends_with("_s") || column.name == "onset" || column.name == "duration") {
-      entry["Units"] = "s";
-    }
-    if (column.name.ends_with("_n")) entry["Units"] = "N";
+    for (const auto& level : column.levels) entry["Levels"][level.value] = level.label;
+    if (!column.unit.empty()) entry["Units"] = column.unit;
   }
   return json;
 }
 
-void writeWithSidecar(const fs::path& stem, const DataTable& table, Json sidecar) {
+void writeWithSidecar(const fs::path& stem, const ExportedTable& table, Json sidecar) {
   writeNewFile(stem.string() + ".tsv", asTsv(table));
   writeNewFile(stem.string() + ".json", sidecar.dump(2) + "\n");
 }
 
-std::size_t columnPlace(const DataTable& table, const std::string& column) {
-  const auto found = std::find_if(
-      table.columns.begin(), table.columns.end(), [&](const auto& c) { return c.name == column; });
-  return static_cast<std::size_t>(found - table.columns.begin());
+void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
+  writeWithSidecar(stem, table, sidecarOf(table));
 }
 
-/// The rows of one sitting, without the columns that say whose they are.
-DataTable partOf(const DataTable& table, const BidsSitting& sitting) {
-  DataTable part{table.name, table.description, {}, {}};
-  const auto who = columnPlace(table, "participant_id");
-  const auto which = columnPlace(table, "session_num");
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (i != who && i != which) part.columns.push_back(table.columns[i]);
+/// What one participant did in one session: a folder of files that are named after both.
+class BidsSession {
+ public:
+  BidsSession(
+      const fs::path& folder,
+      const RowOwner& owner,
+      const std::string& task,
+      const Readers& readers)
+      : session_(owner.session),
+        readers_(readers),
+        folder_(folder / bidsSubject(owner) / bidsSession(owner) / "beh"),
+        stem_(bidsSubject(owner) + "_" + bidsSession(owner) + "_task-" + task),
+        task_(task) {
+    fs::create_directories(folder_);
   }
-  for (const auto& row : table.rows) {
-    if (BidsSitting{textOf(row[who]), std::get<std::int64_t>(row[which])} != sitting) continue;
-    auto& cells = part.rows.emplace_back();
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i != who && i != which) cells.push_back(row[i]);
+
+  /// Of @p rows those of this session; no file where there are none.
+  template <typename Row>
+  void write(const Table<Row>& table, const std::vector<Row>& rows) const {
+    if (!table.isFor(readers_)) return;
+    const auto part = partOf(table, rows);
+    auto sidecar = sidecarOf(part);
+    sidecar["TaskName"] = task_;
+    if (!part.rows.empty())
+      writeWithSidecar(folder_ / (stem_ + "_acq-" + table.name + "_beh"), part, std::move(sidecar));
+  }
+
+  void writeEvents(const std::vector<ExportedEvent>& rows) const {
+    const auto part = partOf(bidsEventTable(), rows);
+    if (!part.rows.empty()) writeWithSidecar(folder_ / (stem_ + "_events"), part);
+  }
+
+ private:
+  template <typename Row>
+  ExportedTable partOf(const Table<Row>& table, const std::vector<Row>& rows) const {
+    std::vector<Row> theirs;
+    for (const auto& row : rows) {
+      if (row.owner.session == session_) theirs.push_back(row);
     }
+    return filled(table, theirs, readers_);
   }
-  return part;
-}
 
-/// BIDS wants onset and duration first; how long an event lasted nobody has measured.
-DataTable asBidsEvents(const DataTable& events) {
-  DataTable table{events.name, events.description, {}, {}};
-  const auto onset = columnPlace(events, "onset_s");
-  table.columns = {
-      {"onset", events.columns[onset].description},
-      {"duration", "Not measured: an event has a beginning only"}};
-  for (const auto& row : events.rows) table.rows.push_back({row[onset], Cell()});
-  for (std::size_t i = 0; i < events.columns.size(); ++i) {
-    if (i == onset) continue;
-    table.columns.push_back(events.columns[i]);
-    for (std::size_t r = 0; r < events.rows.size(); ++r) table.rows[r].push_back(events.rows[r][i]);
-  }
-  return table;
-}
+  SessionId session_;
+  const Readers& readers_;
+  fs::path folder_;
+  std::string stem_;
+  std::string task_;
+};
 
 /// One row per person; of somebody who came more than once, as they were the first time.
-DataTable participantsOf(const DataTable& sessions) {
-  DataTable table{
-      "participants",
-      "One row per person.",
-      {{"participant_id", "Pseudonym, as the name of a folder"},
-       {"cohort", "Group of participants"},
-       {"run_mode", "live, pilot or simulated"}},
-      {}};
-  std::vector<std::string> seen;
-  for (const auto& row : sessions.rows) {
-    const auto label = "sub-" + bidsLabel(textOf(row[columnPlace(sessions, "participant_id")]));
-    if (std::find(seen.begin(), seen.end(), label) != seen.end()) continue;
-    seen.push_back(label);
-    table.rows.push_back(
-        {label, row[columnPlace(sessions, "cohort")], row[columnPlace(sessions, "run_mode")]});
+ExportedTable participantsOf(const std::vector<ExportedSession>& sessions, const Readers& readers) {
+  std::vector<ExportedSession> first;
+  std::set<std::string> seen;
+  for (const auto& session : sessions) {
+    if (seen.insert(bidsSubject(session.owner)).second) first.push_back(session);
   }
-  return table;
+  return filled(bidsParticipantTable(), first, readers);
 }
 
-/// The sessions of one person, as BIDS names them.
-DataTable sessionsOf(const DataTable& sessions, const std::string& participant) {
-  DataTable table{
-      "sessions", sessions.description, {{"session_id", "As the name of a folder"}}, {}};
-  const auto who = columnPlace(sessions, "participant_id");
-  const auto which = columnPlace(sessions, "session_num");
-  table.columns.insert(table.columns.end(), sessions.columns.begin() + 2, sessions.columns.end());
-  for (const auto& row : sessions.rows) {
-    if (textOf(row[who]) != participant) continue;
-    const auto number = std::get<std::int64_t>(row[which]);
-    auto& cells = table.rows.emplace_back(std::vector<Cell>{"ses-" + std::to_string(number)});
-    cells.insert(cells.end(), row.begin() + 2, row.end());
+ExportedTable sessionsOf(
+    std::string_view participant,
+    const std::vector<ExportedSession>& sessions,
+    const Readers& readers) {
+  std::vector<ExportedSession> theirs;
+  for (const auto& session : sessions) {
+    if (session.owner.participant == participant) theirs.push_back(session);
   }
-  return table;
-}
-
-/// What one person did in one sitting.
-void writeSitting(
-    const fs::path& folder,
-    const BidsSitting& sitting,
-    const std::string& task,
-    const std::vector<DataTable>& tables,
-    const ByName& levels) {
-  const auto subject = "sub-" + bidsLabel(sitting.first);
-  const auto session = "ses-" + std::to_string(sitting.second);
-  const auto beh = folder / subject / session / "beh";
-  fs::create_directories(beh);
-  const auto stem = subject + "_" + session + "_task-" + task;
-  for (const auto& table : tables) {
-    if (table.name == "sessions") continue;
-    const bool isEvents = table.name == "events";
-    const auto part = partOf(isEvents ? asBidsEvents(table) : table, sitting);
-    if (part.rows.empty()) continue;
-    auto sidecar = sidecarOf(part, levels);
-    if (!isEvents) sidecar["TaskName"] = task;
-    const auto name = isEvents ? stem + "_events" : stem + "_acq-" + table.name + "_beh";
-    writeWithSidecar(beh / name, part, std::move(sidecar));
-  }
+  return filled(bidsSessionTable(), theirs, readers);
 }
 
 Json bidsDescription(Study& study, const ExportOptions& options) {
@@ -191,33 +155,48 @@ std::string bidsLabel(const std::string& text) {
   return label.empty() ? "study" : label;
 }
 
+std::string bidsSubject(const RowOwner& owner) {
+  return "sub-" + bidsLabel(std::string(owner.participant));
+}
+
+std::string bidsSession(const RowOwner& owner) {
+  return "ses-" + std::to_string(owner.sessionNumber);
+}
+
 std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions& options) {
-  const auto tables = exportTables(study, options);
-  const auto& sessions = tables.front();
-  const auto levels = levelsOf(study, options);
+  const StudyRows rows(study, options);
+  auto readers = readersOf(study, options);
+  readers.isToldWhose = false;
+  const auto sessions = rows.sessions();
+  const auto answers = rows.answers();
+  const auto trials = rows.trials();
+  const auto cuts = rows.cuts();
+  const auto events = rows.events();
   const auto task = bidsLabel(study.protocol().protocol.study.id);
-  for (const auto& row : sessions.rows) {
-    const BidsSitting sitting{textOf(row[0]), std::get<std::int64_t>(row[1])};
-    writeSitting(folder, sitting, task, tables, levels);
-    if (sitting.second != 1) continue;
-    const auto subject = "sub-" + bidsLabel(sitting.first);
-    const auto theirs = sessionsOf(sessions, sitting.first);
-    writeWithSidecar(folder / subject / (subject + "_sessions"), theirs, sidecarOf(theirs, levels));
+  for (const auto& session : sessions) {
+    const BidsSession files(folder, session.owner, task, readers);
+    files.write(responseTable(), answers);
+    files.write(trialTable(), trials);
+    files.write(cutTable(), cuts);
+    files.writeEvents(events);
+    if (session.owner.sessionNumber != 1) continue;
+    const auto subject = bidsSubject(session.owner);
+    writeWithSidecar(
+        folder / subject / (subject + "_sessions"),
+        sessionsOf(session.owner.participant, sessions, readers));
   }
-  const auto people = participantsOf(sessions);
-  writeWithSidecar(folder / "participants", people, sidecarOf(people, levels));
+  writeWithSidecar(folder / "participants", participantsOf(sessions, readers));
   const auto source = folder / "sourcedata";
   fs::create_directories(source);
-  const auto items = itemsTable(study);
-  writeWithSidecar(source / "items", items, sidecarOf(items, levels));
+  writeWithSidecar(source / "items", itemsTable(study, readers));
   if (options.hasTraces) writeTraces(study, source / "traces", options);
   writeNewFile(
       (folder / "dataset_description.json").string(),
       bidsDescription(study, options).dump(2) + "\n");
   writeNewFile(
       (folder / "README.md").string(),
-      readmeOf(study, options, tables, "sub-…/ses-…/beh/…_acq-responses_beh.tsv"));
-  return sessions.rows.size();
+      readmeOf(study, options, sessions.size(), "sub-…/ses-…/beh/…_acq-responses_beh.tsv"));
+  return sessions.size();
 }
 
 }  // namespace study

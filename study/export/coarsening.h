@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "questionnaires/model/answer.h"
-#include "study/model/data_table.h"
+#include "study/export/column.h"
 
 namespace study {
 

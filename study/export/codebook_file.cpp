@@ -3,6 +3,7 @@
 #include "study/export/codebook.h"
 #include "study/export/export_parts.h"
 #include "study/export/public_tables.h"
+#include "study/export/study_tables.h"
 #include "study/words/counted.h"
 
 namespace study {
@@ -71,26 +72,15 @@ std::string scriptsInWords(const ExportOptions& options) {
   return text;
 }
 
-constexpr const char* kTracesInWords =
-    "\n## Traces\n\nOne gzip-compressed CSV per trial, one row per tick of the force loop.\n\n"
-    "| column | what |\n|---|---|\n"
-    "| `tick`, `time_s` | which tick of the trial, and when by the rate asked for |\n"
-    "| `travel`, `velocity_per_s` | of the tool, in the device's travel unit, and that per second "
-    "|\n"
-    "| `desired_n`, `force_n` | what the scene asked for, and what the device was told |\n"
-    "| `lateness_us` | of the tick against its due time |\n"
-    "| `status` | 0 measured, 1 not new, 2 the device says that it is faulty, 3 it does not answer "
-    "|\n"
-    "| `interventions` | a sum: 1 limited to the largest force, 2 to the fastest change, 4 no "
-    "number, "
-    "8 damped, 16 the scene gave more energy than it took |\n"
-    "| `marks` | a sum: 1 no measurement, 2 no force is defined here, 4 stopped, 8 no scene, 16 "
-    "the tool "
-    "is too fast, 32 nobody holds the dead-man switch, 64 the force comes on softly, 128 the clock "
-    "lost "
-    "beats |\n"
-    "| `landmark` | 0 nothing, 1 interception, 2 yield, 3 end of travel, 4 opening, 5 a cut is "
-    "complete |\n";
+/// What the columns of a trace hold, as a section of the README.
+std::string tracesInWords() {
+  const auto table = traceTable();
+  std::string text = "\n## Traces\n\n" + table.description + "\n\n| column | what |\n|---|---|\n";
+  for (const auto& column : table.columns) {
+    text += "| `" + column.name() + "` | " + column.description() + " |\n";
+  }
+  return text;
+}
 
 Json levelsAsJson(const std::vector<Level>& levels) {
   Json json = Json::array();
@@ -130,13 +120,12 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
 std::string readmeOf(
     Study& study,
     const ExportOptions& options,
-    const std::vector<DataTable>& tables,
+    std::size_t sessions,
     const std::string& responses) {
   if (options.publicClass) return publicReadme(study, options, publicRelease(study, options));
   std::string text =
       "# " + study.protocol().protocol.study.title + "\n\n" + "Exported by palpate " +
-      std::string(appVersion()) + ".\n\n" + "- " +
-      sessionsInWords(options, tables.front().rows.size()) +
+      std::string(appVersion()) + ".\n\n" + "- " + sessionsInWords(options, sessions) +
       "\n"
       "- One row per answer in `" +
       responses +
@@ -153,22 +142,20 @@ std::string readmeOf(
               : "- Not blinded: `condition` says which rendering was felt.\n";
   for (const auto& source : study.protocol().sources) text += describe(source, options);
   return text + formatInWords(options) + scriptsInWords(options) +
-         (options.hasTraces ? kTracesInWords : "");
+         (options.hasTraces ? tracesInWords() : std::string());
 }
 
 std::string codebookAsJson(
-    Study& study, const ExportOptions& options, const std::vector<DataTable>& tables) {
+    Study& study, const ExportOptions& options, const std::vector<ExportedTable>& tables) {
   Json json = Json::parse(headAsJson(study, options));
-  const auto levels = levelsOf(study, options);
   for (const auto& table : tables) {
     Json columns = Json::array();
     for (const auto& column : table.columns) {
       Json entry{
           {"name", column.name},
-          {"type", nameOf(typeOf(column.name))},
+          {"type", nameOf(column.type)},
           {"description", column.description}};
-      const auto values = levelsOf(column, levels);
-      if (!values.empty()) entry["levels"] = levelsAsJson(values);
+      if (!column.levels.empty()) entry["levels"] = levelsAsJson(column.levels);
       columns.push_back(std::move(entry));
     }
     json["tables"][table.name] = {{"description", table.description}, {"columns", columns}};

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/model/data_table.h"
+#include "study/export/column.h"
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
 #include "study/session/study.h"
@@ -39,7 +39,7 @@ inline constexpr std::size_t kSmallestPublicClass = 5;
 /// Everything an analyst needs, as tables: sessions, responses, trials, cuts, events. Blinded,
 /// nothing in them says which rendering an alternative was: a condition bears a code that is drawn
 /// from the study's seed and means the same in every row.
-std::vector<DataTable> exportTables(Study& study, const ExportOptions& options);
+std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a folder that does not exist yet, all or
 /// nothing: the folder appears when it is complete. Without blinding, @p reason is written into the

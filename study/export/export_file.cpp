@@ -7,8 +7,6 @@
 #include "study/export/export_parts.h"
 #include "study/export/library.h"
 #include "study/export/public_tables.h"
-#include "study/export/statistics_table.h"
-#include "study/export/votes_table.h"
 #include "study/model/new_file.h"
 
 namespace study {
@@ -25,7 +23,7 @@ Json asJson(const Cell& cell) {
   return nullptr;
 }
 
-Json asJson(const DataTable& table) {
+Json asJson(const ExportedTable& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) {
     Json object;
@@ -44,7 +42,7 @@ bool hasReader(const ExportOptions& options) {
 std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
   auto tables = tablesFor(study, options);
   const auto sessions = tables.front().rows.size();
-  if (hasReader(options)) tables.push_back(columnsTable(study, options, tables));
+  if (hasReader(options)) tables.push_back(columnsTable(tables));
   if (options.format == ExportFormat::Json) {
     Json json = Json::parse(headAsJson(study, options));
     for (const auto& table : tables) json[table.name] = asJson(table);
@@ -56,7 +54,8 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
   }
   if (options.hasTraces) writeTraces(study, folder / "traces", options);
   writeNewFile((folder / "codebook.json").string(), codebookAsJson(study, options, tables));
-  writeNewFile((folder / "README.md").string(), readmeOf(study, options, tables, "responses.csv"));
+  writeNewFile(
+      (folder / "README.md").string(), readmeOf(study, options, sessions, "responses.csv"));
   return sessions;
 }
 
@@ -114,16 +113,6 @@ void noteExport(Study& study, const ExportOptions& options, const std::string& r
 }
 
 }  // namespace
-
-std::vector<DataTable> tablesFor(Study& study, const ExportOptions& options) {
-  auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
-  tables.push_back(itemsTable(study));
-  if (!options.isBlinded && !options.publicClass) {
-    tables.push_back(statisticsTable(study, options));
-    tables.push_back(votesTable(study, options));
-  }
-  return tables;
-}
 
 void writeScripts(const fs::path& folder, const ExportOptions& options) {
   const bool hasStatistics = !options.isBlinded && !options.publicClass;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "study/export/column.h"
 #include "study/export/export.h"
 
 namespace study {
@@ -11,16 +12,16 @@ namespace study {
 /// Which study, which version of the protocol, which program, and whether blinded: a JSON object.
 std::string headAsJson(Study& study, const ExportOptions& options);
 
-/// What a person who opens the folder reads first. @p responses is the table of answers, by its
-/// path in the folder.
+/// What a person who opens the folder reads first. @p sessions are in it; @p responses is the table
+/// of answers, by its path in the folder.
 std::string readmeOf(
-    Study& study,
-    const ExportOptions& options,
-    const std::vector<DataTable>& tables,
-    const std::string& responses);
+    Study& study, const ExportOptions& options, std::size_t sessions, const std::string& responses);
+
+/// Who reads a folder that is made with @p options.
+Readers readersOf(Study& study, const ExportOptions& options);
 
 /// All tables that @p options ask for, the one with a row per session or person first.
-std::vector<DataTable> tablesFor(Study& study, const ExportOptions& options);
+std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options);
 
 /// Lays the study out as Psych-DS asks for (psych-ds.github.io): tables with data dictionaries
 /// below data/, what was asked below materials/. Unblinded also the protocol itself, which says

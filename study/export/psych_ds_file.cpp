@@ -31,35 +31,34 @@ std::string_view jsonTypeOf(ColumnType type) {
   return "string";
 }
 
-Json variableOf(const Column& column, const std::map<std::string, std::vector<Level>>& levels) {
+Json variableOf(const ExportedColumn& column) {
   Json variable{
       {"@type", "PropertyValue"},
       {"name", column.name},
       {"description", column.description},
-      {"valueType", jsonTypeOf(typeOf(column.name))}};
-  for (const auto& level : levelsOf(column, levels)) {
+      {"valueType", jsonTypeOf(column.type)}};
+  for (const auto& level : column.levels) {
     variable["levels"].push_back({{"value", level.value}, {"label", level.label}});
   }
   return variable;
 }
 
 /// Every column once: columns of one name mean the same in all tables.
-Json variablesOf(
-    const std::vector<DataTable>& tables, const std::map<std::string, std::vector<Level>>& levels) {
+Json variablesOf(const std::vector<ExportedTable>& tables) {
   Json variables = Json::array();
   std::vector<std::string> seen;
   for (const auto& table : tables) {
     for (const auto& column : table.columns) {
       if (std::find(seen.begin(), seen.end(), column.name) != seen.end()) continue;
       seen.push_back(column.name);
-      variables.push_back(variableOf(column, levels));
+      variables.push_back(variableOf(column));
     }
   }
   return variables;
 }
 
 Json descriptionOf(
-    Study& study, const ExportOptions& options, const std::vector<DataTable>& tables) {
+    Study& study, const ExportOptions& options, const std::vector<ExportedTable>& tables) {
   const auto& metadata = study.protocol().protocol.study;
   Json json{
       {"@context", "https://schema.org/"},
@@ -67,7 +66,7 @@ Json descriptionOf(
       {"name", metadata.title},
       {"description",
        metadata.description.empty() || options.isBlinded ? metadata.title : metadata.description},
-      {"variableMeasured", variablesOf(tables, levelsOf(study, options))}};
+      {"variableMeasured", variablesOf(tables)}};
   json["palpate"] = Json::parse(headAsJson(study, options));
   return json;
 }
@@ -97,15 +96,13 @@ void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& o
 std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptions& options) {
   const auto tables = tablesFor(study, options);
   const std::size_t sessions = tables.front().rows.size();
-  const auto levels = levelsOf(study, options);
   const std::string prefix = "study-" + bidsLabel(study.protocol().protocol.study.id);
   const auto data = folder / "data";
   fs::create_directories(data);
   for (const auto& table : tables) {
     const std::string name = prefix + "_description-" + table.name + "_data";
     writeNewFile((data / (name + ".csv")).string(), asCsv(table));
-    Json dictionary{
-        {"description", table.description}, {"variableMeasured", variablesOf({table}, levels)}};
+    Json dictionary{{"description", table.description}, {"variableMeasured", variablesOf({table})}};
     writeNewFile((data / (name + ".json")).string(), dictionary.dump(2) + "\n");
   }
   if (options.hasTraces) writeTraces(study, data / "raw", options);
@@ -119,7 +116,7 @@ std::size_t writePsychDs(Study& study, const fs::path& folder, const ExportOptio
       descriptionOf(study, options, tables).dump(2) + "\n");
   writeNewFile(
       (folder / "README.md").string(),
-      readmeOf(study, options, tables, "data/" + prefix + "_description-responses_data.csv"));
+      readmeOf(study, options, sessions, "data/" + prefix + "_description-responses_data.csv"));
   writeNewFile(
       (folder / "CHANGES.md").string(),
       "# Changes\n\n- Exported by palpate " + std::string(appVersion()) +

@@ -8,6 +8,7 @@
 #include "study/export/coarsening.h"
 #include "study/export/export.h"
 #include "study/export/k_anonymity.h"
+#include "study/export/study_tables.h"
 #include "study/storage/records.h"
 
 namespace study {
@@ -55,9 +56,5 @@ class PublicPeople {
   std::vector<storage::TrialRow> trials_;
   std::vector<BackgroundQuestion> questions_;
 };
-
-/// What the columns of cohorts and orders are called.
-inline constexpr const char* kCohortColumn = "cohort";
-inline constexpr const char* kOrderColumn = "condition_order";
 
 }  // namespace study

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
 #include <sodium.h>
 
 #include "questionnaires/model/instrument.h"
-#include "study/export/codebook.h"
+#include "study/export/export_parts.h"
 #include "study/export/public_people.h"
+#include "study/export/study_tables.h"
 #include "study/storage/answer_repository.h"
 #include "study/words/counted.h"
 
@@ -48,96 +50,82 @@ bool isWords(const Item& item) {
   return item.type == ItemType::ShortText || item.type == ItemType::LongText;
 }
 
-Cell textCell(const std::string& text) {
-  return text.empty() ? Cell() : Cell(text);
-}
-
 /// Lays out what may be told.
 class PublicTables {
  public:
   PublicTables(Study& study, const ExportOptions& options)
       : study_(study),
-        options_(options),
         people_(study, options.runMode.value_or(RunMode::Live)),
         release_(publicRelease(study, options)),
+        readers_(readersOf(study, options)),
         ids_(drawnIds(people_.count())),
         codes_(conditionCodes(study)),
-        allocation_(storage::Records(study.database()).allocation()) {}
-
-  DataTable participants() const {
-    DataTable table{
-        .name = "participants",
-        .description = "One row per person, in no order. Of each at least " +
-                       std::to_string(release_.k) + " people the same is told.",
-        .columns = {{"participant_id", "Drawn for this folder; leads nowhere"}},
-        .rows = {}};
+        allocation_(storage::Records(study.database()).allocation()) {
     for (const auto& column : release_.columns) {
-      if (column.level) table.columns.push_back(described(column));
+      if (column.level) readers_.told.insert(column.name);
     }
-    for (std::size_t person = 0; person < people_.count(); ++person) {
-      auto& row = table.rows.emplace_back(std::vector<Cell>{ids_[person]});
-      for (const auto& column : release_.columns) {
-        if (column.level) row.push_back(textCell(column.values[person]));
-      }
-    }
+  }
+
+  ExportedTable participants() const {
+    std::vector<std::size_t> people(people_.count());
+    std::iota(people.begin(), people.end(), std::size_t{0});
+    auto table = filled(participantTable(), people, readers_);
     shuffle(table.rows);
     return table;
   }
 
-  DataTable responses() const {
-    DataTable table{
-        .name = "responses",
-        .description = "One row per answer, in no order. An item that was not answered has no row.",
-        .columns = columnsOfResponses(),
-        .rows = {}};
+  ExportedTable responses() const {
+    std::vector<ExportedAnswer> rows;
     for (const auto& answer : people_.answers()) {
-      if (const auto* item = itemToTell(answer)) table.rows.push_back(rowOf(answer, *item));
+      if (const auto* item = itemToTell(answer)) rows.push_back(rowOf(answer, *item));
     }
+    auto table = filled(responseTable(), rows, readers_);
     shuffle(table.rows);
     return table;
   }
 
  private:
-  bool isTold(const char* column) const {
-    const auto* known = release_.column(column);
-    return known != nullptr && known->level;
+  /// A row is a person, by number.
+  Table<std::size_t> participantTable() const {
+    Table<std::size_t> table{
+        .name = "participants",
+        .description = {},
+        .columns = {Column<std::size_t>(
+                        "participant_id",
+                        holds::Text{},
+                        "Drawn for this folder; leads nowhere",
+                        [this](std::size_t person) { return ids_[person]; })
+                        .inPublic()},
+        .inPublic = "One row per person, in no order. Of each at least " +
+                    std::to_string(release_.k) + " people the same is told."};
+    for (const auto& column : release_.columns) {
+      if (column.level) table.columns.push_back(columnOf(column).inPublic());
+    }
+    return table;
   }
 
-  std::vector<Column> columnsOfResponses() const {
-    std::vector<Column> columns{{"participant_id", "Drawn for this folder; leads nowhere"}};
-    if (isTold(kCohortColumn)) columns.push_back({"cohort", "Group of participants"});
-    columns.push_back({"block", "Phase of the protocol"});
-    if (isTold(kOrderColumn))
-      columns.push_back({"position", "Position of the alternative in its block, from 1"});
-    columns.push_back(
-        {"condition_code", "Which rendering it was, as a code that means the same in every row"});
-    if (!options_.isBlinded) columns.push_back({"condition", "Which rendering it was"});
-    const std::vector<Column> more{
-        {"instrument", "Questionnaire"},
-        {"item_id", "Question"},
-        {"item_type", std::string(kItemTypeInWords)},
-        {"key", "1: a high answer is good; -1: a low one is"},
-        {"response", "A point, a number, the id of an option; of alternatives, the condition code"},
-        {"response_keyed", "Points only: reversed where the key is -1"},
-        {"response_label", "What the response is called, in one language for everybody"}};
-    columns.insert(columns.end(), more.begin(), more.end());
-    return columns;
-  }
-
-  Column described(const ReleasedColumn& column) const {
-    if (column.name == kCohortColumn) return {column.name, "Group of participants"};
-    if (column.name == kOrderColumn)
-      return {column.name, "Conditions in the order in which they were felt, block by block"};
+  Column<std::size_t> columnOf(const ReleasedColumn& column) const {
+    const auto value = [&column](std::size_t person) { return column.values[person]; };
+    if (column.name == kCohortColumn) {
+      return {column.name, holds::OneOf{ValueList::Cohorts}, kCohortInWords, value};
+    }
+    if (column.name == kOrderColumn) {
+      return {
+          column.name,
+          holds::Text{},
+          "Conditions in the order in which they were felt, block by block",
+          value};
+    }
     for (const auto& question : people_.questions()) {
       if (question.column() != column.name) continue;
       const auto& language = study_.protocol().protocol.languages.front();
       return {
-          .name = column.name,
-          .description =
-              question.item->text.in(language) + " Empty: not answered, or told by too few",
-          .levels = question.coarsening.values(*column.level)};
+          column.name,
+          holds::OneOfThese{question.coarsening.values(*column.level)},
+          question.item->text.in(language) + " Empty: not answered, or told by too few",
+          value};
     }
-    throw std::logic_error("nobody knows the column " + column.name);
+    throw std::logic_error("no one knows the column " + column.name);
   }
 
   /// Nothing where the answer stays at home.
@@ -156,19 +144,19 @@ class PublicTables {
     return people_.personOf(answer.step.visit.session).value();
   }
 
-  std::string codeOf(const std::string& condition) const {
+  std::string_view codeOf(const std::string& condition) const {
     const auto code = codes_.find(condition);
-    return code == codes_.end() ? std::string() : code->second;
+    return code == codes_.end() ? std::string_view() : code->second;
   }
 
   /// What was felt as the alternative that an answer names.
-  std::string preferred(const storage::AnswerRecord& answer, const std::string& label) const {
+  std::string_view preferred(const storage::AnswerRecord& answer, const std::string& label) const {
     const auto* phase = study_.protocol().protocol.phase(answer.step.phase);
     if (phase == nullptr) return {};
     int number = 0;
     std::from_chars(label.data(), label.data() + label.size(), number);
     const auto felt = allocation_.find({answer.step.visit.session, phase->block, number});
-    return felt == allocation_.end() ? std::string() : codeOf(felt->second);
+    return felt == allocation_.end() ? std::string_view() : codeOf(felt->second);
   }
 
   Cell responseOf(const storage::AnswerRecord& answer, const Item& item) const {
@@ -178,40 +166,36 @@ class PublicTables {
     const auto text = stored.text.value_or("");
     const bool isAlternative =
         item.optionSource == questionnaires::OptionSource::Alternatives && !text.empty();
-    return textCell(isAlternative ? preferred(answer, text) : text);
+    return holds::asCell(isAlternative ? preferred(answer, text) : std::string_view(text));
   }
 
-  std::vector<Cell> rowOf(const storage::AnswerRecord& answer, const Item& item) const {
+  /// What release tells of a person; empty where nothing is told.
+  std::string_view told(const char* respect, std::size_t person) const {
+    const auto* column = release_.column(respect);
+    return column == nullptr || !column->level ? std::string_view() : column->values[person];
+  }
+
+  ExportedAnswer rowOf(const storage::AnswerRecord& answer, const Item& item) const {
     const auto& step = answer.step;
     const std::size_t person = sessionOf(answer);
-    std::vector<Cell> row{ids_[person]};
-    if (isTold(kCohortColumn))
-      row.push_back(textCell(release_.column(kCohortColumn)->values[person]));
-    row.push_back(step.phase);
-    if (isTold(kOrderColumn)) {
-      const bool isKnown = !release_.column(kOrderColumn)->values[person].empty();
-      row.push_back(isKnown && step.position > 0 ? Cell(std::int64_t{step.position}) : Cell());
-    }
-    row.push_back(textCell(codeOf(step.condition)));
-    if (!options_.isBlinded) row.push_back(textCell(step.condition));
-    const auto* point = std::get_if<std::int64_t>(&answer.answer.response);
-    const auto& language = study_.protocol().protocol.languages.front();
-    const std::vector<Cell> more{
-        step.instrument,
-        item.id,
-        std::string(questionnaires::nameOf(item.type)),
-        std::int64_t{item.key},
-        responseOf(answer, item),
-        point == nullptr ? Cell() : Cell(questionnaires::keyed(item, *point)),
-        textCell(questionnaires::labelOf(item, answer.answer.response, language))};
-    row.insert(row.end(), more.begin(), more.end());
+    const bool isPlaceKnown = step.position > 0 && !told(kOrderColumn, person).empty();
+    ExportedAnswer row;
+    row.owner = {.participant = ids_[person], .cohort = told(kCohortColumn, person)};
+    row.block = step.phase;
+    if (isPlaceKnown) row.position = step.position;
+    row.conditionCode = codeOf(step.condition);
+    row.condition = step.condition;
+    row.record = &answer;
+    row.item = &item;
+    row.response = responseOf(answer, item);
+    row.labelLanguage = study_.protocol().protocol.languages.front();
     return row;
   }
 
   Study& study_;
-  const ExportOptions& options_;
   PublicPeople people_;
   Release release_;
+  Readers readers_;
   std::vector<std::string> ids_;
   std::map<std::string, std::string> codes_;
   std::map<storage::Records::Alternative, std::string> allocation_;
@@ -232,7 +216,7 @@ Release publicRelease(Study& study, const ExportOptions& options) {
       "until more people have taken part.");
 }
 
-std::vector<DataTable> publicTables(Study& study, const ExportOptions& options) {
+std::vector<ExportedTable> publicTables(Study& study, const ExportOptions& options) {
   const PublicTables tables(study, options);
   return {tables.participants(), tables.responses()};
 }

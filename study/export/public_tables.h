@@ -16,7 +16,7 @@ Release publicRelease(Study& study, const ExportOptions& options);
 /// without words, times, dates and what else would single somebody out. Ids are drawn from the
 /// system's random numbers and rows are in an order drawn from them: nothing leads back.
 /// @throws storage::StorageError  as publicRelease()
-std::vector<DataTable> publicTables(Study& study, const ExportOptions& options);
+std::vector<ExportedTable> publicTables(Study& study, const ExportOptions& options);
 
 /// What a person who opens the folder reads first.
 std::string publicReadme(Study& study, const ExportOptions& options, const Release& release);

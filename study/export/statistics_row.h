@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/numerics/interval.h"
-#include "study/model/data_table.h"
+#include "study/export/column.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
 
@@ -18,7 +18,7 @@ namespace study {
 /// A row of the statistics table by the names of its columns.
 using StatisticsRow = std::map<std::string, Cell>;
 
-std::vector<Column> statisticsColumns();
+Columns<StatisticsRow> statisticsColumns();
 
 /// What every row of a family says: whose it is, what was asked where, and at which level.
 StatisticsRow headOfRow(

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "study/export/export_parts.h"
 #include "study/export/statistics_row.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
@@ -286,21 +287,20 @@ std::vector<Row> rowsOf(
 
 }  // namespace
 
-DataTable statisticsTable(Study& study, const ExportOptions& options) {
-  DataTable table{
-      .name = "statistics",
-      .description = "One row per test, score or check; what is missing says why.",
-      .columns = statisticsColumns()};
+ExportedTable statisticsTable(Study& study, const ExportOptions& options) {
   const auto codes = conditionCodes(study);
   std::vector<RunMode> modes{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
   if (options.runMode) modes = {*options.runMode};
+  std::vector<Row> rows;
   for (const auto mode : modes) {
-    for (auto& row : rowsOf(study, mode, codes)) {
-      auto& cells = table.rows.emplace_back();
-      for (const auto& column : table.columns) cells.push_back(row[column.name]);
-    }
+    for (auto& row : rowsOf(study, mode, codes)) rows.push_back(std::move(row));
   }
-  return table;
+  const Table<Row> table{
+      .name = "statistics",
+      .description = "One row per test, score or check; what is missing says why.",
+      .columns = statisticsColumns(),
+      .tellsTheCondition = true};
+  return filled(table, rows, readersOf(study, options));
 }
 
 }  // namespace study

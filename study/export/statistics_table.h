@@ -1,7 +1,6 @@
 #pragma once
 
 #include "study/export/export.h"
-#include "study/model/data_table.h"
 
 namespace study {
 
@@ -9,6 +8,6 @@ namespace study {
 /// which method, on how many, with which result. Conditions stand under their codes, as in
 /// the answers; `declared` marks what the protocol declared. Who knows the protocol can tell from
 /// the order of comparisons which code is which, so that it has no place in a blinded export.
-DataTable statisticsTable(Study& study, const ExportOptions& options);
+ExportedTable statisticsTable(Study& study, const ExportOptions& options);
 
 }  // namespace study

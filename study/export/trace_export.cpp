@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "study/export/export_parts.h"
+#include "study/export/study_tables.h"
 #include "study/model/new_file.h"
 #include "study/storage/records.h"
 #include "study/storage/trace_store.h"
@@ -37,17 +39,19 @@ std::string gzip(const std::string& text) {
   return packed;
 }
 
-std::string asCsv(const std::vector<storage::TraceSample>& samples, double rate) {
-  std::string csv =
-      "tick,time_s,travel,velocity_per_s,desired_n,force_n,lateness_us,status,interventions,marks,"
-      "landmark\n";
-  for (const auto& s : samples) {
-    csv += std::to_string(s.tick) + "," + exactly(s.tick / rate);
-    for (const float value : {s.travel, s.velocity, s.desired, s.force, s.lateness}) {
-      csv += "," + exactly(value);
-    }
-    for (const int value : {s.status, s.interventions, s.marks, s.landmark}) {
-      csv += "," + std::to_string(value);
+std::string traceAsCsv(
+    const Table<ExportedTick>& table,
+    const std::vector<storage::TraceSample>& samples,
+    double rate) {
+  std::string csv;
+  for (const auto& column : table.columns) csv += (csv.empty() ? "" : ",") + column.name();
+  csv += '\n';
+  for (const auto& sample : samples) {
+    const ExportedTick tick{.sample = sample, .time = sample.tick / rate};
+    bool isFirst = true;
+    for (const auto& column : table.columns) {
+      if (!std::exchange(isFirst, false)) csv += ',';
+      csv += csvCell(column.cell(tick));
     }
     csv += '\n';
   }
@@ -78,6 +82,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
   }
   fs::create_directories(folder);
   auto& traces = study.traces();
+  const auto table = traceTable();
   std::size_t written = 0;
   double seen = 0.0;
   const auto trials = records.trials();
@@ -86,7 +91,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
     seen += 1.0;
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;
-    const auto text = asCsv(traces.read(trial.step.visit), trial.nominalRate);
+    const auto text = traceAsCsv(table, traces.read(trial.step.visit), trial.nominalRate);
     writeNewFile((folder / nameOf(session->second, trial.step.visit)).string(), gzip(text));
     ++written;
   }

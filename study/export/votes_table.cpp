@@ -1,6 +1,8 @@
 #include "study/export/votes_table.h"
 
 #include "analysis/effects/share_interval.h"
+#include "study/export/export_parts.h"
+#include "study/export/study_columns.h"
 #include "study/results/results.h"
 
 namespace study {
@@ -8,27 +10,100 @@ namespace {
 
 constexpr double kVoteLevel = 0.95;
 
-std::vector<Column> columnsOfVotes() {
+/// A row of votes.csv: how often a rendering was preferred.
+struct ExportedVote {
+  RunMode mode;
+  const VoteResult* result = nullptr;
+  std::string items;  ///< that were asked
+  analysis::VoteShare share;
+  std::string conditionCode;
+  std::optional<analysis::Interval> wilson;
+  std::optional<analysis::Interval> exact;
+};
+
+/// A getter of the end of an interval, where there is one.
+auto endOf(
+    std::optional<analysis::Interval> ExportedVote::*interval, double analysis::Interval::*end) {
+  return [interval, end](const ExportedVote& row) {
+    const auto& known = row.*interval;
+    return known ? std::optional((*known).*end) : std::nullopt;
+  };
+}
+
+/// A getter of what the test of a vote found.
+template <typename Member>
+auto tested(Member member) {
+  return [member](const ExportedVote& row) { return std::invoke(member, row.result->test); };
+}
+
+Table<ExportedVote> voteTable() {
+  using namespace holds;
+  using Vote = ExportedVote;
+  using analysis::Interval;
+  using Test = decltype(VoteResult::test);
   return {
-      {"run_mode", "live, pilot or simulated"},
-      {"cohort", "Group of participants"},
-      {"preference", "Phase of the protocol in which was voted"},
-      {"block", "Phase of the protocol"},
-      {"item_id", "Question"},
-      {"condition_code", "Which rendering it was, as a code that means the same in every row"},
-      {"votes", "How many preferred it"},
-      {"votes_total", "How many voted at all"},
-      {"share", "votes / votes_total"},
-      {"conf_level", "Confidence of the intervals"},
-      {"share_low", "Wilson's interval of the share"},
-      {"share_high", "…"},
-      {"share_low_exact", "Clopper and Pearson's interval of the share"},
-      {"share_high_exact", "…"},
-      {"p_exact", "That all are preferred equally often: exact multinomial test"},
-      {"chi2", "The same by the chi-squared test, only roughly where votes are few"},
-      {"chi2_df", "Its degrees of freedom"},
-      {"p_chi2", "Its p"},
-      {"reason", "Why something is missing"}};
+      .name = "votes",
+      .description = "One row per vote, cohort and rendering: how many preferred it.",
+      .columns =
+          {{"run_mode",
+            OneOf{ValueList::RunModes},
+            kRunModeInWords,
+            [](const Vote& row) { return nameOf(row.mode); }},
+           {"cohort",
+            OneOf{ValueList::Cohorts},
+            kCohortInWords,
+            [](const Vote& row) { return row.result->cohort; }},
+           {"preference",
+            Text{},
+            "Phase of the protocol in which was voted",
+            [](const Vote& row) { return row.result->phase; }},
+           {"block",
+            OneOf{ValueList::Blocks},
+            "Phase of the protocol",
+            [](const Vote& row) { return row.result->block; }},
+           {"item_id", Text{}, "Question", &Vote::items},
+           conditionCodeColumn<Vote>(),
+           {"votes",
+            Integer{},
+            "How many preferred it",
+            [](const Vote& row) { return row.share.votes; }},
+           {"votes_total",
+            Integer{},
+            "How many voted at all",
+            [](const Vote& row) { return row.result->votes.total(); }},
+           {"share",
+            Number{},
+            "votes / votes_total",
+            [](const Vote& row) { return row.share.share; }},
+           {"conf_level",
+            Number{},
+            "Confidence of the intervals",
+            [](const Vote&) { return kVoteLevel; }},
+           {"share_low",
+            Number{},
+            "Wilson's interval of the share",
+            endOf(&Vote::wilson, &Interval::low)},
+           {"share_high", Number{}, "…", endOf(&Vote::wilson, &Interval::high)},
+           {"share_low_exact",
+            Number{},
+            "Clopper and Pearson's interval of the share",
+            endOf(&Vote::exact, &Interval::low)},
+           {"share_high_exact", Number{}, "…", endOf(&Vote::exact, &Interval::high)},
+           {"p_exact",
+            Number{},
+            "That all are preferred equally often: exact multinomial test",
+            tested(&Test::exactP)},
+           {"chi2",
+            Number{},
+            "The same by the chi-squared test, only roughly where votes are few",
+            tested(&Test::chiSquared)},
+           {"chi2_df", Number{}, "Its degrees of freedom", tested(&Test::degreesOfFreedom)},
+           {"p_chi2", Number{}, "Its p", tested(&Test::p)},
+           {"reason",
+            Text{},
+            "Why something is missing",
+            [](const Vote& row) { return base::describe(row.result->test.reason); }}},
+      .tellsTheCondition = true};
 }
 
 /// The questions of a preference whose options are the alternatives of a block.
@@ -42,59 +117,32 @@ std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& 
   return items;
 }
 
-std::vector<Cell> rowOfVotes(
-    const VoteResult& vote, const analysis::VoteShare& share, const std::string& code) {
-  const auto total = vote.votes.total();
-  const auto wilson = analysis::wilsonInterval(share.votes, total, kVoteLevel);
-  const auto exact = analysis::clopperPearsonInterval(share.votes, total, kVoteLevel);
-  const auto low = [](const auto& interval) { return interval ? Cell(interval->low) : Cell(); };
-  const auto high = [](const auto& interval) { return interval ? Cell(interval->high) : Cell(); };
-  return {
-      code,
-      static_cast<std::int64_t>(share.votes),
-      static_cast<std::int64_t>(total),
-      cellOf(share.share),
-      kVoteLevel,
-      low(wilson),
-      high(wilson),
-      low(exact),
-      high(exact),
-      cellOf(vote.test.exactP),
-      cellOf(vote.test.chiSquared),
-      cellOf(vote.test.degreesOfFreedom),
-      cellOf(vote.test.p),
-      vote.test.reason.empty() ? Cell() : Cell(base::describe(vote.test.reason))};
-}
-
 }  // namespace
 
-DataTable votesTable(Study& study, const ExportOptions& options) {
-  DataTable table{
-      .name = "votes",
-      .description = "One row per vote, cohort and rendering: how many preferred it.",
-      .columns = columnsOfVotes(),
-      .rows = {}};
+ExportedTable votesTable(Study& study, const ExportOptions& options) {
   const auto codes = conditionCodes(study);
   std::vector<RunMode> modes{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
   if (options.runMode) modes = {*options.runMode};
-  for (const auto mode : modes) {
-    const auto results = computeResults(study, mode);
-    if (results.completed() == 0) continue;
-    for (const auto& vote : results.votes) {
-      const std::vector<Cell> head{
-          std::string(nameOf(mode)),
-          vote.cohort,
-          vote.phase,
-          vote.block,
-          votedOn(study.protocol(), vote.phase)};
+  std::vector<Results> results;  // rows point into it
+  std::vector<ExportedVote> rows;
+  for (const auto mode : modes) results.push_back(computeResults(study, mode));
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (results[i].completed() == 0) continue;
+    for (const auto& vote : results[i].votes) {
+      const auto total = vote.votes.total();
       for (const auto& share : vote.votes.shares()) {
-        auto& row = table.rows.emplace_back(head);
-        const auto more = rowOfVotes(vote, share, codes.at(share.option));
-        row.insert(row.end(), more.begin(), more.end());
+        rows.push_back(
+            {.mode = modes[i],
+             .result = &vote,
+             .items = votedOn(study.protocol(), vote.phase),
+             .share = share,
+             .conditionCode = codes.at(share.option),
+             .wilson = analysis::wilsonInterval(share.votes, total, kVoteLevel),
+             .exact = analysis::clopperPearsonInterval(share.votes, total, kVoteLevel)});
       }
     }
   }
-  return table;
+  return filled(voteTable(), rows, readersOf(study, options));
 }
 
 }  // namespace study

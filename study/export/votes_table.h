@@ -1,12 +1,11 @@
 #pragma once
 
 #include "study/export/export.h"
-#include "study/model/data_table.h"
 
 namespace study {
 
 /// Which alternative of a block was preferred how often: one row per cohort, vote and rendering,
 /// with intervals of its share and the test that all are preferred equally often.
-DataTable votesTable(Study& study, const ExportOptions& options);
+ExportedTable votesTable(Study& study, const ExportOptions& options);
 
 }  // namespace study

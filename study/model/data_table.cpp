@@ -20,17 +20,17 @@ bool beginsLikeAFormula(const std::string& text) {
   return !text.empty() && std::string("=+-@\t\r").find(text.front()) != std::string::npos;
 }
 
-std::string asText(const Cell& cell, const Column& column) {
+}  // namespace
+
+std::string csvCell(const Cell& cell, bool isFreeText) {
   if (const auto* flag = std::get_if<bool>(&cell)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&cell)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&cell)) return exactly(*number);
   if (const auto* text = std::get_if<std::string>(&cell)) {
-    return quoted(column.isFreeText && beginsLikeAFormula(*text) ? "'" + *text : *text);
+    return quoted(isFreeText && beginsLikeAFormula(*text) ? "'" + *text : *text);
   }
   return {};
 }
-
-}  // namespace
 
 std::string exactly(double value) {
   std::array<char, 40> buffer{};
@@ -47,7 +47,7 @@ std::string asCsv(const DataTable& table) {
   for (const auto& row : table.rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0) csv += ',';
-      csv += asText(row[i], table.columns[i]);
+      csv += csvCell(row[i], table.columns[i].isFreeText);
     }
     csv += '\n';
   }

@@ -17,32 +17,29 @@ Cell cellOf(const std::optional<T>& value) {
   return value ? Cell(*value) : Cell();
 }
 
-/// A value that a column may hold, and what it stands for.
-struct Level {
-  std::string value;
-  std::string label;
-};
-
-/// What a column holds, for the codebook.
-struct Column {
-  std::string name;  ///< snake_case, with its unit
-  std::string description;
+/// What stands above a column.
+struct Heading {
+  std::string name;         ///< in a file: snake_case, with its unit
+  std::string description;  ///< on paper and in a terminal
   bool isFreeText = false;  ///< somebody wrote it: spreadsheets must not take it for a formula
-  std::vector<Level> levels = {};  ///< in their order, where they are this column's own
 };
 
-/// A table that leaves the program: the same columns for everybody, whatever happened.
+/// A table of a benchmark or a measurement, for a file, a page or a terminal. Tables of a study
+/// that leave the program are made of columns that say more: study/export/column.h.
 struct DataTable {
   std::string name;  ///< of the file, without its ending
   std::string description;
-  std::vector<Column> columns;
+  std::vector<Heading> columns;
   std::vector<std::vector<Cell>> rows;
 };
 
 /// RFC 4180 in UTF-8, lines ended by LF, numbers with a point and as many digits as read back
-/// exactly, whatever the desktop's language. A missing value is an empty cell. Free text that
-/// begins like a formula (= + - @ or a tab) gets an apostrophe before it.
+/// exactly, in every locale. A missing value is an empty cell. Free text that begins like a formula
+/// (= + - @ or a tab) gets an apostrophe before it.
 std::string asCsv(const DataTable& table);
+
+/// One cell of such a file.
+std::string csvCell(const Cell& cell, bool isFreeText = false);
 
 /// A number that reads back exactly, with a point.
 std::string exactly(double value);

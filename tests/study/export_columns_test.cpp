@@ -29,7 +29,7 @@ using Names = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
 
 /// The rows of an exported table, as its CSV file has them, each by the names of its columns.
-std::vector<Row> rowsOf(const DataTable& table) {
+std::vector<Row> rowsOf(const ExportedTable& table) {
   const auto csv = analysis::readCsv(asCsv(table));
   std::vector<Row> rows;
   for (const auto& line : csv.rows) {

@@ -139,12 +139,20 @@ TEST_F(ExportLayoutTest, HasADictionaryForEveryColumnOfEveryTable) {
         for (const auto& level : column["levels"]) levels.insert(level["value"]);
       }
       const std::string type = column["type"];
+      bool isAllNumbers = true;
       for (const auto& row : csv.rows) {
         if (row.cells[i].empty()) continue;
+        isAllNumbers = isAllNumbers && isA("number", row.cells[i]);
         EXPECT_TRUE(isA(type, row.cells[i])) << csv.columns[i] << " " << row.cells[i];
         EXPECT_TRUE(levels.empty() || levels.count(row.cells[i]) == 1) << row.cells[i];
         ++checked;
       }
+      const bool isEmpty = std::all_of(
+          csv.rows.begin(), csv.rows.end(), [&](const auto& row) { return row.cells[i].empty(); });
+      // The version of an instrument is a name, even where it is "1".
+      const bool mayLookLikeNumbers = csv.columns[i] == "instrument_version";
+      EXPECT_FALSE(type == "text" && isAllNumbers && !isEmpty && !mayLookLikeNumbers)
+          << name << " " << csv.columns[i];
     }
   }
   EXPECT_GT(checked, 2000);
@@ -156,7 +164,8 @@ TEST_F(ExportLayoutTest, GivesEveryNameOneMeaning) {
   std::map<std::string, std::string> meanings;
   for (const auto& [name, table] : codebook["tables"].items()) {
     for (const auto& column : table["columns"]) {
-      const std::string meaning = column["description"];
+      const std::string meaning =
+          column["type"].get<std::string>() + ": " + column["description"].get<std::string>();
       const auto known = meanings.emplace(column["name"], meaning).first;
       EXPECT_EQ(known->second, meaning) << name << " " << column["name"];
     }

@@ -20,7 +20,7 @@ namespace statistics_table_test {
 using Row = std::map<std::string, std::string>;
 using Values = std::vector<double>;
 
-std::vector<Row> rowsOf(const DataTable& table) {
+std::vector<Row> rowsOf(const ExportedTable& table) {
   const auto csv = analysis::readCsv(asCsv(table));
   std::vector<Row> rows;
   for (const auto& line : csv.rows) {

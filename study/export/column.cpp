@@ -1,0 +1,38 @@
+#include "study/export/column.h"
+
+#include <array>
+
+namespace study {
+
+std::string_view nameOf(ColumnType type) noexcept {
+  constexpr std::array<std::string_view, 5> kNames{
+      "text", "integer", "number", "boolean", "date_time"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+std::string Readers::inTheirWords(const std::string& description) const {
+  if (device == nullptr) return description;
+  for (const auto& sentence : device->sentences) {
+    if (sentence.language == "en" && sentence.english == description)
+      return std::string(sentence.text);
+  }
+  return description;
+}
+
+std::string asCsv(const ExportedTable& table) {
+  std::string csv;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    csv += (i == 0 ? "" : ",") + table.columns[i].name;
+  }
+  csv += '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) csv += ',';
+      csv += csvCell(row[i], table.columns[i].isFreeText);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace study

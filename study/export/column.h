@@ -1,0 +1,306 @@
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "haptics/devices/device_kind.h"
+#include "study/model/data_table.h"
+
+namespace study {
+
+/// What the cells of an exported column are.
+enum class ColumnType { Text, Integer, Number, Boolean, DateTime };
+
+/// As codebooks name it: "date_time".
+std::string_view nameOf(ColumnType type) noexcept;
+
+/// A value that a column may hold, and what it stands for.
+struct Level {
+  std::string value;
+  std::string label;
+};
+
+/// A closed list of values that depends on the study, or is the same in each.
+enum class ValueList {
+  RunModes,
+  Statuses,  ///< of sessions
+  Verdicts,  ///< on trials
+  ItemTypes,
+  Cohorts,
+  Blocks,
+  ConditionCodes,
+  Conditions,
+};
+
+/// The values of each list in their natural order.
+using ValueLists = std::map<ValueList, std::vector<Level>>;
+
+/// Who reads a folder: it decides which columns leave, and which are described in other words.
+struct Readers {
+  bool isBlinded = true;  ///< must not learn which rendering a condition code stands for
+  bool isPublic = false;
+  bool isToldWhose = true;  ///< false where the name of a file says whose rows are in it
+  /// What people may be told apart by in a public folder (study/export/k_anonymity.h).
+  std::set<std::string> told = {};
+  ValueLists lists = {};
+  /// The kind of device of a study that has one kind alone: it may say in its own words what a
+  /// table is about.
+  const haptics::devices::DeviceKind* device = nullptr;
+
+  /// @p description, or what the device says instead of it.
+  std::string inTheirWords(const std::string& description) const;
+};
+
+/// A column of an exported table, as data dictionaries describe it.
+struct ExportedColumn {
+  ExportedColumn(
+      std::string columnName,
+      ColumnType columnType,
+      std::string columnUnit,
+      std::string columnDescription)
+      : name(std::move(columnName)),
+        type(columnType),
+        unit(std::move(columnUnit)),
+        description(std::move(columnDescription)) {}
+
+  std::string name;  ///< snake_case, with its unit
+  ColumnType type;
+  std::string unit;  ///< "s", "N"; empty: it has none, or the device decides
+  std::string description;
+  bool isFreeText = false;         ///< somebody wrote it
+  std::vector<Level> levels = {};  ///< the values that may stand in it, in order; empty: any
+};
+
+/// A table that leaves the program: the same columns for all rows.
+struct ExportedTable {
+  std::string name;  ///< of the file, without its ending
+  std::string description;
+  std::vector<ExportedColumn> columns;
+  std::vector<std::vector<Cell>> rows;
+};
+
+/// As asCsv() of a DataTable.
+std::string asCsv(const ExportedTable& table);
+
+/// What a column holds. A column names one of these, and its getter has to return a value of that
+/// type, or a std::optional of it; a Cell fits all. Lines of tables read as
+///
+///     {"contact_s", Number{"s"}, "How long something was felt", &TrialRow::contact}
+namespace holds {
+
+/// Codes and names. An empty text is a missing value.
+struct Text {
+  static constexpr ColumnType kType = ColumnType::Text;
+};
+/// What somebody wrote: a spreadsheet must not take it for a formula.
+struct FreeText {
+  static constexpr ColumnType kType = ColumnType::Text;
+};
+/// One of a list.
+struct OneOf {
+  static constexpr ColumnType kType = ColumnType::Text;
+  ValueList list;
+};
+/// One of these, of which the column alone knows.
+struct OneOfThese {
+  static constexpr ColumnType kType = ColumnType::Text;
+  std::vector<Level> levels;
+};
+struct Integer {
+  static constexpr ColumnType kType = ColumnType::Integer;
+};
+struct Number {
+  static constexpr ColumnType kType = ColumnType::Number;
+  std::string_view unit = {};
+};
+struct Boolean {
+  static constexpr ColumnType kType = ColumnType::Boolean;
+};
+/// ISO 8601, UTC.
+struct Utc {
+  static constexpr ColumnType kType = ColumnType::DateTime;
+};
+
+template <typename Value>
+struct WithoutOptional {
+  using Type = Value;
+};
+template <typename Value>
+struct WithoutOptional<std::optional<Value>> {
+  using Type = Value;
+};
+
+/// Whether @p Value may stand in a column of the type.
+template <ColumnType type, typename Value>
+constexpr bool fits() {
+  using V = typename WithoutOptional<std::remove_cvref_t<Value>>::Type;
+  if constexpr (std::same_as<V, Cell>) return true;
+  if constexpr (type == ColumnType::Boolean) return std::same_as<V, bool>;
+  if constexpr (type == ColumnType::Integer) return std::integral<V> && !std::same_as<V, bool>;
+  if constexpr (type == ColumnType::Number) return std::floating_point<V>;
+  return std::convertible_to<V, std::string_view>;
+}
+
+template <typename Value>
+Cell asCell(const Value& value) {
+  if constexpr (std::same_as<Value, Cell> || std::same_as<Value, bool>) {
+    return value;
+  } else if constexpr (std::integral<Value>) {
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (std::floating_point<Value>) {
+    return static_cast<double>(value);
+  } else {
+    const std::string_view text = value;
+    return text.empty() ? Cell() : Cell(std::string(text));
+  }
+}
+template <typename Value>
+Cell asCell(const std::optional<Value>& value) {
+  return value ? asCell(*value) : Cell();
+}
+
+}  // namespace holds
+
+/// That @p Getter gives what a column of @p Holding may hold.
+template <typename Getter, typename Holding, typename Row>
+concept GetterOf = std::invocable<Getter, const Row&> &&
+    holds::fits<Holding::kType, std::invoke_result_t<Getter, const Row&>>();
+
+/// One column of an exported file: everything that is said of it, and how a cell is made of a row.
+/// Files, codebooks and dictionaries are all made of these; no column is named anywhere else.
+/// There are no defaults: a column without a type or a description does not compile.
+template <typename Row>
+class Column {
+ public:
+  /// @param name  snake_case, with its unit
+  /// @param getter  a member of the row, or a function of it
+  template <typename Holding, GetterOf<Holding, Row> Getter>
+  Column(std::string name, Holding holding, std::string description, Getter getter)
+      : head_(std::move(name), Holding::kType, {}, std::move(description)),
+        cell_([getter = std::move(getter)](const Row& row) {
+          return holds::asCell(std::invoke(getter, row));
+        }) {
+    if constexpr (std::same_as<Holding, holds::Number>) head_.unit = holding.unit;
+    if constexpr (std::same_as<Holding, holds::OneOf>) list_ = holding.list;
+    if constexpr (std::same_as<Holding, holds::OneOfThese>)
+      head_.levels = std::move(holding.levels);
+    head_.isFreeText = std::same_as<Holding, holds::FreeText>;
+  }
+
+  /// It says which rendering an alternative was, and is left out of blinded folders.
+  Column tellsTheCondition() && {
+    tellsTheCondition_ = true;
+    return std::move(*this);
+  }
+
+  /// It says whose rows these are, and is left out where the name of the file says it.
+  Column tellsWhose() && {
+    tellsWhose_ = true;
+    return std::move(*this);
+  }
+
+  /// It goes to the public too; without this a column does not. @param description  there, if it
+  /// is another: its cells are no free text then.
+  Column inPublic(std::string description = {}) && {
+    public_ = InPublic{.ifTold = {}, .description = std::move(description)};
+    return std::move(*this);
+  }
+
+  /// … where people may be told apart by @p respect.
+  Column inPublicIfTold(std::string respect, std::string description = {}) && {
+    public_ = InPublic{.ifTold = std::move(respect), .description = std::move(description)};
+    return std::move(*this);
+  }
+
+  bool isFor(const Readers& readers) const {
+    if (tellsTheCondition_ && readers.isBlinded) return false;
+    if (tellsWhose_ && !readers.isToldWhose) return false;
+    if (!readers.isPublic) return true;
+    return public_ && (public_->ifTold.empty() || readers.told.count(public_->ifTold) == 1);
+  }
+
+  ExportedColumn headFor(const Readers& readers) const {
+    auto head = head_;
+    if (readers.isPublic && !public_->description.empty()) {
+      head.description = public_->description;
+      head.isFreeText = false;
+    }
+    head.description = readers.inTheirWords(head.description);
+    const auto known = list_ ? readers.lists.find(*list_) : readers.lists.end();
+    if (known != readers.lists.end()) head.levels = known->second;
+    return head;
+  }
+
+  const std::string& name() const noexcept { return head_.name; }
+  const std::string& description() const noexcept { return head_.description; }
+
+  Cell cell(const Row& row) const { return cell_(row); }
+
+ private:
+  struct InPublic {
+    std::string ifTold;
+    std::string description;
+  };
+
+  ExportedColumn head_;
+  std::function<Cell(const Row&)> cell_;
+  std::optional<ValueList> list_;
+  bool tellsTheCondition_ = false;
+  bool tellsWhose_ = false;
+  std::optional<InPublic> public_;
+};
+
+template <typename Row>
+using Columns = std::vector<Column<Row>>;
+
+/// One exported file: what it is about, and its columns.
+template <typename Row>
+struct Table {
+  std::string name;  ///< of the file, without its ending
+  std::string description;
+  Columns<Row> columns;
+  /// As a whole: numbers in it are enough to tell renderings apart.
+  bool tellsTheCondition = false;
+  /// What it is about in a public folder; nothing: it is not there.
+  std::optional<std::string> inPublic = std::nullopt;
+
+  bool isFor(const Readers& readers) const {
+    return !(tellsTheCondition && readers.isBlinded) && (inPublic || !readers.isPublic);
+  }
+};
+
+/// What leaves of @p rows, for these readers.
+template <typename Row>
+ExportedTable filled(
+    const Table<Row>& table, const std::vector<Row>& rows, const Readers& readers) {
+  ExportedTable result{
+      .name = table.name,
+      .description =
+          readers.isPublic ? table.inPublic.value() : readers.inTheirWords(table.description),
+      .columns = {},
+      .rows = {}};
+  std::vector<const Column<Row>*> columns;
+  for (const auto& column : table.columns) {
+    if (!column.isFor(readers)) continue;
+    columns.push_back(&column);
+    result.columns.push_back(column.headFor(readers));
+  }
+  result.rows.reserve(rows.size());
+  for (const auto& row : rows) {
+    auto& cells = result.rows.emplace_back();
+    cells.reserve(columns.size());
+    for (const auto* column : columns) cells.push_back(column->cell(row));
+  }
+  return result;
+}
+
+}  // namespace study

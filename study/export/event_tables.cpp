@@ -1,0 +1,70 @@
+// The columns of events.csv, and of what BIDS has instead.
+#include "study/export/study_columns.h"
+
+namespace study {
+namespace {
+
+Column<ExportedEvent> onsetColumn(std::string name) {
+  return {
+      std::move(name),
+      holds::Number{"s"},
+      "Since the session's first event, by a clock that is never set back",
+      &ExportedEvent::onset};
+}
+
+Column<ExportedEvent> utcColumn() {
+  return {"utc", holds::Utc{}, "ISO 8601, UTC", [](const ExportedEvent& row) {
+            return asUtc(row.event.when.wall);
+          }};
+}
+
+/// Answers stand in responses.csv; here it matters that and when one was given.
+Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
+  const Columns<ExportedEvent> what{
+      {"actor",
+       holds::Text{},
+       "participant, operator or program",
+       [](const ExportedEvent& row) { return storage::nameOf(row.event.actor); }},
+      {"event",
+       holds::Text{},
+       "What happened",
+       [](const ExportedEvent& row) { return row.event.kind; }},
+      {"detail", holds::FreeText{}, "More about it", [](const ExportedEvent& row) {
+         return storage::describe(row.event);
+       }}};
+  first.insert(first.end(), what.begin(), what.end());
+  return first;
+}
+
+Table<ExportedEvent> tableOfEvents(Columns<ExportedEvent> columns) {
+  return {
+      .name = "events",
+      .description = "Everything that happened, in order.",
+      .columns = std::move(columns)};
+}
+
+}  // namespace
+
+Table<ExportedEvent> eventTable() {
+  return tableOfEvents(columnsAfter(
+      {participantColumn<ExportedEvent>(),
+       sessionNumberColumn<ExportedEvent>(),
+       stepNumberColumn<ExportedEvent>(),
+       attemptColumn<ExportedEvent>(),
+       utcColumn(),
+       onsetColumn("onset_s")}));
+}
+
+Table<ExportedEvent> bidsEventTable() {
+  return tableOfEvents(columnsAfter(
+      {onsetColumn("onset"),
+       {"duration",
+        holds::Number{"s"},
+        "Not measured: an event has a beginning only",
+        [](const ExportedEvent&) { return std::optional<double>(); }},
+       stepNumberColumn<ExportedEvent>(),
+       attemptColumn<ExportedEvent>(),
+       utcColumn()}));
+}
+
+}  // namespace study

@@ -1,0 +1,148 @@
+#include "study/export/export_rows.h"
+
+#include <algorithm>
+
+#include "questionnaires/model/answer.h"
+#include "questionnaires/model/instrument.h"
+#include "study/storage/answer_repository.h"
+
+namespace study {
+namespace {
+
+using storage::SessionRecord;
+using storage::StepRecord;
+
+/// How long after a session's first event things happened. The clock that is never set back starts
+/// again with the computer, so what lies between two runs of the program is taken from the wall.
+class Onsets {
+ public:
+  double of(const storage::Event& event) {
+    auto& last = last_[event.visit->session];
+    if (last) {
+      const bool isNewRun = event.kind == "resumed";
+      const auto passed = isNewRun ? (event.when.wall - last->when.wall) * 1'000'000
+                                   : event.when.monotonic - last->when.monotonic;
+      last->onset += std::max<std::int64_t>(passed, 0);
+      last->when = event.when;
+    } else {
+      last = {.when = event.when};
+    }
+    return static_cast<double>(last->onset) / 1e9;
+  }
+
+ private:
+  struct Last {
+    Moment when;
+    std::int64_t onset = 0;  ///< [ns]
+  };
+  std::map<SessionId, std::optional<Last>> last_;
+};
+
+RowOwner ownerOf(const SessionRecord& session) {
+  return {
+      .session = session.id,
+      .participant = session.participant,
+      .sessionNumber = session.number,
+      .cohort = session.cohort,
+      .runMode = session.runMode};
+}
+
+Cell responseOf(const questionnaires::Response& response) {
+  const auto stored = storage::stored(response);
+  if (stored.point) return *stored.point;
+  if (stored.number) return *stored.number;
+  return stored.text.value_or("");
+}
+
+}  // namespace
+
+StudyRows::StudyRows(Study& study, const ExportOptions& options)
+    : study_(study), isBlinded_(options.isBlinded), codes_(conditionCodes(study)) {
+  const storage::Records records(study.database());
+  for (auto& session : records.sessions()) {
+    const bool isWanted = !options.runMode || session.runMode == nameOf(*options.runMode);
+    if (isWanted) sessions_.emplace(session.id, std::move(session));
+  }
+  answers_ = records.answers();
+  trials_ = records.trials();
+  cuts_ = records.cuts();
+}
+
+ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& step) const {
+  const bool isFelt = !step.condition.empty();
+  const auto code = codes_.find(step.condition);
+  return {
+      .owner = ownerOf(session),
+      .visit = step.visit,
+      .block = step.phase,
+      .position = isFelt && step.position > 0 ? std::optional(step.position) : std::nullopt,
+      .alternative = isFelt ? std::optional(step.label) : std::nullopt,
+      .conditionCode = code == codes_.end() ? std::string_view() : code->second,
+      .condition = step.condition};
+}
+
+std::vector<ExportedSession> StudyRows::sessions() const {
+  std::vector<ExportedSession> rows;
+  for (const auto& [id, session] : sessions_) rows.push_back({ownerOf(session), &session});
+  return rows;
+}
+
+std::vector<ExportedAnswer> StudyRows::answers() const {
+  std::vector<ExportedAnswer> rows;
+  for (const auto& record : answers_) {
+    const auto session = sessions_.find(record.step.visit.session);
+    if (session == sessions_.end()) continue;
+    ExportedAnswer row{stepOf(session->second, record.step)};
+    const auto* instrument =
+        study_.protocol(session->second.protocol).instrument(record.step.instrument);
+    row.record = &record;
+    row.item = instrument == nullptr ? nullptr : instrument->item(record.answer.item);
+    row.response = responseOf(record.answer.response);
+    row.labelLanguage = record.answer.language;
+    if (session->second.status != "completed") {
+      row.excluded = session->second.status;
+    } else if (record.step.visitStatus != "finished") {
+      row.excluded = record.step.visitStatus;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<ExportedTrial> StudyRows::trials() const {
+  std::vector<ExportedTrial> rows;
+  for (const auto& record : trials_) {
+    const auto session = sessions_.find(record.step.visit.session);
+    if (session == sessions_.end()) continue;
+    rows.push_back({stepOf(session->second, record.step), &record});
+  }
+  return rows;
+}
+
+std::vector<ExportedCut> StudyRows::cuts() const {
+  std::vector<ExportedCut> rows;
+  for (const auto& record : cuts_) {
+    const auto session = sessions_.find(record.visit.session);
+    if (session == sessions_.end()) continue;
+    rows.push_back({ownerOf(session->second), record.visit, &record});
+  }
+  return rows;
+}
+
+std::vector<ExportedEvent> StudyRows::events() const {
+  std::vector<ExportedEvent> rows;
+  Onsets onsets;
+  for (auto& event : study_.events().read()) {
+    if (!event.visit) continue;
+    const auto session = sessions_.find(event.visit->session);
+    if (session == sessions_.end()) continue;
+    // How stiff a scene is says which one it is.
+    if (isBlinded_ && (event.kind == "passivity" || event.kind == "view")) continue;
+    const auto visit = *event.visit;
+    const double onset = onsets.of(event);
+    rows.push_back({ownerOf(session->second), visit, std::move(event), onset});
+  }
+  return rows;
+}
+
+}  // namespace study

@@ -1,0 +1,116 @@
+// The columns of responses.csv.
+#include "questionnaires/model/answer.h"
+#include "questionnaires/model/instrument.h"
+#include "study/export/study_columns.h"
+
+namespace study {
+namespace {
+
+std::string_view itemTypeOf(const ExportedAnswer& row) {
+  return row.item == nullptr ? std::string_view() : questionnaires::nameOf(row.item->type);
+}
+
+std::optional<int> keyOf(const ExportedAnswer& row) {
+  return row.item == nullptr ? std::nullopt : std::optional(row.item->key);
+}
+
+std::optional<std::int64_t> keyedResponseOf(const ExportedAnswer& row) {
+  const auto* point = std::get_if<std::int64_t>(&row.record->answer.response);
+  if (row.item == nullptr || point == nullptr) return std::nullopt;
+  return questionnaires::keyed(*row.item, *point);
+}
+
+std::string labelOfResponse(const ExportedAnswer& row) {
+  if (row.item == nullptr) return {};
+  return questionnaires::labelOf(*row.item, row.record->answer.response, row.labelLanguage);
+}
+
+/// A getter of what the record holds about how an answer was given.
+template <typename Member>
+auto howGiven(Member member) {
+  return [member](const ExportedAnswer& row) { return std::invoke(member, row.record->answer); };
+}
+
+/// Where the answer was given. A public folder tells of a person what enough others share.
+Columns<ExportedAnswer> columnsOfAnsweredStep() {
+  return {
+      participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),
+      sessionNumberColumn<ExportedAnswer>(),
+      cohortColumn<ExportedAnswer>().inPublicIfTold(kCohortColumn),
+      runModeColumn<ExportedAnswer>(),
+      stepNumberColumn<ExportedAnswer>(),
+      attemptColumn<ExportedAnswer>(),
+      blockColumn<ExportedAnswer>().inPublic(),
+      positionColumn<ExportedAnswer>().inPublicIfTold(
+          kOrderColumn, "Position of the alternative in its block, from 1"),
+      alternativeColumn<ExportedAnswer>(),
+      conditionCodeColumn<ExportedAnswer>().inPublic(),
+      conditionColumn<ExportedAnswer>().inPublic()};
+}
+
+Columns<ExportedAnswer> columnsOfAnswer() {
+  using namespace holds;
+  using C = Column<ExportedAnswer>;
+  return {
+      C("instrument",
+        Text{},
+        "Questionnaire",
+        [](const ExportedAnswer& row) {
+          return row.record->step.instrument;
+        }).inPublic(),
+      C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic(),
+      {"item_order",
+       Integer{},
+       "Where it stood on its page, from 1",
+       howGiven(&GivenAnswer::itemOrder)},
+      C("item_type", OneOf{ValueList::ItemTypes}, kItemTypeInWords, itemTypeOf).inPublic(),
+      C("key", Integer{}, "1: a high answer is good; -1: a low one is", keyOf).inPublic(),
+      C("response",
+        FreeText{},
+        "As given: a point, a number, the id of an option, a text",
+        &ExportedAnswer::response)
+          .inPublic("A point, a number, the id of an option; of alternatives, the condition code"),
+      C("response_keyed", Integer{}, "Points only: reversed where the key is -1", keyedResponseOf)
+          .inPublic(),
+      C("response_label",
+        FreeText{},
+        "What the response is called in the language it was given in",
+        labelOfResponse)
+          .inPublic("What the response is called, in one language for everybody"),
+      {"first_touch_s",
+       Number{"s"},
+       "From the page's appearance to the first touch of the item",
+       howGiven(&GivenAnswer::firstTouch)},
+      {"response_time_s",
+       Number{"s"},
+       "… to the last change of the answer",
+       howGiven(&GivenAnswer::responseTime)},
+      {"n_changes",
+       Integer{},
+       "How often it was changed after the first touch",
+       howGiven(&GivenAnswer::changes)},
+      {"language",
+       Text{},
+       "Of the question as it is worded here",
+       howGiven(&GivenAnswer::language)},
+      includedColumn<ExportedAnswer>(
+          [](const ExportedAnswer& row) { return row.excluded.empty(); }),
+      {"exclude_reason", Text{}, "Why they do not", &ExportedAnswer::excluded},
+      {"saved_utc", Utc{}, "When it was on the disk, ISO 8601, UTC", [](const ExportedAnswer& row) {
+         return row.record->savedUtc;
+       }}};
+}
+
+}  // namespace
+
+Table<ExportedAnswer> responseTable() {
+  Table<ExportedAnswer> table{
+      .name = "responses",
+      .description = "One row per answer. An item that was not answered has no row: it is missing.",
+      .columns = columnsOfAnsweredStep(),
+      .inPublic = "One row per answer, in no order. An item that was not answered has no row."};
+  for (auto& column : columnsOfAnswer()) table.columns.push_back(std::move(column));
+  return table;
+}
+
+}  // namespace study

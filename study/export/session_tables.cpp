@@ -1,0 +1,79 @@
+// The columns of sessions.csv, and of the files that BIDS has instead.
+#include "study/export/study_columns.h"
+
+namespace study {
+namespace {
+
+/// How a session went: everything but whose it is.
+Columns<ExportedSession> columnsOfSession() {
+  using namespace holds;
+  const auto record = [](auto member) {
+    return [member](const ExportedSession& row) { return std::invoke(member, row.record); };
+  };
+  using Record = storage::SessionRecord;
+  return {
+      cohortColumn<ExportedSession>(),
+      runModeColumn<ExportedSession>(),
+      {"status",
+       OneOf{ValueList::Statuses},
+       "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
+       record(&Record::status)},
+      {"end_reason", FreeText{}, "Why it ended", record(&Record::endReason)},
+      includedColumn<ExportedSession>(
+          [](const ExportedSession& row) { return row.record->status == "completed"; }),
+      {"session_language",
+       Text{},
+       "Of the texts when the session ended",
+       record(&Record::language)},
+      {"place",
+       Integer{},
+       "Place in the design of the cohort, from 1",
+       [](const ExportedSession& row) { return row.record->slot + 1; }},
+      {"started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)},
+      {"ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)},
+      {"protocol_hash",
+       Text{},
+       "SHA-256 of the protocol with its files",
+       record(&Record::protocolHash)},
+      {"app_version",
+       Text{},
+       "Version of palpate that ran the session",
+       record(&Record::appVersion)}};
+}
+
+Table<ExportedSession> tableOfSessions(Columns<ExportedSession> first) {
+  for (auto& column : columnsOfSession()) first.push_back(std::move(column));
+  return {
+      .name = "sessions",
+      .description = "One row per session: who took part, when, and how it ended.",
+      .columns = std::move(first)};
+}
+
+}  // namespace
+
+Table<ExportedSession> sessionTable() {
+  return tableOfSessions(
+      {participantColumn<ExportedSession>(), sessionNumberColumn<ExportedSession>()});
+}
+
+Table<ExportedSession> bidsSessionTable() {
+  return tableOfSessions(
+      {{"session_id", holds::Text{}, "As the name of a folder", [](const ExportedSession& row) {
+          return bidsSession(row.owner);
+        }}});
+}
+
+Table<ExportedSession> bidsParticipantTable() {
+  return {
+      .name = "participants",
+      .description = "One row per person.",
+      .columns = {
+          {"participant_id",
+           holds::Text{},
+           "Pseudonym, as the name of a folder",
+           [](const ExportedSession& row) { return bidsSubject(row.owner); }},
+          cohortColumn<ExportedSession>(),
+          runModeColumn<ExportedSession>()}};
+}
+
+}  // namespace study

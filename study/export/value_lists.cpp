@@ -1,0 +1,69 @@
+#include "study/export/value_lists.h"
+
+#include <algorithm>
+
+#include "questionnaires/model/instrument.h"
+
+namespace study {
+namespace {
+
+std::vector<Level> codedLevels(std::initializer_list<const char*> values) {
+  std::vector<Level> levels;
+  for (const char* value : values) levels.push_back({value, value});
+  return levels;
+}
+
+std::vector<Level> itemTypeLevels() {
+  std::vector<Level> levels;
+  for (const auto& type : questionnaires::kItemTypes) {
+    levels.push_back({std::string(type.name), std::string(type.name)});
+  }
+  return levels;
+}
+
+/// All versions of the study's protocol, the newest first.
+std::vector<const protocols::Protocol*> versionsOf(Study& study) {
+  std::vector<const protocols::Protocol*> versions;
+  for (const auto id : study.protocols().all()) versions.push_back(&study.protocol(id).protocol);
+  std::reverse(versions.begin(), versions.end());
+  return versions;
+}
+
+/// Only where the value is not in the list yet: of several versions the newest says what it means.
+void addLevel(std::vector<Level>& levels, const std::string& value, const std::string& label) {
+  const bool isThere = std::any_of(
+      levels.begin(), levels.end(), [&](const auto& level) { return level.value == value; });
+  if (!isThere) levels.push_back({value, label});
+}
+
+}  // namespace
+
+ValueLists valueListsOf(Study& study, const ExportOptions& options) {
+  ValueLists lists{
+      {ValueList::RunModes, codedLevels({"live", "pilot", "simulated"})},
+      {ValueList::Statuses,
+       codedLevels(
+           {"in_progress", "completed", "declined", "withdrawn", "rejected", "aborted_hardware"})},
+      {ValueList::Verdicts, codedLevels({"PASS", "WARN", "FAIL"})},
+      {ValueList::ItemTypes, itemTypeLevels()}};
+  const auto byCondition = conditionCodes(study);
+  auto& codes = lists[ValueList::ConditionCodes];
+  for (const auto* protocol : versionsOf(study)) {
+    for (const auto& cohort : protocol->cohorts) {
+      addLevel(lists[ValueList::Cohorts], cohort.id, cohort.title.in("en"));
+    }
+    for (const auto& phase : protocol->phases)
+      addLevel(lists[ValueList::Blocks], phase.id, phase.id);
+    for (const auto& condition : protocol->conditions) {
+      const auto& code = byCondition.at(condition.id);
+      addLevel(codes, code, options.isBlinded ? code : condition.title);
+      if (!options.isBlinded) addLevel(lists[ValueList::Conditions], condition.id, condition.title);
+    }
+  }
+  std::sort(codes.begin(), codes.end(), [](const auto& a, const auto& b) {
+    return a.value.size() != b.value.size() ? a.value.size() < b.value.size() : a.value < b.value;
+  });
+  return lists;
+}
+
+}  // namespace study
