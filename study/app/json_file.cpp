@@ -170,8 +170,8 @@ std::string statusAsJson(Study& study) {
          {"participant_id", s.participant},
          {"session_num", s.number},
          {"cohort", s.cohort},
-         {"run_mode", s.runMode},
-         {"status", s.status},
+         {"run_mode", nameOf(s.runMode)},
+         {"status", statusOf(s.state)},
          {"place", s.slot + 1},
          {"started_utc", s.startedUtc},
          {"ended_utc", orNull(s.endedUtc)}});

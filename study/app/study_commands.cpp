@@ -189,9 +189,9 @@ int status(const StudyArguments& options) {
         static_cast<std::int64_t>(s.id),
         s.participant,
         s.cohort,
-        s.runMode,
+        nameOf(s.runMode),
         s.slot + 1,
-        s.status,
+        statusOf(s.state),
         s.startedUtc);
   }
   for (const auto& session : unfinishedSessions(study)) {

@@ -139,6 +139,12 @@ struct WithoutOptional<std::optional<Value>> {
   using Type = Value;
 };
 
+/// An enum whose values have names in files.
+template <typename Value>
+concept Named = std::is_enum_v<Value> && requires(Value value) {
+  { nameOf(value) } -> std::same_as<std::string_view>;
+};
+
 /// Whether @p Value may stand in a column of the type.
 template <ColumnType type, typename Value>
 constexpr bool fits() {
@@ -147,6 +153,7 @@ constexpr bool fits() {
   if constexpr (type == ColumnType::Boolean) return std::same_as<V, bool>;
   if constexpr (type == ColumnType::Integer) return std::integral<V> && !std::same_as<V, bool>;
   if constexpr (type == ColumnType::Number) return std::floating_point<V>;
+  if constexpr (Named<V>) return true;
   return std::convertible_to<V, std::string_view>;
 }
 
@@ -158,6 +165,8 @@ Cell asCell(const Value& value) {
     return static_cast<std::int64_t>(value);
   } else if constexpr (std::floating_point<Value>) {
     return static_cast<double>(value);
+  } else if constexpr (Named<Value>) {
+    return std::string(nameOf(value));
   } else {
     const std::string_view text = value;
     return text.empty() ? Cell() : Cell(std::string(text));

@@ -60,7 +60,7 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
     : study_(study), isBlinded_(options.isBlinded), codes_(conditionCodes(study)) {
   const storage::Records records(study.database());
   for (auto& session : records.sessions()) {
-    const bool isWanted = !options.runMode || session.runMode == nameOf(*options.runMode);
+    const bool isWanted = !options.runMode || session.runMode == *options.runMode;
     if (isWanted) sessions_.emplace(session.id, std::move(session));
   }
   answers_ = records.answers();
@@ -99,10 +99,10 @@ std::vector<ExportedAnswer> StudyRows::answers() const {
     row.item = instrument == nullptr ? nullptr : instrument->item(record.answer.item);
     row.response = responseOf(record.answer.response);
     row.labelLanguage = record.answer.language;
-    if (session->second.status != "completed") {
-      row.excluded = session->second.status;
-    } else if (record.step.visitStatus != "finished") {
-      row.excluded = record.step.visitStatus;
+    if (!session->second.isCompleted()) {
+      row.excluded = statusOf(session->second.state);
+    } else if (!record.step.isFinished()) {
+      row.excluded = nameOf(record.step.visitStatus);
     }
     rows.push_back(std::move(row));
   }

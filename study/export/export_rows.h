@@ -18,7 +18,7 @@ struct RowOwner {
   std::string_view participant;
   int sessionNumber = 1;
   std::string_view cohort;
-  std::string_view runMode;
+  RunMode runMode = RunMode::Live;
 };
 
 /// A row of sessions.csv. Rows point into what StudyRows holds.

@@ -43,13 +43,13 @@ PublicPeople::PublicPeople(Study& study, RunMode mode)
   const storage::Records records(study.database());
   std::set<std::string> seen;
   for (auto& session : records.sessions()) {
-    const bool isTheirs = session.status == "completed" && session.runMode == nameOf(mode);
+    const bool isTheirs = session.isCompleted() && session.runMode == mode;
     if (!isTheirs || !seen.insert(session.participant).second) continue;
     people_.emplace(session.id, sessions_.size());
     sessions_.push_back(std::move(session));
   }
   const auto counts = [&](const storage::StepRecord& step) {
-    return step.visitStatus == "finished" && people_.count(step.visit.session) == 1;
+    return step.isFinished() && people_.count(step.visit.session) == 1;
   };
   for (auto& answer : records.answers()) {
     if (counts(answer.step)) answers_.push_back(std::move(answer));
@@ -85,7 +85,7 @@ QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) con
       .exact = Values(count()),
       .levels = std::vector<Values>(grains, Values(count()))};
   for (const auto& answer : answers_) {
-    const bool isIt = answer.step.kind == "form" && answer.step.phase == question.phase &&
+    const bool isIt = answer.step.kind == StepKind::Form && answer.step.phase == question.phase &&
                       answer.answer.item == question.item->id;
     if (!isIt) continue;
     const std::size_t person = people_.at(answer.step.visit.session);

@@ -130,14 +130,16 @@ class PublicTables {
 
   /// Nothing where the answer stays at home.
   const Item* itemToTell(const storage::AnswerRecord& answer) const {
-    const auto& kind = answer.step.kind;
-    if (kind != "form" && kind != "questionnaire" && kind != "preference") return nullptr;
+    const bool isForm = answer.step.kind == StepKind::Form;
+    const bool isOpinion =
+        answer.step.kind == StepKind::Questionnaire || answer.step.kind == StepKind::Preference;
+    if (!isForm && !isOpinion) return nullptr;
     const auto session = sessionOf(answer);
     const auto* instrument =
         study_.protocol(people_.sessions()[session].protocol).instrument(answer.step.instrument);
     const auto* item = instrument == nullptr ? nullptr : instrument->item(answer.answer.item);
     if (item == nullptr || isWords(*item)) return nullptr;
-    return kind == "form" && isAboutThePerson(*item) ? nullptr : item;
+    return isForm && isAboutThePerson(*item) ? nullptr : item;
   }
 
   std::size_t sessionOf(const storage::AnswerRecord& answer) const {

@@ -17,10 +17,10 @@ Columns<ExportedSession> columnsOfSession() {
       {"status",
        OneOf{ValueList::Statuses},
        "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
-       record(&Record::status)},
+       [](const ExportedSession& row) { return statusOf(row.record->state); }},
       {"end_reason", FreeText{}, "Why it ended", record(&Record::endReason)},
       includedColumn<ExportedSession>(
-          [](const ExportedSession& row) { return row.record->status == "completed"; }),
+          [](const ExportedSession& row) { return row.record->isCompleted(); }),
       {"session_language",
        Text{},
        "Of the texts when the session ended",

@@ -3,13 +3,20 @@
 #include <algorithm>
 
 #include "questionnaires/model/instrument.h"
+#include "study/model/trial_record.h"
 
 namespace study {
 namespace {
 
-std::vector<Level> codedLevels(std::initializer_list<const char*> values) {
+/// Values whose names are their labels.
+template <typename Value>
+std::vector<Level> levelsNamed(
+    std::initializer_list<Value> values, std::string_view (*nameOfValue)(Value) noexcept) {
   std::vector<Level> levels;
-  for (const char* value : values) levels.push_back({value, value});
+  for (const auto value : values) {
+    const std::string name(nameOfValue(value));
+    levels.push_back({name, name});
+  }
   return levels;
 }
 
@@ -40,11 +47,18 @@ void addLevel(std::vector<Level>& levels, const std::string& value, const std::s
 
 ValueLists valueListsOf(Study& study, const ExportOptions& options) {
   ValueLists lists{
-      {ValueList::RunModes, codedLevels({"live", "pilot", "simulated"})},
+      {ValueList::RunModes,
+       levelsNamed({RunMode::Live, RunMode::Pilot, RunMode::Simulated}, nameOf)},
       {ValueList::Statuses,
-       codedLevels(
-           {"in_progress", "completed", "declined", "withdrawn", "rejected", "aborted_hardware"})},
-      {ValueList::Verdicts, codedLevels({"PASS", "WARN", "FAIL"})},
+       levelsNamed(
+           {SessionState::Consented,  // as any that is in progress
+            SessionState::Completed,
+            SessionState::Declined,
+            SessionState::Withdrawn,
+            SessionState::Rejected,
+            SessionState::AbortedHardware},
+           statusOf)},
+      {ValueList::Verdicts, levelsNamed({Verdict::Pass, Verdict::Warn, Verdict::Fail}, nameOf)},
       {ValueList::ItemTypes, itemTypeLevels()}};
   const auto byCondition = conditionCodes(study);
   auto& codes = lists[ValueList::ConditionCodes];

@@ -45,10 +45,7 @@ Table<ExportedVote> voteTable() {
       .name = "votes",
       .description = "One row per vote, cohort and rendering: how many preferred it.",
       .columns =
-          {{"run_mode",
-            OneOf{ValueList::RunModes},
-            kRunModeInWords,
-            [](const Vote& row) { return nameOf(row.mode); }},
+          {{"run_mode", OneOf{ValueList::RunModes}, kRunModeInWords, &Vote::mode},
            {"cohort",
             OneOf{ValueList::Cohorts},
             kCohortInWords,

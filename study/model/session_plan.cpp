@@ -4,8 +4,21 @@
 #include <array>
 #include <utility>
 
+#include "study/model/named_value.h"
+
 namespace study {
 namespace {
+
+constexpr std::array<std::string_view, 9> kStepKinds{
+    "reading",
+    "consent",
+    "form",
+    "benchmark",
+    "trial",
+    "questionnaire",
+    "preference",
+    "break",
+    "interview"};
 
 using protocols::Phase;
 using protocols::PhaseType;
@@ -90,17 +103,11 @@ StepKind stepKind(PhaseType type) {
 }  // namespace
 
 std::string_view nameOf(StepKind kind) noexcept {
-  constexpr std::array<std::string_view, 9> kNames{
-      "reading",
-      "consent",
-      "form",
-      "benchmark",
-      "trial",
-      "questionnaire",
-      "preference",
-      "break",
-      "interview"};
-  return kNames[static_cast<std::size_t>(kind)];
+  return kStepKinds[static_cast<std::size_t>(kind)];
+}
+
+std::optional<StepKind> stepKindNamed(std::string_view name) noexcept {
+  return valueNamed<StepKind>(kStepKinds, name);
 }
 
 std::vector<Step> sessionPlan(

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "protocols/model/loaded_protocol.h"
@@ -21,6 +23,7 @@ enum class StepKind {
 };
 
 std::string_view nameOf(StepKind kind) noexcept;
+std::optional<StepKind> stepKindNamed(std::string_view name) noexcept;
 
 /// One thing that a participant does. A session is a list of them.
 struct Step {

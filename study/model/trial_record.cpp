@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "study/model/messages.h"
+#include "study/model/named_value.h"
 
 namespace study {
 namespace {
@@ -71,12 +72,20 @@ std::string_view nameOf(TrialEnding ending) noexcept {
   return kEndings[static_cast<std::size_t>(ending)];
 }
 
+std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept {
+  return valueNamed<TrialEnding>(kEndings, name);
+}
+
 std::string_view nameOf(SafetyKind kind) noexcept {
   return kSafetyKinds[static_cast<std::size_t>(kind)];
 }
 
 std::string_view nameOf(Verdict verdict) noexcept {
   return kVerdicts[static_cast<std::size_t>(verdict)];
+}
+
+std::optional<Verdict> verdictNamed(std::string_view name) noexcept {
+  return valueNamed<Verdict>(kVerdicts, name);
 }
 
 bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept {

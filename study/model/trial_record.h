@@ -24,6 +24,7 @@ enum class TrialEnding {
 };
 
 std::string_view nameOf(TrialEnding ending) noexcept;
+std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept;
 
 /// What kept a force from the hand, or was wrong with it.
 enum class SafetyKind {
@@ -51,6 +52,7 @@ struct SafetyEvent {
 enum class Verdict { Pass, Warn, Fail };
 
 std::string_view nameOf(Verdict verdict) noexcept;
+std::optional<Verdict> verdictNamed(std::string_view name) noexcept;
 
 /// Whether a loop was late in more ticks than a trial bears without a warning.
 bool isOftenLate(std::int64_t lateTicks, std::int64_t ticks) noexcept;

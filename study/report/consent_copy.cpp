@@ -46,8 +46,8 @@ std::optional<Consent> findConsent(Study& study, const std::string& code) {
   if (!found) return std::nullopt;
   for (const auto& record : records.answers()) {
     const bool isTheirs = record.step.visit.session == found->session.id;
-    const bool isOfTheEnd = record.step.visitStatus == "finished";
-    if (!isTheirs || !isOfTheEnd || record.step.kind != nameOf(StepKind::Consent)) continue;
+    const bool isOfTheEnd = record.step.isFinished();
+    if (!isTheirs || !isOfTheEnd || record.step.kind != StepKind::Consent) continue;
     found->instrument = record.step.instrument;
     found->answers[record.answer.item] = record;
   }

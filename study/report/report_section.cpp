@@ -13,14 +13,14 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::vector<SessionId> wanted;
   for (const auto& session : records.sessions()) {
-    if (session.runMode == nameOf(mode) && session.status == "completed") {
+    if (session.runMode == mode && session.isCompleted()) {
       wanted.push_back(session.id);
     }
   }
   TrialQuality quality;
   for (const auto& trial : records.trials()) {
     const bool counts =
-        trial.step.visitStatus == "finished" &&
+        trial.step.isFinished() &&
         std::find(wanted.begin(), wanted.end(), trial.step.visit.session) != wanted.end();
     if (!counts) continue;
     if (trial.step.isOfferedAgain()) {
@@ -28,9 +28,9 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
       continue;
     }
     ++quality.trials;
-    quality.pass += trial.verdict == "PASS" ? 1 : 0;
-    quality.warn += trial.verdict == "WARN" ? 1 : 0;
-    quality.fail += trial.verdict == "FAIL" ? 1 : 0;
+    quality.pass += trial.verdict == Verdict::Pass ? 1 : 0;
+    quality.warn += trial.verdict == Verdict::Warn ? 1 : 0;
+    quality.fail += trial.verdict == Verdict::Fail ? 1 : 0;
     quality.cuts += trial.cuts;
     quality.saturated += trial.saturated;
     quality.contact += trial.contact;

@@ -79,7 +79,7 @@ analysis::AnswerTable answerTable(
     const auto& step = record->step;
     const auto person = placeOf(table.participants, *participant);
     const auto* point = std::get_if<std::int64_t>(&record->answer.response);
-    if (step.kind != "questionnaire" || !person || point == nullptr) continue;
+    if (step.kind != StepKind::Questionnaire || !person || point == nullptr) continue;
     const auto cell =
         layout.cellOf({step.instrument, step.phase, step.condition, record->answer.item}, *point);
     if (!cell) continue;

@@ -33,7 +33,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   const storage::Records records(study.database());
   std::map<SessionId, std::string> counted;  // and whose they are
   for (const auto& session : records.sessions()) {
-    if (session.runMode == nameOf(mode) && session.status == "completed")
+    if (session.runMode == mode && session.isCompleted())
       counted.emplace(session.id, session.participant);
   }
   const auto& protocol = study.protocol().protocol;
@@ -45,8 +45,8 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     FeltBins bins = none;
     std::map<std::string, FeltBins> byParticipant;
     for (const auto& trial : trials) {
-      const bool counts = trial.step.condition == condition.id &&
-                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain() &&
+      const bool counts = trial.step.condition == condition.id && trial.step.isFinished() &&
+                          !trial.step.isOfferedAgain() &&
                           counted.count(trial.step.visit.session) > 0;
       if (!counts) continue;
       const auto samples = study.traces().read(trial.step.visit);

@@ -98,7 +98,7 @@ Results pooledResults(Study& study, RunMode mode) {
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
   for (const auto& row : study.sessions().all()) {
     for (auto& flow : results.flow) {
-      if (row.runMode == mode && row.cohort == flow.cohort) flow.add(statusOf(row.state));
+      if (row.runMode == mode && row.cohort == flow.cohort) flow.add(row.state);
     }
   }
   const auto points = storage::Records(study.database()).pointCounts(mode);

@@ -30,18 +30,18 @@ class Computation {
         records_(study.database()),
         history_(planHistory(study)) {
     for (auto& session : records_.sessions()) {
-      if (session.runMode == nameOf(mode)) sessions_.emplace(session.id, session);
+      if (session.runMode == mode) sessions_.emplace(session.id, session);
     }
     for (auto& answer : records_.answers()) {
       const auto session = sessions_.find(answer.step.visit.session);
-      const bool counts = session != sessions_.end() && session->second.status == "completed" &&
-                          answer.step.visitStatus == "finished";
+      const bool counts =
+          session != sessions_.end() && session->second.isCompleted() && answer.step.isFinished();
       if (counts) answers_.push_back(std::move(answer));
     }
     for (auto& trial : records_.trials()) {
       const auto session = sessions_.find(trial.step.visit.session);
-      const bool counts = session != sessions_.end() && session->second.status == "completed" &&
-                          trial.step.visitStatus == "finished" && !trial.step.isOfferedAgain();
+      const bool counts = session != sessions_.end() && session->second.isCompleted() &&
+                          trial.step.isFinished() && !trial.step.isOfferedAgain();
       if (counts) trials_.push_back(std::move(trial));
     }
     allocation_ = records_.allocation();
@@ -68,7 +68,7 @@ class Computation {
     CohortFlow flow{.cohort = cohort};
     for (const auto& [id, session] : sessions_) {
       if (session.cohort != cohort) continue;
-      flow.add(session.status);
+      flow.add(session.state);
     }
     return flow;
   }
@@ -133,7 +133,7 @@ class Computation {
   analysis::AnswerTable tableOf(const protocols::Family& family, const std::string& cohort) const {
     std::vector<std::string> people;
     for (const auto& [id, session] : sessions_) {
-      const bool counts = session.cohort == cohort && session.status == "completed";
+      const bool counts = session.cohort == cohort && session.isCompleted();
       if (counts && std::find(people.begin(), people.end(), session.participant) == people.end()) {
         people.push_back(session.participant);
       }
@@ -213,7 +213,8 @@ class Computation {
 
   bool isOf(const protocols::Family& family, const AnswerRecord& answer) const {
     const auto& blocks = family.blocks;
-    return answer.step.kind == "questionnaire" && answer.step.instrument == family.instrument &&
+    return answer.step.kind == StepKind::Questionnaire &&
+           answer.step.instrument == family.instrument &&
            (blocks.empty() ||
             std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
   }
@@ -266,14 +267,27 @@ class Computation {
 
 }  // namespace
 
-void CohortFlow::add(std::string_view status) {
+void CohortFlow::add(SessionState state) {
   ++enrolled;
-  if (status == "completed") ++completed;
-  if (status == "in_progress") ++inProgress;
-  if (status == "declined") ++declined;
-  if (status == "withdrawn") ++withdrawn;
-  if (status == "rejected") ++rejected;
-  if (status == "aborted_hardware") ++abortedHardware;
+  switch (state) {
+    case SessionState::Completed:
+      ++completed;
+      return;
+    case SessionState::Declined:
+      ++declined;
+      return;
+    case SessionState::Withdrawn:
+      ++withdrawn;
+      return;
+    case SessionState::Rejected:
+      ++rejected;
+      return;
+    case SessionState::AbortedHardware:
+      ++abortedHardware;
+      return;
+    default:
+      ++inProgress;
+  }
 }
 
 int Results::completed() const {

@@ -33,8 +33,8 @@ struct CohortFlow {
   int rejected = 0;
   int abortedHardware = 0;
 
-  /// One more session. @param status  as in storage::SessionRecord
-  void add(std::string_view status);
+  /// One more session.
+  void add(SessionState state);
 };
 
 /// The keyed answers of one cohort to a family's instrument, condition by condition, and the

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "study/model/session_plan.h"
-#include "study/model/session_state.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
 #include "study/storage/statement.h"
@@ -35,13 +33,13 @@ std::vector<base::Message> reasonsIn(const std::string& text) {
 StepRecord stepIn(const Statement& row) {
   return {
       .visit = visitIn(row),
-      .kind = row.text(3),
+      .kind = known(stepKindNamed(row.text(3)), row.text(3)),
       .phase = row.text(4),
       .instrument = row.text(5),
       .position = static_cast<int>(row.number(6)),
       .label = static_cast<int>(row.number(7)),
       .condition = row.text(8),
-      .visitStatus = row.text(9)};
+      .visitStatus = known(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
 }  // namespace
@@ -55,14 +53,13 @@ std::vector<SessionRecord> Records::sessions() const {
       "JOIN protocol AS r ON r.id = s.protocol_id ORDER BY s.id");
   std::vector<SessionRecord> sessions;
   while (select.step()) {
-    const auto state = sessionStateNamed(select.text(5));
     sessions.push_back(
         {.id = SessionId{select.number(0)},
          .participant = select.text(1),
          .number = static_cast<int>(select.number(2)),
          .cohort = select.text(3),
-         .runMode = select.text(4),
-         .status = std::string(state ? statusOf(*state) : "unknown"),
+         .runMode = known(runModeNamed(select.text(4)), select.text(4)),
+         .state = known(sessionStateNamed(select.text(5)), select.text(5)),
          .endReason = select.text(6),
          .language = select.text(7),
          .protocol = ProtocolId{select.number(8)},
@@ -169,10 +166,9 @@ std::vector<TrialRow> Records::trials() const {
     trials.push_back(
         {.step = stepIn(select),
          .device = select.text(k),
-         .ending = select.text(k + 1),
-         .verdict = select.text(k + 2),
-
          .travelUnit = select.text(k + 4),
+         .ending = known(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
+         .verdict = known(verdictNamed(select.text(k + 2)), select.text(k + 2)),
          .reasons = reasonsIn(select.text(k + 3)),
          .duration = select.real(k + 5),
          .ticks = select.number(k + 6),

@@ -9,7 +9,11 @@
 #include "study/model/given_answer.h"
 #include "study/model/ids.h"
 #include "study/model/run_mode.h"
+#include "study/model/session_plan.h"
+#include "study/model/session_state.h"
+#include "study/model/trial_record.h"
 #include "study/storage/database.h"
+#include "study/storage/session_repository.h"
 
 namespace study::storage {
 
@@ -19,8 +23,8 @@ struct SessionRecord {
   std::string participant;
   int number = 1;
   std::string cohort;
-  std::string runMode;
-  std::string status;  ///< in_progress, completed, declined, withdrawn, rejected, aborted_hardware
+  RunMode runMode = RunMode::Live;
+  SessionState state = SessionState::Enrolled;
   std::string endReason;
   std::string language;
   ProtocolId protocol{};
@@ -29,22 +33,27 @@ struct SessionRecord {
   std::string appVersion;
   std::string startedUtc;
   std::optional<std::string> endedUtc;
+
+  bool isCompleted() const noexcept { return state == SessionState::Completed; }
 };
 
 /// Where something was asked or felt.
 struct StepRecord {
   VisitKey visit;
-  std::string kind;
+  StepKind kind = StepKind::Reading;
   std::string phase;
   std::string instrument;
   int position = 0;
   int label = 0;
-  std::string condition;    ///< empty where nothing was felt
-  std::string visitStatus;  ///< open, finished, skipped, repeated, broken_off
+  std::string condition;  ///< empty where nothing was felt
+  VisitStatus visitStatus = VisitStatus::Open;
+
+  /// Nothing that was given up or done again counts.
+  bool isFinished() const noexcept { return visitStatus == VisitStatus::Finished; }
 
   /// A trial before a preference, felt by whoever wanted to: it has no place in the order, and
   /// nothing is computed from it.
-  bool isOfferedAgain() const { return kind == "trial" && position == 0; }
+  bool isOfferedAgain() const { return kind == StepKind::Trial && position == 0; }
 };
 
 struct AnswerRecord {
@@ -76,7 +85,9 @@ struct CutRecord {
 
 struct TrialRow {
   StepRecord step;
-  std::string device, ending, verdict, travelUnit;
+  std::string device, travelUnit;
+  TrialEnding ending = TrialEnding::Finished;
+  Verdict verdict = Verdict::Pass;
   std::vector<base::Message> reasons;  ///< why the verdict is not PASS
   double duration = 0.0;
   std::int64_t ticks = 0;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "study/model/named_value.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -17,16 +18,6 @@ constexpr const char* kSelect =
     "SELECT s.id, p.code, s.number, s.protocol_id, s.run_mode, s.cohort, s.language, s.slot, "
     "s.slot_state, s.state, s.step, s.attempt, s.started_utc, s.ended_utc, s.end_reason "
     "FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
-
-template <std::size_t kCount>
-std::size_t indexIn(const std::array<std::string_view, kCount>& names, const std::string& name) {
-  for (std::size_t i = 0; i < kCount; ++i) {
-    if (names[i] == name) return i;
-  }
-  throw StorageError(
-      "The study holds '" + name + "', which this program does not know. Is it damaged?",
-      StorageError::Kind::Damaged);
-}
 
 SessionRow sessionIn(const Statement& row) {
   const auto mode = runModeNamed(row.text(4));
@@ -45,7 +36,7 @@ SessionRow sessionIn(const Statement& row) {
       .cohort = row.text(5),
       .language = row.text(6),
       .slot = row.number(7),
-      .slotState = static_cast<SlotState>(indexIn(kSlotStates, row.text(8))),
+      .slotState = known(valueNamed<SlotState>(kSlotStates, row.text(8)), row.text(8)),
       .state = *state,
       .step = static_cast<int>(row.number(10)),
       .attempt = static_cast<int>(row.number(11)),
@@ -62,6 +53,10 @@ std::string_view nameOf(SlotState state) noexcept {
 
 std::string_view nameOf(VisitStatus status) noexcept {
   return kVisitStatuses[static_cast<std::size_t>(status)];
+}
+
+std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept {
+  return valueNamed<VisitStatus>(kVisitStatuses, name);
 }
 
 std::int64_t SessionRepository::freeSlot(
@@ -243,7 +238,7 @@ VisitStatus SessionRepository::statusOf(const VisitKey& visit) const {
   Statement select(
       database_, "SELECT status FROM visit WHERE session_id = ? AND step = ? AND attempt = ?");
   select.bind(1, visit);
-  return select.step() ? static_cast<VisitStatus>(indexIn(kVisitStatuses, select.text(0)))
+  return select.step() ? known(visitStatusNamed(select.text(0)), select.text(0))
                        : VisitStatus::Open;
 }
 

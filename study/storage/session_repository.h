@@ -88,5 +88,16 @@ class SessionRepository {
 
 std::string_view nameOf(SlotState state) noexcept;
 std::string_view nameOf(VisitStatus status) noexcept;
+std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept;
+
+/// What a stored name stands for, which @p value holds. @throws StorageError  (Damaged) where it is
+/// nothing that this program knows.
+template <typename Value>
+Value known(const std::optional<Value>& value, const std::string& name) {
+  if (value) return *value;
+  throw StorageError(
+      "The study holds '" + name + "', which this program does not know. Is it damaged?",
+      StorageError::Kind::Damaged);
+}
 
 }  // namespace study::storage

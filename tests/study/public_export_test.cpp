@@ -152,7 +152,7 @@ TEST_F(PublicExportTest, TellsEveryOpinionAsItWasGiven) {
   const auto codes = conditionCodes(*study_);
   for (const auto& answer : storage::Records(study_->database()).answers()) {
     const auto* point = std::get_if<std::int64_t>(&answer.answer.response);
-    if (point == nullptr || answer.step.kind == "benchmark") continue;
+    if (point == nullptr || answer.step.kind == StepKind::Benchmark) continue;
     const auto code = codes.find(answer.step.condition);
     ++given
         [(code == codes.end() ? "" : code->second) + " " + answer.answer.item + " " +

@@ -61,8 +61,8 @@ TEST_F(ResumeTest, CountsATrialUnderWayAsBrokenOff) {
   EXPECT_EQ(resumed.visit(), visit);
   const auto trials = storage::Records(study_->database()).trials();
   ASSERT_EQ(trials.size(), 1U);
-  EXPECT_EQ(trials[0].ending, "program_ended");
-  EXPECT_EQ(trials[0].verdict, "FAIL");
+  EXPECT_EQ(trials[0].ending, TrialEnding::ProgramEnded);
+  EXPECT_EQ(trials[0].verdict, Verdict::Fail);
   EXPECT_EQ(trials[0].traceSamples, 2000);
   EXPECT_TRUE(verify(*study_).isSound());
   resumed.repeatStep("the program had ended");

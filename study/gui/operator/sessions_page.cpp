@@ -26,8 +26,8 @@ QString localTime(const std::string& utc) {
 }
 
 /// A status as text: "in progress", "aborted hardware".
-QString statusInWords(const std::string& status) {
-  return QString::fromStdString(status).replace(u'_', u' ');
+QString statusInWords(SessionState state) {
+  return asText(statusOf(state)).replace(u'_', u' ');
 }
 
 QLabel* sectionHeading(const QString& words, QWidget* parent) {
@@ -150,10 +150,10 @@ void SessionsPage::fillTable(
     const std::array<QString, kSessionColumns> cells{
         QString::fromStdString(s.participant),
         cohortTitle(protocol, s.cohort),
-        QString::fromStdString(s.runMode),
+        asText(nameOf(s.runMode)),
         nativeName(QString::fromStdString(s.language)),
         localTime(s.startedUtc),
-        statusInWords(s.status)};
+        statusInWords(s.state)};
     for (int column = 0; column < kSessionColumns; ++column) {
       auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       cell->setData(Qt::UserRole, static_cast<qlonglong>(s.id));
@@ -170,7 +170,7 @@ void SessionsPage::fillCohorts(
   QStringList lines;
   for (const auto& cohort : protocol.cohorts) {
     const auto done = std::count_if(sessions.begin(), sessions.end(), [&](const auto& s) {
-      return s.cohort == cohort.id && s.runMode == nameOf(RunMode::Live) && s.status == "completed";
+      return s.cohort == cohort.id && s.runMode == RunMode::Live && s.isCompleted();
     });
     const QString title = cohortTitle(protocol, cohort.id);
     lines

@@ -38,16 +38,16 @@ TEST_F(TerminalSessionTest, TakesYesAndNoInItsLanguages) {
   for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
     const auto finished = run("y\\n" + yes + "\\n\\n\\n");
     EXPECT_EQ(consented(), "yes") << yes << "\n" << finished.out;
-    EXPECT_EQ(last().status, "in_progress") << yes;
+    EXPECT_FALSE(isOver(last().state)) << yes;
     auto session = Session::resume(*study_, last().id);
     session.withdraw("a test");
   }
   for (const std::string no : {"no", "Nein", "nei", "n"}) {
     run("y\\n" + no + "\\n\\n\\n");
-    EXPECT_EQ(last().status, "declined") << no;
+    EXPECT_EQ(last().state, SessionState::Declined) << no;
   }
   run("y\\nperhaps\\n");
-  EXPECT_EQ(last().status, "in_progress") << "neither yes nor no";
+  EXPECT_FALSE(isOver(last().state)) << "neither yes nor no";
 }
 
 TEST_F(TerminalSessionTest, AsksBeforeSomebodyReadsWhatIsStillToBeFilledIn) {
@@ -61,9 +61,9 @@ TEST_F(TerminalSessionTest, AsksBeforeSomebodyReadsWhatIsStillToBeFilledIn) {
 
 TEST_F(TerminalSessionTest, IsForWhatTheRunModeSays) {
   run("", "--run-mode pilot");
-  EXPECT_EQ(last().runMode, "pilot");
+  EXPECT_EQ(last().runMode, RunMode::Pilot);
   run("y\\n", "--cohort students");
-  EXPECT_EQ(last().runMode, "live");
+  EXPECT_EQ(last().runMode, RunMode::Live);
   EXPECT_EQ(run("", "--run-mode simulated").status, 2);
   EXPECT_EQ(run("", "--pilot --run-mode live").status, 2);
   EXPECT_EQ(storage::Records(study_->database()).sessions().size(), 2U);

@@ -64,7 +64,7 @@ TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
   EXPECT_EQ(session.stepIndex(), firstTrial(session));
   EXPECT_EQ(session.state(), SessionState::Interrupted);
   EXPECT_EQ(storage::Records(study.database()).answers().size(), answered);
-  EXPECT_EQ(storage::Records(study.database()).trials().front().ending, "program_ended");
+  EXPECT_EQ(storage::Records(study.database()).trials().front().ending, TrialEnding::ProgramEnded);
 
   window.controller()->repeatStep(QStringLiteral("the power failed"));
   tests::Participant participant(window);

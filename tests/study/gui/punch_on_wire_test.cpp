@@ -98,7 +98,7 @@ TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
   punch_.order("unplug");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.isTrialRunning(); }, 5000));
   EXPECT_EQ(controller.session().state(), SessionState::Interrupted);
-  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "aborted_hardware");
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, TrialEnding::DeviceGone);
 
   punch_.order("plug");
   QTest::qWait(100);
@@ -107,7 +107,7 @@ TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
       [&] { return felt([&](const auto& status) { return status.cuts >= cuts; }); }, 120'000));
   controller.finishTrial();
   EXPECT_EQ(window.controller()->session().stepIndex(), trial + 1);
-  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "finished");
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, TrialEnding::Finished);
 }
 
 /// What the dialog of findings says, row by row; it is closed then.

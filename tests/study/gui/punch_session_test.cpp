@@ -92,7 +92,7 @@ TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
   QTest::mouseClick(window_.findChild<ControlPanel*>()->stopButton(), Qt::LeftButton);
   EXPECT_FALSE(window_.controller()->isTrialRunning());
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
-  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "stopped");
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, TrialEnding::Stopped);
 }
 
 TEST_F(PunchSession, StopsOnEscapeInTheParticipantsWindowToo) {
@@ -108,7 +108,7 @@ TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
   participant_.cut(1);
   dynamic_cast<SimulatedDeviceSet&>(window_.deviceSet()).unplug("punch");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window_.controller()->isTrialRunning(); }, 2000));
-  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, "aborted_hardware");
+  EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, TrialEnding::DeviceGone);
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 
   dynamic_cast<SimulatedDeviceSet&>(window_.deviceSet()).plugIn("punch");

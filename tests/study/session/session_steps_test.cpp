@@ -234,10 +234,10 @@ TEST_F(SessionStepsTest, LetsAParticipantLeaveInTheMiddleOfATrial) {
   EXPECT_EQ(session_.state(), SessionState::Withdrawn);
   const auto trials = storage::Records(study_->database()).trials();
   ASSERT_EQ(trials.size(), 1U);
-  EXPECT_EQ(trials[0].ending, "stopped");
-  EXPECT_EQ(trials[0].verdict, "FAIL");
+  EXPECT_EQ(trials[0].ending, TrialEnding::Stopped);
+  EXPECT_EQ(trials[0].verdict, Verdict::Fail);
   EXPECT_EQ(trials[0].traceSamples, 1000);
-  EXPECT_EQ(trials[0].step.visitStatus, "broken_off");
+  EXPECT_EQ(trials[0].step.visitStatus, storage::VisitStatus::BrokenOff);
   EXPECT_TRUE(isSound());  // the trace has its trial
 }
 
@@ -248,7 +248,7 @@ TEST_F(SessionStepsTest, RemembersWhyATrialBrokeOffWhenItsParticipantLeaves) {
   session_.withdraw("enough");
   const auto session = storage::Records(study_->database()).sessions().front();
   EXPECT_EQ(session.endReason, "enough");
-  EXPECT_EQ(storage::Records(study_->database()).trials().front().ending, "aborted_hardware");
+  EXPECT_EQ(storage::Records(study_->database()).trials().front().ending, TrialEnding::DeviceGone);
 }
 
 TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {

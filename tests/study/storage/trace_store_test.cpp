@@ -171,8 +171,10 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   session_.finishTrial(runOffline(again, 3, 60.0));
   const auto trials = Records(study_->database()).trials();
   ASSERT_EQ(trials.size(), 3U);
-  EXPECT_EQ(trials[1].ending + " " + trials[1].verdict, "aborted_hardware FAIL");
-  EXPECT_EQ(trials[2].ending + " " + trials[2].verdict, "finished PASS");
+  EXPECT_EQ(trials[1].ending, TrialEnding::DeviceGone);
+  EXPECT_EQ(trials[1].verdict, Verdict::Fail);
+  EXPECT_EQ(trials[2].ending, TrialEnding::Finished);
+  EXPECT_EQ(trials[2].verdict, Verdict::Pass);
   EXPECT_EQ(trials[2].step.visit, (VisitKey{first.session, first.step, 2}));
   EXPECT_TRUE(verify(*study_).isSound());
 }
