@@ -1,110 +1,9 @@
 #include "study/report/html_report.h"
 
-#include "study/report/family_section.h"
 #include "study/report/html_text.h"
-#include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 
 namespace study::report {
-namespace {
-
-/// Writes one study.
-class StudyWriter : HtmlWriter {
- public:
-  using HtmlWriter::HtmlWriter;
-
-  std::string all() {
-    head();
-    flow();
-    for (std::size_t i = 0; i < s_.results.families.size(); ++i) {
-      const bool isPainted = i < s_.figures.families.size();
-      html_ += familyAsHtml(
-          s_, s_.results.families[i], isPainted ? s_.figures.families[i] : FamilyFigures{});
-    }
-    html_ += preferencesAsHtml(s_);
-    html_ += instrumentsAsHtml(s_);
-    html_ += renderingAsHtml(s_);
-    warnings();
-    html_ += methodsAsHtml(s_);
-    return std::move(html_);
-  }
-
- private:
-  void head() {
-    put("<h2>{}</h2>", escaped(s_.protocol.study.title));
-    if (s_.results.runMode == RunMode::Simulated) {
-      put("<p class=\"banner\">{}</p>",
-          say("Simulated: nobody took part. These numbers show what the program does; they say "
-              "nothing about any method."));
-    }
-    if (s_.results.runMode == RunMode::Pilot) {
-      put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
-    }
-    synthetic();
-    if (!s_.protocol.study.description.empty())
-      put("<p>{}</p>", escaped(s_.protocol.study.description));
-  }
-
-  void synthetic() {
-    std::string titles;
-    for (const auto& source : s_.sources) {
-      if (source.isSynthetic) titles += (titles.empty() ? "" : "; ") + s_.words(source.title);
-    }
-    if (titles.empty()) return;
-    put("<p class=\"banner\">{}</p>",
-        say("SYNTHETIC: nobody recorded or measured what these alternatives were made from: {}. "
-            "Which ones they are stands below, in “How this was made”.",
-            titles));
-  }
-
-  void flow() {
-    heading("Participants");
-    table(
-        say("Who took part"),
-        {say("Cohort"),
-         say("Enrolled"),
-         say("Completed"),
-         say("In progress"),
-         say("Declined"),
-         say("Withdrawn"),
-         say("Rejected"),
-         say("Device failed")});
-    for (const auto& f : s_.results.flow) {
-      std::vector<std::string> cells{cohort(f.cohort)};
-      for (const int count :
-           {f.enrolled,
-            f.completed,
-            f.inProgress,
-            f.declined,
-            f.withdrawn,
-            f.rejected,
-            f.abortedHardware}) {
-        cells.push_back(std::to_string(count));
-      }
-      row(cells);
-    }
-    endTable();
-    note(
-        "Only completed sessions count below, and of these only steps that were finished and not "
-        "repeated. Why somebody left is not told here: a few people are easily known. The export’s "
-        "table of sessions has it.");
-  }
-
-  void warnings() {
-    if (s_.warnings.empty()) return;
-    heading("What to know about the design");
-    put("<ul>");
-    for (const auto& warning : s_.warnings) {
-      put("<li>{}{} <span class=\"note\">({})</span></li>",
-          escaped(s_.words(warning.what)),
-          warning.fix.empty() ? "." : "; " + escaped(s_.words(warning.fix)) + ".",
-          escaped(warning.path));
-    }
-    put("</ul>");
-  }
-};
-
-}  // namespace
 
 std::string asHtml(const std::vector<ReportSection>& sections) {
   const bool isOne = sections.size() == 1;
@@ -113,7 +12,9 @@ std::string asHtml(const std::vector<ReportSection>& sections) {
       isOne ? sections.front().protocol.study.title : words("Face-validity studies");
   std::string body =
       "<h1>" + escaped(isOne ? words("Results of a face-validity study") : title) + "</h1>\n";
-  for (const auto& section : sections) body += StudyWriter(section).all();
+  for (const auto& section : sections) {
+    for (const auto part : kStudyParts) body += part(section);
+  }
   return htmlPage(title, body, words.language());
 }
 
