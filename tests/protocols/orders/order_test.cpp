@@ -214,7 +214,7 @@ std::vector<Row> first(int participants, OrderType type, int k) {
 /// The values come from what the headers say about version 1, written out in another language
 /// (Python 3), and were there before our program was asked.
 TEST(Orders, AreThoseThatTheirDescriptionGives) {
-  ASSERT_EQ(kRandomVersion, 1);
+  ASSERT_EQ(base::kRandomVersion, 1);
   EXPECT_EQ(
       first(8, OrderType::BalancedLatinSquare, 4),
       (std::vector<Row>{
