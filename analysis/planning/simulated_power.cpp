@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 
 #include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
 namespace {
@@ -67,7 +67,7 @@ double rankP(const std::vector<int>& differences) {
   double variance = 0.0;  // of the doubled sum: Σ r² / 4, with ties as they are
   for (const int rank : doubled) variance += 0.25 * rank * rank;
   const double z = std::max(0.0, 0.5 * total - least - 1.0) / std::sqrt(variance);
-  return 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z));
+  return normalTwoSidedP(z);
 }
 
 /// One simulated study and the limits that its tests are held against.
