@@ -1,4 +1,4 @@
-// The program is killed while somebody cuts; another one goes on.
+// The program is killed during a cut, and a new program resumes the session.
 #include <csignal>
 #include <cstdlib>
 
@@ -24,8 +24,8 @@ int firstTrial(const Session& session) {
   return trial;
 }
 
-/// Runs in a process of its own, which the test below begins: it does not come to an end.
-TEST(KilledSession, DISABLED_IsUnderWayAndKilled) {
+/// Run by the test below in a child process, which it kills.
+TEST(KilledSession, DISABLED_IsKilledDuringATrial) {
   SystemClock clock;
   auto study = Study::open(std::getenv(kFolder), clock);
   OperatorWindow window(study);
@@ -38,7 +38,7 @@ TEST(KilledSession, DISABLED_IsUnderWayAndKilled) {
   raise(SIGKILL);
 }
 
-TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
+TEST(KilledSession, ResumesAtTheInterruptedTrial) {
   tests::ScratchFolder folder;
   const std::string place = folder / "study";
   SystemClock clock;
@@ -48,7 +48,7 @@ TEST(KilledSession, GoesOnInTheTrialThatWasUnderWay) {
   const auto killed = tests::run(
       {tests::thisProgram(),
        "--gtest_also_run_disabled_tests",
-       "--gtest_filter=KilledSession.DISABLED_IsUnderWayAndKilled"},
+       "--gtest_filter=KilledSession.DISABLED_IsKilledDuringATrial"},
       {std::string(kFolder) + "=" + place});
   ASSERT_EQ(killed.status, -SIGKILL) << killed.out;
 

@@ -1,5 +1,5 @@
-// Nobody in front of a screen learns what an alternative is: whatever ran, the same words are to be
-// seen and heard, and none of them is a condition's.
+// Checks that no window reveals the condition of an alternative. The texts of a session must be the
+// same whichever conditions are assigned to the labels, and no text may name a condition.
 #include <set>
 #include <string>
 
@@ -20,7 +20,7 @@
 namespace study::gui {
 namespace leak_search_test {
 
-/// What was logged while it lives.
+/// Collects all log messages during its lifetime.
 class Log {
  public:
   Log() { before_ = qInstallMessageHandler(&Log::take); }
@@ -39,15 +39,15 @@ class Log {
   QtMessageHandler before_ = nullptr;
 };
 
-/// All that two people could come upon in a whole session.
+/// All texts in both windows during a whole session.
 struct Sitting {
   std::set<QString> byParticipant;
   std::set<QString> byOperator;
   SessionState state = SessionState::Enrolled;
 };
 
-/// Measured numbers differ from run to run; words must not, but for those that stand there only
-/// when somebody looks in the middle of a cut, or when a picture has been drawn by then.
+/// Removes numbers, which differ from run to run, and texts whose presence depends on timing: those
+/// shown during a cut only, and those that appear after the first picture.
 std::set<QString> withoutNumbers(const std::set<QString>& words) {
   static const QRegularExpression number(QStringLiteral("-?\\d+([.,]\\d+)?(e[+-]?\\d+)?|—"));
   static const QRegularExpression passing(
@@ -61,7 +61,7 @@ std::set<QString> withoutNumbers(const std::set<QString>& words) {
 
 class LeakSearch : public testing::TestWithParam<std::string> {
  protected:
-  /// The shipped protocol; every condition renders what the one @p shift places on did.
+  /// The shipped protocol with the scenes of its conditions rotated by @p shift places.
   nlohmann::ordered_json permuted(std::size_t shift) const {
     questionnaires::Problems problems;
     const auto shipped = protocols::loadProtocolFile(GetParam(), problems);
@@ -100,7 +100,7 @@ class LeakSearch : public testing::TestWithParam<std::string> {
         storage::Records(study.database()).sessions().front().state};
   }
 
-  /// What must not be seen: what conditions are called, and what renders them.
+  /// The names of the conditions and of their models, which must not be visible.
   std::set<std::string> secrets() const {
     std::set<std::string> secrets;
     const auto json = permuted(0);
@@ -128,7 +128,7 @@ class LeakSearch : public testing::TestWithParam<std::string> {
   tests::ScratchFolder folder_;
 };
 
-TEST_P(LeakSearch, FindsTheSameWordsWhateverTheAlternativesAre) {
+TEST_P(LeakSearch, FindsTheSameTextsForPermutedConditions) {
   QApplication::clipboard()->clear();
   Log::lines().clear();
   const Log log;
@@ -136,7 +136,7 @@ TEST_P(LeakSearch, FindsTheSameWordsWhateverTheAlternativesAre) {
   const auto permuted = felt(1);
   ASSERT_EQ(asItShips.state, SessionState::Completed);
   ASSERT_EQ(permuted.state, SessionState::Completed);
-  ASSERT_GT(asItShips.byParticipant.size(), 60U) << "it has really looked";
+  ASSERT_GT(asItShips.byParticipant.size(), 60U) << "the search read the windows";
   ASSERT_GT(asItShips.byOperator.size(), 60U);
 
   EXPECT_EQ(withoutNumbers(asItShips.byParticipant), withoutNumbers(permuted.byParticipant));

@@ -1,4 +1,4 @@
-// What the operator sees of a trial while it runs: plot, health of the clock, cuts.
+// The operator's displays of a running trial: plot, timing and cuts.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,11 +31,11 @@ TickSample sampleAt(std::uint64_t tick, double travel, double force) {
   return sample;
 }
 
-TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
+TEST(LivePlot, KeepsEveryPeakOfTheLastTenSeconds) {
   LivePlot plot;
   plot.begin(haptics::devices::punchKind(), 1000.0);
   for (std::uint64_t tick = 0; tick < 25'000; ++tick) {
-    // One tick in the middle of the last ten seconds stands out of all others.
+    // One tick within the last ten seconds has a larger force than all others.
     plot.add(
         sampleAt(tick, 0.0, tick == 20'003 ? 7.5 : std::sin(0.01 * static_cast<double>(tick))));
   }
@@ -56,7 +56,7 @@ TEST(LivePlot, LosesNoPeakAndKeepsTenSeconds) {
   EXPECT_GT(force.size(), most / 3);
 }
 
-TEST(LivePlot, DrawsTimeForwardsOnly) {
+TEST(LivePlot, DrawsPointsInOrderOfTime) {
   LivePlot plot;
   plot.begin(haptics::devices::punchKind(), 8000.0);
   for (std::uint64_t tick = 0; tick < 40'000; ++tick) {
@@ -83,7 +83,7 @@ TEST(ServoHealth, CountsLatenessInTheRightBars) {
   EXPECT_EQ(health.largestLateness(), 1001.0);
 }
 
-TEST(ServoHealth, TellsWhatTheLimiterAndTheDeviceDid) {
+TEST(ServoHealth, CountsLimitedAndInvalidTicksAndTracksEnergy) {
   ServoHealth health;
   for (int i = 0; i < 10; ++i) {
     auto sample = sampleAt(0, 0.0, 0.0);
@@ -98,7 +98,7 @@ TEST(ServoHealth, TellsWhatTheLimiterAndTheDeviceDid) {
   EXPECT_EQ(health.leastEnergy(), -0.5);
 }
 
-TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
+TEST(ServoPanel, ShowsNoNumbersBeforeATrial) {
   ServoPanel panel;
   auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
   EXPECT_EQ(words->text(), QStringLiteral("Nothing is felt just now."));
@@ -113,7 +113,8 @@ TEST(ServoPanel, SaysThatNothingIsFeltUntilSomethingIs) {
   panel.begin(haptics::devices::punchKind(), 1000.0);
   panel.add(sample);
   panel.refresh();
-  EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units"))) << "a handle has no metres";
+  EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units")))
+      << "the travel of a handle has no unit";
 }
 
 TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
@@ -125,10 +126,10 @@ TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
   EXPECT_FALSE(plot.channel(1).empty());
 }
 
-TEST(CutTable, FillsARowWithEachCutAsItHappens) {
+TEST(CutTable, FillsARowForEachCut) {
   CutTable table;
   table.begin(haptics::devices::punchKind(), 1000.0);
-  // Three strokes over tissue that is felt from 4 on and gives way at 8.
+  // Three strokes through tissue that is touched at 4 and cut at 8.
   for (std::uint64_t tick = 0; tick < 3000; ++tick) {
     const double phase = 2.0 * std::numbers::pi * static_cast<double>(tick) / 1000.0;
     const double travel = 5.5 - 5.5 * std::cos(phase);
@@ -149,7 +150,7 @@ TEST(CutTable, FillsARowWithEachCutAsItHappens) {
   EXPECT_EQ(table.rowCount(), 0);
 }
 
-TEST(CutTable, IsCalledAsTheDevicesStrokesAre) {
+TEST(CutTable, IsNamedAfterTheDevicesStrokes) {
   CutTable table;
   table.begin(haptics::devices::punchKind(), 1000.0);
   EXPECT_EQ(table.accessibleName(), QStringLiteral("Cuts of this trial"));
@@ -157,7 +158,7 @@ TEST(CutTable, IsCalledAsTheDevicesStrokesAre) {
   EXPECT_EQ(table.accessibleName(), QStringLiteral("Strokes of this trial"));
 }
 
-TEST(TrialPage, CountsInTheWordsOfEveryDevice) {
+TEST(TrialPage, CountsStrokesInEachDevicesWords) {
   for (const auto* kind : haptics::deviceKinds()) {
     for (const std::string language : {"en", "de", "nb"}) {
       const TrialPage page(

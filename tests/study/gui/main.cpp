@@ -13,7 +13,7 @@
 
 namespace {
 
-/// The offscreen platform says this of every window; the rest is worth reading.
+/// Drops a message that the offscreen platform prints for each window, and prints all others.
 void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
   const bool isOfThePlatform = words.contains(QLatin1String("propagateSizeHints")) ||
                                words.contains(QLatin1String("does not support raise"));
@@ -25,11 +25,11 @@ void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QStrin
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Windows are tested without a display; tests are also listed at build time.
+  // Windows are tested without a display, also when the tests are listed at build time.
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
   qInstallMessageHandler(say);
   QApplication application(argc, argv);
-  const QTemporaryDir settings;  // what somebody has chosen on this computer is nobody's test
+  const QTemporaryDir settings;  // tests must not depend on the user's settings
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
   study::gui::applyTheme(application);
   testing::InitGoogleTest(&argc, argv);

@@ -1,4 +1,4 @@
-// Whether the operator sees everything on the smallest screens that laboratories have.
+// Whether the operator's window fits the smallest screens in laboratories.
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -20,8 +20,8 @@
 namespace study::gui {
 namespace operator_layout_test {
 
-constexpr QSize kLowScreen(1280, 720);  // 1280×800 under a desktop's bars
-constexpr QSize kLargePrint(960, 540);  // 1920×1080 at twice the size
+constexpr QSize kLowScreen(1280, 720);  // 1280×800 less a desktop's bars
+constexpr QSize kLargePrint(960, 540);  // 1920×1080 at a scale of 2
 constexpr QSize kWideScreen(1920, 1040);
 
 protocols::LoadedProtocol shipped(const std::string& name) {
@@ -32,7 +32,8 @@ protocols::LoadedProtocol shipped(const std::string& name) {
 class OperatorLayout : public testing::Test {
  protected:
   void SetUp() override {
-    window_.setWindowState(Qt::WindowNoState);  // it fills a screen as small as the test's
+    window_.setWindowState(
+        Qt::WindowNoState);  // otherwise it is maximised on the test's small screen
     window_.show();
   }
 
@@ -44,10 +45,10 @@ class OperatorLayout : public testing::Test {
   void show(const QSize& size) {
     window_.resize(size);
     QTest::qWait(20);
-    ASSERT_EQ(window_.size(), size) << "something needs more room than there is";
+    ASSERT_EQ(window_.size(), size) << "the contents do not fit";
   }
 
-  /// Everything that can be pressed or filled in and is not wholly in sight, or not wholly written.
+  /// The controls and fields that are not completely visible, or whose text is cut off.
   QStringList cutOff() {
     QStringList names;
     for (auto* widget : window_.findChildren<QWidget*>()) {
@@ -107,7 +108,7 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   expectAllInSight(QStringLiteral("broken-off"));
 }
 
-TEST_F(OperatorLayout, OffersPauseOrItsEndInOnePlace) {
+TEST_F(OperatorLayout, ShowsPauseAndContinueInTheSamePlace) {
   enrol();
   participant_.goTo(StepKind::Trial);
   auto* pause = tests::buttonSaying(&window_, QStringLiteral("Pause…"));

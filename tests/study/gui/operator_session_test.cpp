@@ -1,4 +1,4 @@
-// What the operator's window asks before a session, keeps when one is left, and tells when.
+// The questions, saved answers and messages of the operator's window in a session.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -28,7 +28,7 @@ namespace operator_session_test {
 
 using tests::buttonSaying;
 
-/// The published study of the punch, with a rest of a second and an interview after the consent.
+/// The published punch study with a break of one second and an interview after the consent.
 class OperatorSession : public testing::Test {
  protected:
   protocols::LoadedProtocol protocol() {
@@ -63,7 +63,7 @@ class OperatorSession : public testing::Test {
 
   const Session& session() const { return window_.controller()->session(); }
 
-  /// What somebody has typed a moment ago into the first free text of @p window.
+  /// Types text into the first free-text field of @p window, without waiting for it to be saved.
   void type(QWidget& window, const QString& words) {
     QCoreApplication::processEvents();
     auto* lines = window.findChild<QPlainTextEdit*>();
@@ -86,7 +86,7 @@ class OperatorSession : public testing::Test {
   tests::Participant participant_{window_};
 };
 
-TEST_F(OperatorSession, LiveBeginsOnlyWhenSomebodySaysSoWhileTextsHaveBlanks) {
+TEST_F(OperatorSession, AsksBeforeALiveSessionWithPlaceholdersInTexts) {
   QStringList parts;
   const auto press = [&](const auto& answer) {
     int asked = 0;
@@ -105,7 +105,7 @@ TEST_F(OperatorSession, LiveBeginsOnlyWhenSomebodySaysSoWhileTextsHaveBlanks) {
     return asked;
   };
   EXPECT_EQ(press([](FindingsDialog& question) { QTest::keyClick(&question, Qt::Key_Return); }), 1);
-  EXPECT_EQ(window_.controller(), nullptr) << "No is what Enter says";
+  EXPECT_EQ(window_.controller(), nullptr) << "Enter means No";
   EXPECT_TRUE(parts.filter(QStringLiteral("consent-punch")).size() > 0)
       << parts.join(u' ').toStdString();
   EXPECT_TRUE(storage::Records(study_.database()).sessions().empty());
@@ -117,11 +117,11 @@ TEST_F(OperatorSession, LiveBeginsOnlyWhenSomebodySaysSoWhileTextsHaveBlanks) {
   ASSERT_NE(window_.controller(), nullptr) << "a pilot session does not count";
 }
 
-TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeAPause) {
+TEST_F(OperatorSession, SavesTextTypedJustBeforeAPause) {
   enrol();
   goTo(StepKind::Interview);
   type(window_, QStringLiteral("Like bone."));
-  EXPECT_TRUE(textsKept("first-impression").empty()) << "it would have been kept a moment later";
+  EXPECT_TRUE(textsKept("first-impression").empty()) << "typing has not paused long enough";
   window_.controller()->pause(QStringLiteral("coffee"));
   ASSERT_EQ(session().state(), SessionState::Paused);
   EXPECT_EQ(textsKept("first-impression"), std::vector<std::string>{"Like bone."});
@@ -130,7 +130,7 @@ TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeAPause) {
   EXPECT_EQ(window_.findChild<QPlainTextEdit*>()->toPlainText(), QStringLiteral("Like bone."));
 }
 
-TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeItIsClosed) {
+TEST_F(OperatorSession, SavesTextTypedJustBeforeClosing) {
   enrol();
   goTo(StepKind::Interview);
   type(window_, QStringLiteral("Too soft."));
@@ -139,7 +139,7 @@ TEST_F(OperatorSession, KeepsWhatWasTypedAMomentBeforeItIsClosed) {
   EXPECT_EQ(textsKept("first-impression"), std::vector<std::string>{"Too soft."});
 }
 
-/// Reads the message that comes up, and puts it away.
+/// Reads the next message box and closes it.
 class Reader {
  public:
   Reader() {
@@ -158,7 +158,7 @@ class Reader {
   QStringList texts_;
 };
 
-TEST_F(OperatorSession, SaysThatItIsPausedAndHowItEnded) {
+TEST_F(OperatorSession, ShowsThePauseAndHowTheSessionEnded) {
   enrol();
   goTo(StepKind::Interview);
   const auto says = [&](const char* words) {
@@ -175,7 +175,7 @@ TEST_F(OperatorSession, SaysThatItIsPausedAndHowItEnded) {
   EXPECT_TRUE(says("this session is over: withdrawn"));
 }
 
-TEST_F(OperatorSession, ShowsNothingOfWhoeverWasThereBefore) {
+TEST_F(OperatorSession, ShowsNoDataOfThePreviousSession) {
   enrol();
   goTo(StepKind::Trial);
   participant_.cut(1);
@@ -195,7 +195,7 @@ TEST_F(OperatorSession, ShowsNothingOfWhoeverWasThereBefore) {
       QStringLiteral("Nothing is felt just now."));
 }
 
-TEST_F(OperatorSession, StaysInAStepWhoseWordsCannotBeKept) {
+TEST_F(OperatorSession, StaysInAStepWhoseTextCannotBeSaved) {
   enrol();
   goTo(StepKind::Interview);
   const int step = session().stepIndex();
@@ -206,11 +206,11 @@ TEST_F(OperatorSession, StaysInAStepWhoseWordsCannotBeKept) {
     somebodyElse.run("BEGIN IMMEDIATE");
     const Reader reader;
     QTest::mouseClick(next, Qt::LeftButton);
-    EXPECT_EQ(reader.texts().size(), 1) << "told once, and in words";
+    EXPECT_EQ(reader.texts().size(), 1) << "one message";
     EXPECT_EQ(session().stepIndex(), step);
     window_.close();
     EXPECT_GE(reader.texts().size(), 2);
-    EXPECT_NE(window_.controller(), nullptr) << "not closed unless somebody says so";
+    EXPECT_NE(window_.controller(), nullptr) << "not closed without confirmation";
   }
   EXPECT_TRUE(textsKept("first-impression").empty());
   QTest::mouseClick(next, Qt::LeftButton);
@@ -218,7 +218,7 @@ TEST_F(OperatorSession, StaysInAStepWhoseWordsCannotBeKept) {
   EXPECT_EQ(textsKept("first-impression"), std::vector<std::string>{"Too hard."});
 }
 
-TEST_F(OperatorSession, RestEndsForItsOwnPageOnly) {
+TEST_F(OperatorSession, ABreaksTimerEnablesNextOnItsOwnPageOnly) {
   enrol();
   goTo(StepKind::Break);
   auto* next = buttonSaying(window_.participantWindow(), QStringLiteral("Next"));
@@ -227,11 +227,11 @@ TEST_F(OperatorSession, RestEndsForItsOwnPageOnly) {
   window_.controller()->skipStep(QStringLiteral("nothing to say"));
   ASSERT_EQ(session().step().kind, StepKind::Form) << "it has questions that must be answered";
   EXPECT_FALSE(next->isEnabled());
-  QTest::qWait(1200);  // the rest would be over
+  QTest::qWait(1200);  // longer than the break
   EXPECT_FALSE(next->isEnabled());
 }
 
-/// Presses what is asked for in whatever is in front, as soon as it is there.
+/// Calls a function for the modal dialog in front until it returns true.
 class InFront {
  public:
   explicit InFront(std::function<bool(QWidget&)> act) {
@@ -246,7 +246,7 @@ class InFront {
   QTimer look_;
 };
 
-TEST_F(OperatorSession, MessagesWaitUntilTheScreenIsTheOperatorsAgain) {
+TEST_F(OperatorSession, ShowsMessagesOnlyAfterUnlocking) {
   enrol();
   const InFront choosePin([](QWidget& dialog) {
     for (auto* line : dialog.findChildren<QLineEdit*>()) {
@@ -264,7 +264,7 @@ TEST_F(OperatorSession, MessagesWaitUntilTheScreenIsTheOperatorsAgain) {
   emit window_.controller()->failed(QStringLiteral("The disk is full."));
   emit window_.controller()->failed(QStringLiteral("It still is."));
   QCoreApplication::processEvents();
-  EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "nobody could answer it";
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "no message while the screen is locked";
 
   const InFront read([&](QWidget& message) {
     told = qobject_cast<QMessageBox*>(&message)->text();

@@ -53,7 +53,7 @@ void Participant::look() {
   photograph();
 }
 
-/// With PALPATE_PICTURES=FOLDER every page is saved there, for people to look at.
+/// Saves each page as a picture if PALPATE_PICTURES=FOLDER is set.
 void Participant::photograph() {
   const char* folder = std::getenv("PALPATE_PICTURES");
   if (folder == nullptr) return;
@@ -87,7 +87,7 @@ void Participant::cut(int cuts) {
   for (int made = controller->trialStatus().cuts; made < cuts;) {
     QTest::keyPress(feel, Qt::Key_Space);
     double before = -1.0;
-    // Bone is not gone through at once: as far as the hand comes.
+    // A stroke does not go through bone at once: it also ends when the hand stops moving.
     const auto isThrough = [&] {
       const double travel = controller->trialStatus().travel;
       const bool isAtRest = travel > 0.25 * far && travel - before < 1e-3 * far;
@@ -150,7 +150,8 @@ void Participant::takePart(int stopBefore) {
   while (!session.isOver() && session.stepIndex() != stopBefore) {
     const int before = session.stepIndex();
     doStep();
-    if (session.stepIndex() == before && !session.isOver()) return;  // stuck: the test will say so
+    if (session.stepIndex() == before && !session.isOver())
+      return;  // no progress: the test will report it
   }
   if (session.isOver()) look();
 }

@@ -12,29 +12,29 @@
 
 namespace tests {
 
-/// Somebody at the participant's window: clicks, types and cuts as people do, and remembers every
-/// word that was to be seen.
+/// A simulated user of the participant's window. It clicks, types and cuts, and collects all
+/// visible text.
 class Participant {
  public:
   explicit Participant(study::gui::OperatorWindow& window) : window_(window) {}
 
-  /// Takes the session from where it is to its end, or until @p stopBefore begins.
+  /// Takes the session to its end, or until step @p stopBefore begins.
   void takePart(int stopBefore = -1);
 
-  /// Takes the session to the first step of such a kind.
+  /// Takes the session to its first step of kind @p kind.
   void goTo(study::StepKind kind);
 
-  /// One step: reads the page, answers all of it, goes on.
+  /// Does one step: reads the page, answers all its items, and goes on.
   void doStep();
-  /// Begins the trial on the page and makes so many cuts with the space bar; does not end it.
+  /// Begins the trial and makes @p cuts cuts with the space bar, without ending the trial.
   void cut(int cuts);
   /// Reads the page.
   void look();
 
-  /// Everything that was written anywhere in the participant's window: labels, buttons, titles,
-  /// names for screen readers, tool tips, object names.
+  /// All texts that appeared in the participant's window: labels, buttons, titles, accessible
+  /// names, tool tips, object names.
   const std::set<QString>& seen() const noexcept { return seen_; }
-  /// … and in the operator's, at the same times.
+  /// All texts that appeared in the operator's window at the same times.
   const std::set<QString>& seenByOperator() const noexcept { return seenByOperator_; }
 
  private:
@@ -51,10 +51,10 @@ class Participant {
   int pictures_ = 0;
 };
 
-/// With PALPATE_PICTURES=FOLDER saves how a window looks as NAME.png there.
+/// Saves a picture of a window as NAME.png if PALPATE_PICTURES=FOLDER is set.
 void photograph(QWidget& window, const QString& name);
 
-/// The button in @p parent that says @p text; nullptr where there is none to be seen.
+/// The visible button with @p text in @p parent; nullptr if there is none.
 QPushButton* buttonSaying(QWidget* parent, const QString& text);
 
 }  // namespace tests

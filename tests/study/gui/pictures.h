@@ -6,11 +6,11 @@
 
 namespace tests {
 
-/// With PALPATE_PICTURES=FOLDER saves how a window looks in every theme as NAME-THEME.png, and on a
-/// large screen as NAME-large.png, for people to look at. Otherwise nothing happens.
+/// Saves pictures of a window as NAME-THEME.png in every theme and as NAME-large.png on a large
+/// screen, if PALPATE_PICTURES=FOLDER is set. Otherwise does nothing.
 void photographInAllThemes(QWidget& window, const QString& name);
 
-/// The same of a picture: with PALPATE_PICTURES=FOLDER saves it as NAME.png.
+/// Saves a picture as NAME.png if PALPATE_PICTURES=FOLDER is set.
 void keepPicture(const QImage& picture, const QString& name);
 
 }  // namespace tests

@@ -1,4 +1,4 @@
-// The windows with a punch on its wire: the device's own program at the other end, in this process.
+// The windows with an emulated punch on a pseudo-terminal. The emulator runs in this process.
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -28,7 +28,9 @@ namespace punch_on_wire_test {
 namespace timing = haptics::timing;
 using haptics::emulators::PunchEmulator;
 
-/// An emulated punch that goes on by itself; orders are obeyed between two turns of its loop.
+/// An emulated punch that runs in its own thread. Commands take effect between two iterations of
+/// its
+/// loop.
 class RunningPunch {
  public:
   explicit RunningPunch(const PunchEmulator::Options& options)
@@ -50,8 +52,8 @@ class RunningPunch {
   std::jthread loop_;
 };
 
-/// A study on an emulated punch, in a folder of its own.
-class PunchOnItsWire : public testing::Test {
+/// A study on an emulated punch, in its own folder.
+class ConnectedPunch : public testing::Test {
  protected:
   static PunchEmulator::Options optionsFor(const std::string& port) {
     PunchEmulator::Options options;
@@ -73,7 +75,7 @@ class PunchOnItsWire : public testing::Test {
       folder_ / "study", *protocols::loadProtocolFile("punch-face-validity", problems_), clock_, 7);
 };
 
-TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
+TEST_F(ConnectedPunch, RecoversFromBeingUnpluggedInATrial) {
   OperatorWindow window(study_, devices_);
   window.show();
   window.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
@@ -84,7 +86,7 @@ TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
   participant.takePart(trial);
 
   auto& controller = *window.controller();
-  // A computer that stands still for longer than a punch waits ends a trial too: it is begun again.
+  // A computer that stalls for longer than the punch's timeout also ends a trial: begin it again.
   const auto felt = [&](const auto& isFelt) {
     if (controller.session().state() == SessionState::Interrupted) {
       controller.repeatStep(QStringLiteral("again"));
@@ -110,7 +112,7 @@ TEST_F(PunchOnItsWire, IsUnpluggedInATrialAndFeltAgainAfterwards) {
   EXPECT_EQ(storage::Records(study_.database()).trials().back().ending, TrialEnding::Finished);
 }
 
-/// What the dialog of findings says, row by row; it is closed then.
+/// Returns the rows of the findings dialog and closes it.
 std::vector<QStringList> readFindings(QWidget& window) {
   std::vector<QStringList> rows;
   QTimer look;
@@ -134,11 +136,11 @@ std::vector<QStringList> readFindings(QWidget& window) {
   return rows;
 }
 
-TEST_F(PunchOnItsWire, IsCheckedFromTheWindow) {
+TEST_F(ConnectedPunch, CanBeCheckedFromTheWindow) {
   OperatorWindow window(study_, devices_);
   window.show();
   auto sound = readFindings(window);
-  // A computer that stands still for longer than a punch waits fails a check too.
+  // A computer that stalls for longer than the punch's timeout also fails a check.
   for (int i = 0; i < 4 && sound.size() < 8; ++i) sound = readFindings(window);
   ASSERT_GE(sound.size(), 8U);
   for (const auto& row : sound) {
@@ -155,19 +157,19 @@ TEST_F(PunchOnItsWire, IsCheckedFromTheWindow) {
   const auto gone = readFindings(window);
   ASSERT_FALSE(gone.empty());
   EXPECT_TRUE(gone.front()[1].endsWith(QStringLiteral("FAIL")));
-  EXPECT_FALSE(gone.front()[4].isEmpty()) << "what to do";
+  EXPECT_FALSE(gone.front()[4].isEmpty()) << "there is advice";
   auto* line = window.findChild<QLabel*>(QStringLiteral("device-punch"));
   EXPECT_TRUE(line->text().contains(QStringLiteral("unplugged"))) << line->text().toStdString();
   window.resize(1280, 720);
   tests::photograph(window, QStringLiteral("unplugged"));
 }
 
-TEST_F(PunchOnItsWire, IsAskedAboutBeforeASessionThatItIsNotFitFor) {
+TEST_F(ConnectedPunch, AsksBeforeASessionIfItsCheckFails) {
   OperatorWindow window(study_, devices_);
   window.show();
   punch_.order("unplug");
   QTest::qWait(300);
-  // Enter at what is asked says no; what is asked for must be chosen.
+  // Enter answers no. Yes must be selected.
   const auto begin = [&](const auto& answer) {
     int asked = 0;
     QTimer look;

@@ -61,7 +61,7 @@ TEST_F(PunchSession, CanBeClickedThroughFromConsentToThanks) {
   }
 }
 
-TEST_F(PunchSession, DoesNotEndATrialBeforeItsLeastNumberOfCuts) {
+TEST_F(PunchSession, DoesNotEndATrialBeforeTheMinimumNumberOfCuts) {
   participant_.goTo(StepKind::Trial);
   auto& controller = *window_.controller();
   ASSERT_EQ(controller.session().step().minimumCuts, 3);
@@ -82,11 +82,11 @@ TEST_F(PunchSession, StaysOnAPageWhoseStepCouldNotBeFinished) {
   QSignalSpy failures(&controller, &SessionController::failed);
   controller.finishStep();
   EXPECT_EQ(failures.count(), 1);
-  EXPECT_EQ(changes.count(), 0) << "the page went on although nothing was kept";
+  EXPECT_EQ(changes.count(), 0) << "the page changed although the step was not saved";
   EXPECT_EQ(controller.session().visit(), visit);
 }
 
-TEST_F(PunchSession, LetsGoAtOnceWhenTheOperatorPressesStop) {
+TEST_F(PunchSession, StopsWhenTheOperatorPressesStop) {
   participant_.goTo(StepKind::Trial);
   participant_.cut(1);
   QTest::mouseClick(window_.findChild<ControlPanel*>()->stopButton(), Qt::LeftButton);
@@ -102,7 +102,7 @@ TEST_F(PunchSession, StopsOnEscapeInTheParticipantsWindowToo) {
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
 }
 
-TEST_F(PunchSession, MarksATrialWhoseDeviceIsGoneAndOffersItAgain) {
+TEST_F(PunchSession, MarksATrialWhoseDeviceDisconnectsAndOffersItAgain) {
   participant_.goTo(StepKind::Trial);
   const auto step = window_.controller()->session().stepIndex();
   participant_.cut(1);
@@ -126,11 +126,11 @@ TEST_F(PunchSession, StopsWhileTheOperatorTypesANote) {
   QTest::keyClick(note, Qt::Key_Escape);
   EXPECT_EQ(window_.controller()->session().state(), SessionState::Interrupted);
   QTest::keyClick(note, Qt::Key_Return);
-  ASSERT_EQ(window_.controller()->notes().size(), 1U) << "and what was typed is still there";
+  ASSERT_EQ(window_.controller()->notes().size(), 1U) << "the typed note is saved";
   EXPECT_EQ(window_.controller()->notes().front().text, QStringLiteral("the cable hu"));
 }
 
-TEST_F(PunchSession, ShowsAttemptsAndWhatWasSkipped) {
+TEST_F(PunchSession, ShowsAttemptsAndSkippedSteps) {
   participant_.goTo(StepKind::Trial);
   const int trial = window_.controller()->session().stepIndex();
   participant_.cut(1);
@@ -142,7 +142,8 @@ TEST_F(PunchSession, ShowsAttemptsAndWhatWasSkipped) {
   EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("▶ now"));
   window_.controller()->skipStep(QStringLiteral("no time"));
   EXPECT_EQ(timeline->item(trial, 4)->text(), QStringLiteral("skipped"));
-  EXPECT_EQ(timeline->item(trial + 1, 4)->text(), QStringLiteral("skipped")) << "its questions";
+  EXPECT_EQ(timeline->item(trial + 1, 4)->text(), QStringLiteral("skipped"))
+      << "the questions about the trial";
 }
 
 TEST_F(PunchSession, RefusesToCloseWhileATrialRuns) {
@@ -165,7 +166,7 @@ TEST_F(PunchSession, KeepsAnswersWhenTheLanguageIsSwitched) {
   EXPECT_NE(buttonSaying(window_.participantWindow(), QStringLiteral("Weiter")), nullptr);
 }
 
-TEST_F(PunchSession, LetsSomebodyDeclineAndAsksNothingMore) {
+TEST_F(PunchSession, EndsAfterDeclinedConsent) {
   participant_.takePart(1);  // at the consent form
   auto* consent = window_.participantWindow()->findChild<OptionButtons*>();
   QTest::mouseClick(consent->button(1), Qt::LeftButton);
@@ -183,7 +184,7 @@ TEST_F(PunchSession, LetsSomebodyDeclineAndAsksNothingMore) {
   participant_.look();
 }
 
-TEST_F(PunchSession, GoesOnWhereItWasAfterTheWindowsWereClosed) {
+TEST_F(PunchSession, ResumesAtItsStepAfterTheWindowsWereClosed) {
   participant_.takePart(3);
   const auto id = window_.controller()->session().id();
   const int step = window_.controller()->session().stepIndex();

@@ -1,4 +1,4 @@
-// The program with the windows: what it opens, and where there is nowhere to open a window.
+// The program with windows: what it opens, also on a computer without a display.
 #include <signal.h>
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ tests::Finished studioWithoutAScreen(const std::string& argument) {
        argument});
 }
 
-TEST(Studio, SaysThatItHasNoScreen) {
+TEST(Studio, ReportsThatThereIsNoScreen) {
   const auto finished = studioWithoutAScreen("some-study");
   EXPECT_EQ(finished.status, 1);
   EXPECT_NE(finished.error.find("there is no screen"), std::string::npos) << finished.error;

@@ -7,8 +7,8 @@
 
 namespace tests {
 
-/// Every word in a window that somebody could come upon: texts, titles, cells, lists, tool tips,
-/// object names, and what a screen reader is told (names, descriptions, values, help).
+/// Every text in a window that a person could find: texts, titles, cells, lists, tool tips, object
+/// names, and a screen reader's names, descriptions, values and help.
 std::set<QString> wordsIn(QWidget& window);
 
 }  // namespace tests

@@ -48,7 +48,7 @@ class ProtocolWindowTest : public testing::Test {
   std::string sound_ = shipped("punch-face-validity.json");
 };
 
-TEST_F(ProtocolWindowTest, ShowsTheMinutesThatThePlanTakes) {
+TEST_F(ProtocolWindowTest, ShowsTheMinutesOfThePlan) {
   ProtocolWindow window(QStringLiteral("punch-face-validity"));
   window.show();
   ASSERT_TRUE(window.checked().loaded);
@@ -63,7 +63,7 @@ TEST_F(ProtocolWindowTest, ShowsTheMinutesThatThePlanTakes) {
   tests::photographInAllThemes(window, QStringLiteral("protocol"));
 }
 
-TEST_F(ProtocolWindowTest, ShowsEverybodysOrder) {
+TEST_F(ProtocolWindowTest, ShowsTheOrderOfEachParticipant) {
   ProtocolWindow window(QStringLiteral("punch-counterbalanced"));
   window.show();
   window.findChild<QTabWidget*>()->setCurrentIndex(1);
@@ -86,7 +86,7 @@ TEST_F(ProtocolWindowTest, ShowsEverybodysOrder) {
   tests::photographInAllThemes(window, QStringLiteral("orders"));
 }
 
-TEST_F(ProtocolWindowTest, GoesToTheLineOfAProblemThatIsClicked) {
+TEST_F(ProtocolWindowTest, GoesToTheLineOfAClickedProblem) {
   const auto broken = replaced(sound_, "\"planned\": 6", "\"planned\": \"six\"");
   ProtocolWindow window(write(broken));
   window.show();
@@ -103,7 +103,7 @@ TEST_F(ProtocolWindowTest, GoesToTheLineOfAProblemThatIsClicked) {
   tests::photographInAllThemes(window, QStringLiteral("protocol-broken"));
 }
 
-TEST_F(ProtocolWindowTest, ReadsAFileAgainThatHasChanged) {
+TEST_F(ProtocolWindowTest, ReloadsAChangedFile) {
   const QString file = write(replaced(sound_, "\"phases\"", "\"phasen\""));
   ProtocolWindow window(file);
   ASSERT_FALSE(window.checked().loaded);
@@ -113,7 +113,7 @@ TEST_F(ProtocolWindowTest, ReadsAFileAgainThatHasChanged) {
   EXPECT_GT(window.findChild<QTreeWidget*>()->topLevelItemCount(), 0);
 }
 
-TEST_F(ProtocolWindowTest, ReadsAFileAgainThatAnEditorPutInItsPlaceMoreThanOnce) {
+TEST_F(ProtocolWindowTest, ReloadsAFileThatAnEditorReplacesRepeatedly) {
   const QString file = write(sound_);
   ProtocolWindow window(file);
   ASSERT_TRUE(window.checked().loaded);
@@ -126,7 +126,7 @@ TEST_F(ProtocolWindowTest, ReadsAFileAgainThatAnEditorPutInItsPlaceMoreThanOnce)
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.checked().loaded.has_value(); }));
 }
 
-TEST_F(ProtocolWindowTest, SaysThatAFileIsGone) {
+TEST_F(ProtocolWindowTest, ReportsAMissingFile) {
   const QString file = write(sound_);
   ProtocolWindow window(file);
   std::filesystem::remove(file.toStdString());

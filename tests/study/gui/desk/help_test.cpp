@@ -31,7 +31,7 @@ class HelpTest : public testing::Test {
   }
   void TearDown() override { delete openHelp(); }
 
-  /// The heading that F1 brings up in a window; empty where nothing opens.
+  /// Presses F1 in a window and returns the heading of the help; empty if no help opens.
   static QString pressF1(QWidget& window) {
     delete openHelp();
     window.show();
@@ -40,7 +40,7 @@ class HelpTest : public testing::Test {
   }
 };
 
-TEST_F(HelpTest, OpensInEveryWindowOfTheDeskAtItsSection) {
+TEST_F(HelpTest, OpensAtTheSectionOfEachDeskWindow) {
   const StudySummary study{.folder = "/nowhere", .title = "A study"};
   HomeWindow home;
   NewStudyDialog make;
@@ -67,7 +67,7 @@ TEST_F(HelpTest, OpensInEveryWindowOfTheDeskAtItsSection) {
   }
 }
 
-TEST_F(HelpTest, KnowsTheOperatorsWindowAndWhatIsInIt) {
+TEST_F(HelpTest, OpensForTheOperatorButNotForTheParticipant) {
   const tests::ScratchFolder folder;
   SystemClock clock;
   questionnaires::Problems problems;
@@ -82,14 +82,14 @@ TEST_F(HelpTest, KnowsTheOperatorsWindowAndWhatIsInIt) {
   EXPECT_EQ(pressF1(*window.participantWindow()), QString());
 }
 
-TEST_F(HelpTest, TakesTheTopicOfAWidgetThatHasOneOfItsOwn) {
+TEST_F(HelpTest, UsesTheTopicPropertyOfAWidget) {
   HomeWindow home;
   QWidget part(&home);
   part.setProperty("help", QStringLiteral("Copies"));
   EXPECT_EQ(helpTopicOf(part), QStringLiteral("Copies"));
 }
 
-TEST_F(HelpTest, FitsItsPicturesAndLinesIntoTheWindow) {
+TEST_F(HelpTest, FitsPicturesAndLinesIntoTheWindow) {
   HelpWindow help;
   help.showTopic({});
   auto* text = help.findChild<QTextBrowser*>();
@@ -99,7 +99,7 @@ TEST_F(HelpTest, FitsItsPicturesAndLinesIntoTheWindow) {
     for (auto part = block.begin(); !part.atEnd(); ++part) {
       const auto image = part.fragment().charFormat().toImageFormat();
       if (!image.isValid()) continue;
-      EXPECT_GT(image.width(), 400.0) << "as it is shown first";
+      EXPECT_GT(image.width(), 400.0) << "the initial width";
     }
   }
   for (const int wide : {760, 1400}) {
@@ -118,7 +118,7 @@ TEST_F(HelpTest, FitsItsPicturesAndLinesIntoTheWindow) {
   EXPECT_GT(widths.size(), 2U) << "a wide window has room for the whole picture";
 }
 
-TEST_F(HelpTest, ShowsItsPicturesAndTheOtherPages) {
+TEST_F(HelpTest, ShowsPicturesAndOtherPages) {
   HelpWindow help;
   help.showTopic({});
   EXPECT_EQ(help.heading(), QStringLiteral("Running a study"));

@@ -36,7 +36,7 @@ class HomeTest : public testing::Test {
     return QString::fromStdString(folder_ / name);
   }
 
-  /// A study in which somebody was in the middle of a trial when the program ended.
+  /// Creates a study whose program ended during a trial.
   QString makeCrashedStudy() {
     const QString folder = makeStudy("crashed");
     auto study = Study::open(folder.toStdString(), clock_);
@@ -69,7 +69,7 @@ class HomeTest : public testing::Test {
   SystemClock clock_;
 };
 
-TEST_F(HomeTest, SaysWhatToDoFirst) {
+TEST_F(HomeTest, OffersANewStudyIfThereIsNone) {
   HomeWindow home;
   home.show();
   EXPECT_EQ(listOf(home)->rowCount(), 0);
@@ -78,7 +78,7 @@ TEST_F(HomeTest, SaysWhatToDoFirst) {
   tests::photographInAllThemes(home, QStringLiteral("home-empty"));
 }
 
-TEST_F(HomeTest, MakesAStudyOnceItsProtocolHasBeenMended) {
+TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
   std::string text;
   for (const auto& file : protocols::libraryFiles()) {
     if (file.name == "punch-face-validity.json") text = file.content;
@@ -116,7 +116,7 @@ TEST_F(HomeTest, MakesAStudyOnceItsProtocolHasBeenMended) {
   tests::photographInAllThemes(home, QStringLiteral("home"));
 }
 
-TEST_F(HomeTest, OpensTheOperatorsWindowAndIsThereAgainAfterwards) {
+TEST_F(HomeTest, OpensTheOperatorWindowAndReturnsAfterwards) {
   HomeWindow home;
   home.show();
   home.choose(makeStudy("one"));
@@ -129,7 +129,7 @@ TEST_F(HomeTest, OpensTheOperatorsWindowAndIsThereAgainAfterwards) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return home.operatorWindow() == nullptr; }));
 }
 
-TEST_F(HomeTest, MarksAStudyThatIsGoneAndTakesItOffTheList) {
+TEST_F(HomeTest, MarksAMissingStudyAndRemovesItOnRequest) {
   HomeWindow home;
   home.show();
   home.choose(makeStudy("one"));
@@ -146,7 +146,7 @@ TEST_F(HomeTest, MarksAStudyThatIsGoneAndTakesItOffTheList) {
   EXPECT_EQ(listOf(home)->rowCount(), 1);
 }
 
-TEST_F(HomeTest, PutsWhatWasOpenedLastFirstAndKeepsItOverAStart) {
+TEST_F(HomeTest, ListsTheLastOpenedStudyFirstAlsoAfterARestart) {
   const QString one = makeStudy("one");
   const QString two = makeStudy("two");
   {
@@ -161,7 +161,7 @@ TEST_F(HomeTest, PutsWhatWasOpenedLastFirstAndKeepsItOverAStart) {
   EXPECT_EQ(recent[1].folder, two);
 }
 
-TEST_F(HomeTest, OffersWhatCanBeDoneAfterACrashAndGoesOnThere) {
+TEST_F(HomeTest, OffersToResumeAfterACrash) {
   HomeWindow home;
   home.resize(1240, 900);
   home.show();
@@ -169,7 +169,7 @@ TEST_F(HomeTest, OffersWhatCanBeDoneAfterACrashAndGoesOnThere) {
   EXPECT_TRUE(listOf(home)->item(0, 1)->text().contains(QStringLiteral("1 unfinished")));
   auto* card = home.findChild<QFrame*>(QStringLiteral("unfinished-P001"));
   ASSERT_NE(card, nullptr);
-  QCoreApplication::processEvents();  // what was put into the window is shown by and by
+  QCoreApplication::processEvents();  // the window's layout is done in the event loop
   QString words;
   for (auto* label : card->findChildren<QLabel*>()) words += label->text();
   EXPECT_TRUE(words.contains(QStringLiteral("Repeat the trial"))) << words.toStdString();

@@ -25,7 +25,7 @@ class MeasurementTest : public testing::Test {
   static void set(QDialog& dialog, const char* name, const std::string& path) {
     dialog.findChild<PathField*>(QString::fromUtf8(name))->setPath(QString::fromStdString(path));
   }
-  /// Presses the button, waits, and returns the line that says how it came out.
+  /// Presses the button, waits for the end, and returns the line with the result.
   static std::string press(QDialog& dialog) {
     dialog.show();
     QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
@@ -35,7 +35,7 @@ class MeasurementTest : public testing::Test {
   tests::ScratchFolder folder_;
 };
 
-TEST_F(MeasurementTest, ARecordingBecomesACutThatAProtocolCanName) {
+TEST_F(MeasurementTest, ImportsACutThatAProtocolCanRead) {
   ImportCutDialog dialog;
   set(dialog, "recording", folder_.write("recording.txt", tests::textOf({})));
   set(dialog, "target", folder_ / "cut.json");
@@ -46,7 +46,7 @@ TEST_F(MeasurementTest, ARecordingBecomesACutThatAProtocolCanName) {
   tests::photographInAllThemes(dialog, QStringLiteral("import"));
 }
 
-TEST_F(MeasurementTest, AFolderOfSeriesBecomesAMaterial) {
+TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   std::filesystem::create_directory(folder_ / "series");
   int count = 0;
   for (const auto& series : haptics::reaming::syntheticStudy(1)) {
@@ -65,7 +65,7 @@ TEST_F(MeasurementTest, AFolderOfSeriesBecomesAMaterial) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "bone.json"));
 }
 
-TEST_F(MeasurementTest, ASeriesOfNobodyKnowsWhichTestIsRefused) {
+TEST_F(MeasurementTest, RejectsASeriesWithoutATestInItsName) {
   folder_.write("series.csv", "time_s,displacement_mm,force_n\n0,0,0\n1,1,1\n2,2,2\n");
   try {
     fitMaterialTo(folder_.path().string(), "x", folder_ / "m.json", {});
@@ -75,7 +75,7 @@ TEST_F(MeasurementTest, ASeriesOfNobodyKnowsWhichTestIsRefused) {
   }
 }
 
-TEST_F(MeasurementTest, ACupIsFilledWithAsManySpheresAsWereAskedFor) {
+TEST_F(MeasurementTest, FillsACupWithTheRequestedNumberOfSpheres) {
   BuildBoneDialog dialog;
   dialog.findChild<QSpinBox*>(QStringLiteral("spheres"))->setValue(400);
   set(dialog, "target", folder_ / "cup.packing");
@@ -84,7 +84,7 @@ TEST_F(MeasurementTest, ACupIsFilledWithAsManySpheresAsWereAskedFor) {
   EXPECT_TRUE(more.startsWith(QStringLiteral("400 spheres"))) << more.toStdString();
 }
 
-TEST_F(MeasurementTest, ABoneThatIsCancelledLeavesNoFile) {
+TEST_F(MeasurementTest, LeavesNoFileAfterCancelling) {
   int told = 0;
   const auto giveUp = [&](double, const std::string&) {
     if (++told == 3) throw Cancelled();
@@ -93,7 +93,7 @@ TEST_F(MeasurementTest, ABoneThatIsCancelledLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
-TEST_F(MeasurementTest, NothingIsOverwritten) {
+TEST_F(MeasurementTest, OverwritesNoFile) {
   const auto mine = folder_.write("cup.packing", "mine");
   EXPECT_THROW(buildBoneTo(400, 1, mine, {}), UserError);
   EXPECT_EQ(tests::contentOf(mine), "mine");

@@ -23,7 +23,7 @@ haptics::engine::RealtimeLoop::Report reportOf(std::uint64_t ticks, std::uint64_
   return report;
 }
 
-TEST(SelfTest, JudgesAClockByWhatItMissedAndWhatItWasGranted) {
+TEST(SelfTest, JudgesTheClockByMissedTicksAndPriority) {
   EXPECT_EQ(judgeClock(reportOf(2000, 0), true, 1000.0).found.finding, Finding::Pass);
   EXPECT_EQ(judgeClock(reportOf(2000, 0), false, 1000.0).found.finding, Finding::Warn);
   EXPECT_EQ(judgeClock(reportOf(2000, 60), true, 1000.0).found.finding, Finding::Warn);
@@ -33,7 +33,7 @@ TEST(SelfTest, JudgesAClockByWhatItMissedAndWhatItWasGranted) {
   EXPECT_FALSE(rough.mend.empty());
 }
 
-TEST(SelfTest, JudgesADiskByHowLongAnAnswerTakes) {
+TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
   const auto judge = [](double median) {
     return judgeCommits({.commits = 40, .median = median, .longest = 2.0 * median}, "/x").found;
   };
@@ -44,7 +44,7 @@ TEST(SelfTest, JudgesADiskByHowLongAnAnswerTakes) {
   EXPECT_FALSE(judge(0.5).mend.empty());
 }
 
-class SelfTestOfAStudy : public testing::Test {
+class StudySelfTest : public testing::Test {
  protected:
   void SetUp() override {
     questionnaires::Problems problems;
@@ -68,7 +68,7 @@ class SelfTestOfAStudy : public testing::Test {
   SystemClock clock_;
 };
 
-TEST_F(SelfTestOfAStudy, LooksAtEveryPartAndLeavesNothingBehind) {
+TEST_F(StudySelfTest, TestsEveryPartAndLeavesNoFiles) {
   const auto lines = test();
   std::set<std::string> parts;
   for (const auto& line : lines) {
@@ -85,14 +85,14 @@ TEST_F(SelfTestOfAStudy, LooksAtEveryPartAndLeavesNothingBehind) {
   }
 }
 
-TEST_F(SelfTestOfAStudy, FindsADatabaseThatIsDamaged) {
+TEST_F(StudySelfTest, FindsADamagedDatabase) {
   std::filesystem::resize_file(folder_ / "study/traces.db", 5000);
   const auto lines = test();
   ASSERT_NE(about(lines, "traces.db"), nullptr);
   EXPECT_EQ(about(lines, "traces.db")->found.finding, Finding::Fail);
 }
 
-TEST_F(SelfTestOfAStudy, ListensToTheDevicesOfTheFile) {
+TEST_F(StudySelfTest, TestsTheDevicesOfTheDeviceFile) {
   folder_.write(
       "study/devices.json",
       R"({"format": "palpate-devices-1", "devices": [{"id": "punch", "type": "simulated-punch"}]})");
@@ -104,7 +104,7 @@ TEST_F(SelfTestOfAStudy, ListensToTheDevicesOfTheFile) {
   EXPECT_TRUE(knowsPunch) << lines.front().found.measured;
 }
 
-TEST_F(SelfTestOfAStudy, ShowsALineForEverythingInItsWindow) {
+TEST_F(StudySelfTest, ShowsOneLineForEachPart) {
   SelfTestDialog dialog({.study = folder_ / "study", .seconds = 0.3});
   dialog.show();
   QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);

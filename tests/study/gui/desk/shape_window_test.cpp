@@ -1,4 +1,4 @@
-// A bone or a knee, looked at from the desk.
+// The window of the desk that shows a bone or a knee.
 #include "study/gui/desk/shape_window.h"
 
 #include <gtest/gtest.h>
@@ -32,19 +32,19 @@ class ShapeWindow : public testing::Test {
   std::unique_ptr<QWidget> window_;
 };
 
-TEST_F(ShapeWindow, ShowsABoneByHowHardItIs) {
+TEST_F(ShapeWindow, ShowsABoneColouredByDensity) {
   const auto& bone = *haptics::engine::parametricBone();
   auto* window = open(folder_.write("cup.packing", protocols::packingAsText(bone, {})));
   const auto* legend = window->findChild<scene::ColourLegend*>();
   const QSignalSpy painted(window->findChild<scene::CupPainter*>(), &scene::CupPainter::painted);
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > 0; }, 20'000));
   EXPECT_TRUE(legend->accessibleName().contains(QStringLiteral("Pa")));
-  EXPECT_EQ(window->findChild<QComboBox*>()->count(), 2);  // nothing is removed here
+  EXPECT_EQ(window->findChild<QComboBox*>()->count(), 2);  // no removal, because there is no trial
   EXPECT_EQ(window->windowTitle(), QStringLiteral("cup.packing"));
   tests::photograph(*window, QStringLiteral("bone-at-the-desk"));
 }
 
-TEST_F(ShapeWindow, OffersNoColoursOfABoneThatHasNoDensities) {
+TEST_F(ShapeWindow, OffersNoDensityColoursWithoutDensities) {
   auto bone = *haptics::engine::parametricBone();
   bone.minimum.clear();
   bone.average.clear();
@@ -54,14 +54,14 @@ TEST_F(ShapeWindow, OffersNoColoursOfABoneThatHasNoDensities) {
   EXPECT_TRUE(window->findChild<scene::ColourLegend*>()->marks().empty());
 }
 
-TEST_F(ShapeWindow, ShowsAKneeAsATrialDoes) {
+TEST_F(ShapeWindow, ShowsAKneeAsInATrial) {
   auto* window = open(folder_.write("knee.obj", scene::kneeAsObj({})));
   auto* view = dynamic_cast<scene::SimulationView*>(window);
   ASSERT_NE(view, nullptr);
   EXPECT_NE(dynamic_cast<scene::KneeScene*>(&view->scene()), nullptr);
 }
 
-TEST_F(ShapeWindow, SaysWhatIsWrongWithAFile) {
+TEST_F(ShapeWindow, RejectsAnInvalidFile) {
   EXPECT_THROW(open(folder_.write("knee.obj", "o patella\n")), questionnaires::Error);
   EXPECT_THROW(open(folder_.write("cup.packing", "{}")), questionnaires::Error);
   EXPECT_THROW(open(folder_ / "none.obj"), questionnaires::Error);

@@ -23,7 +23,7 @@
 namespace study::gui {
 namespace study_dialogs_test {
 
-/// A study in which eight people who do not exist took part, once for all tests.
+/// A study with eight simulated participants, made once for all tests.
 class StudyDialogsTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -39,7 +39,7 @@ class StudyDialogsTest : public testing::Test {
   std::string study() const { return *made_ / "study"; }
   StudySummary summary() const { return summaryOf(study()); }
 
-  /// Names where it is to go, presses the button, and waits for the end.
+  /// Enters the target, presses the button and waits for the end.
   static void press(QDialog& dialog, const std::string& target = {}) {
     dialog.show();
     if (auto* field = dialog.findChild<PathField*>())
@@ -57,7 +57,7 @@ class StudyDialogsTest : public testing::Test {
   tests::ScratchFolder out_;
 };
 
-TEST_F(StudyDialogsTest, VerifySaysEveryCheck) {
+TEST_F(StudyDialogsTest, VerifyListsEveryCheck) {
   VerifyDialog dialog(summary());
   press(dialog);
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
@@ -66,7 +66,7 @@ TEST_F(StudyDialogsTest, VerifySaysEveryCheck) {
   tests::photographInAllThemes(dialog, QStringLiteral("verify"));
 }
 
-TEST_F(StudyDialogsTest, BackupMakesACopyThatIsSound) {
+TEST_F(StudyDialogsTest, BackupMakesAValidCopy) {
   BackupDialog dialog(summary());
   press(dialog, out_ / "copy");
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
@@ -76,7 +76,7 @@ TEST_F(StudyDialogsTest, BackupMakesACopyThatIsSound) {
   tests::photographInAllThemes(dialog, QStringLiteral("backup"));
 }
 
-TEST_F(StudyDialogsTest, ReportIsWrittenAsPageAndOnPaper) {
+TEST_F(StudyDialogsTest, ReportIsWrittenAsHtmlAndPdf) {
   for (const std::string name : {"report.html", "report.pdf"}) {
     ReportDialog dialog(summary());
     press(dialog, out_ / name);
@@ -91,7 +91,7 @@ TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
   dialog.show();
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
   auto* reason = dialog.findChild<QLineEdit*>(QStringLiteral("reason"));
-  EXPECT_TRUE(go->isEnabled()) << "simulated";
+  EXPECT_TRUE(go->isEnabled()) << "simulated sessions need no reason";
   EXPECT_FALSE(reason->isVisible());
   for (auto* choice : dialog.findChildren<QComboBox*>()) {
     const int live = choice->findData(static_cast<int>(RunMode::Live));
@@ -103,7 +103,7 @@ TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
   EXPECT_TRUE(go->isEnabled());
 }
 
-TEST_F(StudyDialogsTest, ReportOverwritesNothingAndSaysSo) {
+TEST_F(StudyDialogsTest, ReportRefusesToOverwriteAFile) {
   out_.write("report.html", "mine");
   QString told;
   QTimer look;
@@ -120,7 +120,7 @@ TEST_F(StudyDialogsTest, ReportOverwritesNothingAndSaysSo) {
   EXPECT_EQ(tests::contentOf(out_ / "report.html"), "mine");
 }
 
-TEST_F(StudyDialogsTest, ExportIsBlindedUnlessThereIsAReason) {
+TEST_F(StudyDialogsTest, ExportIsBlindedUnlessAReasonIsGiven) {
   ExportDialog dialog(summary());
   auto* audience = dialog.findChild<QComboBox*>(QStringLiteral("audience"));
   auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
@@ -136,7 +136,7 @@ TEST_F(StudyDialogsTest, ExportIsBlindedUnlessThereIsAReason) {
   tests::photographInAllThemes(dialog, QStringLiteral("export"));
 }
 
-TEST_F(StudyDialogsTest, ExportShowsWhoCouldBeFoundBeforeAnythingIsWritten) {
+TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   ExportDialog dialog(summary());
   dialog.findChild<QComboBox*>(QStringLiteral("audience"))->setCurrentIndex(2);
   SystemClock clock;

@@ -24,7 +24,7 @@ class TourTest : public testing::Test {
   }
 };
 
-TEST_F(TourTest, LetsTheVirtualPunchBeFeltAndShowsItsRecord) {
+TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   Tour tour;
   tour.show();
   auto* page = tour.findChild<TrialPage*>();
@@ -50,7 +50,7 @@ TEST_F(TourTest, LetsTheVirtualPunchBeFeltAndShowsItsRecord) {
   tests::photographInAllThemes(tour, QStringLiteral("tour-3"));
 }
 
-TEST_F(TourTest, SaysThatNothingWasFelt) {
+TEST_F(TourTest, ShowsAnEmptyRecordWithoutATrial) {
   Tour tour;
   tour.show();
   next(tour);
@@ -67,7 +67,7 @@ TEST_F(TourTest, IsOfferedOnce) {
   EXPECT_FALSE(Tour::isNew());
 }
 
-TEST_F(TourTest, NamesNoConditionWhereAParticipantWouldLook) {
+TEST_F(TourTest, NamesNoCondition) {
   Tour tour;
   tour.show();
   for (auto* widget : tour.findChildren<QWidget*>()) {

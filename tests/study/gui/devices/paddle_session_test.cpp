@@ -1,4 +1,4 @@
-// A session on the paddle: its words and units in both windows.
+// A session on the paddle, with its words and units in both windows.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace study::gui {
 namespace paddle_session_test {
 
-/// The published study of the punch, with a paddle in place of it.
+/// The published punch study with the paddle in place of the punch.
 protocols::LoadedProtocol protocol(tests::ScratchFolder& folder) {
   questionnaires::Problems problems;
   const auto shipped = protocols::loadProtocolFile("punch-face-validity", problems);
@@ -40,7 +40,7 @@ bool hasWord(const std::set<QString>& words, const QString& part) {
       words.begin(), words.end(), [&](const QString& word) { return word.contains(part); });
 }
 
-TEST(PaddleSession, IsShownInPressesAndDegrees) {
+TEST(PaddleSession, ShowsPressesAndDegrees) {
   tests::ScratchFolder folder;
   SystemClock clock;
   Study study = Study::create(folder / "study", protocol(folder), clock, 7);

@@ -23,7 +23,7 @@ TEST_F(OptionButtonsTest, HasNothingChosenAtFirst) {
   EXPECT_EQ(buttons_.chosen(), -1);
 }
 
-TEST_F(OptionButtonsTest, IsChosenByMouseAndSaysSo) {
+TEST_F(OptionButtonsTest, EmitsAMouseChoice) {
   QSignalSpy spy(&buttons_, &OptionButtons::chosenChanged);
   QTest::mouseClick(buttons_.button(1), Qt::LeftButton);
   EXPECT_EQ(buttons_.chosen(), 1);
@@ -31,7 +31,7 @@ TEST_F(OptionButtonsTest, IsChosenByMouseAndSaysSo) {
   EXPECT_EQ(spy.front().front().toInt(), 1);
 }
 
-TEST_F(OptionButtonsTest, ArrowKeysMoveAndChangeNothing) {
+TEST_F(OptionButtonsTest, ArrowKeysMoveTheFocusOnly) {
   buttons_.choose(0);
   buttons_.button(0)->setFocus();
   QTest::keyClick(buttons_.button(0), Qt::Key_Right);
@@ -49,7 +49,7 @@ TEST_F(OptionButtonsTest, SpaceEnterAndDigitsChoose) {
   EXPECT_EQ(buttons_.chosen(), 1);
 }
 
-TEST(OptionButtonsWithWords, AreChosenByTheDigitOfTheirPlaceFromTheFirstToTheLast) {
+TEST(OptionButtonsWithText, AreChosenByTheDigitOfTheirPosition) {
   OptionButtons buttons(
       {{"Soft", "soft"}, {"Firm", "firm"}, {"Hard", "hard"}},
       Qt::Vertical,
@@ -65,7 +65,7 @@ TEST(OptionButtonsWithWords, AreChosenByTheDigitOfTheirPlaceFromTheFirstToTheLas
   }
 }
 
-TEST_F(OptionButtonsTest, IsChosenByAScreenReaderToo) {
+TEST_F(OptionButtonsTest, AScreenReaderCanChoose) {
   QSignalSpy spy(&buttons_, &OptionButtons::chosenChanged);
   auto* accessible = QAccessible::queryAccessibleInterface(buttons_.button(2));
   ASSERT_NE(accessible, nullptr);

@@ -1,4 +1,4 @@
-// The participant's window in other directions and for other senses.
+// The participant's window in right-to-left languages, with a screen reader, and by keyboard.
 #include "study/gui/participant/participant_window.h"
 
 #include <fstream>
@@ -22,8 +22,8 @@
 namespace study::gui {
 namespace participant_window_test {
 
-/// The published study of the punch in its own languages and in Arabic; whatever has no text in it
-/// is shown in the first language.
+/// The published punch study in its own languages and in Arabic. Texts without a translation appear
+/// in the first language.
 class ParticipantPages : public testing::Test {
  protected:
   protocols::LoadedProtocol protocol() {
@@ -50,7 +50,7 @@ class ParticipantPages : public testing::Test {
   tests::Participant participant_{window_};
 };
 
-TEST_F(ParticipantPages, PagesRunFromRightToLeftAndBackAgain) {
+TEST_F(ParticipantPages, SwitchToRightToLeftAndBack) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "ar", .code = {}});
   EXPECT_EQ(page().layoutDirection(), Qt::RightToLeft);
@@ -63,7 +63,7 @@ TEST_F(ParticipantPages, PagesRunFromRightToLeftAndBackAgain) {
   EXPECT_EQ(window_.controller()->session().language(), "ar");
 }
 
-TEST_F(ParticipantPages, ScalesRunTheOtherWayAndKeepTheirNumbers) {
+TEST_F(ParticipantPages, MirrorScalesInRightToLeftLanguages) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto& plan = window_.controller()->session().plan();
@@ -75,7 +75,7 @@ TEST_F(ParticipantPages, ScalesRunTheOtherWayAndKeepTheirNumbers) {
   auto* scale = page().findChild<OptionButtons*>();
   QCoreApplication::processEvents();
   EXPECT_GT(scale->button(0)->x(), scale->button(4)->x());
-  // The key that leads to the left leads to the larger number.
+  // The key that moves to the left moves to the larger number.
   scale->button(1)->setFocus();
   QTest::keyClick(scale->button(1), Qt::Key_Left);
   QTest::keyClick(scale->button(2), Qt::Key_Space);
@@ -86,14 +86,14 @@ TEST_F(ParticipantPages, ScalesRunTheOtherWayAndKeepTheirNumbers) {
   EXPECT_EQ(answers.front().language, "ar");
 }
 
-/// Everything below a window that a screen reader stops at.
+/// Collects all elements that a screen reader can focus.
 void collect(QAccessibleInterface* node, std::vector<QAccessibleInterface*>& found) {
   if (node == nullptr) return;
   if (node->state().focusable && !node->state().invisible) found.push_back(node);
   for (int i = 0; i < node->childCount(); ++i) collect(node->child(i), found);
 }
 
-TEST_F(ParticipantPages, AScreenReaderIsToldStatementEndsPlaceAndState) {
+TEST_F(ParticipantPages, GiveAScreenReaderStatementEndsPositionAndState) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto& session = window_.controller()->session();
@@ -121,16 +121,16 @@ TEST_F(ParticipantPages, AScreenReaderIsToldStatementEndsPlaceAndState) {
       EXPECT_TRUE(name.contains(place)) << name.toStdString();
       EXPECT_TRUE(name.contains(low) && name.contains(high)) << name.toStdString();
       EXPECT_TRUE(points[i]->state().checkable);
-      EXPECT_FALSE(points[i]->state().checked) << "nothing is chosen beforehand";
+      EXPECT_FALSE(points[i]->state().checked) << "no default answer";
     }
     points[1]->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
     EXPECT_TRUE(points[1]->state().checked);
     EXPECT_FALSE(points[0]->state().checked);
   }
-  EXPECT_EQ(session.answers().size(), items.size()) << "what a screen reader chose is kept";
+  EXPECT_EQ(session.answers().size(), items.size()) << "a screen reader's choices are saved";
 }
 
-TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
+TEST_F(ParticipantPages, CanBeAnsweredByKeyboardAlone) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto& session = window_.controller()->session();
@@ -140,12 +140,12 @@ TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
   }
   participant_.takePart(questions);
   QCoreApplication::processEvents();
-  // No answer stands out before somebody has touched the page.
+  // No answer has a focus frame before the first key press.
   for (auto* scale : page().findChildren<OptionButtons*>()) {
     EXPECT_FALSE(scale->isAncestorOf(QApplication::focusWidget()));
     EXPECT_LT(scale->chosen(), 0);
   }
-  // Tab from stop to stop; a digit where the stop is a point; the last one is Next.
+  // Tab moves from item to item, a digit answers a scale, and the last stop is Next.
   const auto scales = page().findChildren<OptionButtons*>();
   for (int presses = 0; presses < 200 && session.stepIndex() == questions; ++presses) {
     auto* focus = QApplication::focusWidget();
@@ -163,8 +163,8 @@ TEST_F(ParticipantPages, AWholeQuestionnaireIsAnsweredWithTheKeyboardAlone) {
   EXPECT_EQ(session.stepIndex(), questions + 1);
 }
 
-/// The published study, with every alternative offered again before the first choice.
-class OfferedPages : public testing::Test {
+/// The published study with an optional repetition of each alternative before the first choice.
+class OptionalTrialPages : public testing::Test {
  protected:
   protocols::LoadedProtocol protocol() {
     questionnaires::Problems problems;
@@ -183,7 +183,7 @@ class OfferedPages : public testing::Test {
   tests::Participant participant_{window_};
 };
 
-TEST_F(OfferedPages, AreFeltAgainOrDeclined) {
+TEST_F(OptionalTrialPages, RepeatATrialOrSkipIt) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto& session = window_.controller()->session();
@@ -202,19 +202,19 @@ TEST_F(OfferedPages, AreFeltAgainOrDeclined) {
   window_.controller()->stop();
 }
 
-TEST_F(OfferedPages, WriteACopyOfTheConsentOnRequest) {
+TEST_F(OptionalTrialPages, WriteACopyOfTheConsentOnRequest) {
   window_.show();
   window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
   const auto code = window_.controller()->session().participant();
   const std::string pdf = folder_ / "copy.pdf";
-  EXPECT_THROW(writeConsentCopy(study_, code, pdf), UserError) << "nobody has agreed yet";
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), UserError) << "there is no consent yet";
   participant_.takePart(3);
   writeConsentCopy(study_, code, pdf);
   std::ifstream file(pdf, std::ios::binary);
   std::string head(5, ' ');
   file.read(head.data(), 5);
   EXPECT_EQ(head, "%PDF-");
-  EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "nothing overwritten";
+  EXPECT_THROW(writeConsentCopy(study_, code, pdf), storage::StorageError) << "the file exists";
 }
 
 }  // namespace participant_window_test

@@ -26,7 +26,7 @@ std::vector<questionnaires::Item> itemsOf(const std::string& name) {
   return {};
 }
 
-/// A page, and what it has handed on.
+/// A page and the answers that it has emitted.
 struct Shown {
   explicit Shown(
       std::vector<questionnaires::Item> items, const std::vector<GivenAnswer>& before = {})
@@ -57,14 +57,14 @@ TEST(QuestionnairePage, IsCompleteOnlyWhenEveryRequiredItemIsAnswered) {
   EXPECT_EQ(shown.answers.size(), static_cast<std::size_t>(rows.size()));
 }
 
-TEST(QuestionnairePage, HandsOnNothingThatWasNotTouched) {
+TEST(QuestionnairePage, EmitsNoAnswerForUntouchedItems) {
   Shown shown(itemsOf("nasa-tlx-raw"));
   shown.page.flush();
   EXPECT_TRUE(shown.answers.empty());
   EXPECT_FALSE(shown.page.isComplete());
 }
 
-TEST(QuestionnairePage, KnowsFirstTouchAndCountsChanges) {
+TEST(QuestionnairePage, RecordsFirstTouchAndNumberOfChanges) {
   Shown shown(itemsOf("realism-common"));
   auto* row = shown.page.findChildren<OptionButtons*>().front();
   QTest::mouseClick(row->button(0), Qt::LeftButton);
@@ -78,7 +78,7 @@ TEST(QuestionnairePage, KnowsFirstTouchAndCountsChanges) {
   EXPECT_EQ(shown.answers[1].response, questionnaires::Response(std::int64_t{5}));
 }
 
-TEST(QuestionnairePage, ShowsWhatWasAnsweredBeforeWithoutAnsweringAgain) {
+TEST(QuestionnairePage, ShowsEarlierAnswersWithoutEmittingThem) {
   const auto items = itemsOf("realism-common");
   Shown shown(
       items,
@@ -88,11 +88,11 @@ TEST(QuestionnairePage, ShowsWhatWasAnsweredBeforeWithoutAnsweringAgain) {
   EXPECT_TRUE(shown.answers.empty());
 }
 
-TEST(QuestionnairePage, TakesASlidersPlaceByMouseAndKeys) {
+TEST(QuestionnairePage, SetsASliderByMouseAndKeys) {
   Shown shown(itemsOf("nasa-tlx-raw"));
   auto* slider = shown.page.findChildren<AnswerSlider*>().front();
   EXPECT_FALSE(slider->isTouched());
-  QTest::keyClick(slider, Qt::Key_Right);  // takes hold in the middle
+  QTest::keyClick(slider, Qt::Key_Right);  // the first key puts the handle in the middle
   ASSERT_EQ(shown.answers.size(), 1U);
   EXPECT_EQ(shown.answers[0].response, questionnaires::Response(50.0));
   QTest::keyClick(slider, Qt::Key_Right);
@@ -101,7 +101,7 @@ TEST(QuestionnairePage, TakesASlidersPlaceByMouseAndKeys) {
   EXPECT_EQ(shown.answers.back().response, questionnaires::Response(100.0));
 }
 
-TEST(QuestionnairePage, TakesBackWhatIsRubbedOut) {
+TEST(QuestionnairePage, RetractsADeletedAnswer) {
   Shown shown(itemsOf("preference"));
   auto* why = shown.page.findChild<QPlainTextEdit*>();
   QTest::keyClicks(why, QStringLiteral("because"));
@@ -113,7 +113,7 @@ TEST(QuestionnairePage, TakesBackWhatIsRubbedOut) {
   EXPECT_EQ(shown.retracted, std::vector<std::string>{"why"});
 }
 
-TEST(QuestionnairePage, TakesAnyUnicodeAsItIsWritten) {
+TEST(QuestionnairePage, KeepsUnicodeTextUnchanged) {
   Shown shown(itemsOf("preference"));
   const QString words =
       QString::fromUtf8("Fühlt sich echt an 👍🏽 — كأنه حقيقي\n„Knacks“");
@@ -123,7 +123,7 @@ TEST(QuestionnairePage, TakesAnyUnicodeAsItIsWritten) {
   EXPECT_EQ(shown.answers[0].response, questionnaires::Response(words.toStdString()));
 }
 
-TEST(QuestionnairePage, HandsOnNumbersInRangeOnly) {
+TEST(QuestionnairePage, EmitsNumbersInRangeOnly) {
   questionnaires::Item item{
       .id = "years", .type = questionnaires::ItemType::Number, .least = 0, .most = 60};
   Shown shown({item});

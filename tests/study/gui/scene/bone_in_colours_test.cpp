@@ -1,4 +1,4 @@
-// What the operator may see of a bone beyond what the participant sees.
+// The coloured bone, which the operator sees and the participant does not.
 #include <algorithm>
 
 #include <QApplication>
@@ -15,8 +15,8 @@ namespace bone_in_colours_test {
 
 using tests::reamingThatIsSeen;
 
-/// The operator's window with the bone in colours.
-class BoneInColours : public tests::VisualisedTrial {
+/// The operator's window with the coloured bone.
+class ColouredBone : public tests::VisualisedTrial {
  protected:
   CupButton* button() const { return window_->findChild<CupButton*>(); }
   static QWidget* colours() {
@@ -32,7 +32,7 @@ class BoneInColours : public tests::VisualisedTrial {
       return sphere.radius == 0.0F || sphere.tint.red >= sphere.tint.blue;
     });
   }
-  /// Reams until something is gone.
+  /// Reams until some bone is removed.
   void reamALittle() {
     ASSERT_NE(view(), nullptr);
     window_->controller()->beginTrial();
@@ -43,14 +43,14 @@ class BoneInColours : public tests::VisualisedTrial {
   }
 };
 
-TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
+TEST_F(ColouredBone, OpensOnRequestAndClosesWithTheTrial) {
   beginWith(reamingThatIsSeen(), RunMode::Pilot);
   ASSERT_NE(button(), nullptr);
   EXPECT_FALSE(button()->isHidden());
-  EXPECT_FALSE(button()->isEnabled());  // nothing is reamed yet
+  EXPECT_FALSE(button()->isEnabled());  // no trial is running yet
   reamALittle();
   EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
-  EXPECT_EQ(colours(), nullptr);  // nobody has asked
+  EXPECT_EQ(colours(), nullptr);  // not requested yet
   EXPECT_EQ(window_->findChild<scene::CupPainter*>(), nullptr);
 
   button()->click();
@@ -70,7 +70,7 @@ TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return painted.count() > before + 2; }, 20'000));
   tests::photograph(*colours(), QStringLiteral("bone-removal"));
   tests::photograph(*window_, QStringLiteral("operator-reaming"));
-  // Whatever the operator sees, the participant's stays as it was.
+  // The participant's view stays neutral.
   EXPECT_TRUE(isNeutral(*seen()->spheres()));
   const auto words = colours()->windowTitle() + colours()->accessibleName();
   EXPECT_FALSE(
@@ -81,7 +81,7 @@ TEST_F(BoneInColours, AreThereWhenTheyAreAskedForAndGoWithTheTrial) {
   EXPECT_FALSE(button()->isEnabled());
 }
 
-TEST_F(BoneInColours, AreGoneAtAWordAndWithEverythingThatTheyFollow) {
+TEST_F(ColouredBone, ClosesOnRequestAndWithTheOperatorWindow) {
   beginWith(reamingThatIsSeen(), RunMode::Pilot);
   reamALittle();
   EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
@@ -91,12 +91,12 @@ TEST_F(BoneInColours, AreGoneAtAWordAndWithEverythingThatTheyFollow) {
   EXPECT_EQ(colours(), nullptr);
   button()->click();
   ASSERT_NE(colours(), nullptr);
-  window_.reset();  // with everything that follows it
+  window_.reset();  // the window that owns it
   EXPECT_EQ(colours(), nullptr);
 }
 
-TEST_F(BoneInColours, AreRefusedWhereTheOperatorIsBlindAsWell) {
-  beginWith(reamingThatIsSeen());  // live, labels drawn
+TEST_F(ColouredBone, IsRefusedInADoubleBlindSession) {
+  beginWith(reamingThatIsSeen());  // a live session with drawn labels
   ASSERT_NE(view(), nullptr);
   EXPECT_TRUE(whyNoColours(window_->controller()->session()).contains(QStringLiteral("blind")));
   window_->controller()->beginTrial();
@@ -109,7 +109,7 @@ TEST_F(BoneInColours, AreRefusedWhereTheOperatorIsBlindAsWell) {
   window_->controller()->stop();
 }
 
-TEST_F(BoneInColours, AreNotOfferedWhereNoBoneIsSeen) {
+TEST_F(ColouredBone, IsNotOfferedWithoutAVisibleBone) {
   begin("punch-face-validity");
   EXPECT_TRUE(button()->isHidden());
   EXPECT_TRUE(whyNoColours(window_->controller()->session()).isEmpty());  // labels are fixed

@@ -17,9 +17,9 @@ TEST(FrameStatistics, IsEmptyBeforeTheFirstFrame) {
   EXPECT_EQ(report.latencyMedian, 0.0);
 }
 
-TEST(FrameStatistics, CountsFramesThatNeverCame) {
+TEST(FrameStatistics, CountsDroppedFrames) {
   FrameStatistics statistics(16 * kMs);
-  for (const int shown : {100, 116, 132, 180, 196}) {  // two are missing before 180
+  for (const int shown : {100, 116, 132, 180, 196}) {  // two frames are missing before 180
     statistics.add(shown * kMs, (shown - 9) * kMs);
   }
   const auto report = statistics.report();
@@ -32,14 +32,14 @@ TEST(FrameStatistics, CountsFramesThatNeverCame) {
   EXPECT_EQ(report.period, 16.0);
 }
 
-TEST(FrameStatistics, KnowsNoLatencyWhereNoDeviceWasRead) {
+TEST(FrameStatistics, HasNoLatencyWithoutADeviceSample) {
   FrameStatistics statistics(16 * kMs);
   statistics.add(100 * kMs, 0);
   statistics.add(116 * kMs, 0);
   EXPECT_EQ(statistics.report().latencyP99, 0.0);
 }
 
-TEST(ViewReport, IsSaidInNumbersAndWithWhoDrew) {
+TEST(ViewReport, DescribesTheNumbersAndTheRenderer) {
   const ViewReport report{
       .renderer = "a card", .frames = 120, .dropped = 3, .rate = 59.94, .latencyMedian = 12.3};
   const std::string words =

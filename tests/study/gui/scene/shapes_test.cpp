@@ -1,4 +1,4 @@
-// Bodies of our own making: closed, the right way out, and as large as they should be.
+// The built-in bodies: closed, with triangles facing outwards, and of the right size.
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@ namespace shapes_test {
 
 using haptics::engine::MeshView;
 
-TEST(Solids, HoldWhatTheirFormulasSay) {
+TEST(Solids, HaveTheVolumeOfTheirFormula) {
   constexpr double kPi = std::numbers::pi;
   EXPECT_NEAR(volumeOf(rod(0.0F, 10.0F, 2.0F, 96)), kPi * 4.0 * 10.0, 0.2);
-  // Pappus: a torus holds 2π² R r².
+  // Pappus: the volume of a torus is 2π² R r².
   EXPECT_NEAR(volumeOf(eyelet({5, 0, 0}, 10.0F, 2.0F)), 2.0 * kPi * kPi * 10.0 * 4.0, 25.0);
   EXPECT_EQ(openEdges(rod(0.0F, 10.0F, 2.0F)), 0U);
   EXPECT_EQ(openEdges(eyelet({5, 0, 0}, 10.0F, 2.0F)), 0U);
@@ -27,7 +27,7 @@ TEST(Solids, HaveOpenEdgesWhereASheetEnds) {
   for (const auto& vertex : mesh.vertices) EXPECT_EQ(vertex.normal, QVector3D(0, 0, 1));
 }
 
-TEST(Solids, KeepTheirShapeWhenTheyAreCreased) {
+TEST(Solids, KeepTheirVolumeWhenCreased) {
   Mesh mesh = loft({slab(0.0F, 0.0F, 4.0F, 3.0F, 0.5F), slab(5.0F, 0.0F, 4.0F, 3.0F, 0.5F)});
   const double before = volumeOf(mesh);
   crease(mesh, 35.0F);
@@ -36,7 +36,7 @@ TEST(Solids, KeepTheirShapeWhenTheyAreCreased) {
   for (const auto& vertex : mesh.vertices) EXPECT_NEAR(vertex.normal.length(), 1.0F, 1e-4F);
 }
 
-TEST(PunchShape, IsClosedAndTheRightWayOut) {
+TEST(PunchShape, IsClosedAndFacesOutwards) {
   const PunchShape punch = punchShape();
   for (const Mesh* body : {&punch.body, &punch.grip, &punch.jaw, &punch.rod, &punch.lever}) {
     EXPECT_EQ(openEdges(*body), 0U);
@@ -54,7 +54,7 @@ TEST(PunchShape, ClosesItsJawWithItsHandle) {
   EXPECT_EQ(leverPose(0.0F).map(finger), finger);
 }
 
-TEST(ReamerShape, IsClosedAndAHemisphereWithTeeth) {
+TEST(ReamerShape, IsAClosedHemisphereWithTeeth) {
   const ReamerShape reamer = reamerShape(26.0F);
   EXPECT_EQ(openEdges(reamer.cap), 0U);
   EXPECT_EQ(openEdges(reamer.shaft), 0U);
@@ -64,13 +64,13 @@ TEST(ReamerShape, IsClosedAndAHemisphereWithTeeth) {
   for (const auto& vertex : reamer.cap.vertices) {
     farthest = std::max(farthest, vertex.position.length());
   }
-  EXPECT_GT(farthest, 26.3F);  // a tooth
+  EXPECT_GT(farthest, 26.3F);  // includes the teeth
   EXPECT_LT(farthest, 27.5F);
 }
 
 class MeniscusTest : public testing::Test {
  protected:
-  /// A string with a node for each displacement.
+  /// A string with one node per displacement.
   static std::vector<MeshView::Point> stringOf(const std::vector<double>& displacements) {
     std::vector<MeshView::Point> points;
     for (const double displacement : displacements) {
@@ -89,7 +89,7 @@ TEST_F(MeniscusTest, IsAClosedWedge) {
   EXPECT_FALSE(meniscus_.hasPiece());
 }
 
-TEST_F(MeniscusTest, GivesWayAsTheFiniteElementsDo) {
+TEST_F(MeniscusTest, DeformsLikeTheFiniteElements) {
   const Mesh before = meniscus_.body();
   meniscus_.squeeze({.string = stringOf({0, 1, 2, 3, 4, 2, 0}), .openness = 1.0F});
   const Mesh& after = meniscus_.body();
@@ -107,7 +107,7 @@ TEST_F(MeniscusTest, GivesWayAsTheFiniteElementsDo) {
   EXPECT_EQ(meniscus_.body().vertices[500].position, before.vertices[500].position);
 }
 
-TEST_F(MeniscusTest, IsNeverInTheJaw) {
+TEST_F(MeniscusTest, NeverIntersectsTheJaw) {
   for (const float openness : {0.6F, 0.3F, 0.1F}) {
     meniscus_.squeeze({.string = {}, .openness = openness});
     const QMatrix4x4 toPunch = punchPose(layout_).inverted();
@@ -122,7 +122,7 @@ TEST_F(MeniscusTest, IsNeverInTheJaw) {
   }
 }
 
-TEST_F(MeniscusTest, PartsIntoWhatItWasBefore) {
+TEST_F(MeniscusTest, BodyAndPieceHaveTheVolumeBeforeTheCut) {
   const double whole = volumeOf(meniscus_.body());
   meniscus_.cut();
   meniscus_.squeeze({});
@@ -137,7 +137,7 @@ TEST_F(MeniscusTest, PartsIntoWhatItWasBefore) {
   EXPECT_FALSE(meniscus_.hasPiece());
 }
 
-TEST_F(MeniscusTest, IsWholeUnderThePunchWhenItHasMovedOn) {
+TEST_F(MeniscusTest, IsUncutUnderThePunchAfterMovingOn) {
   const double whole = volumeOf(meniscus_.body());
   meniscus_.cut();
   meniscus_.dropPiece();

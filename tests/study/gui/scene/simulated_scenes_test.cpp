@@ -1,5 +1,4 @@
-// What the two simulations look like, drawn by the processor: what is to be seen is there, and
-// changes when it should.
+// The pictures of both simulations, drawn by the software renderer.
 #include <gtest/gtest.h>
 
 #include "haptics/engine/bone_models.h"
@@ -49,7 +48,7 @@ bool isBlack(QRgb pixel) {
 const QRect kScope(0, 0, 422, 400);
 const QRect kHandles(424, 0, 216, 400);
 
-TEST(KneeScene, IsADiscOnBlackWithThePunchBesideIt) {
+TEST(KneeScene, ShowsADiscOnBlackAndThePunchBesideIt) {
   const KneeScene knee;
   const QImage picture = pictureOf(knee);
   EXPECT_TRUE(isBlack(picture.pixel(2, 2)));
@@ -70,7 +69,7 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
   EXPECT_GT(differences(open, closed, kHandles), 200);
 }
 
-TEST(KneeScene, GivesWayWithTheFiniteElements) {
+TEST(KneeScene, DeformsWithTheFiniteElements) {
   const haptics::engine::MeshView mesh{
       haptics::engine::FiniteElementsSpec{}, haptics::engine::SeenTissue::Force};
   KneeScene knee;
@@ -80,7 +79,7 @@ TEST(KneeScene, GivesWayWithTheFiniteElements) {
   EXPECT_GT(differences(before, pictureOf(knee), kScope), 300);
 }
 
-TEST(KneeScene, ShowsTissueThatStaysAtTheToolWhateverTheForce) {
+TEST(KneeScene, ShowsTissueAtTheToolAtAnyForce) {
   const haptics::engine::MeshView mesh{haptics::engine::FiniteElementsSpec{}};
   const auto volumeAt = [&](double travel, double force, bool isPressed) {
     KneeScene knee;
@@ -92,7 +91,7 @@ TEST(KneeScene, ShowsTissueThatStaysAtTheToolWhateverTheForce) {
   EXPECT_EQ(volumeAt(3.9, 2.0, true), volumeAt(3.9, 2.0, false)) << "before the contact";
 }
 
-TEST(KneeScene, PartsTheTissueOnceInAClosureAndBringsUpTheNextBite) {
+TEST(KneeScene, CutsOncePerClosureAndMovesToTheNextBite) {
   KneeScene knee;
   const QImage whole = pictureOf(knee);
   for (int i = 0; i < 5; ++i) knee.follow({.travel = 8.0, .isCutThrough = true}, 0.016);
@@ -110,7 +109,7 @@ TEST(KneeScene, PartsTheTissueOnceInAClosureAndBringsUpTheNextBite) {
   EXPECT_GT(differences(whole, pictureOf(knee), kScope), 300);
 }
 
-TEST(KneeScene, IsPhotographedWithABiteInItsMouth) {
+TEST(KneeScene, FillsThePictureDuringABite) {
   KneeScene knee;
   knee.follow({.travel = 9.5}, 0.016);
   for (int i = 0; i < 3; ++i) knee.follow({.travel = 5.5}, 0.016);
@@ -120,7 +119,7 @@ TEST(KneeScene, IsPhotographedWithABiteInItsMouth) {
   EXPECT_GT(countWhere(picture, [](QRgb pixel) { return !isBlack(pixel); }), 480'000);
 }
 
-TEST(KneeScene, PartsTheTissueWhereTheJawsMeetEvenWithoutAYield) {
+TEST(KneeScene, CutsWhenTheJawsMeetEvenWithoutAYield) {
   KneeScene knee;
   knee.follow({.travel = 9.5}, 0.016);
   EXPECT_TRUE(knee.meniscus().hasPiece());
@@ -128,7 +127,7 @@ TEST(KneeScene, PartsTheTissueWhereTheJawsMeetEvenWithoutAYield) {
 
 class HipSceneTest : public testing::Test {
  protected:
-  /// Reams to @p depth [m] and comes out again.
+  /// Reams to @p depth [m] and withdraws the reamer.
   void ream(double depth) {
     while (!model_.respond({.travel = -0.002}).isDefined) {
     }
@@ -146,12 +145,12 @@ bool isBone(QRgb pixel) {
   return qRed(pixel) > qBlue(pixel) + 8 && qRed(pixel) > 60;
 }
 
-/// What was within the bone, and is redder than its surface.
+/// Bone from the inside is redder than at the surface.
 bool isFreshBone(QRgb pixel) {
   return qRed(pixel) > qBlue(pixel) + 40;
 }
 
-TEST_F(HipSceneTest, ShowsWhatHasBeenTakenAway) {
+TEST_F(HipSceneTest, ShowsRemovedBone) {
   HipScene hip({.packing = &spec_});
   const Look back{.travel = -0.02, .bone = model_.view()};
   hip.follow(back, 0.016);
@@ -167,12 +166,12 @@ TEST_F(HipSceneTest, ShowsWhatHasBeenTakenAway) {
   tests::keepPicture(renderer.draw(hip.scene(), {1280, 800}).copy(), QStringLiteral("cup"));
 }
 
-TEST_F(HipSceneTest, PutsTheReamerWhereTheBoneHoldsIt) {
+TEST_F(HipSceneTest, PlacesTheReamerWhereTheBoneStopsIt) {
   HipScene hip({.packing = &spec_});
   const auto capAt = [&] { return hip.scene().parts[0].pose.column(3).z(); };
   const float start = capAt();
   hip.follow({.travel = 0.03, .bone = model_.view()}, 0.016);
-  EXPECT_NEAR(capAt(), start, 0.1F);  // the hand is ahead, and the bone has not let it go on
+  EXPECT_NEAR(capAt(), start, 0.1F);  // the hand is ahead of the reamer, which the bone stops
   hip.follow({.travel = 0.03}, 0.016);
   EXPECT_NEAR(capAt(), start + 30.0F, 0.1F);
 }
@@ -187,14 +186,14 @@ TEST_F(HipSceneTest, SpinsWhileATrialRuns) {
   EXPECT_NE(poseOf(), still);
 }
 
-TEST_F(HipSceneTest, ShowsDensitiesOnlyWhenItIsAskedTo) {
+TEST_F(HipSceneTest, ShowsDensitiesOnRequestOnly) {
   const HipScene neutral({.packing = &spec_});
   const HipScene density({.packing = &spec_, .colours = SphereColours::Density});
   const QImage grey = pictureOf(neutral);
   EXPECT_GT(differences(grey, pictureOf(density), grey.rect()), 5000);
 }
 
-TEST(PlainCup, IsShownWhereTheForceComesFromACurve) {
+TEST(PlainCup, IsShownWithoutABoneOfSpheres) {
   const HipScene hip({});
   EXPECT_EQ(hip.spheres(), nullptr);
   ASSERT_EQ(hip.scene().parts.size(), 3U);

@@ -1,4 +1,4 @@
-// A session of a protocol in its windows, at its first trial.
+// A session of a protocol with its windows, at the first trial.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ using study::gui::scene::SimulationView;
 
 class VisualisedTrial : public testing::Test {
  protected:
-  /// Brings a session of a protocol from the library to its first trial.
+  /// Starts a session of a shipped protocol and takes it to its first trial.
   void begin(const std::string& protocol) {
     questionnaires::Problems problems;
     beginWith(*protocols::loadProtocolFile(protocol, problems));
@@ -50,7 +50,7 @@ class VisualisedTrial : public testing::Test {
   }
 
   SimulationView* view() const {
-    QTest::qWait(100);  // it comes a moment after its page
+    QTest::qWait(100);  // the view is created shortly after its page
     return window_->participantWindow()->findChild<SimulationView*>();
   }
 
@@ -69,7 +69,7 @@ class VisualisedTrial : public testing::Test {
   std::optional<Participant> participant_;
 };
 
-/// The library's study of reaming, but seen, and of spheres that are taken away.
+/// The shipped reaming study with visualisation and a bone of spheres that are removed.
 inline protocols::LoadedProtocol reamingThatIsSeen() {
   std::string json;
   for (const auto& file : protocols::libraryFiles()) {

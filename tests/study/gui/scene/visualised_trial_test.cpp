@@ -1,4 +1,4 @@
-// Trials that are seen, and trials that are not, in the windows of a session.
+// Trials with and without a simulation, in the windows of a session.
 #include "tests/study/gui/scene/visualised_trial.h"
 
 #include <QLabel>
@@ -17,7 +17,7 @@ namespace visualised_trial_test {
 using tests::reamingThatIsSeen;
 using tests::VisualisedTrial;
 
-TEST_F(VisualisedTrial, IsSeenAndKeepsHowItsFramesWere) {
+TEST_F(VisualisedTrial, ShowsTheSimulationAndSavesItsFrameStatistics) {
   begin("two-devices");
   ASSERT_NE(view(), nullptr);
   EXPECT_TRUE(QTest::qWaitFor([&] { return view()->isVisible(); }, 2000));
@@ -32,8 +32,8 @@ TEST_F(VisualisedTrial, IsSeenAndKeepsHowItsFramesWere) {
   EXPECT_EQ(events.front().find("latency p50 0.0 ms"), std::string::npos) << events.front();
 }
 
-TEST_F(VisualisedTrial, HasNothingOfItWhereItIsFeltAlone) {
-  begin("punch-face-validity");  // its second block is seen, its first is not
+TEST_F(VisualisedTrial, HasNoViewInABlockWithoutVisualisation) {
+  begin("punch-face-validity");  // its first block is not visualised, its second is
   ASSERT_NE(window_->participantWindow()->findChild<TrialPage*>(), nullptr);
   EXPECT_EQ(view(), nullptr);
   participant_->cut(1);
@@ -44,7 +44,7 @@ TEST_F(VisualisedTrial, HasNothingOfItWhereItIsFeltAlone) {
   EXPECT_TRUE(viewEvents().empty());
 }
 
-TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
+TEST_F(VisualisedTrial, ShowsTheProtocolsKnee) {
   std::string json;
   for (const auto& file : protocols::libraryFiles()) {
     if (file.name == "two-devices.json") json = file.content;
@@ -60,7 +60,7 @@ TEST_F(VisualisedTrial, ShowsTheKneeThatItsProtocolNames) {
   questionnaires::Problems problems;
   const auto loaded = protocols::loadProtocolFile(folder_ / "protocol.json", problems);
   ASSERT_TRUE(loaded) << questionnaires::describe(problems.all());
-  // What the file says later is nothing to the study.
+  // Changing the file later does not change the study.
   folder_.write("knee.obj", "o femur\n");
   beginWith(*loaded);
   ASSERT_NE(view(), nullptr);
@@ -96,7 +96,7 @@ TEST_F(VisualisedTrial, ShowsTheBoneThatIsReamed) {
   EXPECT_NE(viewEvents().front().find("changes lost 0"), std::string::npos);
 }
 
-TEST_F(VisualisedTrial, IsNoMatterOfAProtocolThatShowsNothing) {
+TEST_F(VisualisedTrial, HasNoViewInAProtocolWithoutVisualisation) {
   begin("reaming-hardness");
   window_->controller()->beginTrial();
   ASSERT_TRUE(window_->controller()->isTrialRunning());
@@ -107,7 +107,7 @@ TEST_F(VisualisedTrial, IsNoMatterOfAProtocolThatShowsNothing) {
   EXPECT_EQ(window_->findChild<QLabel*>(QStringLiteral("graphics-remark")), nullptr);
 }
 
-TEST_F(VisualisedTrial, KeepsItsFramesOutOfABlindedExport) {
+TEST_F(VisualisedTrial, KeepsFrameStatisticsOutOfABlindedExport) {
   begin("two-devices");
   participant_->doStep();
   const auto saysView = [&](bool isBlinded) {
@@ -121,13 +121,13 @@ TEST_F(VisualisedTrial, KeepsItsFramesOutOfABlindedExport) {
   EXPECT_FALSE(saysView(true));
 }
 
-TEST_F(VisualisedTrial, TellsTheOperatorWhereNoCardDraws) {
+TEST_F(VisualisedTrial, TellsTheOperatorThatTheProcessorDraws) {
   begin("two-devices");
   const auto* remark = window_->findChild<QLabel*>(QStringLiteral("graphics-remark"));
   ASSERT_NE(remark, nullptr);
   EXPECT_TRUE(remark->text().contains(QStringLiteral("drawn by the processor")));
-  EXPECT_TRUE(remark->toolTip().contains(QStringLiteral("driver")));  // what to do
-  // The participant just sees the picture.
+  EXPECT_TRUE(remark->toolTip().contains(QStringLiteral("driver")));  // advice for the operator
+  // The participant sees no remark.
   for (const auto* label : window_->participantWindow()->findChildren<QLabel*>()) {
     EXPECT_FALSE(label->text().contains(QStringLiteral("processor")));
   }

@@ -1,5 +1,5 @@
-// A screen that operator and participant share: who gets behind the participant's window, and how
-// somebody makes the force go away from wherever the focus is.
+// One screen shared by operator and participant: the lock of the participant's window, and the stop
+// keys that work in every window.
 #include "study/gui/session/screen_lock.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(OperatorPin, IsFourToTwelveDigits) {
   }
 }
 
-TEST(OperatorPin, OpensWithItselfOnlyAndNeverBeforeItWasChosen) {
+TEST(OperatorPin, OpensOnlyWithTheChosenDigits) {
   OperatorPin pin;
   EXPECT_FALSE(pin.opensWith({}));
   pin.choose(QStringLiteral("2468"));
@@ -33,7 +33,7 @@ TEST(OperatorPin, OpensWithItselfOnlyAndNeverBeforeItWasChosen) {
   EXPECT_TRUE(pin.opensWith(QStringLiteral("2468")));
 }
 
-TEST(OperatorPin, MakesWhoeverGuessesWait) {
+TEST(OperatorPin, DelaysTriesAfterWrongOnes) {
   OperatorPin pin;
   pin.choose(QStringLiteral("2468"));
   for (int i = 0; i < OperatorPin::kFreeTries; ++i) {
@@ -42,7 +42,7 @@ TEST(OperatorPin, MakesWhoeverGuessesWait) {
   }
   EXPECT_GT(pin.waitLeft(), 0);
   EXPECT_LE(pin.waitLeft(), OperatorPin::kWait);
-  EXPECT_FALSE(pin.opensWith(QStringLiteral("2468"))) << "not while one has to wait";
+  EXPECT_FALSE(pin.opensWith(QStringLiteral("2468"))) << "no try is allowed during the wait";
 }
 
 class LockedWindow : public testing::Test {
@@ -82,10 +82,10 @@ TEST_F(LockedWindow, StaysLockedForAWrongPin) {
   enter("1357");
   EXPECT_TRUE(lock_.isLocked());
   EXPECT_TRUE(window_.isFullScreen());
-  EXPECT_TRUE(window_.findChild<QLineEdit*>()->text().isEmpty()) << "nobody reads what was tried";
+  EXPECT_TRUE(window_.findChild<QLineEdit*>()->text().isEmpty()) << "the wrong PIN is cleared";
 }
 
-TEST_F(LockedWindow, IsAnOrdinaryOneAgainWithThePin) {
+TEST_F(LockedWindow, UnlocksWithThePin) {
   QSignalSpy opened(&lock_, &ScreenLock::opened);
   enter("2468");
   EXPECT_EQ(opened.count(), 1);
@@ -95,7 +95,7 @@ TEST_F(LockedWindow, IsAnOrdinaryOneAgainWithThePin) {
   EXPECT_FALSE(button_->isVisible());
 }
 
-TEST(StopKey, IsHeardInFrontOfAnyDialogWhileArmed) {
+TEST(StopKey, WorksInDialogsWhileArmed) {
   StopKey stop;
   QSignalSpy pressed(&stop, &StopKey::pressed);
   QDialog dialog;
@@ -103,7 +103,7 @@ TEST(StopKey, IsHeardInFrontOfAnyDialogWhileArmed) {
   stop.setArmed(true);
   for (const auto key : {Qt::Key_Escape, Qt::Key_Pause, Qt::Key_F12}) QTest::keyClick(&dialog, key);
   EXPECT_EQ(pressed.count(), 3);
-  EXPECT_TRUE(dialog.isVisible()) << "the key means stop, and nothing else";
+  EXPECT_TRUE(dialog.isVisible()) << "an armed key does not close the dialog";
   QTest::keyClick(&dialog, Qt::Key_A);
   EXPECT_EQ(pressed.count(), 3);
 

@@ -17,7 +17,7 @@ namespace background_task_test {
 
 using Cancelling = BackgroundTask::Cancelling;
 
-TEST(BackgroundTask, WorksInAThreadOfItsOwnWhileTheWindowStaysAlive) {
+TEST(BackgroundTask, RunsInItsOwnThreadWhileTheWindowResponds) {
   std::promise<void> go;
   std::thread::id worker;
   BackgroundTask task(QStringLiteral("Working"), [&](const Progress& progress) {
@@ -39,7 +39,7 @@ TEST(BackgroundTask, WorksInAThreadOfItsOwnWhileTheWindowStaysAlive) {
   EXPECT_NE(worker, std::this_thread::get_id());
 }
 
-TEST(BackgroundTask, OnlyMovesWhereNobodyKnowsHowFarItIs) {
+TEST(BackgroundTask, ShowsABusyBarWithoutAShare) {
   std::promise<void> go;
   std::atomic<bool> hasTold{false};
   BackgroundTask task(QStringLiteral("Working"), [&](const Progress& progress) {
@@ -55,7 +55,7 @@ TEST(BackgroundTask, OnlyMovesWhereNobodyKnowsHowFarItIs) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isVisible(); }));
 }
 
-TEST(BackgroundTask, IsCancelledAtTheNextPlaceWhereItCan) {
+TEST(BackgroundTask, IsCancelledAtTheNextProgressCall) {
   std::atomic<int> told{0};
   BackgroundTask task(QStringLiteral("Working"), [&](const Progress& progress) {
     while (true) {
@@ -71,7 +71,7 @@ TEST(BackgroundTask, IsCancelledAtTheNextPlaceWhereItCan) {
   EXPECT_THROW(std::rethrow_exception(task.failure()), Cancelled);
 }
 
-TEST(BackgroundTask, HasNoCancelWhereNothingCanBeCancelled) {
+TEST(BackgroundTask, HasNoCancelButtonIfItCannotBeCancelled) {
   std::promise<void> go;
   BackgroundTask task(
       QStringLiteral("Working"),
@@ -85,7 +85,7 @@ TEST(BackgroundTask, HasNoCancelWhereNothingCanBeCancelled) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isVisible(); }));
 }
 
-TEST(BackgroundTask, TellsTheSentenceThatWasThrown) {
+TEST(BackgroundTask, ShowsTheMessageOfTheException) {
   QString told;
   QTimer look;
   QObject::connect(&look, &QTimer::timeout, &look, [&] {

@@ -47,7 +47,7 @@ std::string said(const QColor& text, const QColor& background) {
   return (text.name() + " on " + background.name()).toStdString();
 }
 
-TEST_P(ThemeTest, HasReadableWordsOnEveryGround) {
+TEST_P(ThemeTest, HasReadableTextOnEveryBackground) {
   for (const auto& fill : fillsOf(theme_)) {
     EXPECT_GE(contrast(fill.text, fill.background), least_) << said(fill.text, fill.background);
   }
@@ -58,7 +58,7 @@ TEST_P(ThemeTest, HasReadableWordsOnEveryGround) {
   }
 }
 
-/// The colour that a rule of the style sheet gives; invalid where it gives none.
+/// The colour that a rule of the style sheet sets; invalid if it sets none.
 QColor colourIn(const QString& rule, const QString& key) {
   const QRegularExpression pattern(
       QStringLiteral("(?:^|[{;\\s])%1:\\s*(#[0-9a-f]{6})").arg(QRegularExpression::escape(key)));
@@ -66,7 +66,7 @@ QColor colourIn(const QString& rule, const QString& key) {
   return match.hasMatch() ? QColor(match.captured(1)) : QColor();
 }
 
-TEST_P(ThemeTest, HasReadableWordsInEveryRuleOfItsStyleSheet) {
+TEST_P(ThemeTest, HasReadableTextInEveryStyleRule) {
   static const QRegularExpression kRule(QStringLiteral("([^{}]+)\\{([^}]*)\\}"));
   auto rules = kRule.globalMatch(styleSheetOf(theme_));
   int judged = 0;
@@ -100,11 +100,11 @@ TEST_P(ThemeTest, HasReadablePlaceHolders) {
   applyTheme(application);
 }
 
-TEST_P(ThemeTest, LeavesNoNameOfAColourInItsStyleSheet) {
+TEST_P(ThemeTest, ReplacesEveryColourNameInItsStyleSheet) {
   EXPECT_FALSE(styleSheetOf(theme_).contains(QLatin1Char('@')));
 }
 
-TEST_P(ThemeTest, ShowsWhereTheKeyboardIsAndWhatCanBePressed) {
+TEST_P(ThemeTest, ShowsTheFocusAndTheBordersOfControls) {
   for (const auto& ground : {theme_.window.background, theme_.field.background}) {
     EXPECT_GE(contrast(theme_.focus, ground), kForGraphics) << said(theme_.focus, ground);
     EXPECT_GE(contrast(theme_.border, ground), kForGraphics) << said(theme_.border, ground);
@@ -113,8 +113,8 @@ TEST_P(ThemeTest, ShowsWhereTheKeyboardIsAndWhatCanBePressed) {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// How somebody without one kind of cone sees a colour (Machado, Oliveira and Fernandes 2009,
-/// severity 1, in linear light).
+/// A colour as seen with one kind of cone missing (Machado, Oliveira and Fernandes 2009, severity
+/// 1, in linear light).
 constexpr Matrix kProtan{
     {{0.152286, 1.052583, -0.204868},
      {0.114503, 0.786281, 0.099216},
@@ -153,14 +153,14 @@ Triple seen(const QColor& colour, const Matrix& eye) {
   return inLab(result);
 }
 
-/// ΔE of 1976: below about 2.3 nobody sees a difference.
+/// The colour difference ΔE (CIE 1976). Below about 2.3 it is invisible.
 double difference(const QColor& one, const QColor& other, const Matrix& eye) {
   const auto a = seen(one, eye);
   const auto b = seen(other, eye);
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-TEST_P(ThemeTest, TellsStatesApartForEveryColourVision) {
+TEST_P(ThemeTest, DistinguishesStatesForEveryColourVision) {
   constexpr double kClearly = 20.0;
   const std::array states{theme_.good.background, theme_.warn.background, theme_.bad.background};
   for (const auto& eye : {kProtan, kDeutan, kTritan}) {
@@ -182,13 +182,16 @@ INSTANTIATE_TEST_SUITE_P(
       return name;
     });
 
-TEST(Contrast, IsWhatTheRecommendationSays) {
+TEST(Contrast, MatchesWcag) {
   EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-9);
   EXPECT_NEAR(contrast(Qt::white, Qt::white), 1.0, 1e-9);
-  EXPECT_NEAR(contrast(QColor("#777777"), Qt::white), 4.48, 0.01);  // the known near miss
+  EXPECT_NEAR(
+      contrast(QColor("#777777"), Qt::white),
+      4.48,
+      0.01);  // a well-known colour that just misses 4.5
 }
 
-TEST(ThemeChoice, IsWornAtOnceAndRemembered) {
+TEST(ThemeChoice, IsAppliedAtOnceAndStored) {
   auto& application = *qobject_cast<QApplication*>(QApplication::instance());
   QMenu menu;
   addThemesTo(menu);
@@ -201,7 +204,7 @@ TEST(ThemeChoice, IsWornAtOnceAndRemembered) {
   applyTheme(application);
 }
 
-TEST(ThemeChoice, LeavesAWindowThatWearsItsOwnAlone) {
+TEST(ThemeChoice, KeepsAWindowsOwnTheme) {
   auto& application = *qobject_cast<QApplication*>(QApplication::instance());
   QWidget window;
   QWidget inside(&window);

@@ -1,4 +1,4 @@
-// A knee of somebody's own, as it is drawn: in its place, and nothing else moved.
+// An anatomy from a file: it is drawn in its place, and nothing else changes.
 #include "study/gui/scene/shapes/knee_anatomy.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ protocols::Anatomy anatomyIn(const std::string& obj) {
   return anatomy.value_or(protocols::Anatomy());
 }
 
-/// A ridge from left to right that hangs into the picture from above.
+/// A ridge from left to right at the top of the picture.
 std::string ridge(const std::string& name) {
   return "o " + name +
          "\n"
@@ -33,7 +33,7 @@ QImage pictureOf(const SimulatedScene& scene) {
   return renderer.draw(scene.scene(), kSize).copy();
 }
 
-/// Of all pixels of the rows from @p top to @p bottom, those that differ clearly [%].
+/// The share of pixels that differ clearly in the rows from @p top to @p bottom [%].
 double shareOfDifferences(const QImage& a, const QImage& b, int top, int bottom) {
   int count = 0;
   for (int y = top; y < bottom; ++y) {
@@ -48,7 +48,7 @@ double shareOfDifferences(const QImage& a, const QImage& b, int top, int bottom)
   return 100.0 * count / ((bottom - top) * a.width());
 }
 
-TEST(KneeAnatomy, IsOursAgainWhenOursIsWrittenAndRead) {
+TEST(KneeAnatomy, ReadsBackTheBuiltInKnee) {
   const auto own = anatomyIn(kneeAsObj({}));
   EXPECT_EQ(own.surfaces.size(), 3U);
   const QImage before = pictureOf(KneeScene());
@@ -57,7 +57,7 @@ TEST(KneeAnatomy, IsOursAgainWhenOursIsWrittenAndRead) {
   EXPECT_LT(shareOfDifferences(before, after, 0, kSize.height()), 0.5);
 }
 
-TEST(KneeAnatomy, TakesThePlaceOfWhatItIsNamedAfter) {
+TEST(KneeAnatomy, ReplacesTheSurfaceOfTheSameName) {
   const auto own = anatomyIn(ridge("femur"));
   const KneeScene knee(&own);
   const KneeScene ours;
@@ -68,23 +68,23 @@ TEST(KneeAnatomy, TakesThePlaceOfWhatItIsNamedAfter) {
   tests::keepPicture(after, QStringLiteral("knee-with-a-ridge"));
   EXPECT_GT(shareOfDifferences(before, after, 0, 150), 20.0);
   EXPECT_EQ(shareOfDifferences(before, after, 250, kSize.height()), 0.0);  // tibia and handles
-  // Seen from the scope it is as blue as its corners say.
+  // Through the arthroscope it has the blue of its vertices.
   const QRgb middle = after.pixel(211, 60);
   EXPECT_GT(qBlue(middle), qRed(middle) + 40);
 }
 
-TEST(KneeAnatomy, LiesWhereThePunchBites) {
+TEST(KneeAnatomy, HasItsOriginAtThePunchsBite) {
   const auto own = anatomyIn(ridge("femur"));
   const KneeLayout layout;
   const QVector3D corner =
       kneeSurfaces(layout, &own).femur.vertices.front().position - punchMouth(layout);
   EXPECT_NEAR((corner - QVector3D(-30.0F, 6.0F, 0.0F)).length(), 0.0F, 1e-4F);
-  // 5.6 mm before the hinge, on the lower jaw.
+  // The bite is 5.6 mm from the hinge, on the lower jaw.
   EXPECT_NEAR(
       (punchPose(layout).map(QVector3D(5.6F, 0, 0)) - punchMouth(layout)).length(), 0.0F, 1e-4F);
 }
 
-TEST(KneeAnatomy, LeavesTheMeniscusToTheFiniteElements) {
+TEST(KneeAnatomy, DoesNotReplaceTheMeniscus) {
   const auto own = anatomyIn(ridge("tibia"));
   const KneeScene knee(&own);
   EXPECT_EQ(knee.meniscus().body().vertices.size(), KneeScene().meniscus().body().vertices.size());

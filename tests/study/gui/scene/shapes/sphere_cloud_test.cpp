@@ -1,4 +1,4 @@
-// The spheres that are drawn, and what is handed on about them.
+// The visible spheres of a bone, and the changes that are uploaded.
 #include "study/gui/scene/shapes/sphere_cloud.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ double lightnessOf(Tint tint) {
   return y > 0.008856 ? 116.0 * std::cbrt(y) - 16.0 : 903.3 * y;
 }
 
-/// Whoever draws, with a copy of its own; counts what it is sent.
+/// A renderer's copy of the instances, which counts the bytes it receives.
 struct Copy {
   std::vector<SphereInstance> instances;
   std::size_t bytes = 0;
@@ -49,7 +49,7 @@ class SphereCloudTest : public testing::Test {
  protected:
   static SphereCloud::Options seenAs(SphereColours colours) { return {.colours = colours}; }
 
-  /// A slot whose sphere is drawn: the first that lies at y > 1 mm in the cup's rim.
+  /// The slot of a sphere that is drawn at its initial position.
   std::uint32_t slotOf(const SphereInstance& sphere) const {
     for (std::uint32_t slot = 0; slot < field_.slotCount(); ++slot) {
       const auto centre = field_.centre(slot);
@@ -67,18 +67,19 @@ class SphereCloudTest : public testing::Test {
   haptics::reaming::SphereField field_{bone_->packing, bone_->densities(0.5, 1.0)};
 };
 
-TEST_F(SphereCloudTest, DrawsOnlyWhatCanBeSeen) {
+TEST_F(SphereCloudTest, DrawsOnlyVisibleSpheres) {
   const SphereCloud cloud(field_, {});
   EXPECT_GT(cloud.shown(), bone_->packing.spheres.size() / 50);
   EXPECT_LT(cloud.shown(), bone_->packing.spheres.size() / 3);
-  for (const auto& sphere : cloud.instances()) EXPECT_GE(sphere.y, 0.0F);  // the section
+  for (const auto& sphere : cloud.instances())
+    EXPECT_GE(sphere.y, 0.0F);  // the half behind the section
   const SphereCloud whole(field_, {.isHalved = false});
   bool isInFront = false;
   for (const auto& sphere : whole.instances()) isInFront |= sphere.y < -1.0F;
   EXPECT_TRUE(isInFront);
 }
 
-TEST_F(SphereCloudTest, HandsOnEverythingOnceAndThenOnlyWhatChanged) {
+TEST_F(SphereCloudTest, UploadsEverythingOnceAndThenOnlyChanges) {
   SphereCloud cloud(field_, {});
   Copy copy;
   copy.take(cloud);
@@ -90,7 +91,7 @@ TEST_F(SphereCloudTest, HandsOnEverythingOnceAndThenOnlyWhatChanged) {
   auto sphere = cloud.instances()[10];
   const std::uint32_t slot = slotOf(sphere);
   cloud.apply({slot, {sphere.x / 1000.0F, sphere.y / 1000.0F, sphere.z / 1000.0F, 1e-4F}});
-  copy.take(cloud);  // this sphere, and what lies behind it for the first time
+  copy.take(cloud);  // the removed sphere, and those that it uncovers
   EXPECT_GT(copy.bytes, 0U);
   EXPECT_LT(copy.bytes, 300 * sizeof(SphereInstance));
   EXPECT_TRUE(copy.isLike(cloud));
@@ -101,7 +102,7 @@ TEST_F(SphereCloudTest, HandsOnEverythingOnceAndThenOnlyWhatChanged) {
   EXPECT_TRUE(copy.isLike(cloud));
 }
 
-TEST_F(SphereCloudTest, LaysBareWhatIsBehindASphereThatIsGone) {
+TEST_F(SphereCloudTest, ShowsWhatIsBehindARemovedSphere) {
   SphereCloud cloud(field_, {});
   constexpr std::size_t kGone = 300;
   const std::size_t before = cloud.shown();
@@ -113,7 +114,7 @@ TEST_F(SphereCloudTest, LaysBareWhatIsBehindASphereThatIsGone) {
   EXPECT_GT(cloud.shown(), before - kGone + 50);
 }
 
-TEST_F(SphereCloudTest, IsWholeAgainWhenItIsTold) {
+TEST_F(SphereCloudTest, IsRestoredByAReset) {
   SphereCloud cloud(field_, {});
   const std::size_t before = cloud.shown();
   Copy copy;
@@ -127,14 +128,14 @@ TEST_F(SphereCloudTest, IsWholeAgainWhenItIsTold) {
   EXPECT_TRUE(copy.isLike(cloud));
 }
 
-TEST_F(SphereCloudTest, IgnoresASlotThatIsNone) {
+TEST_F(SphereCloudTest, IgnoresAnInvalidSlot) {
   SphereCloud cloud(field_, {});
   const std::size_t before = cloud.shown();
   cloud.apply({static_cast<std::uint32_t>(field_.slotCount()), {}});
   EXPECT_EQ(cloud.shown(), before);
 }
 
-TEST_F(SphereCloudTest, SaysDensityAndRemovalByColour) {
+TEST_F(SphereCloudTest, ColoursSpheresByDensityOrRemoval) {
   const SphereCloud neutral(field_, seenAs(SphereColours::Neutral));
   const SphereCloud density(field_, seenAs(SphereColours::Density));
   SphereCloud removal(field_, seenAs(SphereColours::Removal));
@@ -148,7 +149,7 @@ TEST_F(SphereCloudTest, SaysDensityAndRemovalByColour) {
   EXPECT_LT(std::abs(before.red - before.blue), 40);
 }
 
-TEST(BoneTints, GrowLighterFromEndToEndSoThatNobodyNeedsTheirHues) {
+TEST(BoneTints, GrowLighterFromEndToEnd) {
   for (const auto scale : {&scaleTint, &removalTint}) {
     double before = lightnessOf(scale(0.0F));
     EXPECT_LT(before, 25.0);
@@ -161,10 +162,10 @@ TEST(BoneTints, GrowLighterFromEndToEndSoThatNobodyNeedsTheirHues) {
   }
 }
 
-TEST(BoneTints, ShowNoRemovalThatLooksUntouchedToTheColourBlind) {
+TEST(BoneTints, DistinguishRemovedFromUntouchedForTheColourBlind) {
   for (int i = 0; i <= 40; ++i) {
     const Tint tint = removalTint(static_cast<float>(i) / 40.0F);
-    // What red-blind and green-blind eyes keep: light, and blue against yellow.
+    // Red-blind and green-blind eyes see lightness, and blue against yellow.
     const Tint none = untouchedTint();
     const double light = lightnessOf(tint) - lightnessOf(none);
     const auto yellow = [](Tint t) { return 0.5 * (t.red + t.green) - t.blue; };
@@ -173,7 +174,7 @@ TEST(BoneTints, ShowNoRemovalThatLooksUntouchedToTheColourBlind) {
   }
 }
 
-TEST_F(SphereCloudTest, TellsAnotherWhatHasBecomeOfIt) {
+TEST_F(SphereCloudTest, ReproducesItsStateInASecondCloud) {
   SphereCloud cloud(field_, {});
   EXPECT_TRUE(cloud.changesSoFar().empty());
   for (std::uint32_t slot = 0; slot < 2000; slot += 2) cloud.apply({slot, {}});
