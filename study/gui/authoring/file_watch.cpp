@@ -11,19 +11,19 @@ constexpr int kSettlesIn = 150;  // [ms]: editors write a file in several steps
 }  // namespace
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
-  settled_.setSingleShot(true);
-  settled_.setInterval(kSettlesIn);
-  const auto wait = [this] { settled_.start(); };
+  settleTimer_.setSingleShot(true);
+  settleTimer_.setInterval(kSettlesIn);
+  const auto wait = [this] { settleTimer_.start(); };
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, wait);
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, wait);
-  connect(&settled_, &QTimer::timeout, this, &FileWatch::lookAgain);
+  connect(&settleTimer_, &QTimer::timeout, this, &FileWatch::checkForChanges);
 }
 
 void FileWatch::watch(const QStringList& files) {
   const QStringList old = watcher_.files() + watcher_.directories();
   if (!old.isEmpty()) watcher_.removePaths(old);
   files_ = files;
-  before_ = look();
+  lastStates_ = look();
   watchAll();
 }
 
@@ -44,11 +44,11 @@ std::map<QString, FileWatch::State> FileWatch::look() const {
   return now;
 }
 
-void FileWatch::lookAgain() {
+void FileWatch::checkForChanges() {
   watchAll();  // a replaced file has to be added again
   const auto now = look();
-  if (now == before_) return;
-  before_ = now;
+  if (now == lastStates_) return;
+  lastStates_ = now;
   emit changed();
 }
 

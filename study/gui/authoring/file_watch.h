@@ -28,13 +28,13 @@ class FileWatch final : public QObject {
  private:
   using State = std::pair<qint64, QDateTime>;  ///< size, last written
   std::map<QString, State> look() const;
-  void lookAgain();
+  void checkForChanges();
   void watchAll();
 
   QStringList files_;
-  std::map<QString, State> before_;
+  std::map<QString, State> lastStates_;
   QFileSystemWatcher watcher_;
-  QTimer settled_;
+  QTimer settleTimer_;
 };
 
 }  // namespace study::gui

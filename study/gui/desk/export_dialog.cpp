@@ -87,16 +87,16 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   clear();
   go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());
-  if (audience == Audience::Public) lookAtClasses();
+  if (audience == Audience::Public) showPublicClasses();
 }
 
-void ExportDialog::lookAtClasses() {
+void ExportDialog::showPublicClasses() {
   try {
     SystemClock clock;
     auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
-    tellMore(QString::fromStdString(study::describe(publicRelease(study, options()))));
+    showDetails(QString::fromStdString(study::describe(publicRelease(study, options()))));
   } catch (const std::exception& error) {
-    say(Outcome::Bad, QString::fromUtf8(error.what()));
+    showOutcome(Outcome::Bad, QString::fromUtf8(error.what()));
     go().setEnabled(false);
   }
 }
@@ -120,7 +120,8 @@ void ExportDialog::work() {
       how.publicClass ? "for strangers"
       : how.isBlinded ? "blinded"
                       : "NOT blinded");
-  say(sessions > 0 ? Outcome::Good : Outcome::Warning,
+  showOutcome(
+      sessions > 0 ? Outcome::Good : Outcome::Warning,
       tr("%1 holds the data of %2, %3.")
           .arg(target_->path(), QString::fromStdString(words::counted(sessions, "session")), what));
 }

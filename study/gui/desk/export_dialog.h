@@ -28,7 +28,7 @@ class ExportDialog final : public WorkDialog {
  private:
   ExportOptions options() const;
   void updateChoices();
-  void lookAtClasses();
+  void showPublicClasses();
 
   std::string folder_;
   QComboBox* format_;

@@ -55,7 +55,7 @@ bool belongsToParticipant(const QWidget& widget) {
 }
 
 /// Adds the space between paragraphs that Qt's Markdown import omits.
-void makeRoomRound(const QTextBlock& block) {
+void addParagraphSpacing(const QTextBlock& block) {
   const bool isHeading = block.blockFormat().headingLevel() > 0;
   const bool isCode = block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
   QTextBlockFormat format;
@@ -191,7 +191,7 @@ HelpWindow::HelpWindow(QWidget* parent)
 void HelpWindow::listHeadings() {
   contents_->clear();
   for (auto block = text_->document()->begin(); block.isValid(); block = block.next()) {
-    makeRoomRound(block);
+    addParagraphSpacing(block);
     if (block.blockFormat().headingLevel() == 0) continue;
     auto* item = new QListWidgetItem(block.text(), contents_);
     item->setData(Qt::UserRole, block.blockNumber());

@@ -121,7 +121,7 @@ void HomeWindow::makeMenus() {
   measured->addAction(tr("&Fit a material…"), this, &HomeWindow::openTool<FitMaterialDialog>);
   measured->addAction(
       tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
-  measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { askForShape(this); });
+  measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { chooseAndOpenShape(this); });
   addThemesTo(*menuBar()->addMenu(tr("&View")));
   auto* help = menuBar()->addMenu(tr("&Help"));
   // offerHelp() handles F1 itself, wherever the focus is.

@@ -16,7 +16,7 @@ constexpr int kUsualSpheres = 201'532;  // as in the published model
 
 /// Runs the work behind a progress dialog.
 /// @return the description of its result; nothing if it failed or was cancelled.
-std::optional<QString> saidBy(
+std::optional<QString> runWithProgress(
     QWidget* parent,
     const QString& title,
     const std::function<std::string(const Progress&)>& work) {
@@ -60,11 +60,11 @@ void ImportCutDialog::work() {
   const auto target = target_->path().toStdString();
   const auto cut =
       cut_->value() == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(cut_->value()));
-  const auto said = saidBy(this, tr("Importing"), [&](const Progress& progress) {
+  const auto said = runWithProgress(this, tr("Importing"), [&](const Progress& progress) {
     return importCutTo(recording, cut, target, progress);
   });
   if (!said) return clear();
-  say(Outcome::Good, tr("%1 holds the cut.").arg(target_->path()), *said);
+  showOutcome(Outcome::Good, tr("%1 holds the cut.").arg(target_->path()), *said);
 }
 
 FitMaterialDialog::FitMaterialDialog(QWidget* parent)
@@ -93,11 +93,12 @@ void FitMaterialDialog::work() {
   const auto series = series_->path().toStdString();
   const auto title = title_->text().toStdString();
   const auto target = target_->path().toStdString();
-  const auto said = saidBy(this, tr("Fitting the material"), [&](const Progress& progress) {
-    return fitMaterialTo(series, title, target, progress);
-  });
+  const auto said =
+      runWithProgress(this, tr("Fitting the material"), [&](const Progress& progress) {
+        return fitMaterialTo(series, title, target, progress);
+      });
   if (!said) return clear();
-  say(Outcome::Good, tr("%1 holds the material.").arg(target_->path()), *said);
+  showOutcome(Outcome::Good, tr("%1 holds the material.").arg(target_->path()), *said);
 }
 
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
@@ -130,11 +131,11 @@ void BuildBoneDialog::work() {
   const auto spheres = static_cast<std::size_t>(spheres_->value());
   const auto seed = static_cast<std::uint64_t>(seed_->value());
   const auto target = target_->path().toStdString();
-  const auto said = saidBy(this, tr("Placing spheres"), [&](const Progress& progress) {
+  const auto said = runWithProgress(this, tr("Placing spheres"), [&](const Progress& progress) {
     return buildBoneTo(spheres, seed, target, progress);
   });
   if (!said) return clear();
-  say(Outcome::Good, tr("%1 holds the spheres.").arg(target_->path()), *said);
+  showOutcome(Outcome::Good, tr("%1 holds the spheres.").arg(target_->path()), *said);
 }
 
 }  // namespace study::gui

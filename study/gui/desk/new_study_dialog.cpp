@@ -76,7 +76,8 @@ void NewStudyDialog::check() {
   checked_ = checkProtocol(source().toStdString());
   const QString problems = QString::fromStdString(questionnaires::describe(checked_.problems));
   const bool isSound = checked_.loaded.has_value();
-  say(isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
+  showOutcome(
+      isSound ? (checked_.warnings() > 0 ? Outcome::Warning : Outcome::Good) : Outcome::Bad,
       QString::fromStdString(checked_.verdict()),
       problems);
   go().setEnabled(isSound && !folder_->path().isEmpty());

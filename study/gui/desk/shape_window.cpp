@@ -31,8 +31,8 @@ QWidget* boneWindow(const std::string& path, QWidget* parent) {
   const haptics::engine::PackingSpec spec{
       .bone = std::make_shared<const haptics::reaming::PackedBone>(std::move(*bone))};
   auto* window = new scene::CupWindow(spec, {}, parent);
-  window->leaveOut(scene::SphereColours::Removal);
-  if (!isFitted) window->leaveOut(scene::SphereColours::Density);
+  window->removeColours(scene::SphereColours::Removal);
+  if (!isFitted) window->removeColours(scene::SphereColours::Density);
   return window;
 }
 
@@ -63,7 +63,7 @@ QWidget* openShape(const QString& path, QWidget* parent) {
   return window;
 }
 
-void askForShape(QWidget* parent) {
+void chooseAndOpenShape(QWidget* parent) {
   const QString path = QFileDialog::getOpenFileName(
       parent,
       QFileDialog::tr("Look at a bone or a knee"),

@@ -11,6 +11,6 @@ namespace study::gui {
 QWidget* openShape(const QString& path, QWidget* parent);
 
 /// Asks for such a file and opens it. Shows a message if that fails.
-void askForShape(QWidget* parent);
+void chooseAndOpenShape(QWidget* parent);
 
 }  // namespace study::gui

@@ -78,13 +78,15 @@ void BackupDialog::work() {
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
   const QString checks = describe(backup.verification);
   if (backup.verification.isSound()) {
-    say(Outcome::Good,
+    showOutcome(
+        Outcome::Good,
         tr("%1 MB are copied to %2, and are what was written.")
             .arg(megabytes, 0, 'f', 1)
             .arg(target_->path()),
         checks);
   } else {
-    say(Outcome::Bad, tr("The copy is as damaged as the study that it was made of."), checks);
+    showOutcome(
+        Outcome::Bad, tr("The copy is as damaged as the study that it was made of."), checks);
   }
 }
 
@@ -108,9 +110,10 @@ void VerifyDialog::work() {
   if (!isDone) return clear();
   const QString checks = describe(verification);
   if (verification.isSound()) {
-    say(Outcome::Good, tr("Everything is what was written."), checks);
+    showOutcome(Outcome::Good, tr("Everything is what was written."), checks);
   } else {
-    say(Outcome::Bad,
+    showOutcome(
+        Outcome::Bad,
         tr("Something is not what was written. Keep the folder as it is, and restore a copy from "
            "before."),
         checks);
@@ -164,7 +167,7 @@ void ReportDialog::work() {
   const bool isDone = BackgroundTask::run(
       this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
   if (!isDone) return clear();
-  say(Outcome::Good, tr("%1 holds the report.").arg(target_->path()));
+  showOutcome(Outcome::Good, tr("%1 holds the report.").arg(target_->path()));
 }
 
 }  // namespace study::gui

@@ -45,17 +45,17 @@ WorkDialog::WorkDialog(
   clear();
 }
 
-void WorkDialog::say(Outcome outcome, const QString& line, const QString& more) {
+void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString& more) {
   static constexpr const char* kRoles[]{"good", "warn", "bad"};
   static constexpr const char* kSigns[]{"✓  ", "!  ", "✕  "};
   const auto place = static_cast<std::size_t>(outcome);
   setRole(*line_, kRoles[place]);
   line_->setText(QString::fromUtf8(kSigns[place]) + line);
   line_->setVisible(true);
-  tellMore(more);
+  showDetails(more);
 }
 
-void WorkDialog::tellMore(const QString& more) {
+void WorkDialog::showDetails(const QString& more) {
   more_->setPlainText(more);
   more_->setVisible(!more.isEmpty());
   fit();
@@ -76,7 +76,7 @@ void WorkDialog::showEvent(QShowEvent* event) {
 void WorkDialog::clear() {
   line_->clear();
   line_->setVisible(false);
-  tellMore(QString());
+  showDetails(QString());
 }
 
 }  // namespace study::gui

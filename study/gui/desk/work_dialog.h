@@ -24,9 +24,9 @@ class WorkDialog : public QDialog {
   QPushButton& go() noexcept { return *go_; }
 
   /// Shows the result in one line, and details below.
-  void say(Outcome outcome, const QString& line, const QString& more = {});
+  void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
   /// Shows details without a result.
-  void tellMore(const QString& more);
+  void showDetails(const QString& more);
   void clear();
   /// Resizes the dialog to its contents.
   void fit();

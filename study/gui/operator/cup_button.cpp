@@ -68,7 +68,7 @@ void CupButton::follow(SessionController* controller) {
 
 scene::CupWindow::Present CupButton::present() const {
   if (controller_ == nullptr || !controller_->isTrialRunning()) return {};
-  auto* cup = controller_->seenCup();
+  auto* cup = controller_->visibleCup();
   if (cup == nullptr || cup->spheres() == nullptr) return {};
   return {.seen = cup, .isRunning = true};
 }

@@ -66,13 +66,13 @@ void DevicePanel::refresh() {
 }
 
 void DevicePanel::check() {
-  FindingsDialog(listen(), FindingsDialog::Asks::Nothing, window()).exec();
+  FindingsDialog(checkDevices(), FindingsDialog::Asks::Nothing, window()).exec();
 }
 
 bool DevicePanel::mayBegin(const Found& otherwise) {
   Found found = otherwise;
   if (deviceSet_ != nullptr) {
-    const auto heard = listen();
+    const auto heard = checkDevices();
     found.insert(found.end(), heard.begin(), heard.end());
   }
   if (!FindingsDialog::hasFailed(found)) return true;
@@ -80,10 +80,10 @@ bool DevicePanel::mayBegin(const Found& otherwise) {
   return question.exec() == QDialog::Accepted;
 }
 
-Found DevicePanel::listen() {
+Found DevicePanel::checkDevices() {
   timer_.stop();  // the worker owns the device set until it is done
   Found found;
-  const auto listenToAll = [&](const Progress& progress) {
+  const auto checkAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
       tell(progress, kUnknownShare, "listening to " + need.id);
       auto* device = deviceSet_->find(need.id);
@@ -102,7 +102,7 @@ Found DevicePanel::listen() {
   // No trial can begin meanwhile, because the modal dialog takes all clicks until the check is
   // over.
   const bool isDone = BackgroundTask::run(
-      window(), tr("Devices"), listenToAll, BackgroundTask::Cancelling::Impossible);
+      window(), tr("Devices"), checkAll, BackgroundTask::Cancelling::Impossible);
   if (!isDone) {
     found.push_back({"", {{Finding::Fail, "check", "it did not come to its end", "Try again."}}});
   }

@@ -43,7 +43,7 @@ class DevicePanel final : public QWidget {
  private:
   void refresh();
   /// Measures for a few seconds. The window is repainted meanwhile but takes no clicks.
-  std::vector<FindingsDialog::Found> listen();
+  std::vector<FindingsDialog::Found> checkDevices();
 
   const protocols::Protocol& protocol_;
   HardwareDeviceSet* deviceSet_;  ///< nullptr: virtual devices

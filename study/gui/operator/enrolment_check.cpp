@@ -4,7 +4,7 @@
 
 namespace study::gui {
 
-std::vector<FindingsDialog::Found> textsBefore(
+std::vector<FindingsDialog::Found> checkTexts(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment) {
   FindingsDialog::Found texts{"texts", {}};
   if (enrolment.runMode != RunMode::Live) return {};

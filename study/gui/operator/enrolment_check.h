@@ -11,7 +11,7 @@ namespace study::gui {
 /// Findings about the texts that a newly enrolled participant would read. For a live session each
 /// placeholder that is still in double square brackets fails. Empty if there are none, and in other
 /// run modes.
-std::vector<FindingsDialog::Found> textsBefore(
+std::vector<FindingsDialog::Found> checkTexts(
     const protocols::LoadedProtocol& protocol, const Enrolment& enrolment);
 
 }  // namespace study::gui

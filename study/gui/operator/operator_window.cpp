@@ -134,7 +134,7 @@ void OperatorWindow::resume(SessionId id) {
 void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
   if (controller_) return;
   attempt(this, [&] {
-    if (devices_->mayBegin(textsBefore(study_.protocol(), enrolment))) enrol(enrolment);
+    if (devices_->mayBegin(checkTexts(study_.protocol(), enrolment))) enrol(enrolment);
   });
 }
 
@@ -145,16 +145,16 @@ void OperatorWindow::resumeIfFit(SessionId id) {
 void OperatorWindow::begin(Session session) {
   controller_ = std::make_unique<SessionController>(study_, *deviceSet_, std::move(session));
   followSession();
-  speakTheSessionsLanguage();
+  useSessionLanguage();
   participant_ = std::make_unique<ParticipantWindow>(
       *controller_, pin_, [this](double share) { moveHand(share); });
   connect(
       &participant_->lock(),
       &ScreenLock::opened,
       this,
-      &OperatorWindow::tellWhatWaited,
+      &OperatorWindow::showWaitingErrors,
       Qt::QueuedConnection);
-  wearTheme(*participant_, ThemeName::Light);  // the same for each participant
+  setWindowTheme(*participant_, ThemeName::Light);  // the same for each participant
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
   pages_->setCurrentIndex(1);
@@ -166,12 +166,8 @@ void OperatorWindow::followSession() {
   const auto* session = controller_.get();
   connect(session, &SessionController::stepChanged, this, &OperatorWindow::updateAll);
   connect(session, &SessionController::trialChanged, trial_, &TrialPanel::updateTrial);
-  connect(
-      session,
-      &SessionController::languageChanged,
-      this,
-      &OperatorWindow::speakTheSessionsLanguage);
-  connect(session, &SessionController::failed, this, &OperatorWindow::tell);
+  connect(session, &SessionController::languageChanged, this, &OperatorWindow::useSessionLanguage);
+  connect(session, &SessionController::failed, this, &OperatorWindow::showError);
   connect(session, &SessionController::aboutToLeave, this, [this] {
     if (interview_ != nullptr) interview_->flush();
   });
@@ -179,17 +175,17 @@ void OperatorWindow::followSession() {
 
 /// Shows a message. While the participant's window is locked it waits for the PIN, because the
 /// locked window covers it.
-void OperatorWindow::tell(const QString& why) {
+void OperatorWindow::showError(const QString& why) {
   if (participant_ && participant_->lock().isLocked()) {
-    waiting_ << why;
+    waitingErrors_ << why;
     return;
   }
   QMessageBox::warning(this, tr("That did not work"), why);
 }
 
-void OperatorWindow::tellWhatWaited() {
-  const auto told = std::exchange(waiting_, {});
-  if (!told.isEmpty()) tell(told.join(QStringLiteral("\n\n")));
+void OperatorWindow::showWaitingErrors() {
+  const auto told = std::exchange(waitingErrors_, {});
+  if (!told.isEmpty()) showError(told.join(QStringLiteral("\n\n")));
 }
 
 void OperatorWindow::stop() {
@@ -203,7 +199,7 @@ void OperatorWindow::handOver() {
     if (!chosen) return;
     pin_.choose(*chosen);
   }
-  trial_->closeBone();
+  trial_->closeBoneWindow();
   participant_->lock().lock();
 }
 
@@ -219,7 +215,7 @@ void OperatorWindow::showParticipant() {
   }
 }
 
-void OperatorWindow::speakTheSessionsLanguage() {
+void OperatorWindow::useSessionLanguage() {
   QCoreApplication::removeTranslator(&translator_);
   translator_.speak(controller_->session().language());
   QCoreApplication::installTranslator(&translator_);
@@ -262,14 +258,15 @@ void OperatorWindow::showInterview() {
   connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
   connect(
       interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);
-  connect(controller_.get(), &SessionController::notKept, interview_, &QuestionnairePage::takeBack);
+  connect(
+      controller_.get(), &SessionController::notSaved, interview_, &QuestionnairePage::markUnsaved);
   middle_->addWidget(interview_);
   middle_->setCurrentWidget(interview_);
 }
 
 void OperatorWindow::endSession() {
   if (!controller_ || controller_->isTrialRunning()) return;
-  if (!controller_->keepAll() && !wantsToLose()) return;
+  if (!controller_->saveAll() && !confirmLoss()) return;
   trial_->follow(nullptr);
   controls_->follow(nullptr);
   participant_->allowClosing();
@@ -285,7 +282,7 @@ void OperatorWindow::endSession() {
   pages_->setCurrentIndex(0);
 }
 
-bool OperatorWindow::wantsToLose() {
+bool OperatorWindow::confirmLoss() {
   return QMessageBox::question(
              this,
              tr("Not everything is kept"),

@@ -62,16 +62,16 @@ class OperatorWindow final : public QMainWindow {
   void followSession();
   void showParticipant();
   void handOver();
-  void tell(const QString& why);
-  void tellWhatWaited();
+  void showError(const QString& why);
+  void showWaitingErrors();
   void stop();
   void showInterview();
   void endSession();
   /// Asks whether to close although something could not be saved. Enter means No.
-  bool wantsToLose();
+  bool confirmLoss();
   void updateAll();
   void moveHand(double share);
-  void speakTheSessionsLanguage();
+  void useSessionLanguage();
 
   Study& study_;
   std::map<std::string, haptics::devices::PointerHand*> hands_;  ///< of the open devices, by id
@@ -81,9 +81,9 @@ class OperatorWindow final : public QMainWindow {
   CatalogueTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
-  QStringList waiting_;     ///< messages that wait until the participant's window is unlocked
-  QStackedWidget* pages_;   ///< between sessions, and during a session
-  QStackedWidget* middle_;  ///< during a session: the trial, or the interview
+  QStringList waitingErrors_;  ///< messages that wait until the participant's window is unlocked
+  QStackedWidget* pages_;      ///< between sessions, and during a session
+  QStackedWidget* middle_;     ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
   SessionsPage* sessions_;
   ControlPanel* controls_;

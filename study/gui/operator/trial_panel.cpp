@@ -67,12 +67,12 @@ void TrialPanel::follow(SessionController* controller) {
   controller_ = controller;
   wasRunning_ = false;
   // Removes the previous session's trial.
-  showNothing(*haptics::deviceKinds().front(), kNominalRate);
+  clearTrial(*haptics::deviceKinds().front(), kNominalRate);
   cup_->follow(controller);
   updateSteps();
 }
 
-void TrialPanel::closeBone() {
+void TrialPanel::closeBoneWindow() {
   cup_->closeWindow();
 }
 
@@ -93,14 +93,14 @@ void TrialPanel::updateSteps() {
   showState();
 }
 
-void TrialPanel::showNothing(const haptics::devices::DeviceKind& device, double rate) {
+void TrialPanel::clearTrial(const haptics::devices::DeviceKind& device, double rate) {
   plot_->begin(device, rate);
   servo_->begin(device, rate);
   cuts_->begin(device, rate);
 }
 
 void TrialPanel::beginTrial() {
-  showNothing(controller_->deviceKind(), controller_->trialRate());
+  clearTrial(controller_->deviceKind(), controller_->trialRate());
 }
 
 void TrialPanel::showState() {

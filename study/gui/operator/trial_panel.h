@@ -29,14 +29,14 @@ class TrialPanel final : public QWidget {
   /// Shows new samples of the running trial.
   void updateTrial();
   /// Closes the window with the coloured bone, which only the operator may see.
-  void closeBone();
+  void closeBoneWindow();
 
  private:
   enum class Health { Good, Resting, Bad };
 
   void beginTrial();
   /// Clears all trial displays for a trial on @p device with ticks at @p rate [Hz].
-  void showNothing(const haptics::devices::DeviceKind& device, double rate);
+  void clearTrial(const haptics::devices::DeviceKind& device, double rate);
   void showHealth(const QString& words, Health health);
   void showState();
 

@@ -174,7 +174,7 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
   next_->setEnabled(questions_->isComplete());
   connect(questions_, &QuestionnairePage::answered, &controller_, &SessionController::answer);
   connect(questions_, &QuestionnairePage::retracted, &controller_, &SessionController::retract);
-  connect(&controller_, &SessionController::notKept, questions_, &QuestionnairePage::takeBack);
+  connect(&controller_, &SessionController::notSaved, questions_, &QuestionnairePage::markUnsaved);
   connect(questions_, &QuestionnairePage::completeChanged, next_, &QPushButton::setEnabled);
   return questions_;
 }

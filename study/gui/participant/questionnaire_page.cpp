@@ -32,13 +32,13 @@ QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
       inCard->addWidget(quietLabel(tr("You may leave this out."), card));
     layout->addWidget(card);
     widgets_.push_back(widget);
-    told_.emplace_back();
+    states_.emplace_back();
     for (const auto& answer : content.before) {
       if (answer.item != content.items[i].id) continue;
       widget->show(answer.response);
-      told_.back() = {answer.response, answer.firstTouch, answer.changes};
+      states_.back() = {answer.response, answer.firstTouch, answer.changes};
     }
-    connect(widget, &ItemWidget::changed, this, [this, i] { handOn(i); });
+    connect(widget, &ItemWidget::changed, this, [this, i] { emitAnswer(i); });
   }
   layout->addStretch(1);
   scroll->setWidget(inside);
@@ -65,27 +65,27 @@ bool QuestionnairePage::isComplete() const {
   return true;
 }
 
-void QuestionnairePage::handOn(std::size_t index) {
-  auto& told = told_[index];
+void QuestionnairePage::emitAnswer(std::size_t index) {
+  auto& state = states_[index];
   const auto response = widgets_[index]->response();
-  const bool isNew = response != told.response;
-  if (!isNew && told.isKept) return;
+  const bool isNew = response != state.response;
+  if (!isNew && state.isSaved) return;
   const double now = static_cast<double>(shown_.elapsed()) / 1000.0;
   if (isNew) {
-    if (told.changes < 0) told.firstTouch = now;
-    ++told.changes;
+    if (state.changes < 0) state.firstTouch = now;
+    ++state.changes;
   }
-  told.response = response;
-  told.isKept = true;  // takeBack() is called before the signal returns
+  state.response = response;
+  state.isSaved = true;  // markUnsaved() is called before the signal returns
   const auto& item = widgets_[index]->item();
   if (response) {
     emit answered(
         {.item = item.id,
          .response = *response,
          .itemOrder = static_cast<int>(index) + 1,
-         .firstTouch = told.firstTouch,
-         .responseTime = std::max(now, told.firstTouch),
-         .changes = told.changes,
+         .firstTouch = state.firstTouch,
+         .responseTime = std::max(now, state.firstTouch),
+         .changes = state.changes,
          .language = language_.toStdString()});
   } else {
     emit retracted(QString::fromStdString(item.id));
@@ -93,14 +93,14 @@ void QuestionnairePage::handOn(std::size_t index) {
   emit completeChanged(isComplete());
 }
 
-void QuestionnairePage::takeBack(const QString& item) {
+void QuestionnairePage::markUnsaved(const QString& item) {
   for (std::size_t i = 0; i < widgets_.size(); ++i) {
-    if (widgets_[i]->item().id == item.toStdString()) told_[i].isKept = false;
+    if (widgets_[i]->item().id == item.toStdString()) states_[i].isSaved = false;
   }
 }
 
 void QuestionnairePage::flush() {
-  for (std::size_t i = 0; i < widgets_.size(); ++i) handOn(i);
+  for (std::size_t i = 0; i < widgets_.size(); ++i) emitAnswer(i);
 }
 
 }  // namespace study::gui

@@ -35,7 +35,7 @@ class QuestionnairePage final : public QWidget {
 
  public slots:
   /// Marks an item's answer as not saved. It is emitted again by flush().
-  void takeBack(const QString& item);
+  void markUnsaved(const QString& item);
 
  signals:
   /// An item was answered, or its answer changed.
@@ -45,17 +45,17 @@ class QuestionnairePage final : public QWidget {
   void completeChanged(bool isComplete);
 
  private:
-  struct Told {
+  struct ItemState {
     std::optional<questionnaires::Response> response;  ///< the last one emitted
     double firstTouch = 0.0;                           ///< since the page was shown [s]
-    int changes = -1;    ///< of the answer after the first; −1: unanswered
-    bool isKept = true;  ///< false after takeBack()
+    int changes = -1;     ///< of the answer after the first; −1: unanswered
+    bool isSaved = true;  ///< false after markUnsaved()
   };
 
-  void handOn(std::size_t index);
+  void emitAnswer(std::size_t index);
 
   std::vector<ItemWidget*> widgets_;
-  std::vector<Told> told_;
+  std::vector<ItemState> states_;
   QString language_;
   QElapsedTimer shown_;
 };

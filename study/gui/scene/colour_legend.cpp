@@ -23,7 +23,8 @@ ColourLegend::ColourLegend(QWidget* parent) : QWidget(parent) {
   showNothing();
 }
 
-void ColourLegend::tell(const QString& title, std::vector<QString> marks, const QString& words) {
+void ColourLegend::setScale(
+    const QString& title, std::vector<QString> marks, const QString& words) {
   title_ = title;
   marks_ = std::move(marks);
   setAccessibleName(words);
@@ -47,7 +48,7 @@ void ColourLegend::showDensity(const DensityRange& range) {
   tint_ = scaleTint;
   hasUntouched_ = false;
   const QString name = isLarge ? tr("MPa") : tr("kPa");
-  tell(
+  setScale(
       tr("Pressure at which a sphere gives way, as felt [%1]").arg(name),
       marks,
       tr("From %1 %3 (dark violet) to %2 %3 (yellow). One sphere in fifty lies beyond each end.")
@@ -57,7 +58,7 @@ void ColourLegend::showDensity(const DensityRange& range) {
 void ColourLegend::showRemoval() {
   tint_ = removalTint;
   hasUntouched_ = true;
-  tell(
+  setScale(
       tr("Taken by the reamer, of a sphere's radius [%]"),
       {QStringLiteral("0"),
        QStringLiteral("25"),
@@ -71,7 +72,7 @@ void ColourLegend::showRemoval() {
 void ColourLegend::showNothing() {
   tint_ = nullptr;
   hasUntouched_ = false;
-  tell(
+  setScale(
       tr("As participants see it: the colours mean nothing"),
       {},
       tr("As participants see it: the colours mean nothing."));

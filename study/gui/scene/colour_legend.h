@@ -33,7 +33,7 @@ class ColourLegend final : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void tell(const QString& title, std::vector<QString> marks, const QString& words);
+  void setScale(const QString& title, std::vector<QString> marks, const QString& words);
 
   QString title_;
   std::vector<QString> marks_;

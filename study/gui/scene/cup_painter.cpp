@@ -19,7 +19,7 @@ constexpr auto kPace = std::chrono::milliseconds(67);
 
 /// Lowers the thread's priority. On a busy processor it gets a tenth of the time of other threads:
 /// enough to make progress, but too little to disturb haptics or the participant's view.
-void standBack() {
+void lowerPriority() {
   constexpr int kNice = 10;
   setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
 }
@@ -33,15 +33,15 @@ class CupPainter::Cup {
     make(colours);
   }
 
-  const QImage& draw(const Wish& wish, double seconds) {
-    if (wish.colours != colours_) {
+  const QImage& draw(const Request& request, double seconds) {
+    if (request.colours != colours_) {
       const Changes past = hip_->spheres()->changesSoFar();
-      make(wish.colours);
+      make(request.colours);
       for (const auto& change : past) hip_->apply(change);
     }
-    for (const auto& change : wish.changes) hip_->apply(change);
-    hip_->follow({.travel = wish.depth, .isRunning = wish.isRunning}, seconds);
-    return renderer_.draw(hip_->scene(), wish.size);
+    for (const auto& change : request.changes) hip_->apply(change);
+    hip_->follow({.travel = request.depth, .isRunning = request.isRunning}, seconds);
+    return renderer_.draw(hip_->scene(), request.size);
   }
 
  private:
@@ -65,22 +65,22 @@ CupPainter::CupPainter(const haptics::engine::PackingSpec& spec, Changes past, Q
 CupPainter::~CupPainter() = default;
 
 /// Does not block: if the thread holds the lock, the next call passes the changes.
-void CupPainter::handOn(double depth, bool isRunning) {
+void CupPainter::submit(double depth, bool isRunning) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;
-  hasNews_ = hasNews_ || !next_.changes.empty() || isRunning || depth != wish_.depth ||
-             next_.colours != wish_.colours || next_.size != wish_.size;
-  wish_.changes.insert(wish_.changes.end(), next_.changes.begin(), next_.changes.end());
+  hasChanges_ = hasChanges_ || !next_.changes.empty() || isRunning || depth != request_.depth ||
+                next_.colours != request_.colours || next_.size != request_.size;
+  request_.changes.insert(request_.changes.end(), next_.changes.begin(), next_.changes.end());
   next_.changes.clear();
-  wish_.colours = next_.colours;
-  wish_.size = next_.size;
-  wish_.depth = depth;
-  wish_.isRunning = isRunning;
-  if (hasNews_) woken_.notify_one();
+  request_.colours = next_.colours;
+  request_.size = next_.size;
+  request_.depth = depth;
+  request_.isRunning = isRunning;
+  if (hasChanges_) woken_.notify_one();
 }
 
 void CupPainter::work(const std::stop_token& stop) {
-  standBack();
+  lowerPriority();
   try {
     measure();
     paint(stop);
@@ -95,23 +95,23 @@ void CupPainter::paint(const std::stop_token& stop) {
   std::unique_ptr<Cup> cup;
   auto before = Clock::now();
   while (!stop.stop_requested()) {
-    Wish wish;
+    Request request;
     {
       std::unique_lock lock(mutex_);
-      if (!woken_.wait(lock, stop, [this] { return hasNews_; })) return;
-      std::swap(wish.changes, wish_.changes);
-      wish.colours = wish_.colours;
-      wish.size = wish_.size;
-      wish.depth = wish_.depth;
-      wish.isRunning = wish_.isRunning;
-      hasNews_ = false;
+      if (!woken_.wait(lock, stop, [this] { return hasChanges_; })) return;
+      std::swap(request.changes, request_.changes);
+      request.colours = request_.colours;
+      request.size = request_.size;
+      request.depth = request_.depth;
+      request.isRunning = request_.isRunning;
+      hasChanges_ = false;
     }
-    if (!cup) cup = std::make_unique<Cup>(spec_, wish.colours);
+    if (!cup) cup = std::make_unique<Cup>(spec_, request.colours);
     if (stop.stop_requested()) return;
     const auto begun = Clock::now();
     const double seconds = std::chrono::duration<double>(begun - before).count();
     before = begun;
-    showPicture(cup->draw(wish, std::min(seconds, 0.1)).copy());
+    showPicture(cup->draw(request, std::min(seconds, 0.1)).copy());
     std::unique_lock lock(mutex_);
     woken_.wait_until(lock, stop, begun + kPace, [] { return false; });
   }

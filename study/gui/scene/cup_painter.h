@@ -36,10 +36,10 @@ class CupPainter final : public QObject {
   void choose(SphereColours colours) { next_.colours = colours; }
   void resize(QSize size) { next_.size = size.expandedTo({16, 16}); }
   /// Adds a change of a sphere.
-  void tell(const haptics::engine::SphereChange& change) { next_.changes.push_back(change); }
+  void addChange(const haptics::engine::SphereChange& change) { next_.changes.push_back(change); }
   /// Passes the latest changes and settings to the thread. Call it several times a second.
   /// @param depth  of the reamer, along its path [m].
-  void handOn(double depth, bool isRunning);
+  void submit(double depth, bool isRunning);
 
  signals:
   void painted(const QImage& picture);
@@ -50,7 +50,7 @@ class CupPainter final : public QObject {
 
  private:
   /// What to draw next.
-  struct Wish {
+  struct Request {
     SphereColours colours = SphereColours::Density;
     QSize size{640, 440};
     double depth =
@@ -66,11 +66,11 @@ class CupPainter final : public QObject {
   void showPicture(const QImage& picture);
 
   const haptics::engine::PackingSpec spec_;
-  Wish next_;  ///< used by the GUI thread only
+  Request next_;  ///< used by the GUI thread only
   std::mutex mutex_;
   std::condition_variable_any woken_;
-  Wish wish_;             ///< guarded by mutex_
-  bool hasNews_ = false;  ///< guarded by mutex_
+  Request request_;          ///< guarded by mutex_
+  bool hasChanges_ = false;  ///< guarded by mutex_
   std::jthread
       thread_;  // declared last, so that it is joined before the members that it uses are destroyed
 };

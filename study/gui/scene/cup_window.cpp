@@ -44,12 +44,13 @@ CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWid
 
   CupPainter::Changes past;
   if (trial_) {
-    heard_ = trial_().seen;
-    if (heard_ != nullptr && heard_->spheres() != nullptr) past = heard_->spheres()->changesSoFar();
+    followed_ = trial_().seen;
+    if (followed_ != nullptr && followed_->spheres() != nullptr)
+      past = followed_->spheres()->changesSoFar();
   }
   painter_ = new CupPainter(spec, std::move(past), this);
-  if (heard_ != nullptr) {
-    heard_->tellChangesTo([this](const auto& change) { painter_->tell(change); });
+  if (followed_ != nullptr) {
+    followed_->setListener([this](const auto& change) { painter_->addChange(change); });
   }
   connect(painter_, &CupPainter::painted, this, &CupWindow::showPicture);
   connect(painter_, &CupPainter::failed, this, [this](const QString& why) {
@@ -67,10 +68,10 @@ CupWindow::CupWindow(const haptics::engine::PackingSpec& spec, Trial trial, QWid
 }
 
 CupWindow::~CupWindow() {
-  if (heard_ != nullptr && trial_().seen == heard_) heard_->tellChangesTo({});
+  if (followed_ != nullptr && trial_().seen == followed_) followed_->setListener({});
 }
 
-void CupWindow::leaveOut(SphereColours colours) {
+void CupWindow::removeColours(SphereColours colours) {
   colours_->removeItem(colours_->findData(static_cast<int>(colours)));
 }
 
@@ -93,14 +94,14 @@ void CupWindow::choose(int index) {
 /// Reads the depth from the participant's view. That view is deleted with its page; this window
 /// closes then.
 void CupWindow::follow() {
-  if (!trial_) return painter_->handOn(kOutside, false);
+  if (!trial_) return painter_->submit(kOutside, false);
   const Present now = trial_();
-  if (now.seen == nullptr || now.seen != heard_) {
-    heard_ = nullptr;
+  if (now.seen == nullptr || now.seen != followed_) {
+    followed_ = nullptr;
     close();
     return;
   }
-  painter_->handOn(now.seen->depth(), now.isRunning);
+  painter_->submit(now.seen->depth(), now.isRunning);
 }
 
 void CupWindow::showPicture(const QImage& picture) {

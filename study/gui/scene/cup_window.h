@@ -34,7 +34,7 @@ class CupWindow final : public QWidget {
   ~CupWindow() override;
 
   /// Removes a colouring from the choices.
-  void leaveOut(SphereColours colours);
+  void removeColours(SphereColours colours);
 
   QSize sizeHint() const override { return {760, 600}; }
 
@@ -48,8 +48,7 @@ class CupWindow final : public QWidget {
   QSize pictureSize() const;
 
   Trial trial_;
-  HipScene* heard_ =
-      nullptr;  ///< the view whose changes are received; not dereferenced after the trial is over
+  HipScene* followed_ = nullptr;  ///< whose changes it receives
   DensityRange range_;
   QComboBox* colours_;
   QLabel* picture_;

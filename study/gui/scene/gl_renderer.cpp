@@ -204,7 +204,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   const bool hasGround = shot.ground.red + shot.ground.green + shot.ground.blue > 0;
   gl_.glClear(GL_DEPTH_BUFFER_BIT | (hasGround ? GL_COLOR_BUFFER_BIT : 0U));
   bodies_->use();
-  tellLight(*bodies_, shot, place);
+  setLight(*bodies_, shot, place);
   bodies_->set("projection", projection);
   for (const auto i : shot.parts) {
     if (!scene.parts[i].isShown) continue;
@@ -216,7 +216,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   }
   if (!shot.showsSpheres || scene.spheres == nullptr) return;
   balls_->use();
-  tellLight(*balls_, shot, place);
+  setLight(*balls_, shot, place);
   balls_->set("lampPlace", shot.light.place.normalized());
   balls_->set("projection", projection);
   balls_->set("toEye", shot.view);
@@ -231,7 +231,7 @@ void GlRenderer::drawShot(const Scene& scene, const Shot& shot, QSize size) {
   }
 }
 
-void GlRenderer::tellLight(GlProgram& program, const Shot& shot, QRect place) {
+void GlRenderer::setLight(GlProgram& program, const Shot& shot, QRect place) {
   program.set("lampPlace", shot.light.place);
   program.set("lampReach", shot.light.reach);
   program.set("ambientLight", shot.light.ambient);

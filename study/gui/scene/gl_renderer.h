@@ -53,7 +53,7 @@ class GlRenderer final : public Renderer {
   void upload(Body& body, const Part& part);
   void uploadSpheres(SphereCloud& spheres);
   void drawShot(const Scene& scene, const Shot& shot, QSize size);
-  void tellLight(GlProgram& program, const Shot& shot, QRect place);
+  void setLight(GlProgram& program, const Shot& shot, QRect place);
   void readBack(QSize size);
 
   QOpenGLContext context_;

@@ -29,7 +29,7 @@ class HipScene final : public SimulatedScene {
   void apply(const haptics::engine::SphereChange& change);
   /// Also passes each change to @p listener from follow(); empty: to none.
   using Listener = std::function<void(const haptics::engine::SphereChange&)>;
-  void tellChangesTo(Listener listener) { listener_ = std::move(listener); }
+  void setListener(Listener listener) { listener_ = std::move(listener); }
   /// The depth of the reamer along its path [m].
   double depth() const noexcept { return depth_; }
   const SphereCloud* spheres() const noexcept { return spheres_.get(); }

@@ -90,27 +90,27 @@ void KneeScene::follow(const Look& look, double seconds) {
 /// Cuts the tissue once per closure, and releases the piece when the hand opens.
 void KneeScene::followTheCut(const Look& look) {
   const bool isThrough = look.isCutThrough || look.travel > kCertainlyCut;
-  if (!isParted_ && look.travel > kOpenAgain && isThrough) {
-    isParted_ = true;
+  if (!isCut_ && look.travel > kOpenAgain && isThrough) {
+    isCut_ = true;
     released_ = 0.0;
     meniscus_.cut();
-  } else if (isParted_ && look.travel < kOpenAgain) {
-    isParted_ = false;
-    toMoveOn_ += kNextBite;
+  } else if (isCut_ && look.travel < kOpenAgain) {
+    isCut_ = false;
+    remainingShift_ += kNextBite;
   }
 }
 
 /// A held piece lies slightly apart. A released piece floats away, and the tissue moves to the next
 /// bite.
 void KneeScene::movePiece(double seconds) {
-  if (!isParted_ && meniscus_.hasPiece()) {
+  if (!isCut_ && meniscus_.hasPiece()) {
     released_ += seconds;
     if (released_ > kPieceFloats) meniscus_.dropPiece();
   }
-  if (toMoveOn_ > 0.0F && !meniscus_.hasPiece()) {
-    const float step = std::min(toMoveOn_, kMovesOn * static_cast<float>(seconds));
+  if (remainingShift_ > 0.0F && !meniscus_.hasPiece()) {
+    const float step = std::min(remainingShift_, kMovesOn * static_cast<float>(seconds));
     meniscus_.moveOn(step);
-    toMoveOn_ -= step;
+    remainingShift_ -= step;
   }
   const auto share = static_cast<float>(released_ / kPieceFloats);
   QVector3D middle = onArc(layout_, layout_.toolAngle, layout_.innerRadius + 1.6F);

@@ -32,20 +32,20 @@ bool SessionController::tryTo(Action&& action) {
   }
 }
 
-bool SessionController::keepAll() {
-  isAllKept_ = true;
+bool SessionController::saveAll() {
+  isAllSaved_ = true;
   emit aboutToLeave();
-  return isAllKept_;
+  return isAllSaved_;
 }
 
 template <typename Action>
-void SessionController::leaveBy(Action&& action) {
-  if (keepAll() && tryTo(std::forward<Action>(action))) emit stepChanged();
+void SessionController::leaveStep(Action&& action) {
+  if (saveAll() && tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
 template <typename Action>
-void SessionController::endBy(Action&& action) {
-  keepAll();
+void SessionController::endSession(Action&& action) {
+  saveAll();
   if (tryTo(std::forward<Action>(action))) emit stepChanged();
 }
 
@@ -76,14 +76,14 @@ storage::VisitStatus SessionController::statusOf(int step) const {
 
 void SessionController::answer(const study::GivenAnswer& answer) {
   if (tryTo([&] { session_.record(answer); })) return;
-  isAllKept_ = false;
-  emit notKept(QString::fromStdString(answer.item));
+  isAllSaved_ = false;
+  emit notSaved(QString::fromStdString(answer.item));
 }
 
 void SessionController::retract(const QString& item) {
   if (tryTo([&] { session_.retract(item.toStdString()); })) return;
-  isAllKept_ = false;
-  emit notKept(item);
+  isAllSaved_ = false;
+  emit notSaved(item);
 }
 
 void SessionController::countBenchmarkCut() {
@@ -91,11 +91,11 @@ void SessionController::countBenchmarkCut() {
 }
 
 void SessionController::finishStep() {
-  leaveBy([&] { session_.finishStep(); });
+  leaveStep([&] { session_.finishStep(); });
 }
 
 void SessionController::declineOffer() {
-  leaveBy([&] { session_.declineOffer(); });
+  leaveStep([&] { session_.declineOffer(); });
 }
 
 void SessionController::beginTrial() {
@@ -153,15 +153,15 @@ void SessionController::endTrial(TrialEnding ending) {
 }
 
 void SessionController::repeatStep(const QString& reason) {
-  leaveBy([&] { session_.repeatStep(reason.toStdString()); });
+  leaveStep([&] { session_.repeatStep(reason.toStdString()); });
 }
 
 void SessionController::skipStep(const QString& reason) {
-  leaveBy([&] { session_.skipStep(reason.toStdString()); });
+  leaveStep([&] { session_.skipStep(reason.toStdString()); });
 }
 
 void SessionController::pause(const QString& reason) {
-  leaveBy([&] { session_.pause(reason.toStdString()); });
+  leaveStep([&] { session_.pause(reason.toStdString()); });
 }
 
 void SessionController::resume() {
@@ -170,15 +170,15 @@ void SessionController::resume() {
 
 void SessionController::withdraw(const QString& reason) {
   if (live_) stop();
-  endBy([&] { session_.withdraw(reason.toStdString()); });
+  endSession([&] { session_.withdraw(reason.toStdString()); });
 }
 
 void SessionController::reject(const QString& reason) {
-  endBy([&] { session_.reject(reason.toStdString()); });
+  endSession([&] { session_.reject(reason.toStdString()); });
 }
 
 void SessionController::giveUpOnDevice(const QString& reason) {
-  endBy([&] { session_.giveUpOnDevice(reason.toStdString()); });
+  endSession([&] { session_.giveUpOnDevice(reason.toStdString()); });
 }
 
 std::vector<SessionController::Note> SessionController::notes() const {
@@ -196,7 +196,7 @@ bool SessionController::note(const QString& text) {
 }
 
 void SessionController::chooseLanguage(const QString& language) {
-  if (keepAll() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
+  if (saveAll() && tryTo([&] { session_.setLanguage(language.toStdString()); }))
     emit languageChanged();
 }
 

@@ -44,7 +44,7 @@ class SessionController final : public QObject {
   haptics::engine::BoneView* bone() const;
   /// Sets the function that returns the frame statistics at the end of a trial; empty: the trial is
   /// not visualised.
-  void reportViewBy(std::function<std::optional<ViewReport>()> report) {
+  void setViewReportSource(std::function<std::optional<ViewReport>()> report) {
     viewReport_ = std::move(report);
   }
   /// The frame statistics of the trial; nothing if it is not visualised.
@@ -52,8 +52,8 @@ class SessionController final : public QObject {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
   /// Sets the function that returns the cup shown to the participant; empty: no cup is shown.
-  void showCupBy(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
-  scene::HipScene* seenCup() const { return cup_ ? cup_() : nullptr; }
+  void setCupSource(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
+  scene::HipScene* visibleCup() const { return cup_ ? cup_() : nullptr; }
   /// Takes the next sample for a plot.
   /// @return false if there is none.
   bool nextToPlot(haptics::engine::TickSample& sample) {
@@ -77,7 +77,7 @@ class SessionController final : public QObject {
 
   /// Asks the page of the current step to emit its unsaved answers, and saves them.
   /// @return whether all were saved; failed() was emitted for each that was not.
-  bool keepAll();
+  bool saveAll();
 
  public slots:
   void answer(const study::GivenAnswer& answer);
@@ -108,7 +108,7 @@ class SessionController final : public QObject {
   /// unsaved answers.
   void aboutToLeave();
   /// An answer or its removal could not be saved. failed() has given the reason.
-  void notKept(const QString& item);
+  void notSaved(const QString& item);
   /// The step or its state changed.
   void stepChanged();
   /// Emitted while a trial runs: there are new samples.
@@ -123,11 +123,11 @@ class SessionController final : public QObject {
   bool tryTo(Action&& action);
   /// Runs @p action, which leaves the step, only if all answers were saved.
   template <typename Action>
-  void leaveBy(Action&& action);
+  void leaveStep(Action&& action);
   /// Runs @p action, which ends the session, even if an answer could not be saved; failed() was
   /// emitted then.
   template <typename Action>
-  void endBy(Action&& action);
+  void endSession(Action&& action);
 
   Study& study_;
   DeviceSet& deviceSet_;
@@ -138,7 +138,7 @@ class SessionController final : public QObject {
   std::function<std::optional<ViewReport>()> viewReport_;
   std::function<scene::HipScene*()> cup_;
   QTimer watch_;
-  bool isAllKept_ = true;  ///< of the answers received since the last keepAll()
+  bool isAllSaved_ = true;  ///< of the answers received since the last saveAll()
 };
 
 }  // namespace study::gui

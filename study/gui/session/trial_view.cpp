@@ -57,11 +57,11 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
       &place);
   place.layout()->addWidget(view);
   view->follow([&controller] { return lookAt(controller); });
-  controller.reportViewBy([seen = QPointer(view)]() -> std::optional<ViewReport> {
+  controller.setViewReportSource([seen = QPointer(view)]() -> std::optional<ViewReport> {
     if (seen.isNull()) return std::nullopt;
     return seen->report();
   });
-  controller.showCupBy([seen = QPointer(view)]() -> scene::HipScene* {
+  controller.setCupSource([seen = QPointer(view)]() -> scene::HipScene* {
     return seen.isNull() ? nullptr : dynamic_cast<scene::HipScene*>(&seen->scene());
   });
 }
@@ -69,8 +69,8 @@ void begin(QWidget& place, const haptics::engine::SceneSpec& spec, SessionContro
 }  // namespace
 
 QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
-  controller.reportViewBy({});
-  controller.showCupBy({});
+  controller.setViewReportSource({});
+  controller.setCupSource({});
   const auto spec = sceneFor(controller.session());
   const bool isSeen = spec.isVisualised && deviceFor(controller.session()).kind->view != View::None;
   if (!isSeen) return nullptr;
@@ -97,7 +97,7 @@ QString viewInWords(const SessionController& controller) {
       .arg(report->latencyMedian, 0, 'f', 0);
 }
 
-bool isAnythingSeen(const protocols::Protocol& protocol) {
+bool isAnyTrialVisualised(const protocols::Protocol& protocol) {
   const auto isSeen = [](const auto& condition) { return condition.isVisualised; };
   const auto& conditions = protocol.conditions;
   return std::any_of(conditions.begin(), conditions.end(), isSeen) ||
@@ -107,7 +107,7 @@ bool isAnythingSeen(const protocols::Protocol& protocol) {
 }
 
 QLabel* graphicsRemark(const protocols::Protocol& protocol, QWidget* parent) {
-  if (!isAnythingSeen(protocol)) return nullptr;
+  if (!isAnyTrialVisualised(protocol)) return nullptr;
   const QString remark = scene::openGraphics().remark;
   if (remark.isEmpty()) return nullptr;
   auto* line = quietLabel(remark.section(QStringLiteral(". "), 0, 0) + QLatin1Char('.'), parent);

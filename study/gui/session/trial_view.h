@@ -19,7 +19,7 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent);
 QString viewInWords(const SessionController& controller);
 
 /// Whether any trial of @p protocol is visualised.
-bool isAnythingSeen(const protocols::Protocol& protocol);
+bool isAnyTrialVisualised(const protocols::Protocol& protocol);
 
 /// A label for the operator about the renderer, with advice as its tool tip; nullptr if a graphics
 /// card draws or if @p protocol visualises nothing.

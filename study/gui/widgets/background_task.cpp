@@ -40,12 +40,12 @@ BackgroundTask::BackgroundTask(
   layout->addWidget(bar_);
   layout->addWidget(cancel_, 0, Qt::AlignRight);
   connect(cancel_, &QPushButton::clicked, this, &BackgroundTask::reject);
-  connect(&watch_, &QTimer::timeout, this, &BackgroundTask::showHowFar);
+  connect(&watch_, &QTimer::timeout, this, &BackgroundTask::showProgress);
   watch_.start(kLookAtWorkEvery);
   worker_.reset(QThread::create([this, work = std::move(work)] {
     std::exception_ptr failure;
     try {
-      work([this](double share, const std::string& words) { tellFromWorker(share, words); });
+      work([this](double share, const std::string& words) { reportProgress(share, words); });
     } catch (...) {
       failure = std::current_exception();  // shown later by the GUI thread
     }
@@ -64,11 +64,11 @@ BackgroundTask::~BackgroundTask() {
   worker_->wait();
 }
 
-void BackgroundTask::tellFromWorker(double share, const std::string& words) {
+void BackgroundTask::reportProgress(double share, const std::string& words) {
   const std::lock_guard lock(mutex_);
   if (isCancelled_) throw Cancelled();
   share_ = share;
-  said_ = words;
+  message_ = words;
 }
 
 void BackgroundTask::reject() {
@@ -79,9 +79,9 @@ void BackgroundTask::reject() {
   cancel_->setText(tr("Cancelling…"));
 }
 
-void BackgroundTask::showHowFar() {
+void BackgroundTask::showProgress() {
   double share = kUnknownShare;
-  QString said;
+  QString message;
   {
     const std::lock_guard lock(mutex_);
     if (isOver_) {
@@ -90,9 +90,9 @@ void BackgroundTask::showHowFar() {
       return;
     }
     share = share_;
-    said = QString::fromStdString(said_);
+    message = QString::fromStdString(message_);
   }
-  if (!said.isEmpty()) words_->setText(said);
+  if (!message.isEmpty()) words_->setText(message);
   bar_->setRange(0, share < 0.0 ? 0 : kWholeBar);
   if (share >= 0.0) bar_->setValue(static_cast<int>(share * kWholeBar));
 }

@@ -53,8 +53,8 @@ class BackgroundTask final : public QDialog {
   void reject() override;
 
  private:
-  void tellFromWorker(double share, const std::string& words);
-  void showHowFar();
+  void reportProgress(double share, const std::string& words);
+  void showProgress();
 
   QLabel* words_;
   QProgressBar* bar_;
@@ -62,7 +62,7 @@ class BackgroundTask final : public QDialog {
   QTimer watch_;
   std::mutex mutex_;  ///< guards the next four members
   double share_ = kUnknownShare;
-  std::string said_;
+  std::string message_;
   bool isCancelled_ = false;
   bool isOver_ = false;
   std::exception_ptr failure_;  ///< written by the worker before isOver_ is set

@@ -16,7 +16,7 @@ namespace study::gui {
 
 namespace {
 
-constexpr const char* kWornTheme = "wears";
+constexpr const char* kThemeProperty = "wears";
 
 /// @name stands for a background colour and @name.text for the colour of text on it. Normal text
 /// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
@@ -108,7 +108,7 @@ QGroupBox { font-weight: 600; border: 1px solid @line; border-radius: 8px; margi
 QGroupBox::title { subcontrol-origin: margin; left: 10px; }
 )css";
 
-ThemeName& wornByAll() noexcept {
+ThemeName& applicationTheme() noexcept {
   static ThemeName worn = ThemeName::Light;
   return worn;
 }
@@ -150,16 +150,16 @@ const Theme& themeNamed(ThemeName name) noexcept {
 }
 
 const Theme& theme() noexcept {
-  return themeNamed(wornByAll());
+  return themeNamed(applicationTheme());
 }
 
 const Theme& themeOf(const QWidget& widget) noexcept {
-  const auto own = themeCalled(widget.window()->property(kWornTheme).toString());
+  const auto own = themeCalled(widget.window()->property(kThemeProperty).toString());
   return own ? themeNamed(*own) : theme();
 }
 
 void applyTheme(QApplication& application, ThemeName name) {
-  wornByAll() = name;
+  applicationTheme() = name;
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPixelSize(16);
@@ -168,8 +168,8 @@ void applyTheme(QApplication& application, ThemeName name) {
   application.setStyleSheet(styleSheetOf(theme()));
 }
 
-void wearTheme(QWidget& window, ThemeName name) {
-  window.setProperty(kWornTheme, nameOf(name));
+void setWindowTheme(QWidget& window, ThemeName name) {
+  window.setProperty(kThemeProperty, nameOf(name));
   window.setPalette(paletteOf(themeNamed(name)));
   // Without these rules the application's palette applies where the style sheet sets no colour.
   const auto& own = themeNamed(name);
@@ -235,14 +235,14 @@ namespace {
 
 constexpr const char* kThemeKey = "theme";
 
-ThemeName& desktopsTheme() noexcept {
+ThemeName& desktopTheme() noexcept {
   static ThemeName name = ThemeName::Light;
   return name;
 }
 
-void wearChosen(QApplication& application) {
+void applyChosen(QApplication& application) {
   const auto chosen = themeCalled(studioSettings().value(QLatin1String(kThemeKey)).toString());
-  applyTheme(application, chosen.value_or(desktopsTheme()));
+  applyTheme(application, chosen.value_or(desktopTheme()));
 }
 
 void addChoice(QMenu& menu, QActionGroup* group, const QString& words, const QString& stored) {
@@ -253,7 +253,7 @@ void addChoice(QMenu& menu, QActionGroup* group, const QString& words, const QSt
   group->addAction(action);
   QObject::connect(action, &QAction::triggered, action, [stored] {
     studioSettings().setValue(QLatin1String(kThemeKey), stored);
-    wearChosen(*qobject_cast<QApplication*>(QApplication::instance()));
+    applyChosen(*qobject_cast<QApplication*>(QApplication::instance()));
   });
 }
 
@@ -263,8 +263,8 @@ void applyChosenTheme(QApplication& application) {
   const auto palette = QApplication::palette();
   const bool isDark =
       palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
-  desktopsTheme() = isDark ? ThemeName::Dark : ThemeName::Light;
-  wearChosen(application);
+  desktopTheme() = isDark ? ThemeName::Dark : ThemeName::Light;
+  applyChosen(application);
 }
 
 void addThemesTo(QMenu& menu) {

@@ -59,7 +59,7 @@ void applyTheme(QApplication& application, ThemeName name = ThemeName::Light);
 
 /// Gives one window its own theme. The participant's window must look the same in every session,
 /// whatever theme the operator chose.
-void wearTheme(QWidget& window, ThemeName name);
+void setWindowTheme(QWidget& window, ThemeName name);
 
 /// The style sheet of a theme.
 QString styleSheetOf(const Theme& theme);

@@ -114,7 +114,7 @@ TEST(ServoPanel, ShowsNoNumbersBeforeATrial) {
   panel.add(sample);
   panel.refresh();
   EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units")))
-      << "the travel of a handle has no unit";
+      << "the travel of a handle is not in metres";
 }
 
 TEST(LivePlot, ShowsAReamersTravelInMillimetres) {

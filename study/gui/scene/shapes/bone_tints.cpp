@@ -13,7 +13,7 @@ constexpr Tint kUntouched{138, 150, 164, 25};
 
 /// A pseudo-random number in [0, 1] from the slot's index, which makes each sphere look slightly
 /// different.
-float chanceOf(std::size_t slot) {
+float variationOf(std::size_t slot) {
   const auto mixed = static_cast<std::uint32_t>(slot) * 2654435761U;
   return static_cast<float>(mixed >> 16U) / 65535.0F;
 }
@@ -52,14 +52,14 @@ BoneTints::BoneTints(const haptics::reaming::SphereField& field, SphereColours c
 Tint BoneTints::of(std::size_t slot, bool isAtTheSurface) const {
   switch (colours_) {
     case SphereColours::Neutral:
-      return lit(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * chanceOf(slot));
+      return lit(isAtTheSurface ? kCortical : kCancellous, 0.86F + 0.14F * variationOf(slot));
     case SphereColours::Density: {
       const double range = range_.hardest - range_.softest;
       const double above = static_cast<double>(densityOf(field_, slot)) - range_.softest;
       return scaleTint(range > 0.0 ? static_cast<float>(above / range) : 0.5F);
     }
     case SphereColours::Removal:
-      return lit(untouchedTint(), 0.95F + 0.05F * chanceOf(slot));
+      return lit(untouchedTint(), 0.95F + 0.05F * variationOf(slot));
   }
   return kCortical;
 }

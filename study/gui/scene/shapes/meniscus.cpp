@@ -30,7 +30,7 @@ float restHeight(float share) {
 }
 
 /// Interpolates the displacements of the string's nodes with a cubic Hermite spline.
-float through(const std::vector<haptics::engine::MeshView::Point>& nodes, double place) {
+float interpolate(const std::vector<haptics::engine::MeshView::Point>& nodes, double place) {
   if (place <= nodes.front().position || place >= nodes.back().position) return 0.0F;
   std::size_t i = 0;
   while (nodes[i + 1].position < place) ++i;
@@ -85,7 +85,7 @@ float Meniscus::displacementAt(float angle, const Squeeze& squeeze) const {
   const double perDegree =
       (string.back().position - string.front().position) / static_cast<double>(layout_.heldAngle);
   const double place = peak->position + perDegree * static_cast<double>(angle - layout_.toolAngle);
-  return kMillimetresPerTravel * through(string, place);
+  return kMillimetresPerTravel * interpolate(string, place);
 }
 
 Meniscus::Column Meniscus::column(float angle, float radius, const Squeeze& squeeze) const {

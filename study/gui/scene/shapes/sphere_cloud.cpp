@@ -40,7 +40,7 @@ SphereCloud::SphereCloud(const haptics::reaming::SphereField& field, const Optio
   readSlots(field);
   layGrid();
   paintSlots(field);
-  for (const auto& slot : slots_) whole_.push_back(slot.sphere);
+  for (const auto& slot : slots_) initial_.push_back(slot.sphere);
   begin();
 }
 
@@ -86,12 +86,12 @@ void SphereCloud::layGrid() {
 }
 
 void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
-  held_.assign(grid_.size(), 0);
-  for (const auto& slot : slots_) held_[slot.cell] += slot.whole > 0.0F ? 1U : 0U;
+  counts_.assign(grid_.size(), 0);
+  for (const auto& slot : slots_) counts_[slot.cell] += slot.whole > 0.0F ? 1U : 0U;
   const BoneTints tints(field, options_.colours);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     int empty = 0;
-    eachNeighbour(slots_[i].cell, [&](std::size_t cell) { empty += held_[cell] == 0 ? 1 : 0; });
+    eachNeighbour(slots_[i].cell, [&](std::size_t cell) { empty += counts_[cell] == 0 ? 1 : 0; });
     slots_[i].tint = tints.of(i, empty >= kEmptyAtTheSurface);
     slots_[i].sphere.tint = slots_[i].tint;
   }
@@ -99,29 +99,29 @@ void SphereCloud::paintSlots(const haptics::reaming::SphereField& field) {
 
 /// Resets everything to the initial state.
 void SphereCloud::begin() {
-  held_.assign(grid_.size(), 0);
+  counts_.assign(grid_.size(), 0);
   cells_.assign(grid_.size(), {});
-  isBare_.assign(grid_.size(), 0);
+  isUncovered_.assign(grid_.size(), 0);
   instances_.clear();
   free_.clear();
   changed_.clear();
   isAllNew_ = true;
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
     auto& slot = slots_[i];
-    slot.sphere = whole_[i];
+    slot.sphere = initial_[i];
     slot.cell = static_cast<std::uint32_t>(grid_.of(slot.sphere));
     slot.instance = -1;
     if (!isKept(slot.sphere)) continue;
-    ++held_[slot.cell];
+    ++counts_[slot.cell];
     cells_[slot.cell].push_back(i);
   }
-  for (std::size_t cell = 0; cell < held_.size(); ++cell) {
-    if (held_[cell] != 0) continue;
+  for (std::size_t cell = 0; cell < counts_.size(); ++cell) {
+    if (counts_[cell] != 0) continue;
     bool isBeside = false;
-    eachNeighbour(cell, [&](std::size_t other) { isBeside |= held_[other] != 0; });
-    if (!isBeside || !isOpen(cell)) continue;
-    bare(cell);
-    if (isBeforeTheSection(cell)) bareDeeper(cell);
+    eachNeighbour(cell, [&](std::size_t other) { isBeside |= counts_[other] != 0; });
+    if (!isBeside || !isVisibleFromEye(cell)) continue;
+    uncover(cell);
+    if (isInFrontOfSection(cell)) uncoverNeighbours(cell);
   }
 }
 
@@ -130,7 +130,7 @@ bool SphereCloud::isKept(const SphereInstance& sphere) const noexcept {
 }
 
 /// Whether the line from an empty cell to the eye crosses only empty cells.
-bool SphereCloud::isOpen(std::size_t cell) const {
+bool SphereCloud::isVisibleFromEye(std::size_t cell) const {
   const auto [i, j, k] = grid_.placeOf(cell);
   const QVector3D index(static_cast<float>(i), static_cast<float>(j), static_cast<float>(k));
   QVector3D at = grid_.low + grid_.cell * (index + QVector3D(0.5F, 0.5F, 0.5F));
@@ -143,7 +143,7 @@ bool SphereCloud::isOpen(std::size_t cell) const {
     return at[axis] > grid_.low[axis] && at[axis] < high[axis];
   };
   for (at += step; isInside(0) && isInside(1) && isInside(2); at += step) {
-    if (held_[grid_.of({at.x(), at.y(), at.z(), 0.0F, {}})] != 0) return false;
+    if (counts_[grid_.of({at.x(), at.y(), at.z(), 0.0F, {}})] != 0) return false;
   }
   return true;
 }
@@ -164,22 +164,22 @@ void SphereCloud::eachNeighbour(std::size_t cell, Visit visit) const {
 }
 
 /// A section cuts through gaps, through which the second layer of spheres is visible.
-bool SphereCloud::isBeforeTheSection(std::size_t cell) const noexcept {
+bool SphereCloud::isInFrontOfSection(std::size_t cell) const noexcept {
   const auto row = static_cast<float>(grid_.placeOf(cell)[1]);
   return options_.isHalved && grid_.low.y() + grid_.cell * (row + 0.5F) < 0.5F * grid_.cell;
 }
 
-void SphereCloud::bareDeeper(std::size_t cell) {
+void SphereCloud::uncoverNeighbours(std::size_t cell) {
   eachNeighbour(cell, [this](std::size_t other) {
-    if (held_[other] != 0) bare(other);
+    if (counts_[other] != 0) uncover(other);
   });
 }
 
 /// Draws the spheres in and around a visible cell.
-void SphereCloud::bare(std::size_t cell) {
+void SphereCloud::uncover(std::size_t cell) {
   eachNeighbour(cell, [this](std::size_t other) {
-    if (isBare_[other] != 0) return;
-    isBare_[other] = 1;
+    if (isUncovered_[other] != 0) return;
+    isUncovered_[other] = 1;
     for (const auto slot : cells_[other]) {
       if (slots_[slot].cell == other) show(slot);
     }
@@ -200,7 +200,7 @@ void SphereCloud::show(std::uint32_t slot) {
   }
   const auto instance = static_cast<std::size_t>(it.instance);
   instances_[instance] = it.sphere;
-  touch(instance);
+  markChanged(instance);
 }
 
 void SphereCloud::hide(std::uint32_t slot) {
@@ -210,10 +210,10 @@ void SphereCloud::hide(std::uint32_t slot) {
   instances_[instance].radius = 0.0F;
   free_.push_back(instance);
   it.instance = -1;
-  touch(instance);
+  markChanged(instance);
 }
 
-void SphereCloud::touch(std::size_t instance) {
+void SphereCloud::markChanged(std::size_t instance) {
   if (!isAllNew_) changed_.push_back(static_cast<std::uint32_t>(instance));
 }
 
@@ -233,15 +233,15 @@ void SphereCloud::apply(const haptics::engine::SphereChange& change) {
       .radius = kPerMetre * change.sphere.radius,
       .tint = tintAfter(options_.colours, slot.tint, slot.whole, kPerMetre * change.sphere.radius)};
   if (wasKept) {
-    --held_[from];
-    bare(from);
+    --counts_[from];
+    uncover(from);
   }
   if (!isKept(slot.sphere)) {
     hide(change.slot);
     return;
   }
   slot.cell = static_cast<std::uint32_t>(grid_.of(slot.sphere));
-  ++held_[slot.cell];
+  ++counts_[slot.cell];
   if (slot.cell != from || !wasKept) cells_[slot.cell].push_back(change.slot);
   show(change.slot);
 }
@@ -250,7 +250,7 @@ std::vector<haptics::engine::SphereChange> SphereCloud::changesSoFar() const {
   std::vector<haptics::engine::SphereChange> changes;
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
     const auto& now = slots_[i].sphere;
-    const auto& then = whole_[i];
+    const auto& then = initial_[i];
     const bool isAsItWas =
         now.x == then.x && now.y == then.y && now.z == then.z && now.radius == then.radius;
     if (isAsItWas) continue;

@@ -86,23 +86,23 @@ class SphereCloud {
   void paintSlots(const haptics::reaming::SphereField& field);
   void begin();
   bool isKept(const SphereInstance& sphere) const noexcept;
-  bool isOpen(std::size_t cell) const;
+  bool isVisibleFromEye(std::size_t cell) const;
   template <typename Visit>
   void eachNeighbour(std::size_t cell, Visit visit) const;
-  bool isBeforeTheSection(std::size_t cell) const noexcept;
-  void bare(std::size_t cell);
-  void bareDeeper(std::size_t cell);
+  bool isInFrontOfSection(std::size_t cell) const noexcept;
+  void uncover(std::size_t cell);
+  void uncoverNeighbours(std::size_t cell);
   void show(std::uint32_t slot);
   void hide(std::uint32_t slot);
-  void touch(std::size_t instance);
+  void markChanged(std::size_t instance);
 
   Options options_;
   Grid grid_;
   std::vector<Slot> slots_;
-  std::vector<SphereInstance> whole_;              ///< the initial state of all slots
+  std::vector<SphereInstance> initial_;            ///< the initial state of all slots
   std::vector<std::vector<std::uint32_t>> cells_;  ///< slots that are or were in each cell
-  std::vector<std::uint32_t> held_;                ///< number of spheres in each cell now
-  std::vector<char> isBare_;                       ///< whether a cell's spheres are drawn
+  std::vector<std::uint32_t> counts_;              ///< number of spheres in each cell now
+  std::vector<char> isUncovered_;                  ///< whether a cell's spheres are drawn
   std::vector<SphereInstance> instances_;
   std::vector<std::uint32_t> free_;  ///< unused instances
   std::vector<std::uint32_t> changed_;

@@ -25,7 +25,7 @@ class ColouredBone : public tests::VisualisedTrial {
     }
     return nullptr;
   }
-  scene::HipScene* seen() const { return window_->controller()->seenCup(); }
+  scene::HipScene* seen() const { return window_->controller()->visibleCup(); }
   static bool isNeutral(const scene::SphereCloud& cloud) {
     const auto& all = cloud.instances();
     return std::all_of(all.begin(), all.end(), [](const auto& sphere) {
@@ -87,7 +87,7 @@ TEST_F(ColouredBone, ClosesOnRequestAndWithTheOperatorWindow) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return button()->isEnabled(); }, 2000));
   button()->click();
   ASSERT_NE(colours(), nullptr);
-  window_->findChild<TrialPanel*>()->closeBone();
+  window_->findChild<TrialPanel*>()->closeBoneWindow();
   EXPECT_EQ(colours(), nullptr);
   button()->click();
   ASSERT_NE(colours(), nullptr);

@@ -208,7 +208,7 @@ TEST(ThemeChoice, KeepsAWindowsOwnTheme) {
   auto& application = *qobject_cast<QApplication*>(QApplication::instance());
   QWidget window;
   QWidget inside(&window);
-  wearTheme(window, ThemeName::Light);
+  setWindowTheme(window, ThemeName::Light);
   applyTheme(application, ThemeName::HighContrast);
   EXPECT_EQ(themeOf(inside).window.background, themeNamed(ThemeName::Light).window.background);
   inside.ensurePolished();
