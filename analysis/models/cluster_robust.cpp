@@ -6,7 +6,6 @@
 
 #include <Eigen/Dense>
 
-#include "analysis/models/mixed_model_design.h"
 #include "analysis/numerics/student_distribution.h"
 
 namespace analysis {

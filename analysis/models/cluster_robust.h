@@ -5,12 +5,12 @@
 
 #include "analysis/data/factor.h"
 #include "analysis/data/reason.h"
+#include "analysis/models/estimates.h"
 #include "analysis/models/fixed_effects.h"
-#include "analysis/models/linear_mixed_model.h"
 
 namespace analysis {
 
-/// Least squares with standard errors that hold whatever the correlation within a cluster is.
+/// Least squares with standard errors that are valid for any correlation within a cluster.
 struct ClusterRobustResult {
   std::vector<TEstimate> fixedEffects;  ///< one for each column; none where it is not defined
   Reason reason;                        ///< why there are none

@@ -12,54 +12,50 @@
 #include <Eigen/Core>
 
 #include "analysis/models/laplace_likelihood.h"
-#include "analysis/models/mixed_model_design.h"
 #include "analysis/numerics/newton_minimum.h"
 
 namespace analysis {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Eigen::Index;
+using Eigen::VectorXd;
 
 constexpr double kSingularLogits = 1e-4;  // standard deviation [logits]
 constexpr double kInfiniteEffect = 50.0;  // standard error of an effect of standardised columns
-constexpr double kStartingLogits[] = {1.0, 0.3};
+constexpr double kStartingLogits[] = {1.0, 0.3};  // of the standard deviations
 
-/// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1.
+/// The columns after the intercept, shifted and scaled to mean 0 and standard deviation 1: then all
+/// parameters are of the order of one, as minimise() wants them.
 struct Standardised {
   explicit Standardised(const FixedEffects& fixed) {
-    const auto n = static_cast<double>(fixed.answers());
-    for (std::size_t j = 1; j < fixed.columns(); ++j) {
-      const auto values = fixed.column(j);
-      double mean = 0.0;
-      double square = 0.0;
-      for (const double value : values) mean += value / n;
-      for (const double value : values) square += (value - mean) * (value - mean) / n;
-      const double scale = std::sqrt(square);
-      means.push_back(mean);
-      scales.push_back(scale);
-      columns.emplace_back();
-      for (const double value : values) columns.back().push_back((value - mean) / scale);
+    const auto n = static_cast<Index>(fixed.answers());
+    const auto effects = static_cast<Index>(fixed.columns()) - 1;
+    columns.resize(n, effects);
+    for (Index j = 0; j < effects; ++j) {
+      const auto values = fixed.column(static_cast<std::size_t>(j) + 1);
+      columns.col(j) = VectorXd::Map(values.data(), n);
     }
+    means = columns.colwise().mean();
+    columns.rowwise() -= means.transpose();
+    scales = (columns.colwise().squaredNorm() / static_cast<double>(n)).cwiseSqrt();
+    columns = columns * scales.cwiseInverse().asDiagonal();
   }
 
   /// The matrix that turns parameters of the standardised columns into those of the columns
   /// themselves: β = β' / scale, θ = θ' + Σ mean β.
-  Matrix backTransform(std::size_t thresholds, std::size_t size) const {
-    const auto side = static_cast<Eigen::Index>(size);
-    Matrix matrix = Matrix::Identity(side, side);
-    for (std::size_t j = 0; j < scales.size(); ++j) {
-      const auto place = static_cast<Eigen::Index>(thresholds + j);
-      matrix(place, place) = 1.0 / scales[j];
-      matrix.col(place)
-          .head(static_cast<Eigen::Index>(thresholds))
-          .setConstant(means[j] / scales[j]);
-    }
+  Matrix backTransform(Index thresholds, Index size) const {
+    Matrix matrix = Matrix::Identity(size, size);
+    matrix.block(thresholds, thresholds, scales.size(), scales.size()) =
+        scales.cwiseInverse().asDiagonal();
+    matrix.block(0, thresholds, thresholds, scales.size()).rowwise() =
+        means.cwiseQuotient(scales).transpose();
     return matrix;
   }
 
-  std::vector<std::vector<double>> columns;
-  std::vector<double> means;
-  std::vector<double> scales;
+  Eigen::MatrixXd columns;
+  VectorXd means;
+  VectorXd scales;
 };
 
 struct Answers {
@@ -75,15 +71,18 @@ struct Answers {
     }
   }
 
-  /// Thresholds that give each level its share.
-  std::vector<double> logits() const {
-    std::vector<double> thresholds;
+  Index thresholds() const { return static_cast<Index>(levels.size()) - 1; }
+
+  /// Thresholds that give each level its share: where to start.
+  VectorXd logits() const {
+    VectorXd logits(thresholds());
     for (std::size_t c = 0; c + 1 < levels.size(); ++c) {
       const auto below = static_cast<double>(
           std::ranges::count_if(indices, [&](std::size_t index) { return index <= c; }));
-      thresholds.push_back(std::log(below / (static_cast<double>(indices.size()) - below)));
+      logits(static_cast<Index>(c)) =
+          std::log(below / (static_cast<double>(indices.size()) - below));
     }
-    return thresholds;
+    return logits;
   }
 };
 
@@ -113,77 +112,48 @@ Reason whyNotDefinedHere(
   return {};
 }
 
-Minimum largestLikelihood(LaplaceLikelihood& likelihood, std::vector<double> start) {
+Minimum largestLikelihood(LaplaceLikelihood& likelihood, const VectorXd& start) {
   const Objective objective{
-      .value = [&](auto at) { return likelihood.value(at); },
-      .derivatives = [&](auto at) { return likelihood.derivatives(at); },
+      .value = [&](const VectorXd& at) { return likelihood.value(at); },
+      .derivatives = [&](const VectorXd& at) { return likelihood.derivatives(at); },
       .lowerBound = -std::numeric_limits<double>::infinity()};
-  return minimise(objective, std::move(start));
-}
-
-bool hasSingular(const Minimum& minimum, std::size_t deviations) {
-  return std::any_of(
-      minimum.at.end() - static_cast<std::ptrdiff_t>(deviations),
-      minimum.at.end(),
-      [](double deviation) { return std::abs(deviation) < kSingularLogits; });
+  return minimise(objective, start);
 }
 
 /// Without random intercepts first; from there with them, again from a second start where the
-/// first found nothing or a deviation of zero.
+/// first found nothing or a deviation of zero, which is stationary whether it is a maximum or not.
 std::optional<Minimum> bestFit(
     const Answers& answers, const Standardised& x, std::span<const Factor> random) {
   LaplaceLikelihood plain(answers.indices, answers.levels.size(), x.columns, {});
-  std::vector<double> start = answers.logits();
-  start.resize(plain.parameters(), 0.0);
+  VectorXd start = VectorXd::Zero(plain.parameters());
+  start.head(answers.thresholds()) = answers.logits();
   const auto marginal = largestLikelihood(plain, start);
   if (!marginal.isFound) return std::nullopt;
   if (random.empty()) return marginal;
 
   std::optional<Minimum> best;
+  const auto deviations = static_cast<Index>(random.size());
   for (const double deviation : kStartingLogits) {
     LaplaceLikelihood likelihood(answers.indices, answers.levels.size(), x.columns, random);
-    start = marginal.at;
-    start.resize(likelihood.parameters(), deviation);
+    start.resize(likelihood.parameters());
+    start << marginal.at, VectorXd::Constant(deviations, deviation);
     auto minimum = largestLikelihood(likelihood, start);
     if (minimum.isFound && (!best || minimum.value < best->value)) best = std::move(minimum);
-    if (best && !hasSingular(*best, random.size())) break;
+    if (best && !(best->at.tail(deviations).array().abs() < kSingularLogits).any()) break;
   }
   return best;
 }
 
 /// The inverse of the Hessian; nothing where an effect has no finite estimate.
 std::optional<Matrix> covarianceOf(const Minimum& minimum, std::size_t deviations) {
-  const auto side = static_cast<Eigen::Index>(minimum.at.size());
-  const Matrix hessian = Eigen::Map<const Matrix>(minimum.derivatives.hessian.data(), side, side);
+  const Matrix hessian = minimum.derivatives.hessian;
   const Eigen::LLT<Matrix> cholesky(hessian);
   if (cholesky.info() != Eigen::Success) return std::nullopt;
-  const Matrix covariance = cholesky.solve(Matrix::Identity(side, side));
-  const auto variances = covariance.diagonal().head(side - static_cast<Eigen::Index>(deviations));
+  const Matrix covariance = cholesky.solve(Matrix::Identity(hessian.rows(), hessian.cols()));
+  const auto variances =
+      covariance.diagonal().head(hessian.rows() - static_cast<Index>(deviations));
   if (!(variances.maxCoeff() < kInfiniteEffect * kInfiniteEffect)) return std::nullopt;
   return covariance;
-}
-
-void addEstimates(
-    CumulativeLinkFit& fit,
-    const FixedEffects& fixed,
-    const Eigen::VectorXd& parameters,
-    const Matrix& covariance) {
-  const auto thresholds = static_cast<Eigen::Index>(fit.levels.size()) - 1;
-  const auto effects = static_cast<Eigen::Index>(fixed.columns()) - 1;
-  for (Eigen::Index c = 0; c < thresholds; ++c) {
-    const auto level = static_cast<std::size_t>(c);
-    fit.thresholds.push_back(waldEstimate(
-        std::to_string(fit.levels[level]) + "|" + std::to_string(fit.levels[level + 1]),
-        parameters(c),
-        covariance(c, c)));
-  }
-  for (Eigen::Index j = 0; j < effects; ++j) {
-    const Eigen::Index place = thresholds + j;
-    fit.fixedEffects.push_back(waldEstimate(
-        fixed.name(static_cast<std::size_t>(j) + 1), parameters(place), covariance(place, place)));
-  }
-  const Matrix ofEffects = covariance.block(thresholds, thresholds, effects, effects);
-  fit.covariance.assign(ofEffects.data(), ofEffects.data() + ofEffects.size());
 }
 
 CumulativeLinkFit fitOf(
@@ -191,7 +161,7 @@ CumulativeLinkFit fitOf(
     const FixedEffects& fixed,
     std::span<const Factor> random,
     const Minimum& minimum,
-    const Matrix& covariance) {
+    const Matrix& standardisedCovariance) {
   CumulativeLinkFit fit{
       .answers = fixed.answers(),
       .levels = answers.levels,
@@ -201,16 +171,28 @@ CumulativeLinkFit fitOf(
       .logLikelihood = -minimum.value,
       .iterations = minimum.iterations,
       .covariance = {}};
-  const Matrix back =
-      Standardised(fixed).backTransform(answers.levels.size() - 1, minimum.at.size());
-  const Eigen::Map<const Eigen::VectorXd> at(
-      minimum.at.data(), static_cast<Eigen::Index>(minimum.at.size()));
-  addEstimates(fit, fixed, back * at, back * covariance * back.transpose());
-  for (std::size_t k = 0; k < random.size(); ++k) {
-    const double deviation = std::abs(minimum.at[minimum.at.size() - random.size() + k]);
+  const Index thresholds = answers.thresholds();
+  const Index effects = static_cast<Index>(fixed.columns()) - 1;
+  const Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
+  const VectorXd at = back * minimum.at;
+  const Matrix covariance = back * standardisedCovariance * back.transpose();
+  for (Index c = 0; c < thresholds; ++c) {
+    const auto level = fit.levels.begin() + c;
+    fit.thresholds.push_back(waldEstimate(
+        std::to_string(level[0]) + "|" + std::to_string(level[1]), at(c), covariance(c, c)));
+  }
+  for (Index j = 0; j < effects; ++j) {
+    const Index place = thresholds + j;
+    const auto& name = fixed.name(static_cast<std::size_t>(j) + 1);
+    fit.fixedEffects.push_back(waldEstimate(name, at(place), covariance(place, place)));
+  }
+  const Matrix ofEffects = covariance.block(thresholds, thresholds, effects, effects);
+  fit.covariance.assign(ofEffects.data(), ofEffects.data() + ofEffects.size());
+  for (Index k = thresholds + effects; const auto& factor : random) {
+    const double deviation = std::abs(at(k++));
     fit.components.push_back(
-        {.name = random[k].name,
-         .levels = random[k].levels.size(),
+        {.name = factor.name,
+         .levels = factor.levels.size(),
          .variance = deviation * deviation,
          .standardDeviation = deviation,
          .isSingular = deviation < kSingularLogits});
@@ -261,19 +243,6 @@ WaldEstimate contrast(
     }
   }
   return waldEstimate(std::move(name), value, variance);
-}
-
-std::vector<WaldEstimate> pairwiseDifferences(
-    const CumulativeLinkFit& fit, const FixedEffects& fixed, std::string_view factor) {
-  std::vector<WaldEstimate> differences;
-  const auto& levels = fixed.factor(factor).levels;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    for (std::size_t j = i + 1; j < levels.size(); ++j) {
-      const auto weights = fixed.difference(factor, levels[i], levels[j]);
-      differences.push_back(contrast(fit, levels[i] + " - " + levels[j], weights));
-    }
-  }
-  return differences;
 }
 
 }  // namespace analysis

@@ -4,14 +4,13 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/data/factor.h"
 #include "analysis/data/reason.h"
+#include "analysis/models/estimates.h"
 #include "analysis/models/fixed_effects.h"
 #include "analysis/models/linear_mixed_model.h"
-#include "analysis/models/wald_estimate.h"
 
 namespace analysis {
 
@@ -42,9 +41,9 @@ struct CumulativeLinkResult {
 /// Standard errors come from the Hessian of the marginal log likelihood in θ, β and the standard
 /// deviations.
 ///
-/// Levels that nobody gave have no threshold. Nothing is fitted, and the reason says why, where the
-/// model is not defined (as for fitLinearMixedModel()), where the answers separate completely (all
-/// answers of a method are the highest: its effect is infinite), or where no maximum is found
+/// Levels that no answer has have no threshold. Nothing is fitted, and the reason says why, where
+/// the model is not defined (as for fitLinearMixedModel()), where the answers separate completely
+/// (all answers of a method are the highest: its effect is infinite), or where no maximum is found
 /// within 200 steps.
 ///
 /// @throws std::invalid_argument  if y has another number of answers.
@@ -56,9 +55,5 @@ CumulativeLinkResult fitCumulativeLinkMixedModel(
 /// @throws std::invalid_argument  for other weights.
 WaldEstimate contrast(
     const CumulativeLinkFit& fit, std::string name, std::span<const double> weights);
-
-/// Each level minus each later one: "interpolation - fem".
-std::vector<WaldEstimate> pairwiseDifferences(
-    const CumulativeLinkFit& fit, const FixedEffects& fixed, std::string_view factor);
 
 }  // namespace analysis

@@ -1,16 +1,53 @@
 #include "analysis/models/fixed_effects.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
-#include <utility>
+
+#include <Eigen/Core>
 
 namespace analysis {
+namespace {
+
+Reason whyFixedAreNotDefined(const FixedEffects& fixed) {
+  if (fixed.answers() <= fixed.columns()) {
+    return reason("too_few_answers", fixed.answers(), fixed.columns());
+  }
+  for (const auto& factor : fixed.factors()) {
+    if (factor.levels.size() < 2) return reason("one_level", factor.name);
+  }
+  return {};
+}
+
+/// The first column that is a combination of the ones before it, as where two methods were each
+/// used in one round only. By Gram & Schmidt with every projection done twice, since the first
+/// leaves rounding errors of the size of the column.
+Reason whyColumnsDepend(const FixedEffects& fixed) {
+  constexpr double kNothing = 1e-9;  // of a column's length
+  const auto rows = static_cast<Eigen::Index>(fixed.answers());
+  Eigen::MatrixXd basis(rows, 0);
+  for (std::size_t j = 0; j < fixed.columns(); ++j) {
+    Eigen::VectorXd column = Eigen::VectorXd::Map(fixed.column(j).data(), rows);
+    const double length = column.norm();
+    for (int pass = 0; pass < 2; ++pass) column -= basis * (basis.transpose() * column);
+    if (!(column.norm() > kNothing * length)) return reason("dependent_effect", fixed.name(j));
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = column.normalized();
+  }
+  return {};
+}
+
+Reason whyRandomIsNotDefined(const Factor& factor) {
+  if (factor.levels.size() < 2) return reason("one_random_level", factor.name);
+  if (factor.levels.size() >= factor.levelOfAnswer.size()) {
+    return reason("as_many_levels", factor.name);
+  }
+  return {};
+}
+
+}  // namespace
 
 FixedEffects::FixedEffects(std::size_t answers) : answers_(answers) {
-  columns_.push_back(
-      {.name = "(Intercept)", .parts = {}, .values = std::vector<double>(answers, 1.0)});
+  columns_.push_back({.name = "(Intercept)", .values = std::vector<double>(answers, 1.0)});
 }
 
 void FixedEffects::add(const Factor& factor) {
@@ -22,83 +59,64 @@ void FixedEffects::add(const Factor& factor) {
   }
   factors_.push_back(factor);
   for (std::size_t level = 1; level < factor.levels.size(); ++level) {
-    columns_.push_back(columnOf({{.factor = factors_.size() - 1, .level = level}}));
-  }
-}
-
-void FixedEffects::addInteraction(std::string_view factor1, std::string_view factor2) {
-  const std::size_t a = factorIndex(factor1);
-  const std::size_t b = factorIndex(factor2);
-  for (std::size_t j = 1; j < factors_[b].levels.size(); ++j) {
-    for (std::size_t i = 1; i < factors_[a].levels.size(); ++i) {
-      columns_.push_back(columnOf({{.factor = a, .level = i}, {.factor = b, .level = j}}));
+    Column column{.name = factor.name + " " + factor.levels[level], .values = {}};
+    for (const std::size_t its : factor.levelOfAnswer) {
+      column.values.push_back(its == level ? 1.0 : 0.0);
     }
+    columns_.push_back(std::move(column));
   }
-}
-
-void FixedEffects::addCovariate(const std::string& name, std::vector<double> values) {
-  const auto isFinite = [](double value) { return std::isfinite(value); };
-  if (values.size() != answers_ || !std::ranges::all_of(values, isFinite)) {
-    throw std::invalid_argument("'" + name + "' needs a finite number for each answer");
-  }
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) /
-                      static_cast<double>(std::max<std::size_t>(answers_, 1));
-  columns_.push_back(
-      {.name = name, .parts = {}, .values = std::move(values), .covariateMean = mean});
 }
 
 const Factor& FixedEffects::factor(std::string_view name) const {
-  return factors_[factorIndex(name)];
-}
-
-std::vector<double> FixedEffects::marginalMean(
-    std::string_view factor, std::string_view level) const {
-  const std::size_t wanted = factorIndex(factor);
-  const auto place = std::ranges::find(factors_[wanted].levels, level);
-  if (place == factors_[wanted].levels.end()) {
-    throw std::invalid_argument(
-        "'" + std::string(level) + "' is no level of '" + std::string(factor) + "'");
-  }
-  const auto at = static_cast<std::size_t>(place - factors_[wanted].levels.begin());
-
-  std::vector<double> weights;
-  for (const auto& column : columns_) {
-    double weight = column.covariateMean;
-    for (const auto& part : column.parts) {
-      if (part.factor == wanted) weight *= part.level == at ? 1.0 : 0.0;
-      if (part.factor != wanted) weight /= static_cast<double>(factors_[part.factor].levels.size());
-    }
-    weights.push_back(weight);
-  }
-  return weights;
-}
-
-std::vector<double> FixedEffects::difference(
-    std::string_view factor, std::string_view level1, std::string_view level2) const {
-  std::vector<double> weights = marginalMean(factor, level1);
-  const std::vector<double> other = marginalMean(factor, level2);
-  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] -= other[i];
-  return weights;
-}
-
-FixedEffects::Column FixedEffects::columnOf(const std::vector<Part>& parts) const {
-  Column column{.name = {}, .parts = parts, .values = std::vector<double>(answers_, 1.0)};
-  for (const auto& [factor, level] : parts) {
-    const Factor& its = factors_[factor];
-    column.name += (column.name.empty() ? "" : ":") + its.name + " " + its.levels[level];
-    for (std::size_t i = 0; i < answers_; ++i) {
-      if (its.levelOfAnswer[i] != level) column.values[i] = 0.0;
-    }
-  }
-  return column;
-}
-
-std::size_t FixedEffects::factorIndex(std::string_view name) const {
   const auto place = std::ranges::find(factors_, name, &Factor::name);
   if (place == factors_.end()) {
     throw std::invalid_argument("'" + std::string(name) + "' is no factor of the fixed effects");
   }
-  return static_cast<std::size_t>(place - factors_.begin());
+  return *place;
+}
+
+std::vector<double> FixedEffects::difference(
+    std::string_view name, std::string_view level1, std::string_view level2) const {
+  const Factor& factor = this->factor(name);
+  std::size_t base = 0;  // the column before those of the factor
+  for (const Factor* before = factors_.data(); before != &factor; ++before) {
+    base += before->levels.size() - 1;
+  }
+  std::vector<double> weights(columns_.size(), 0.0);
+  const auto add = [&](std::string_view level, double weight) {
+    const auto place = std::ranges::find(factor.levels, level);
+    if (place == factor.levels.end()) {
+      throw std::invalid_argument(
+          "'" + std::string(level) + "' is no level of '" + factor.name + "'");
+    }
+    if (place != factor.levels.begin()) {
+      weights[base + static_cast<std::size_t>(place - factor.levels.begin())] += weight;
+    }
+  };
+  add(level1, 1.0);
+  add(level2, -1.0);
+  return weights;
+}
+
+Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) {
+  for (const auto& factor : random) {
+    if (factor.levelOfAnswer.size() != fixed.answers()) {
+      throw std::invalid_argument("'" + factor.name + "' has another number of answers");
+    }
+  }
+  if (auto why = whyFixedAreNotDefined(fixed); !why.empty()) return why;
+  if (auto why = whyColumnsDepend(fixed); !why.empty()) return why;
+  for (std::size_t k = 0; k < random.size(); ++k) {
+    if (auto why = whyRandomIsNotDefined(random[k]); !why.empty()) return why;
+    // Two factors group alike where no level of one meets two levels of the other.
+    for (std::size_t l = 0; l < k; ++l) {
+      const std::size_t pairs = crossing(random[k], random[l]).levels.size();
+      if (pairs == random[k].levels.size() && pairs == random[l].levels.size()) {
+        return reason("same_grouping", random[l].name, random[k].name);
+      }
+    }
+  }
+  return {};
 }
 
 }  // namespace analysis

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/data/factor.h"
+#include "analysis/data/reason.h"
 
 namespace analysis {
 
@@ -24,51 +25,37 @@ class FixedEffects {
   /// @throws std::invalid_argument  for another number of answers, or a name that is there.
   void add(const Factor& factor);
 
-  /// Products of the columns of two factors that have been added.
-  /// @throws std::invalid_argument  if one of them has not.
-  void addInteraction(std::string_view factor1, std::string_view factor2);
-
-  /// A number per answer, for instance years of experience.
-  /// @throws std::invalid_argument  for another number of answers, or a value that is not finite.
-  void addCovariate(const std::string& name, std::vector<double> values);
-
   std::size_t answers() const noexcept { return answers_; }
   std::size_t columns() const noexcept { return columns_.size(); }
-  /// "(Intercept)", "method fem", "method fem:round 2", "experience".
+  /// "(Intercept)", "method fem".
   const std::string& name(std::size_t column) const { return columns_.at(column).name; }
   std::span<const double> column(std::size_t column) const { return columns_.at(column).values; }
   const std::vector<Factor>& factors() const noexcept { return factors_; }
   /// @throws std::invalid_argument  for a factor that has not been added.
   const Factor& factor(std::string_view name) const;
 
-  /// The weights of the coefficients in the estimated marginal mean of a level: the other factors
-  /// count with each of their levels alike, covariates with their mean (Searle, Speed & Milliken
-  /// 1980).
+  /// The weights of the coefficients in level 1 − level 2, one for each column: 1 and −1 in the
+  /// columns of the two levels, of which the base has none.
   /// @throws std::invalid_argument  for a factor or level that is not there.
-  std::vector<double> marginalMean(std::string_view factor, std::string_view level) const;
-
-  /// The weights of marginal mean of level 1 − marginal mean of level 2.
   std::vector<double> difference(
       std::string_view factor, std::string_view level1, std::string_view level2) const;
 
  private:
-  struct Part {
-    std::size_t factor = 0;
-    std::size_t level = 0;
-  };
   struct Column {
     std::string name;
-    std::vector<Part> parts;  ///< the levels whose indicators are multiplied
     std::vector<double> values;
-    double covariateMean = 1.0;
   };
-
-  Column columnOf(const std::vector<Part>& parts) const;
-  std::size_t factorIndex(std::string_view name) const;
 
   std::size_t answers_;
   std::vector<Column> columns_;
   std::vector<Factor> factors_;
 };
+
+/// Why a model with these fixed effects and random intercepts is not defined for these answers:
+/// too few of them, a factor of one level, linearly dependent columns, random intercepts that
+/// cannot be told apart from each other or from the single answers. Empty where it is defined.
+///
+/// @throws std::invalid_argument  if a factor has another number of answers.
+Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random);
 
 }  // namespace analysis

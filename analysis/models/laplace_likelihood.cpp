@@ -2,251 +2,239 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
-
-#include "analysis/models/cumulative_logit.h"
 
 namespace analysis {
 namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
 
 constexpr int kMostSteps = 100;
 constexpr int kMostHalvings = 40;
 constexpr double kNoFallLeft = 1e-18;  // of the penalised likelihood: u is right to 1e-9, and
                                        // Newton's last step squares that
-constexpr double kDifference = 5e-5;   // for the Hessian
+constexpr double kRounding = 1e-13;    // by which a sum of logarithms may seem to rise
+// For the Hessian, by central differences: the error of the formula, about the square of this,
+// equals that of the gradient's rounding, about 1e-14 divided by this.
+constexpr double kDifference = 5e-5;
+
+/// ln F(x), without overflow.
+double logLogistic(double x) {
+  return x > 0.0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
+}
+
+/// F(x) without loss for a very negative x.
+double logistic(double x) {
+  if (x > 0.0) return 1.0 / (1.0 + std::exp(-x));
+  const double power = std::exp(x);
+  return power / (1.0 + power);
+}
+
+/// One number of each answer as a vector.
+VectorXd each(const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
+  VectorXd numbers(static_cast<Index>(answers.size()));
+  for (Index i = 0; const auto& answer : answers) numbers(i++) = answer.*number;
+  return numbers;
+}
+
+double penalised(const std::vector<CumulativeLogit>& answers, const VectorXd& u) {
+  return 0.5 * u.squaredNorm() - each(answers, &CumulativeLogit::logProbability).sum();
+}
 
 }  // namespace
+
+CumulativeLogit::CumulativeLogit(double above, double below) {
+  const double overA = logistic(-above);  // 1 − F(a)
+  const double underB = logistic(below);  // F(b)
+  densityAbove = overA * logistic(above);
+  densityBelow = underB * logistic(-below);
+  densitySlopeAbove = densityAbove * (2.0 * overA - 1.0);
+  densitySlopeBelow = densityBelow * (1.0 - 2.0 * underB);
+  slope = underB - overA;
+  weight = densityAbove + densityBelow;
+
+  const bool isBetween = std::isfinite(above) && std::isfinite(below);
+  const double gap = isBetween ? std::expm1(above - below) : HUGE_VAL;  // e^{a−b} − 1
+  slopeAbove = overA + 1.0 / gap;
+  slopeBelow = -underB - 1.0 / gap;
+  logProbability = (std::isfinite(above) ? logLogistic(above) : 0.0) +
+                   (std::isfinite(below) ? logLogistic(-below) : 0.0) +
+                   (isBetween ? std::log(-std::expm1(below - above)) : 0.0);
+}
 
 LaplaceLikelihood::LaplaceLikelihood(
     std::vector<std::size_t> y,
     std::size_t levels,
-    std::vector<std::vector<double>> columns,
+    Eigen::MatrixXd x,
     std::span<const Factor> random)
-    : y_(std::move(y)),
-      thresholds_(levels - 1),
-      columns_(std::move(columns)),
-      intercepts_(random.size()),
-      places_(y_.size() * random.size()) {
-  std::vector<std::size_t> order(random.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(
-      order, std::ranges::greater(), [&](std::size_t k) { return random[k].levels.size(); });
-  for (const std::size_t k : order) {
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      places_[i * intercepts_ + k] = effects_ + random[k].levelOfAnswer[i];
+    : y_(std::move(y)), thresholds_(levels - 1), x_(std::move(x)) {
+  Index effects = 0;
+  for (const auto& factor : random) effects += static_cast<Index>(factor.levels.size());
+  Index from = 0;
+  for (const auto& factor : random) {
+    std::vector<Eigen::Triplet<double>> places;
+    for (Index i = 0; const std::size_t level : factor.levelOfAnswer) {
+      places.emplace_back(from + static_cast<Index>(level), i++, 1.0);
     }
-    effects_ += random[k].levels.size();
+    indicators_.emplace_back(effects, x_.rows()).setFromTriplets(places.begin(), places.end());
+    from += static_cast<Index>(factor.levels.size());
   }
-  if (!order.empty()) largest_ = random[order.front()].levels.size();
-  u_.assign(effects_, 0.0);
+  u_ = VectorXd::Zero(effects);
 }
 
-std::size_t LaplaceLikelihood::parameters() const noexcept {
-  return thresholds_ + columns_.size() + intercepts_;
+Index LaplaceLikelihood::parameters() const noexcept {
+  return static_cast<Index>(thresholds_ + indicators_.size()) + x_.cols();
 }
 
-std::optional<double> LaplaceLikelihood::value(std::span<const double> parameters) {
+std::optional<double> LaplaceLikelihood::value(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
-  const double value = mode->penalised + 0.5 * mode->system.logDeterminant();
+  double value = mode->penalised;
+  if (u_.size() > 0) {
+    value += system_.matrixL().nestedExpression().diagonal().array().log().sum();  // ½ ln |D|
+  }
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<std::vector<double>> LaplaceLikelihood::gradient(std::span<const double> parameters) {
+/// With D⁻¹ = RᵀR, A = RZ and A_k = RZ_k of one intercept, h_i = z_iᵀD⁻¹z_i is the square of A's
+/// column i, and z_ikᵀD⁻¹z_i its product with that of A_k. The value changes with w_i by ½ h_i, and
+/// with the mode, which itself moves by D⁻¹ times the change of its gradient.
+std::optional<VectorXd> LaplaceLikelihood::gradient(const VectorXd& parameters) {
   const auto mode = findMode(parameters);
   if (!mode) return std::nullopt;
-  std::vector<double> leverage;
-  const auto slope = mode->system.solve(curvatureSlope(parameters, *mode, leverage));
-  std::vector<double> gradient(parameters.size(), 0.0);
+  const auto of = [&](double CumulativeLogit::*number) { return each(mode->answers, number); };
+  const VectorXd slope = of(&CumulativeLogit::slope);
+  const VectorXd weight = of(&CumulativeLogit::weight);
+  const VectorXd weightSlope =
+      -of(&CumulativeLogit::densitySlopeAbove) - of(&CumulativeLogit::densitySlopeBelow);
+
+  const Sparse root = rootOfInverse();
+  const Sparse half = root * mode->z;  // A
+  const VectorXd leverage = half.cwiseProduct(half).transpose() * VectorXd::Ones(u_.size());
+  // D⁻¹ times the slope of ln |D| in u: twice what the mode moves by.
+  const VectorXd push = root.transpose() * (root * (mode->z * weightSlope.cwiseProduct(leverage)));
+  const VectorXd shift = mode->z.transpose() * push;
+  const VectorXd ofPredictor =
+      0.5 * leverage.cwiseProduct(weightSlope) - slope - 0.5 * shift.cwiseProduct(weight);
+
+  VectorXd gradient = VectorXd::Zero(parameters.size());
   for (std::size_t i = 0; i < y_.size(); ++i) {
-    addAnswer(i, parameters, *mode, leverage[i], slope, gradient);
+    const auto row = static_cast<Index>(i);
+    const auto& at = mode->answers[i];
+    const auto ofThreshold = [&](double first, double density, double densitySlope) {
+      return -first + 0.5 * leverage(row) * densitySlope + 0.5 * shift(row) * density;
+    };
+    const auto above = static_cast<Index>(y_[i]);
+    if (y_[i] < thresholds_) {
+      gradient(above) += ofThreshold(at.slopeAbove, at.densityAbove, at.densitySlopeAbove);
+    }
+    if (y_[i] > 0) {
+      gradient(above - 1) += ofThreshold(at.slopeBelow, at.densityBelow, at.densitySlopeBelow);
+    }
+  }
+  const auto first = static_cast<Index>(thresholds_);
+  gradient.segment(first, x_.cols()) = x_.transpose() * ofPredictor;
+  for (Index k = first + x_.cols(); const auto& indicator : indicators_) {
+    gradient(k++) = mode->u.dot(indicator * ofPredictor) + 0.5 * push.dot(indicator * slope) +
+                    (Sparse(root * indicator).cwiseProduct(half) * weight).sum();
   }
   return gradient;
 }
 
-std::optional<Derivatives> LaplaceLikelihood::derivatives(std::span<const double> parameters) {
-  const std::size_t size = parameters.size();
+std::optional<Derivatives> LaplaceLikelihood::derivatives(const VectorXd& parameters) {
+  const Index size = parameters.size();
   const auto here = gradient(parameters);
   if (!here) return std::nullopt;
-  Derivatives derivatives{.gradient = *here, .hessian = std::vector<double>(size * size, 0.0)};
-  std::vector<double> point(parameters.begin(), parameters.end());
-  for (std::size_t j = 0; j < size; ++j) {
-    point[j] = parameters[j] + kDifference;
-    const auto after = gradient(point);
-    point[j] = parameters[j] - kDifference;
-    const auto before = gradient(point);
-    point[j] = parameters[j];
+  Derivatives derivatives{.gradient = *here, .hessian = Eigen::MatrixXd(size, size)};
+  for (Index j = 0; j < size; ++j) {
+    const VectorXd step = kDifference * VectorXd::Unit(size, j);
+    const auto after = gradient(parameters + step);
+    const auto before = gradient(parameters - step);
     if (!after || !before) return std::nullopt;
-    for (std::size_t k = 0; k < size; ++k) {
-      const double half = ((*after)[k] - (*before)[k]) / (4.0 * kDifference);
-      derivatives.hessian[j * size + k] += half;  // the mean of both triangles
-      derivatives.hessian[k * size + j] += half;
-    }
+    derivatives.hessian.col(j) = (*after - *before) / (2.0 * kDifference);
   }
+  derivatives.hessian = 0.5 * (derivatives.hessian + derivatives.hessian.transpose()).eval();
   return derivatives;
 }
 
-std::vector<double> LaplaceLikelihood::fixedPredictor(std::span<const double> parameters) const {
-  std::vector<double> predictor(y_.size(), 0.0);
-  for (std::size_t j = 0; j < columns_.size(); ++j) {
-    const double beta = parameters[thresholds_ + j];
-    for (std::size_t i = 0; i < y_.size(); ++i) predictor[i] += beta * columns_[j][i];
+LaplaceLikelihood::Sparse LaplaceLikelihood::effectsOfAnswers(const VectorXd& parameters) const {
+  Sparse z(u_.size(), x_.rows());
+  for (Index k = parameters.size() - static_cast<Index>(indicators_.size());
+       const auto& indicator : indicators_) {
+    z += parameters(k++) * indicator;
   }
-  return predictor;
+  return z;
 }
 
-double LaplaceLikelihood::predictor(
-    std::span<const double> sigma, const std::vector<double>& u, std::size_t i) const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < intercepts_; ++k) sum += sigma[k] * u[places_[i * intercepts_ + k]];
-  return sum;
-}
-
-double LaplaceLikelihood::above(std::span<const double> parameters, std::size_t i) const {
-  return y_[i] < thresholds_ ? parameters[y_[i]] : std::numeric_limits<double>::infinity();
-}
-
-double LaplaceLikelihood::below(std::span<const double> parameters, std::size_t i) const {
-  return y_[i] > 0 ? parameters[y_[i] - 1] : -std::numeric_limits<double>::infinity();
-}
-
-bool LaplaceLikelihood::isOrdered(std::span<const double> parameters) const {
-  for (std::size_t c = 1; c < thresholds_; ++c) {
-    if (!(parameters[c - 1] < parameters[c])) return false;
+std::vector<CumulativeLogit> LaplaceLikelihood::answersAt(
+    const VectorXd& parameters, const VectorXd& predictor) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<CumulativeLogit> answers;
+  answers.reserve(y_.size());
+  for (Index i = 0; const std::size_t y : y_) {
+    const auto level = static_cast<Index>(y);
+    const double above = y < thresholds_ ? parameters(level) : kInfinity;
+    const double below = y > 0 ? parameters(level - 1) : -kInfinity;
+    answers.emplace_back(above - predictor(i), below - predictor(i));
+    ++i;
   }
-  return true;
+  return answers;
 }
 
-double LaplaceLikelihood::penalised(
-    std::span<const double> parameters,
-    const std::vector<double>& fixed,
-    const std::vector<double>& u) const {
-  const auto sigma = parameters.last(intercepts_);
-  double sum = 0.5 * std::inner_product(u.begin(), u.end(), u.begin(), 0.0);
-  for (std::size_t i = 0; i < y_.size(); ++i) {
-    const double eta = fixed[i] + predictor(sigma, u, i);
-    sum -= CumulativeLogit(above(parameters, i) - eta, below(parameters, i) - eta).logProbability;
-  }
-  return sum;
+/// Factorises D; the step is D⁻¹ times the gradient, or nothing where that promises no fall.
+VectorXd LaplaceLikelihood::newtonStep(const Mode& mode) {
+  if (u_.size() == 0) return u_;
+  const VectorXd weight = each(mode.answers, &CumulativeLogit::weight);
+  Sparse d(u_.size(), u_.size());
+  d.setIdentity();
+  d += Sparse(mode.z * weight.asDiagonal() * mode.z.transpose());
+  system_.compute(d);
+  const VectorXd downhill = mode.z * each(mode.answers, &CumulativeLogit::slope) - mode.u;
+  const VectorXd step = system_.solve(downhill);
+  return step.dot(downhill) > kNoFallLeft ? step : VectorXd::Zero(u_.size());
 }
 
-/// Fills and factorises D at u; the step is D⁻¹ times the gradient.
-std::vector<double> LaplaceLikelihood::newtonStep(
-    std::span<const double> parameters, Mode& mode, const std::vector<double>& u) const {
-  const auto sigma = parameters.last(intercepts_);
-  mode.system = ArrowMatrix(largest_, effects_ - largest_);
-  std::vector<double> downhill(effects_);
-  for (std::size_t m = 0; m < effects_; ++m) {
-    downhill[m] = -u[m];
-    mode.system.add(m, m, 1.0);
+std::optional<LaplaceLikelihood::Mode> LaplaceLikelihood::findMode(const VectorXd& parameters) {
+  const double* const last = parameters.data() + thresholds_;
+  if (std::adjacent_find(parameters.data(), last, std::greater_equal()) != last) {
+    return std::nullopt;
   }
-  for (std::size_t i = 0; i < y_.size(); ++i) {
-    const double eta = mode.predictor[i];
-    const CumulativeLogit at(above(parameters, i) - eta, below(parameters, i) - eta);
-    const auto* place = places_.data() + i * intercepts_;
-    for (std::size_t k = 0; k < intercepts_; ++k) {
-      downhill[place[k]] += sigma[k] * at.slope;
-      for (std::size_t l = 0; l < intercepts_; ++l) {
-        mode.system.add(place[k], place[l], at.weight * sigma[k] * sigma[l]);
-      }
-    }
-  }
-  if (!mode.system.factorise()) return {};
-  auto step = mode.system.solve(downhill);
-  const double fall = std::inner_product(step.begin(), step.end(), downhill.begin(), 0.0);
-  if (!(fall > kNoFallLeft)) std::ranges::fill(step, 0.0);
-  return step;
-}
-
-std::optional<LaplaceLikelihood::Mode> LaplaceLikelihood::findMode(
-    std::span<const double> parameters) {
-  if (!isOrdered(parameters)) return std::nullopt;
-  const auto sigma = parameters.last(intercepts_);
-  const auto fixed = fixedPredictor(parameters);
-  Mode mode{.predictor = fixed, .system = ArrowMatrix(0, 0)};
-  std::vector<double> u = u_;
-  mode.penalised = penalised(parameters, fixed, u);
+  const auto first = static_cast<Index>(thresholds_);
+  const VectorXd fixed = x_ * parameters.segment(first, x_.cols());
+  Mode mode{.z = effectsOfAnswers(parameters), .u = u_, .answers = {}};
+  mode.answers = answersAt(parameters, fixed + mode.z.transpose() * mode.u);
+  mode.penalised = penalised(mode.answers, mode.u);
   for (int steps = 0; steps < kMostSteps && std::isfinite(mode.penalised); ++steps) {
-    for (std::size_t i = 0; i < y_.size(); ++i) {
-      mode.predictor[i] = fixed[i] + predictor(sigma, u, i);
-    }
-    const auto step = newtonStep(parameters, mode, u);
-    if (step.size() != effects_) return std::nullopt;
-    if (std::ranges::all_of(step, [](double move) { return move == 0.0; })) {
-      u_ = u;
+    const VectorXd step = newtonStep(mode);
+    if (step.isZero(0.0)) {
+      u_ = mode.u;
       return mode;
     }
     double part = 1.0;
     for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
-      std::vector<double> next = u;
-      for (std::size_t m = 0; m < effects_; ++m) next[m] += part * step[m];
-      const double value = penalised(parameters, fixed, next);
-      if (!(value <= mode.penalised * (1.0 + 1e-13))) continue;
+      const VectorXd u = mode.u + part * step;
+      auto answers = answersAt(parameters, fixed + mode.z.transpose() * u);
+      const double value = penalised(answers, u);
+      if (!(value <= mode.penalised * (1.0 + kRounding))) continue;
       mode.penalised = value;
-      u = std::move(next);
+      mode.u = u;
+      mode.answers = std::move(answers);
       break;
     }
   }
   return std::nullopt;
 }
 
-/// Half of this, times dû, is what ½ ln |D| changes by with the mode. Also gives z_iᵀD⁻¹z_i.
-std::vector<double> LaplaceLikelihood::curvatureSlope(
-    std::span<const double> parameters, const Mode& mode, std::vector<double>& leverage) const {
-  const auto sigma = parameters.last(intercepts_);
-  std::vector<double> slope(effects_, 0.0);
-  leverage.assign(y_.size(), 0.0);
-  for (std::size_t i = 0; i < y_.size(); ++i) {
-    const auto* place = places_.data() + i * intercepts_;
-    for (std::size_t k = 0; k < intercepts_; ++k) {
-      for (std::size_t l = 0; l < intercepts_; ++l) {
-        leverage[i] += sigma[k] * sigma[l] * mode.system.inverse(place[k], place[l]);
-      }
-    }
-    const double eta = mode.predictor[i];
-    const CumulativeLogit at(above(parameters, i) - eta, below(parameters, i) - eta);
-    const double change = -(at.densitySlopeAbove + at.densitySlopeBelow) * leverage[i];
-    for (std::size_t k = 0; k < intercepts_; ++k) slope[place[k]] += sigma[k] * change;
-  }
-  return slope;
-}
-
-void LaplaceLikelihood::addAnswer(
-    std::size_t i,
-    std::span<const double> parameters,
-    const Mode& mode,
-    double leverage,
-    const std::vector<double>& slope,
-    std::vector<double>& gradient) const {
-  const auto sigma = parameters.last(intercepts_);
-  const double eta = mode.predictor[i];
-  const CumulativeLogit at(above(parameters, i) - eta, below(parameters, i) - eta);
-  const double shift = predictor(sigma, slope, i);
-  const auto ofThreshold = [&](double first, double density, double densitySlope) {
-    return -first + 0.5 * leverage * densitySlope + 0.5 * shift * density;
-  };
-  if (y_[i] < thresholds_) {
-    gradient[y_[i]] += ofThreshold(at.slopeAbove, at.densityAbove, at.densitySlopeAbove);
-  }
-  if (y_[i] > 0) {
-    gradient[y_[i] - 1] += ofThreshold(at.slopeBelow, at.densityBelow, at.densitySlopeBelow);
-  }
-  const double ofPredictor = -at.slope - 0.5 * shift * at.weight -
-                             0.5 * leverage * (at.densitySlopeAbove + at.densitySlopeBelow);
-  for (std::size_t j = 0; j < columns_.size(); ++j) {
-    gradient[thresholds_ + j] += columns_[j][i] * ofPredictor;
-  }
-  const auto* place = places_.data() + i * intercepts_;
-  for (std::size_t k = 0; k < intercepts_; ++k) {
-    double row = 0.0;  // of D⁻¹ z
-    for (std::size_t l = 0; l < intercepts_; ++l) {
-      row += sigma[l] * mode.system.inverse(place[k], place[l]);
-    }
-    gradient[thresholds_ + columns_.size() + k] +=
-        u_[place[k]] * ofPredictor + at.weight * row + 0.5 * slope[place[k]] * at.slope;
-  }
+LaplaceLikelihood::Sparse LaplaceLikelihood::rootOfInverse() const {
+  Sparse root(u_.size(), u_.size());
+  if (u_.size() == 0) return root;
+  root.setIdentity();
+  root = system_.permutationP() * root;
+  system_.matrixL().solveInPlace(root);
+  return root;
 }
 
 }  // namespace analysis

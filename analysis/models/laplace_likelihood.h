@@ -5,11 +5,35 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/SparseCholesky>
+
 #include "analysis/data/factor.h"
-#include "analysis/numerics/arrow_matrix.h"
 #include "analysis/numerics/newton_minimum.h"
 
 namespace analysis {
+
+/// ln π of one answer between two thresholds a and b of the logistic law, and its derivatives.
+///
+/// With η the linear predictor, a = θ_y − η above and b = θ_{y−1} − η below the answer,
+///
+///     π = F(a) − F(b) = F(a) (1 − F(b)) (1 − e^{b−a}),   F(x) = 1 / (1 + e^{−x}),
+///
+/// where the last factor does not depend on η; nothing cancels however small π is.
+struct CumulativeLogit {
+  /// @param above  a, +infinity for the highest level.
+  /// @param below  b < a, −infinity for the lowest level.
+  CumulativeLogit(double above, double below);
+
+  double logProbability;
+  double slope;              ///< d ln π / dη
+  double weight;             ///< −d² ln π / dη² = f(a) + f(b) > 0, with f = F (1 − F)
+  double slopeAbove;         ///< d ln π / da
+  double slopeBelow;         ///< d ln π / db
+  double densityAbove;       ///< f(a) = d² ln π / (da dη)
+  double densityBelow;       ///< f(b) = d² ln π / (db dη)
+  double densitySlopeAbove;  ///< f'(a); d weight / dη = −f'(a) − f'(b)
+  double densitySlopeBelow;  ///< f'(b)
+};
 
 /// −ln of the marginal likelihood of a cumulative link mixed model with logit link,
 ///
@@ -21,66 +45,53 @@ namespace analysis {
 ///
 /// with w_i the curvature of −ln π_i and z_i the σ_k at the places of answer i (Christensen, R
 /// package ordinal; Pinheiro & Bates 1995, J. Comput. Graph. Stat. 4, 12–35). Without random
-/// intercepts it is exact. The gradient is analytic, that of û included.
+/// intercepts it is exact. The gradient is analytic, that of û included. D is sparse, and so is its
+/// Cholesky factor.
 ///
 /// The parameters are θ_1 < … < θ_{K−1}, β, σ, in this order. The value is even in each σ.
 class LaplaceLikelihood {
  public:
-  /// @param y        from 0 to levels − 1.
-  /// @param columns  those of x, one number per answer each.
+  /// @param y       from 0 to levels − 1.
+  /// @param x       one row per answer, one column per effect, without an intercept.
   LaplaceLikelihood(
       std::vector<std::size_t> y,
       std::size_t levels,
-      std::vector<std::vector<double>> columns,
+      Eigen::MatrixXd x,
       std::span<const Factor> random);
 
-  std::size_t parameters() const noexcept;
+  Eigen::Index parameters() const noexcept;
 
   /// Nothing where the thresholds are not in order, or û is not found in 100 steps.
-  std::optional<double> value(std::span<const double> parameters);
-  std::optional<std::vector<double>> gradient(std::span<const double> parameters);
+  std::optional<double> value(const Eigen::VectorXd& parameters);
+  std::optional<Eigen::VectorXd> gradient(const Eigen::VectorXd& parameters);
   /// With the Hessian by central differences of the gradient.
-  std::optional<Derivatives> derivatives(std::span<const double> parameters);
+  std::optional<Derivatives> derivatives(const Eigen::VectorXd& parameters);
 
  private:
-  /// What depends on the parameters and u.
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  /// The answers at given parameters and the random effects û.
   struct Mode {
-    std::vector<double> predictor;  ///< xᵀβ + zᵀu of each answer
-    double penalised = 0.0;         ///< −Σ ln π + ½ uᵀu
-    ArrowMatrix system;
+    Sparse z;  ///< z_i in column i
+    Eigen::VectorXd u;
+    std::vector<CumulativeLogit> answers;
+    double penalised = 0.0;  ///< −Σ ln π + ½ uᵀu
   };
 
-  std::vector<double> fixedPredictor(std::span<const double> parameters) const;
-  double penalised(
-      std::span<const double> parameters,
-      const std::vector<double>& fixed,
-      const std::vector<double>& u) const;
-  double predictor(
-      std::span<const double> sigma, const std::vector<double>& u, std::size_t i) const;
-  double above(std::span<const double> parameters, std::size_t i) const;
-  double below(std::span<const double> parameters, std::size_t i) const;
-  bool isOrdered(std::span<const double> parameters) const;
-  std::vector<double> newtonStep(
-      std::span<const double> parameters, Mode& mode, const std::vector<double>& u) const;
-  std::optional<Mode> findMode(std::span<const double> parameters);
-  std::vector<double> curvatureSlope(
-      std::span<const double> parameters, const Mode& mode, std::vector<double>& leverage) const;
-  void addAnswer(
-      std::size_t i,
-      std::span<const double> parameters,
-      const Mode& mode,
-      double leverage,
-      const std::vector<double>& slope,
-      std::vector<double>& gradient) const;
+  Sparse effectsOfAnswers(const Eigen::VectorXd& parameters) const;
+  std::vector<CumulativeLogit> answersAt(
+      const Eigen::VectorXd& parameters, const Eigen::VectorXd& predictor) const;
+  Eigen::VectorXd newtonStep(const Mode& mode);
+  std::optional<Mode> findMode(const Eigen::VectorXd& parameters);
+  /// R = L⁻¹P, where LLᵀ = PDPᵀ, so that D⁻¹ = RᵀR; as sparse as L.
+  Sparse rootOfInverse() const;
 
   std::vector<std::size_t> y_;
   std::size_t thresholds_;
-  std::vector<std::vector<double>> columns_;
-  std::size_t intercepts_;
-  std::vector<std::size_t> places_;  ///< of each answer's random effects, intercept by intercept
-  std::size_t largest_ = 0;          ///< levels of the intercept with most of them
-  std::size_t effects_ = 0;
-  std::vector<double> u_;  ///< the last mode, from which the next is sought
+  Eigen::MatrixXd x_;
+  std::vector<Sparse> indicators_;  ///< of each intercept: 1 at the level of answer i in column i
+  Eigen::SimplicialLLT<Sparse> system_;  ///< D at the last mode
+  Eigen::VectorXd u_;                    ///< the last mode, from which the next is sought
 };
 
 }  // namespace analysis

@@ -28,12 +28,13 @@ double product(const Loadings& a, const Loadings& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// The first principal component, roughly: a place to begin.
+/// The first principal component, by power iteration: where to start.
 Loadings principalComponent(Correlations correlations) {
   constexpr int kSteps = 200;
   Loadings component(correlations.size());
   for (std::size_t i = 0; i < component.size(); ++i) {
-    component[i] = 1.0 + 0.01 * static_cast<double>(i);  // at right angles to nothing in particular
+    // Slightly uneven: a constant vector may be orthogonal to the component that is sought.
+    component[i] = 1.0 + 0.01 * static_cast<double>(i);
   }
   double length = 0.0;
   for (int step = 0; step < kSteps; ++step) {
@@ -60,7 +61,7 @@ double bestLoading(Correlations correlations, const Loadings& loadings, std::siz
 
 OneFactorModel fitOneFactor(std::span<const std::vector<double>> correlations) {
   constexpr int kMostSweeps = 100'000;
-  constexpr double kStill = 4e-15;
+  constexpr double kStill = 4e-15;  // of a loading: some units of its last digit
   check(correlations);
 
   OneFactorModel model;

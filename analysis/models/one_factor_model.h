@@ -5,17 +5,16 @@
 
 namespace analysis {
 
-/// What one common factor has to do with each of several items.
+/// The loadings of several items on one common factor.
 struct OneFactorModel {
   std::vector<double> loadings;  ///< of the standardised items, −1 … 1; their sum is not negative
-  bool isImproper = false;   ///< a loading came to rest at ±1: an item without an error of its own
+  bool isImproper = false;  ///< a loading is ±1 (Heywood case): an item without an error of its own
   bool hasConverged = true;  ///< false where the loadings still moved after all steps
 };
 
-/// The loadings λ of least squares, which leave the correlations r of the items unexplained as
-/// little as can be (minres, Harman & Jones 1966):
+/// The least-squares loadings λ of the correlations r of the items (minres, Harman & Jones 1966):
 ///
-///     Σ over i < j of (rᵢⱼ − λᵢ λⱼ)²  is least,  with |λᵢ| ≤ 1 (Harman & Fukuda 1966)
+///     minimise Σ over i < j of (rᵢⱼ − λᵢ λⱼ)²,  with |λᵢ| ≤ 1 (Harman & Fukuda 1966)
 ///
 /// Each loading in turn takes its best value, λᵢ = Σ rᵢⱼ λⱼ / Σ λⱼ² over j ≠ i, until none moves,
 /// beginning with the first principal component. Works also for few respondents, where the

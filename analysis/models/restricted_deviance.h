@@ -1,9 +1,11 @@
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "analysis/data/factor.h"
 #include "analysis/models/fixed_effects.h"
@@ -11,20 +13,20 @@
 
 namespace analysis {
 
-/// What a linear mixed model is at given variances. Matrices are row by row.
+/// What a linear mixed model is at given variances, with p fixed effects.
 struct RestrictedSolution {
-  double deviance = 0.0;             ///< −2 × the restricted log likelihood
-  double residualVariance = 0.0;     ///< σ²
-  std::vector<double> coefficients;  ///< p
-  std::vector<double> covariance;    ///< of the coefficients, p × p
+  double deviance = 0.0;          ///< −2 × the restricted log likelihood
+  double residualVariance = 0.0;  ///< σ²
+  Eigen::VectorXd coefficients;   ///< p
+  Eigen::MatrixXd covariance;     ///< of the coefficients, p × p
   /// ∂covariance / ∂variance for the variance of each random intercept, then of the residuals.
-  std::vector<std::vector<double>> covarianceDerivatives;
+  std::vector<Eigen::MatrixXd> covarianceDerivatives;
   /// Second derivatives of the deviance in the same variances.
-  std::vector<double> hessian;
+  Eigen::MatrixXd hessian;
 };
 
 /// The restricted deviance of y = X β + Σ Z_k b_k + e with b_k ~ N(0, φ_k σ² I), e ~ N(0, σ² I),
-/// β and σ² profiled out, as a function of the relative variances φ_k (Bates, Mächler, Bolker &
+/// β and σ² profiled out, as a function of the relative variances φ_k ≥ 0 (Bates, Mächler, Bolker &
 /// Walker 2015, Fitting linear mixed-effects models using lme4, eq. (39) to (42)):
 ///
 ///     d(φ) = ln |V| + ln |XᵀV⁻¹X| + (n − p) (1 + ln(2π r² / (n − p))),
@@ -36,12 +38,10 @@ struct RestrictedSolution {
 /// that neither the scale of a covariate nor an offset of y costs digits.
 class RestrictedDeviance {
  public:
+  /// @param y      finite.
   /// @param fixed  of full rank, with fewer columns than answers.
   RestrictedDeviance(
       std::span<const double> y, const FixedEffects& fixed, std::span<const Factor> random);
-  ~RestrictedDeviance();
-  RestrictedDeviance(const RestrictedDeviance&) = delete;
-  RestrictedDeviance& operator=(const RestrictedDeviance&) = delete;
 
   /// Whether y lies in the space of the fixed effects, but for rounding.
   bool isExplainedByFixedEffects() const;
@@ -50,13 +50,37 @@ class RestrictedDeviance {
   bool isExplainedByFixedEffects(std::size_t intercept) const;
 
   /// Nothing where no residual variance is left.
-  std::optional<double> value(std::span<const double> relativeVariances) const;
-  std::optional<Derivatives> derivatives(std::span<const double> relativeVariances) const;
-  std::optional<RestrictedSolution> solution(std::span<const double> relativeVariances) const;
+  std::optional<double> value(const Eigen::VectorXd& relativeVariances) const;
+  std::optional<Derivatives> derivatives(const Eigen::VectorXd& relativeVariances) const;
+  std::optional<RestrictedSolution> solution(const Eigen::VectorXd& relativeVariances) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  struct Profile;
+  struct Projection;
+  struct Forms;
+
+  void addFixed(std::span<const double> y, const FixedEffects& fixed, Eigen::MatrixXd& x);
+  void addRandom(std::span<const Factor> random, const Eigen::MatrixXd& x);
+  std::optional<Profile> profileAt(const Eigen::VectorXd& relativeVariances) const;
+  Projection projectionOf(const Profile& at) const;
+  Forms formsOf(const Projection& projection) const;
+  Eigen::MatrixXd varianceHessian(
+      const Projection& projection, double variance, const Eigen::VectorXd& relative) const;
+  double degreesOfFreedom() const { return static_cast<double>(answers_ - columns_); }
+
+  Eigen::Index answers_;
+  Eigen::Index columns_;
+  std::vector<Eigen::Index> levels_;  ///< of each intercept
+  std::vector<Eigen::Index> from_;    ///< its first level among the random effects
+  double offset_ = 0.0;               ///< y of the first answer, taken from all
+  double sumOfSquares_ = 0.0;         ///< of y around its mean
+  double leastSquares_ = 0.0;         ///< of what the fixed effects leave
+  Eigen::VectorXd rest_;              ///< what they leave
+  Eigen::MatrixXd triangle_;          ///< X = orthonormal × triangle
+  Eigen::VectorXd coefficients_;      ///< of least squares, orthonormal
+  Eigen::MatrixXd ztz_;
+  Eigen::MatrixXd ztx_;
+  Eigen::VectorXd zty_;
 };
 
 }  // namespace analysis

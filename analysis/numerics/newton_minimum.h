@@ -2,27 +2,27 @@
 
 #include <functional>
 #include <optional>
-#include <span>
-#include <vector>
+
+#include <Eigen/Core>
 
 namespace analysis {
 
 /// First and second derivatives of a function of k parameters.
 struct Derivatives {
-  std::vector<double> gradient;  ///< k numbers
-  std::vector<double> hessian;   ///< k × k numbers, row by row
+  Eigen::VectorXd gradient;  ///< k numbers
+  Eigen::MatrixXd hessian;   ///< k × k, symmetric
 };
 
 /// A function to be minimised: nothing where it is not defined.
 struct Objective {
-  std::function<std::optional<double>(std::span<const double>)> value;
-  std::function<std::optional<Derivatives>(std::span<const double>)> derivatives;
+  std::function<std::optional<double>(const Eigen::VectorXd&)> value;
+  std::function<std::optional<Derivatives>(const Eigen::VectorXd&)> derivatives;
   double lowerBound;  ///< of every parameter; −infinity for none
 };
 
 /// Where a function is smallest.
 struct Minimum {
-  std::vector<double> at;
+  Eigen::VectorXd at;
   double value = 0.0;
   Derivatives derivatives;  ///< there
   int iterations = 0;
@@ -35,6 +35,6 @@ struct Minimum {
 /// never longer than two in any parameter. Ends after 200 iterations in any case.
 ///
 /// (Nocedal & Wright 2006, Numerical Optimization, algorithm 3.2 and section 16.7.)
-Minimum minimise(const Objective& objective, std::vector<double> start);
+Minimum minimise(const Objective& objective, Eigen::VectorXd start);
 
 }  // namespace analysis

@@ -10,7 +10,7 @@
 #include "analysis/effects/effect_size.h"
 #include "analysis/effects/hodges_lehmann.h"
 #include "analysis/models/linear_mixed_model.h"
-#include "analysis/models/wald_estimate.h"
+#include "analysis/models/estimates.h"
 #include "analysis/reliability/intraclass_correlation.h"
 #include "analysis/reliability/reliability.h"
 #include "analysis/tests/brown_forsythe.h"

@@ -32,7 +32,7 @@ TEST(CumulativeLinkUndefined, ForAnswersThatAreAllTheSame) {
   EXPECT_EQ(why, analysis::reason("all_answers_same"));
 }
 
-TEST(CumulativeLinkUndefined, ForAMethodThatAlwaysGetsTheHighest) {
+TEST(CumulativeLinkUndefined, ForAMethodWhoseAnswersAreAllTheHighest) {
   const auto why = reasonOf({1, 2, 3, 5, 5, 5, 2, 3, 5, 5, 5, 5});
   EXPECT_EQ(why, analysis::reason("all_highest", "b", "method", 5));
 }
@@ -64,7 +64,7 @@ TEST(CumulativeLinkUndefined, NamesAVarianceThatIsEstimatedAsZero) {
       result.fit->fixedEffects[0].standardError, plain.fit->fixedEffects[0].standardError, 1e-6);
 }
 
-TEST(CumulativeLinkUndefined, LeavesOutLevelsThatNobodyGave) {
+TEST(CumulativeLinkUndefined, HasNoThresholdForALevelWithoutAnswers) {
   const std::vector<int> y{1, 2, 5, 2, 5, 5, 1, 2, 2, 1, 5, 2};
   const auto fit = analysis::fitCumulativeLinkMixedModel(y, methods(), {}).fit.value();
 
@@ -84,12 +84,12 @@ TEST(CumulativeLink, OfTwoLevelsIsTheOddsRatioOfATable) {
   EXPECT_NEAR(fit.fixedEffects[0].standardError, standardError, 1e-6);
   const auto interval = analysis::oddsRatioInterval(fit.fixedEffects[0], 0.95);
   EXPECT_NEAR(interval.high, 10.0 * std::exp(1.959963984540054 * standardError), 1e-3);
-  const auto pairs = analysis::pairwiseDifferences(fit, methods(), "method");
-  EXPECT_NEAR(pairs.at(0).estimate, -fit.fixedEffects[0].estimate, 1e-12);
-  EXPECT_NEAR(pairs.at(0).standardError, standardError, 1e-6);
+  const auto difference = contrast(fit, "a - b", methods().difference("method", "a", "b"));
+  EXPECT_NEAR(difference.estimate, -fit.fixedEffects[0].estimate, 1e-12);
+  EXPECT_NEAR(difference.standardError, standardError, 1e-6);
 }
 
-TEST(CumulativeLink, ThrowsForAProgrammersMistake) {
+TEST(CumulativeLink, ThrowsForInvalidArguments) {
   EXPECT_THROW(
       analysis::fitCumulativeLinkMixedModel(std::vector<int>{1, 2}, methods(), {}),
       std::invalid_argument);

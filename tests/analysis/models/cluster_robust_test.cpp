@@ -17,7 +17,7 @@ namespace cluster_robust_test {
 
 using analysis::FixedEffects;
 
-TEST(ClusterRobust, ReachesTheGoldenStudy) {
+TEST(ClusterRobust, AgreesWithClubSandwich) {
   const auto golden = tests::statsJson("study/study_golden.json");
   for (const std::string key : {"professional", "non-professional"}) {
     const auto answers = tests::studyAnswers(key);

@@ -1,6 +1,5 @@
 #include "analysis/models/fixed_effects.h"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,12 +24,10 @@ FixedEffects design() {
   FixedEffects fixed(4);
   fixed.add(analysis::factorOf("method", kMethod, kOrder));
   fixed.add(analysis::factorOf("round", kRound));
-  fixed.addInteraction("method", "round");
-  fixed.addCovariate("experience", {1, 2, 3, 6});
   return fixed;
 }
 
-TEST(Factor, KeepsTheOrderOfAppearanceOrTheOneThatIsDeclared) {
+TEST(Factor, KeepsTheOrderOfAppearanceOrADeclaredOne) {
   using Levels = std::vector<std::string>;
   EXPECT_EQ(
       analysis::factorOf("method", kMethod).levels, (Levels{"kalman", "fem", "interpolation"}));
@@ -40,7 +37,7 @@ TEST(Factor, KeepsTheOrderOfAppearanceOrTheOneThatIsDeclared) {
   EXPECT_THROW(analysis::factorOf("method", kMethod, kRound), std::invalid_argument);
 }
 
-TEST(Factor, CrossesOnlyWhatOccurs) {
+TEST(Factor, CrossesOnlyCombinationsThatOccur) {
   const auto cells =
       crossing(analysis::factorOf("method", kMethod), analysis::factorOf("round", kRound));
   EXPECT_EQ(cells.name, "method:round");
@@ -51,34 +48,29 @@ TEST(Factor, CrossesOnlyWhatOccurs) {
 
 TEST(FixedEffects, AreCodedByTreatment) {
   const auto fixed = design();
-  ASSERT_EQ(fixed.columns(), 7U);
+  ASSERT_EQ(fixed.columns(), 4U);
   EXPECT_EQ(fixed.name(0), "(Intercept)");
   EXPECT_EQ(fixed.name(1), "method fem");
-  EXPECT_EQ(fixed.name(4), "method fem:round 2");
-  EXPECT_EQ(fixed.name(6), "experience");
+  EXPECT_EQ(fixed.name(3), "round 2");
   EXPECT_EQ(columnOf(fixed, 0), (Numbers{1, 1, 1, 1}));
   EXPECT_EQ(columnOf(fixed, 1), (Numbers{0, 1, 0, 1}));
   EXPECT_EQ(columnOf(fixed, 2), (Numbers{1, 0, 0, 0}));
-  EXPECT_EQ(columnOf(fixed, 4), (Numbers{0, 0, 0, 1}));
+  EXPECT_EQ(columnOf(fixed, 3), (Numbers{0, 0, 1, 1}));
 }
 
-TEST(FixedEffects, WeighMarginalMeans) {
+TEST(FixedEffects, WeighADifferenceByTheColumnsOfItsLevels) {
   const auto fixed = design();
-  EXPECT_EQ(fixed.marginalMean("method", "fem"), (Numbers{1, 1, 0, 0.5, 0.5, 0, 3}));
-  EXPECT_EQ(
-      fixed.difference("method", "interpolation", "kalman"), (Numbers{0, 0, -1, 0, 0, -0.5, 0}));
+  EXPECT_EQ(fixed.difference("method", "interpolation", "kalman"), (Numbers{0, 0, -1, 0}));
+  EXPECT_EQ(fixed.difference("method", "fem", "kalman"), (Numbers{0, 1, -1, 0}));
+  EXPECT_EQ(fixed.difference("round", "2", "1"), (Numbers{0, 0, 0, 1}));
 }
 
-TEST(FixedEffects, RefuseWhatDoesNotFit) {
+TEST(FixedEffects, RejectInvalidFactors) {
   auto fixed = design();
   EXPECT_THROW(fixed.add(analysis::factorOf("round", kRound)), std::invalid_argument);
   EXPECT_THROW(fixed.add(analysis::Factor{}), std::invalid_argument);
-  EXPECT_THROW(fixed.addInteraction("method", "cohort"), std::invalid_argument);
-  EXPECT_THROW(fixed.addCovariate("age", {1, 2}), std::invalid_argument);
-  EXPECT_THROW(
-      fixed.addCovariate("age", {1, 2, 3, std::numeric_limits<double>::quiet_NaN()}),
-      std::invalid_argument);
-  EXPECT_THROW(fixed.marginalMean("method", "other"), std::invalid_argument);
+  EXPECT_THROW(fixed.difference("method", "fem", "other"), std::invalid_argument);
+  EXPECT_THROW(fixed.factor("cohort"), std::invalid_argument);
 }
 
 }  // namespace fixed_effects_test

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/factor.h"
-#include "analysis/models/cumulative_logit.h"
 
 namespace laplace_likelihood_test {
 
@@ -31,10 +30,14 @@ Factor statements() {
   return analysis::factorOf("statement", labels);
 }
 
-std::vector<std::vector<double>> method() {
-  std::vector<double> column;
-  for (std::size_t i = 0; i < kAnswers.size(); ++i) column.push_back(i / 3 % 2 == 0 ? 0.0 : 1.0);
-  return {column};
+Eigen::MatrixXd method() {
+  Eigen::MatrixXd column(kAnswers.size(), 1);
+  for (Eigen::Index i = 0; i < column.size(); ++i) column(i) = i / 3 % 2 == 0 ? 0.0 : 1.0;
+  return column;
+}
+
+Eigen::VectorXd vectorOf(const std::vector<double>& numbers) {
+  return Eigen::VectorXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
 TEST(CumulativeLogit, IsTheDifferenceOfTwoLogisticProbabilities) {
@@ -50,36 +53,36 @@ TEST(LaplaceLikelihood, HasTheDerivativesOfItsValue) {
   // Nested and crossed at once.
   const std::vector<Factor> random{blocks("participant", 6), blocks("cell", 3), statements()};
   LaplaceLikelihood likelihood(kAnswers, 4, method(), random);
-  const std::vector<double> at{-1.2, 0.1, 1.4, 0.6, 0.9, 0.5, 0.3};
+  const Eigen::VectorXd at = vectorOf({-1.2, 0.1, 1.4, 0.6, 0.9, 0.5, 0.3});
   const auto derivatives = likelihood.derivatives(at).value();
-  const auto value = [&](std::size_t j, double a, std::size_t k, double b) {
-    auto point = at;
-    point[j] += a;
-    point[k] += b;
+  const auto value = [&](Eigen::Index j, double a, Eigen::Index k, double b) {
+    Eigen::VectorXd point = at;
+    point(j) += a;
+    point(k) += b;
     return likelihood.value(point).value();
   };
 
   ASSERT_EQ(likelihood.parameters(), at.size());
-  for (std::size_t j = 0; j < at.size(); ++j) {
+  for (Eigen::Index j = 0; j < at.size(); ++j) {
     constexpr double kStep = 1e-4;
     const double slope = (value(j, kStep, j, 0.0) - value(j, -kStep, j, 0.0)) / (2.0 * kStep);
-    EXPECT_NEAR(derivatives.gradient[j], slope, 1e-7) << j;
-    for (std::size_t k = 0; k <= j; ++k) {
+    EXPECT_NEAR(derivatives.gradient(j), slope, 1e-7) << j;
+    for (Eigen::Index k = 0; k <= j; ++k) {
       constexpr double kWide = 1e-3;
       const double curvature = (value(j, kWide, k, kWide) - value(j, kWide, k, -kWide) -
                                 value(j, -kWide, k, kWide) + value(j, -kWide, k, -kWide)) /
                                (4.0 * kWide * kWide);
-      EXPECT_NEAR(derivatives.hessian[j * at.size() + k], curvature, 3e-5) << j << " " << k;
+      EXPECT_NEAR(derivatives.hessian(j, k), curvature, 3e-5) << j << " " << k;
     }
   }
 }
 
 /// Laplace's approximation against the integral itself, by the trapezium rule in u, one
 /// participant after the other.
-TEST(LaplaceLikelihood, IsNearToTheIntegral) {
+TEST(LaplaceLikelihood, ApproximatesTheIntegral) {
   const std::vector<double> at{-1.2, 0.1, 1.4, 0.6, 0.8};
-  const auto columns = method();
-  LaplaceLikelihood likelihood(kAnswers, 4, columns, {{blocks("participant", 6)}});
+  const Eigen::MatrixXd x = method();
+  LaplaceLikelihood likelihood(kAnswers, 4, x, {{blocks("participant", 6)}});
 
   double exact = 0.0;
   for (std::size_t person = 0; person < 5; ++person) {
@@ -88,7 +91,7 @@ TEST(LaplaceLikelihood, IsNearToTheIntegral) {
     for (double u = -9.0; u <= 9.0; u += kStep) {
       double joint = -0.5 * u * u - 0.5 * std::log(2.0 * std::numbers::pi);
       for (std::size_t i = 6 * person; i < 6 * person + 6; ++i) {
-        const double eta = at[3] * columns[0][i] + at[4] * u;
+        const double eta = at[3] * x(static_cast<Eigen::Index>(i)) + at[4] * u;
         const double above = kAnswers[i] < 3 ? at[kAnswers[i]] - eta : HUGE_VAL;
         const double below = kAnswers[i] > 0 ? at[kAnswers[i] - 1] - eta : -HUGE_VAL;
         joint += analysis::CumulativeLogit(above, below).logProbability;
@@ -98,19 +101,18 @@ TEST(LaplaceLikelihood, IsNearToTheIntegral) {
     exact -= std::log(integral);
   }
 
-  EXPECT_NEAR(likelihood.value(at).value(), exact, 0.05);  // five participants, 0.006 each
-  const std::vector<double> small{-1.2, 0.1, 1.4, 0.6, 0.0};
-  LaplaceLikelihood plain(kAnswers, 4, columns, {});
   EXPECT_NEAR(
-      likelihood.value(small).value(),
-      plain.value(std::vector<double>{-1.2, 0.1, 1.4, 0.6}).value(),
-      1e-12);
+      likelihood.value(vectorOf(at)).value(), exact, 0.05);  // five participants, 0.006 each
+  const Eigen::VectorXd small = vectorOf({-1.2, 0.1, 1.4, 0.6, 0.0});
+  LaplaceLikelihood plain(kAnswers, 4, x, {});
+  EXPECT_NEAR(
+      likelihood.value(small).value(), plain.value(vectorOf({-1.2, 0.1, 1.4, 0.6})).value(), 1e-12);
 }
 
 TEST(LaplaceLikelihood, IsNotDefinedForThresholdsOutOfOrder) {
   LaplaceLikelihood likelihood(kAnswers, 4, method(), {});
-  EXPECT_FALSE(likelihood.value(std::vector<double>{0.2, 0.1, 1.4, 0.6}).has_value());
-  EXPECT_FALSE(likelihood.gradient(std::vector<double>{0.1, 0.1, 1.4, 0.6}).has_value());
+  EXPECT_FALSE(likelihood.value(vectorOf({0.2, 0.1, 1.4, 0.6})).has_value());
+  EXPECT_FALSE(likelihood.gradient(vectorOf({0.1, 0.1, 1.4, 0.6})).has_value());
 }
 
 }  // namespace laplace_likelihood_test

@@ -20,7 +20,7 @@ Matrix correlationsOf(const std::vector<double>& loadings) {
   return correlations;
 }
 
-TEST(OneFactorModel, FindsTheLoadingsThatMadeTheCorrelations) {
+TEST(OneFactorModel, RecoversTheLoadingsOfExactCorrelations) {
   const std::vector<double> loadings{0.9, 0.3, 0.75, 0.5, 0.62};
   const auto model = fitOneFactor(correlationsOf(loadings));
 
@@ -40,13 +40,13 @@ TEST(OneFactorModel, OfThreeItemsIsSpearmans) {
   EXPECT_NEAR(model.loadings[2], std::sqrt(0.4 * 0.3 / 0.5), 1e-13);
 }
 
-TEST(OneFactorModel, MayHaveItemsThatPointTheOtherWay) {
+TEST(OneFactorModel, AllowsNegativeLoadings) {
   const auto model = fitOneFactor(correlationsOf({0.8, 0.7, -0.6, 0.5}));
   EXPECT_NEAR(model.loadings[2], -0.6, 1e-13);
   EXPECT_NEAR(model.loadings[0], 0.8, 1e-13);
 }
 
-TEST(OneFactorModel, LeavesNoBetterLoadings) {
+TEST(OneFactorModel, FindsAMinimum) {
   const Matrix correlations{
       {1.0, 0.6, 0.2, 0.4}, {0.6, 1.0, 0.3, 0.35}, {0.2, 0.3, 1.0, 0.5}, {0.4, 0.35, 0.5, 1.0}};
   const auto unexplained = [&](const std::vector<double>& loadings) {
@@ -69,14 +69,14 @@ TEST(OneFactorModel, LeavesNoBetterLoadings) {
   }
 }
 
-TEST(OneFactorModel, SaysWhereItIsImproper) {
+TEST(OneFactorModel, ReportsAnImproperSolution) {
   // λ₁² would be .8 · .8 / .3 > 1
   const auto model = fitOneFactor(Matrix{{1.0, 0.8, 0.8}, {0.8, 1.0, 0.3}, {0.8, 0.3, 1.0}});
   EXPECT_TRUE(model.isImproper);
   EXPECT_EQ(model.loadings[0], 1.0);
 }
 
-TEST(OneFactorModel, RefusesWhatIsNoMatrixOfCorrelations) {
+TEST(OneFactorModel, RejectsInvalidCorrelationMatrices) {
   EXPECT_THROW(fitOneFactor(Matrix{{1.0, 0.5}, {0.5, 1.0}}), std::invalid_argument);
   EXPECT_THROW(fitOneFactor(Matrix{{1.0}, {0.5}, {0.5}}), std::invalid_argument);
   EXPECT_THROW(fitOneFactor(correlationsOf({2.0, 0.9, 0.9})), std::invalid_argument);

@@ -1,9 +1,11 @@
-#include "analysis/models/wald_estimate.h"
+#include "analysis/models/estimates.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "analysis/numerics/student_distribution.h"
 #include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
@@ -16,6 +18,17 @@ WaldEstimate waldEstimate(std::string name, double value, double variance) {
   estimate.log10P = log10NormalTwoSidedP(estimate.z);
   estimate.oddsRatio = std::exp(value);
   return estimate;
+}
+
+std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level) {
+  if (!(level > 0.0 && level < 1.0)) {
+    throw std::invalid_argument("a confidence level lies between 0 and 1");
+  }
+  if (!estimate.p || !estimate.degreesOfFreedom) return std::nullopt;
+  const StudentDistribution law(*estimate.degreesOfFreedom);
+  const double reach = law.twoSidedQuantile(1.0 - level) * estimate.standardError;
+  if (!std::isfinite(reach)) return std::nullopt;
+  return Interval{.low = estimate.estimate - reach, .high = estimate.estimate + reach};
 }
 
 Interval confidenceInterval(const WaldEstimate& estimate, double level) {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "analysis/data/reason.h"
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// A coefficient or a contrast, tested against zero by a t with degrees of freedom of its own.
+struct TEstimate {
+  std::string name;
+  double estimate = 0.0;
+  double standardError = 0.0;
+  std::optional<double> degreesOfFreedom;  ///< Satterthwaite; rarely a whole number
+  std::optional<double> t;                 ///< estimate / standard error
+  std::optional<double> p;                 ///< two-sided, not yet adjusted
+  std::optional<double> log10P;            ///< also where p is too small for a double
+  Reason reason;                           ///< why something above is missing
+};
+
+/// A coefficient or a contrast on the logit scale, tested against zero by Wald's z.
+struct WaldEstimate {
+  std::string name;
+  double estimate = 0.0;
+  double standardError = 0.0;
+  double z = 0.0;
+  double p = 1.0;          ///< two-sided, not yet adjusted
+  double log10P = 0.0;     ///< also where p is too small for a double
+  double oddsRatio = 1.0;  ///< exp(estimate): of the odds of a higher answer
+};
+
+/// z = estimate / √variance, 0 where the variance is 0.
+/// @param variance  of the estimate, not negative.
+WaldEstimate waldEstimate(std::string name, double estimate, double variance);
+
+/// estimate ± quantile of t × standard error, with a confidence of @p level, for instance 0.95.
+/// Nothing where the degrees of freedom are not defined.
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level);
+
+/// estimate ± quantile of the normal law × standard error.
+/// @throws std::invalid_argument  as above.
+Interval confidenceInterval(const WaldEstimate& estimate, double level);
+/// The same of the odds ratio: its ends are the exponentials of those of the estimate.
+Interval oddsRatioInterval(const WaldEstimate& estimate, double level);
+
+}  // namespace analysis
