@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

@@ -2,13 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <system_error>
 #include <utility>
 
-#include "analysis/data/error.h"
 #include "analysis/data/nearest_name.h"
 
 namespace analysis {
 namespace {
+
+std::string listed(const std::vector<std::string>& problems) {
+  constexpr std::size_t kMost = 10;
+  std::string text;
+  const std::size_t shown = std::min(problems.size(), kMost);
+  for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : "\n") + problems[i];
+  if (problems.size() > shown) {
+    text += "\nand " + std::to_string(problems.size() - shown) + " more";
+  }
+  return text;
+}
 
 std::string onLine(std::size_t line) {
   return "line " + std::to_string(line) + ": ";
@@ -129,6 +144,23 @@ std::string_view withoutMark(std::string_view text) {
 }
 
 }  // namespace
+
+Error::Error(const std::vector<std::string>& problems) : std::runtime_error(listed(problems)) {}
+
+std::optional<double> decimalNumber(std::string_view text, DecimalMark mark) {
+  std::string digits(text);
+  const auto comma = digits.find(',');
+  const bool isCommaMark = mark == DecimalMark::PointOrComma && comma != std::string::npos &&
+                           digits.find('.') == std::string::npos;
+  if (isCommaMark) digits[comma] = '.';
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.erase(0, 1);
+
+  double number = 0.0;
+  const char* const end = digits.data() + digits.size();
+  const auto [stopped, problem] = std::from_chars(digits.data(), end, number);
+  const bool isNumber = problem == std::errc{} && stopped == end && std::isfinite(number);
+  return isNumber ? std::optional(number) : std::nullopt;
+}
 
 std::size_t CsvTable::columnIndex(std::string_view name) const {
   const auto count = std::ranges::count(columns, name);

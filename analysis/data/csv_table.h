@@ -1,11 +1,33 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace analysis {
+
+/// An analyst's table that cannot be used; what() says in words what is wrong, where and how to
+/// mend it.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+
+  /// Everything that was found, one problem a line: the first ten, and how many more there are.
+  explicit Error(const std::vector<std::string>& problems);
+};
+
+/// How a table writes the point of a decimal number.
+enum class DecimalMark {
+  Point,         ///< 4.5
+  PointOrComma,  ///< 4.5 or 4,5; never both in one number
+};
+
+/// The double nearest to a decimal number, whatever the locale; nothing for other text, for
+/// infinities and for numbers that a double cannot hold.
+std::optional<double> decimalNumber(std::string_view text, DecimalMark mark = DecimalMark::Point);
 
 /// One row of a table, and the line of the file that it begins on: the header is line 1.
 struct CsvRow {

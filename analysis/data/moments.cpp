@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {
@@ -25,6 +26,13 @@ int exponentOf(std::span<const double> values) {
   int exponent = 0;
   std::frexp(largest, &exponent);
   return std::max(exponent, kSmallest);
+}
+
+/// A constant group has a size but no spread, and has no say in the units of spread.
+int spreadExponentOf(const Moments& a, const Moments& b) {
+  if (a.isConstant()) return b.exponent;
+  if (b.isConstant()) return a.exponent;
+  return std::max(a.exponent, b.exponent);
 }
 
 }  // namespace
@@ -69,6 +77,45 @@ Moments momentsOf(const LikertCounts& counts) {
   if (n > 0) moments.mean = exactQuotient(n * counts.lowest() + sum, n);
   if (n > 1) moments.variance = exactQuotient(n * squares - sum * sum, n * (n - 1));
   return moments;
+}
+
+Summary summarise(std::span<const double> values) {
+  return summarise(momentsOf(values));
+}
+
+Summary summarise(const LikertCounts& counts) {
+  return summarise(momentsOf(counts));
+}
+
+Summary summarise(const Moments& moments) {
+  Summary summary{.n = moments.n, .mean = {}, .variance = {}, .standardDeviation = {}};
+  if (moments.n > 0) summary.mean = std::ldexp(moments.mean.high, moments.exponent);
+  if (moments.n > 1) {
+    summary.variance = heldByDouble(moments.variance, 2 * moments.exponent);
+    summary.standardDeviation = heldByDouble(squareRoot(moments.variance), moments.exponent);
+  }
+  return summary;
+}
+
+Contrast contrastOf(const Moments& group1, const Moments& group2) {
+  const int size = std::max(group1.exponent, group2.exponent);
+  const int spread = spreadExponentOf(group1, group2);
+  return {
+      .meanExponent = size,
+      .difference =
+          scaled(group1.mean, group1.exponent - size) - scaled(group2.mean, group2.exponent - size),
+      .spreadExponent = spread,
+      .variance1 = scaled(group1.variance, 2 * (group1.exponent - spread)),
+      .variance2 = scaled(group2.variance, 2 * (group2.exponent - spread))};
+}
+
+double tOf(const Contrast& contrast, const DoubleDouble& standardError) {
+  if (contrast.difference.isZero()) return 0.0;
+  if (standardError.isZero()) {
+    return std::copysign(std::numeric_limits<double>::infinity(), contrast.difference.high);
+  }
+  const DoubleDouble t = contrast.difference / standardError;
+  return std::ldexp(t.high, contrast.meanExponent - contrast.spreadExponent);
 }
 
 }  // namespace analysis

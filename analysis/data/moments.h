@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "analysis/data/likert_counts.h"
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 
@@ -33,5 +34,38 @@ Moments momentsOf(std::span<const double> values);
 
 /// Exactly, from whole numbers: see LikertCounts::variance().
 Moments momentsOf(const LikertCounts& counts);
+
+/// A group in a table: how many, how large on average, how scattered.
+struct Summary {
+  std::uint64_t n = 0;
+  std::optional<double> mean;               ///< nothing for n = 0
+  std::optional<double> variance;           ///< with n − 1; nothing for n < 2, or beyond a double
+  std::optional<double> standardDeviation;  ///< its root; a double may hold it all the same
+};
+
+/// @throws std::invalid_argument  if a value is infinite or no number.
+Summary summarise(std::span<const double> values);
+Summary summarise(const LikertCounts& counts);
+Summary summarise(const Moments& moments);
+
+/// Two groups side by side, in common units: what a t-test is made of.
+///
+/// Units are powers of two, so that nothing is rounded by them, and nothing overflows.
+struct Contrast {
+  int meanExponent = 0;
+  DoubleDouble difference;  ///< mean of group 1 − mean of group 2 [2^meanExponent]
+
+  int spreadExponent = 0;
+  DoubleDouble variance1;  ///< [4^spreadExponent]
+  DoubleDouble variance2;  ///< [4^spreadExponent]
+};
+
+Contrast contrastOf(const Moments& group1, const Moments& group2);
+
+/// difference / standardError as a double; ±infinity where a double cannot hold it, 0 where the
+/// difference is 0.
+///
+/// @param standardError  [2^spreadExponent]
+double tOf(const Contrast& contrast, const DoubleDouble& standardError);
 
 }  // namespace analysis

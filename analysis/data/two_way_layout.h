@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 

@@ -6,8 +6,8 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
-#include "analysis/data/contrast.h"
-#include "analysis/numerics/noncentral_t.h"
+#include "analysis/data/moments.h"
+#include "analysis/numerics/student_distribution.h"
 #include "analysis/tests/welch.h"
 
 namespace analysis {

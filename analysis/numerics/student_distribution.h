@@ -1,5 +1,7 @@
 #pragma once
 
+#include "analysis/numerics/interval.h"
+
 namespace analysis {
 
 /// Student's t with ν degrees of freedom, which need not be a whole number.
@@ -28,5 +30,24 @@ class StudentDistribution {
  private:
   double degreesOfFreedom_;
 };
+
+/// P(T ≤ t) for T of the noncentral t law: of a normal variable with mean δ and variance 1, divided
+/// by the root of an independent χ² over its ν degrees of freedom.
+///
+/// For small δ by Boost.Math's series, for |δ| > 100 by
+///
+///     P = P(S > (δ + c)/t) + ∫ f(s) Φ(t s − δ) ds over s from (δ − c)/t to (δ + c)/t,
+///
+/// where f is the density of S = √(χ²/ν) and Φ(−c) is negligible: to 1e-14 of 1.
+///
+/// @throws std::invalid_argument  for ν that is not finite and at least 1, or for t or δ that is
+///     not finite.
+double noncentralTProbability(double t, double degreesOfFreedom, double noncentrality);
+
+/// The noncentralities δ for which an observed t is not unusual (Steiger & Fouladi 1997): from
+/// P(T ≥ t | δ) = (1 − level) / 2 to P(T ≤ t | δ) = (1 − level) / 2.
+///
+/// @throws std::invalid_argument  for t, ν as above, or for a level that is not between 0 and 1.
+Interval noncentralityInterval(double t, double degreesOfFreedom, double level);
 
 }  // namespace analysis

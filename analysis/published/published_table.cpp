@@ -4,7 +4,6 @@
 #include <set>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/error.h"
 #include "analysis/data/nearest_name.h"
 
 namespace analysis {

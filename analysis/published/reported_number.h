@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "analysis/data/decimal_number.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/numerics/interval.h"
 
 namespace analysis {

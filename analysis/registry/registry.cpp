@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/data/error.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/data/nearest_name.h"
 #include "analysis/models/cluster_robust.h"
 #include "analysis/models/cumulative_link_mixed_model.h"
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/registry/test_rows.h"
 
 namespace analysis {

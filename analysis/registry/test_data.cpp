@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/decimal_number.h"
-#include "analysis/data/error.h"
 #include "analysis/data/nearest_name.h"
 
 namespace analysis {

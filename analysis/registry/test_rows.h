@@ -6,11 +6,10 @@
 
 #include "analysis/data/test_row.h"
 #include "analysis/effects/bayes_factor.h"
-#include "analysis/effects/cliff_delta.h"
 #include "analysis/effects/effect_size.h"
-#include "analysis/effects/hodges_lehmann.h"
-#include "analysis/models/linear_mixed_model.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/models/estimates.h"
+#include "analysis/models/linear_mixed_model.h"
 #include "analysis/reliability/intraclass_correlation.h"
 #include "analysis/reliability/reliability.h"
 #include "analysis/tests/brown_forsythe.h"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/published/unimodal_bound.h"
+#include "analysis/data/likert_counts.h"
 #include "analysis/summary/answer_dependence.h"
 #include "analysis/tests/attainable_p.h"
 

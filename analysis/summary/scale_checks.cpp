@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

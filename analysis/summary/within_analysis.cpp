@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "analysis/models/fixed_effects.h"
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

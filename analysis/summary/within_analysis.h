@@ -10,7 +10,7 @@
 #include "analysis/data/reason.h"
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/effects/effect_size.h"
-#include "analysis/effects/hodges_lehmann.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/models/cumulative_link_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
 #include "analysis/numerics/interval.h"

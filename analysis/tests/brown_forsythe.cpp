@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/tests/one_way_anova.h"
 
 namespace analysis {

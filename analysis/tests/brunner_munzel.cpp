@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/student_distribution.h"
 
 namespace analysis {

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "analysis/numerics/double_double.h"
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/fair_coin.h"
 #include "analysis/numerics/tail_probabilities.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

@@ -4,11 +4,10 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/data/midranks.h"
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/data/ranks.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/fisher_distribution.h"
 #include "analysis/numerics/student_distribution.h"
-#include "analysis/numerics/studentized_range.h"
 #include "analysis/numerics/tail_probabilities.h"
 #include "analysis/tests/friedman_permutations.h"
 

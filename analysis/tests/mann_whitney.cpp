@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/tail_probabilities.h"
 #include "analysis/tests/rank_sums.h"
 

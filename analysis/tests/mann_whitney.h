@@ -5,8 +5,8 @@
 #include <span>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/data/ranks.h"
 #include "analysis/data/reason.h"
-#include "analysis/data/tied_groups.h"
 
 namespace analysis {
 

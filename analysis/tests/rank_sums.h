@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "analysis/data/tied_groups.h"
-#include "analysis/numerics/double_double.h"
+#include "analysis/data/ranks.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 

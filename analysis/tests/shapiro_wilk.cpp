@@ -8,7 +8,7 @@
 
 #include <boost/math/special_functions/erf.hpp>
 
-#include "analysis/numerics/double_double.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
 namespace {

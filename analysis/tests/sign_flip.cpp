@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/numerics/common_unit.h"
-#include "analysis/numerics/exact_quotient.h"
-#include "analysis/numerics/subset_sums.h"
+#include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/numerics/fair_coin.h"
 
 namespace analysis {
 namespace {

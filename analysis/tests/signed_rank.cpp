@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/data/midranks.h"
-#include "analysis/numerics/exact_quotient.h"
-#include "analysis/numerics/subset_sums.h"
+#include "analysis/data/ranks.h"
+#include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/numerics/fair_coin.h"
 #include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/data/contrast.h"
+#include "analysis/data/moments.h"
 #include "analysis/numerics/student_distribution.h"
 
 namespace analysis {

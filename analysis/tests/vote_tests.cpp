@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "analysis/numerics/exact_quotient.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/numerics/tail_probabilities.h"
 #include "analysis/tests/equal_shares.h"
 #include "analysis/tests/friedman.h"

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/data/contrast.h"
-#include "analysis/data/summary.h"
+#include "analysis/data/moments.h"
 #include "analysis/numerics/student_distribution.h"
 
 namespace analysis {

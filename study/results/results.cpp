@@ -7,7 +7,7 @@
 #include <set>
 
 #include "analysis/effects/share_interval.h"
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
 #include "study/results/pooled_results.h"

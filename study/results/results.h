@@ -7,7 +7,7 @@
 
 #include "analysis/data/answer_table.h"
 #include "analysis/data/vote_counts.h"
-#include "analysis/effects/cliff_delta.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/summary/flags.h"
 #include "analysis/summary/pairwise_comparisons.h"
 #include "analysis/summary/position_effect.h"

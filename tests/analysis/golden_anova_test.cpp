@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/reliability/reliability.h"
 #include "analysis/tests/one_way_anova.h"
 #include "analysis/tests/repeated_measures_anova.h"

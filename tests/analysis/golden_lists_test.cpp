@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
-#include "analysis/data/summary.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/data/moments.h"
 #include "analysis/tests/adjustment.h"
 #include "analysis/tests/equal_shares.h"
 #include "tests/analysis/digits.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/effects/effect_size.h"
 #include "analysis/tests/equivalence.h"

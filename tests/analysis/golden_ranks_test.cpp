@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
-#include "analysis/effects/cliff_delta.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/effects/share_interval.h"
 #include "analysis/tests/brunner_munzel.h"
 #include "analysis/tests/friedman.h"

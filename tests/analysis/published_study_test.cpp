@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/data/vote_counts.h"
 #include "analysis/summary/pairwise_comparisons.h"
 #include "tests/analysis/digits.h"

@@ -1,6 +1,6 @@
 #include "tests/analysis/study_answers.h"
 
-#include "analysis/data/decimal_number.h"
+#include "analysis/data/csv_table.h"
 #include "tests/analysis/golden_file.h"
 
 namespace tests {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/data/decimal_number.h"
-#include "analysis/numerics/common_unit.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/numerics/exact_arithmetic.h"
 #include "analysis/tests/attainable_p.h"
 #include "analysis/tests/friedman.h"
 #include "analysis/tests/sign_flip.h"

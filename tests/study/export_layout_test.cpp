@@ -16,7 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/decimal_number.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"

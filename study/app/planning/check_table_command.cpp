@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/data/error.h"
+#include "analysis/data/csv_table.h"
 #include "analysis/published/published_table.h"
 #include "questionnaires/json/document.h"
 #include "study/app/commands.h"

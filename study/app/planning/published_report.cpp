@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/data/error.h"
+#include "analysis/data/csv_table.h"
 
 namespace study::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "analysis/data/error.h"
-#include "analysis/data/summary.h"
+#include "analysis/data/csv_table.h"
+#include "analysis/data/moments.h"
 #include "analysis/registry/registry.h"
 #include "questionnaires/json/document.h"
 #include "study/app/commands.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/data/error.h"
-
 namespace csv_table_test {
 
 using analysis::readCsv;

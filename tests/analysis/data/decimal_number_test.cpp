@@ -1,8 +1,8 @@
-#include "analysis/data/decimal_number.h"
-
 #include <locale>
 
 #include <gtest/gtest.h>
+
+#include "analysis/data/csv_table.h"
 
 namespace decimal_number_test {
 

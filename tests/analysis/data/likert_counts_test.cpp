@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/data/summary.h"
+#include "analysis/data/moments.h"
 
 namespace likert_counts_test {
 

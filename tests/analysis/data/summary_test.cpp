@@ -1,11 +1,11 @@
-#include "analysis/data/summary.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "analysis/data/moments.h"
 
 namespace summary_test {
 

@@ -1,8 +1,8 @@
-#include "analysis/numerics/double_double.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace double_double_test {
 

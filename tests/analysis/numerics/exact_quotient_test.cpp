@@ -1,10 +1,10 @@
-#include "analysis/numerics/exact_quotient.h"
-
 #include <cmath>
 #include <cstdint>
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace exact_quotient_test {
 

@@ -1,5 +1,3 @@
-#include "analysis/numerics/noncentral_t.h"
-
 #include <cmath>
 #include <stdexcept>
 

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/numerics/studentized_range.h"
 #include "tests/analysis/digits.h"
 
 namespace tail_probabilities_test {

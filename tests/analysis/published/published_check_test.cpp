@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/likert_counts.h"
-#include "analysis/published/attainable_interval.h"
 #include "analysis/tests/welch.h"
 
 namespace published_check_test {

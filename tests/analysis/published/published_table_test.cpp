@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/data/error.h"
+#include "analysis/data/csv_table.h"
 
 namespace published_table_test {
 

@@ -1,11 +1,11 @@
-#include "analysis/published/unimodal_bound.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/data/likert_counts.h"
 
 namespace unimodal_bound_test {
 

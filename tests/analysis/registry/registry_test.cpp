@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/data/error.h"
+#include "analysis/data/csv_table.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 

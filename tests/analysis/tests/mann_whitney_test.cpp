@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/effects/cliff_delta.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/tests/brunner_munzel.h"
 
 namespace mann_whitney_test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/numerics/common_unit.h"
+#include "analysis/numerics/exact_arithmetic.h"
 
 namespace sign_flip_test {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/effects/hodges_lehmann.h"
+#include "analysis/effects/rank_effects.h"
 #include "analysis/tests/sign_test.h"
 
 namespace signed_rank_test {

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "analysis/data/csv_table.h"
-#include "analysis/data/decimal_number.h"
 #include "study/cohort/simulated_participant.h"
 #include "tests/study/made_study.h"
 
