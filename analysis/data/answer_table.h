@@ -9,8 +9,8 @@
 
 namespace analysis {
 
-/// One answer to one statement about one method, keyed so that more is better. The numbers are
-/// places in the names of its table.
+/// One answer to one statement about one method, reversed where needed so that more is better. The
+/// numbers are indices into the names of its table.
 struct ScoredAnswer {
   std::size_t participant = 0;
   std::size_t method = 0;
@@ -30,7 +30,7 @@ struct AnswerTable {
   std::vector<std::string> statements;
   std::vector<ScoredAnswer> answers;
 
-  /// All answers about a method, whoever gave them.
+  /// All answers about a method, of all participants.
   LikertCounts countsOf(std::size_t method) const;
 
   /// Mean score by participant and method, each exactly rounded; nothing where nothing was
@@ -40,13 +40,13 @@ struct AnswerTable {
 
 /// Participants who answered about all of some methods, one row each: their mean scores.
 struct CompleteMeans {
-  std::vector<std::size_t> participants;             ///< places in the table
+  std::vector<std::size_t> participants;             ///< indices into the table's
   std::vector<std::vector<double>> means;            ///< [row][place in the methods asked for]
   std::vector<std::size_t> leftOut;                  ///< participants who lack one
   std::vector<double> of(std::size_t method) const;  ///< a column
 };
 
-/// @param methods  places in the table
+/// @param methods  indices into those of the table.
 CompleteMeans completeMeans(const AnswerTable& table, const std::vector<std::size_t>& methods);
 
 }  // namespace analysis

@@ -9,8 +9,7 @@
 
 namespace analysis {
 
-/// An analyst's table that cannot be used; what() says in words what is wrong, where and how to
-/// mend it.
+/// An analyst's table cannot be used; what() says what is wrong, where, and how to correct it.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -25,8 +24,8 @@ enum class DecimalMark {
   PointOrComma,  ///< 4.5 or 4,5; never both in one number
 };
 
-/// The double nearest to a decimal number, whatever the locale; nothing for other text, for
-/// infinities and for numbers that a double cannot hold.
+/// The double nearest to a decimal number, in every locale; nothing for other text, for infinities
+/// and for numbers beyond the range of a double.
 std::optional<double> decimalNumber(std::string_view text, DecimalMark mark = DecimalMark::Point);
 
 /// One row of a table, and the line of the file that it begins on: the header is line 1.

@@ -112,7 +112,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean) {
   if (!(mean >= lowest && mean <= highest)) {
     throw std::invalid_argument("the mean lies outside the scale");
   }
-  // About the mean of the scale, so that nothing cancels.
+  // Points are counted from the lowest: squares stay small, and the difference keeps its digits.
   const int points = highest - lowest + 1;
   const double centred = mean - lowest;
   double largest = 0.0;
@@ -129,7 +129,7 @@ std::optional<bool> isBeyondUnimodal(const LikertCounts& counts) {
   if (!variance || !mean) return std::nullopt;
   const auto n = static_cast<double>(counts.total());
   const double bound = largestUnimodalVariance(counts.lowest(), counts.highest(), *mean);
-  constexpr double kRounding = 1e-12;
+  constexpr double kRounding = 1e-12;  // the bound can be attained, as on a scale of two points
   return *variance * (n - 1.0) / n > bound * (1.0 + kRounding);
 }
 

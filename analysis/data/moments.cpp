@@ -28,7 +28,8 @@ int exponentOf(std::span<const double> values) {
   return std::max(exponent, kSmallest);
 }
 
-/// A constant group has a size but no spread, and has no say in the units of spread.
+/// That of the larger variance. A constant group has none, and its mean, however large, must not
+/// set the unit: the other variance might underflow.
 int spreadExponentOf(const Moments& a, const Moments& b) {
   if (a.isConstant()) return b.exponent;
   if (b.isConstant()) return a.exponent;
@@ -51,6 +52,7 @@ Moments momentsOf(std::span<const double> values) {
   moments.mean = shift + pivot;
   if (values.size() < 2) return moments;
 
+  // Rests would add up to zero without rounding; what they do add up to corrects the squares.
   DoubleDouble rests;
   DoubleDouble squares;
   for (const double value : values) {
@@ -64,7 +66,7 @@ Moments momentsOf(std::span<const double> values) {
 
 Moments momentsOf(const LikertCounts& counts) {
   const auto n = static_cast<Wide>(counts.total());
-  Wide sum = 0;  // of the answers counted from the lowest point: the variance does not mind
+  Wide sum = 0;  // of the answers counted from the lowest point: the variance is the same
   Wide squares = 0;
   Wide step = 0;
   for (const std::uint64_t times : counts.counts()) {
@@ -91,8 +93,8 @@ Summary summarise(const Moments& moments) {
   Summary summary{.n = moments.n, .mean = {}, .variance = {}, .standardDeviation = {}};
   if (moments.n > 0) summary.mean = std::ldexp(moments.mean.high, moments.exponent);
   if (moments.n > 1) {
-    summary.variance = heldByDouble(moments.variance, 2 * moments.exponent);
-    summary.standardDeviation = heldByDouble(squareRoot(moments.variance), moments.exponent);
+    summary.variance = toDouble(moments.variance, 2 * moments.exponent);
+    summary.standardDeviation = toDouble(squareRoot(moments.variance), moments.exponent);
   }
   return summary;
 }

@@ -9,8 +9,7 @@
 
 namespace analysis {
 
-/// How many, how large on average, how scattered: a group as a test sees it, finer than a double
-/// and beyond its range.
+/// Size, mean and variance of a group, with more digits than a double has and beyond its range.
 ///
 /// Two means that agree in their first sixteen digits still have a difference, and values of
 /// 1e-200 still have a variance.
@@ -20,7 +19,7 @@ struct Moments {
   DoubleDouble mean;      ///< [2^exponent]; 0 for n = 0
   DoubleDouble variance;  ///< [4^exponent], with n − 1; 0 for n < 2
 
-  /// All answered with one voice.
+  /// All values are equal.
   bool isConstant() const noexcept { return variance.isZero(); }
 };
 
@@ -35,12 +34,12 @@ Moments momentsOf(std::span<const double> values);
 /// Exactly, from whole numbers: see LikertCounts::variance().
 Moments momentsOf(const LikertCounts& counts);
 
-/// A group in a table: how many, how large on average, how scattered.
+/// Size, mean and variance of a group as a table shows them.
 struct Summary {
   std::uint64_t n = 0;
   std::optional<double> mean;               ///< nothing for n = 0
   std::optional<double> variance;           ///< with n − 1; nothing for n < 2, or beyond a double
-  std::optional<double> standardDeviation;  ///< its root; a double may hold it all the same
+  std::optional<double> standardDeviation;  ///< its root; may be there where the variance is not
 };
 
 /// @throws std::invalid_argument  if a value is infinite or no number.
@@ -62,8 +61,7 @@ struct Contrast {
 
 Contrast contrastOf(const Moments& group1, const Moments& group2);
 
-/// difference / standardError as a double; ±infinity where a double cannot hold it, 0 where the
-/// difference is 0.
+/// difference / standardError as a double; ±infinity beyond its range, 0 where the difference is 0.
 ///
 /// @param standardError  [2^spreadExponent]
 double tOf(const Contrast& contrast, const DoubleDouble& standardError);

@@ -7,8 +7,7 @@
 namespace analysis {
 
 /// Which of some names a person most probably meant: the one that takes the fewest letters to
-/// insert, delete or replace (Levenshtein 1966), small and capital ones being alike. The first of
-/// several.
+/// insert, delete or replace (Levenshtein 1966), without regard to case. The first of several.
 ///
 /// @param names  at least one.
 std::string nearestName(std::string_view meant, std::span<const std::string> names);

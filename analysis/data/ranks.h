@@ -12,8 +12,8 @@ namespace analysis {
 /// The ranks of values from the smallest, 1, to the largest; equal values share the mean of the
 /// ranks that they take up.
 struct Midranks {
-  std::vector<std::uint64_t>
-      doubled;      ///< twice the rank, a whole number, in the order of the values
+  /// Twice the rank, a whole number, in the order of the values.
+  std::vector<std::uint64_t> doubled;
   Wide tieSum = 0;  ///< Σ (t³ − t) over the groups of t equal values
 };
 
@@ -33,8 +33,7 @@ struct TiedGroups {
 
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
-  std::vector<TiedValue>
-      values;  ///< from the smallest value to the largest; each is held by somebody
+  std::vector<TiedValue> values;  ///< from the smallest to the largest; each occurs at least once
 
   bool areTooLarge() const noexcept { return n1 > kMostInAGroup || n2 > kMostInAGroup; }
   bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }

@@ -8,12 +8,13 @@
 
 namespace analysis {
 
-/// A complete table of one value per row and column, and where its spread comes from.
+/// A complete table of one value per row and column, and its sums of squares.
 ///
 ///     Σ (x − x̄)² = rowSquares + columnSquares + residualSquares
 ///
-/// Rows are people or blocks, columns are conditions, items or raters. All are multiplied by (rows
-/// · columns)², and nothing is divided: so that a spread of nothing is 0 exactly.
+/// Rows are participants or blocks, columns are conditions, items or raters. All sums are
+/// multiplied by (rows · columns)², and nothing is divided: where there is no spread, a sum is
+/// exactly 0.
 struct TwoWayLayout {
   std::size_t rows = 0;
   std::size_t columns = 0;

@@ -11,7 +11,7 @@ namespace {
 std::size_t indexOf(std::string_view option, const std::vector<std::string>& options) {
   const auto found = std::ranges::find(options, option);
   if (found == options.end()) {
-    throw std::invalid_argument("nobody can vote for '" + std::string(option) + "'");
+    throw std::invalid_argument("'" + std::string(option) + "' is not one of the options");
   }
   return static_cast<std::size_t>(found - options.begin());
 }
@@ -30,10 +30,6 @@ void VoteCounts::add(std::string_view option, std::uint64_t times) {
   if (times > kMostVotes - total_) throw std::invalid_argument("too many votes to count");
   votes_[index] += times;
   total_ += times;
-}
-
-std::uint64_t VoteCounts::votesFor(std::string_view option) const {
-  return votes_[indexOf(option, options_)];
 }
 
 std::vector<VoteShare> VoteCounts::shares() const {

@@ -12,7 +12,7 @@ namespace analysis {
 struct VoteShare {
   std::string option;
   std::uint64_t votes = 0;
-  std::optional<double> share;  ///< nothing while nobody has voted
+  std::optional<double> share;  ///< nothing without votes
 };
 
 /// Who was preferred how often. A vote that was not cast is not counted anywhere.
@@ -26,8 +26,6 @@ class VoteCounts {
   /// @throws std::invalid_argument  for an option that is not there, or beyond kMostVotes.
   void add(std::string_view option, std::uint64_t times = 1);
 
-  /// @throws std::invalid_argument  for an option that is not there.
-  std::uint64_t votesFor(std::string_view option) const;
   std::uint64_t total() const noexcept { return total_; }
 
   /// In the order of the options.

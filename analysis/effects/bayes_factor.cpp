@@ -11,8 +11,8 @@
 namespace analysis {
 namespace {
 
-/// The logarithm of what is integrated, over u = ln g, with both parts of the fraction taken
-/// together, so that nothing overflows and nothing cancels.
+/// The logarithm of the integrand over u = ln g. Numerator and denominator are combined before the
+/// logarithm is taken, so that neither overflows for a large t.
 class LogIntegrand {
  public:
   LogIntegrand(double t, double degreesOfFreedom, double effectiveN, double priorScale)
@@ -43,6 +43,8 @@ struct Support {
   double peak = 0.0;
 };
 
+/// Looks for the peak in steps of 1/8 of u, and from either end for the first value that is not
+/// negligible beside it.
 Support supportOf(const LogIntegrand& logIntegrand, double farthest) {
   constexpr double kStep = 0.125;
   constexpr double kNegligible = 45.0;  // e^−45 = 3e-20

@@ -16,7 +16,7 @@ inline constexpr double kMediumPriorScale = 0.70710678118654752440;
 struct BayesFactor {
   double priorScale = kMediumPriorScale;
   std::optional<double> bf10;       ///< above 1 for a difference, below 1 for none
-  std::optional<double> log10Bf10;  ///< holds also where a double cannot hold bf10
+  std::optional<double> log10Bf10;  ///< also where bf10 is beyond the range of a double
   Reason reason;                    ///< why something above is missing; empty if nothing is
 };
 

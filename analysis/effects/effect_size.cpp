@@ -26,7 +26,7 @@ std::optional<double> ratio(const Contrast& contrast, const DoubleDouble& varian
   return std::isfinite(effect) ? std::optional(effect) : std::nullopt;
 }
 
-/// The interval of the noncentrality, times what makes an effect size of it.
+/// The interval of the noncentrality, times the factor from noncentrality to effect size.
 std::optional<Interval> intervalOf(double t, double degreesOfFreedom, double level, double factor) {
   constexpr double kLargestT = 1e100;
   if (std::abs(t) > kLargestT) return std::nullopt;
@@ -105,6 +105,7 @@ Reason whyMissing(const MeanEffects& effects, const WelchResult& welch) {
 std::optional<double> hedgesCorrection(double degreesOfFreedom) {
   if (!(degreesOfFreedom > 1.0)) return std::nullopt;
   const double half = 0.5 * degreesOfFreedom;
+  // As a ratio: each Γ for itself overflows for ν above 340.
   return 1.0 / (std::sqrt(half) * boost::math::tgamma_delta_ratio(half - 0.5, 0.5));
 }
 

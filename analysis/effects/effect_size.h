@@ -17,7 +17,7 @@ struct EffectSize {
   std::optional<Interval> interval;
 };
 
-/// How far two groups are apart. Whatever is not defined is not there, and the reason says why.
+/// How far the means of two groups are apart. What is not defined is missing, with a reason.
 struct MeanEffects {
   double level = 0.95;  ///< of the intervals
 
@@ -35,7 +35,7 @@ struct MeanEffects {
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
-/// How far paired answers are apart.
+/// How far the means of paired answers are apart.
 struct PairedEffects {
   double level = 0.95;
   EffectSize cohenDz;             ///< mean difference / standard deviation of the differences
@@ -51,7 +51,7 @@ struct PairedEffects {
 /// Nothing for ν ≤ 1, where Γ has a pole.
 std::optional<double> hedgesCorrection(double degreesOfFreedom);
 
-/// Cohen's d and its kin; positive if group 1 is the larger.
+/// Cohen's d and related measures; positive if group 1 has the larger mean.
 ///
 /// The intervals of d and g invert the noncentral t of Student's test (Steiger & Fouladi 1997):
 /// d = δ √(1/n₁ + 1/n₂), times J for g. Those of d_av and g_av do the same with Welch's t and its

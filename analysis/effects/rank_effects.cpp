@@ -73,7 +73,7 @@ std::vector<double> walshAverages(std::span<const double> differences) {
 void addInterval(HodgesLehmannResult& result, const std::vector<double>& averages, double level) {
   std::vector<std::uint64_t> ranks(result.n);
   std::iota(ranks.begin(), ranks.end(), std::uint64_t{1});
-  if (!SubsetSums::canHold(ranks)) {
+  if (!SubsetSums::isFeasible(ranks)) {
     result.reason = reason("too_many_for_interval");
     return;
   }

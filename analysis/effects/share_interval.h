@@ -7,11 +7,10 @@
 
 namespace analysis {
 
-/// Where the share lies that an option would get from everybody, if @p votes of @p total are for
-/// it.
+/// The interval of the share of an option in the population, if @p votes of @p total are for it.
 ///
-/// Wilson's interval (1927) holds what the normal test would not reject: with z the normal quantile
-/// of the level and s = votes/total,
+/// Wilson's interval (1927) contains the shares that the normal test would not reject: with z the
+/// normal quantile of the level and s = votes/total,
 ///
 ///     (s + z²/2n ± z √(s(1 − s)/n + z²/4n²)) / (1 + z²/n)
 ///
@@ -21,8 +20,8 @@ namespace analysis {
 std::optional<Interval> wilsonInterval(
     std::uint64_t votes, std::uint64_t total, double level = 0.95);
 
-/// Clopper & Pearson's interval (1934) holds what the exact binomial test would not reject on
-/// either side; its confidence is never below the level.
+/// Clopper & Pearson's interval (1934) contains the shares that the exact binomial test would not
+/// reject on either side; its confidence is never below the level.
 ///
 ///     low = B⁻¹((1 − level)/2; v, n − v + 1),   high = B⁻¹((1 + level)/2; v + 1, n − v)
 ///

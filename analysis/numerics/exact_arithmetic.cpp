@@ -7,7 +7,7 @@
 namespace analysis {
 namespace {
 
-/// a + b, exactly, where |a| ≥ |b|.
+/// a + b, exactly, where |a| ≥ |b| (Dekker 1971).
 DoubleDouble orderedSum(double a, double b) noexcept {
   const double sum = a + b;
   return {sum, b - (sum - a)};
@@ -18,7 +18,7 @@ constexpr int kDigits = 120;  // binary; a double-double has 106 or a few more
 
 constexpr std::int64_t kMostParts = 1000;
 constexpr double kNoise = 1e-12;        // of the largest number
-constexpr double kMostMultiples = 1e6;  // beyond, chance alone would find a unit
+constexpr double kMostMultiples = 1e6;  // beyond it, any numbers would have a unit by chance
 
 double largestOf(std::span<const double> numbers) {
   double largest = 0.0;
@@ -34,6 +34,8 @@ double largestOf(std::span<const double> numbers) {
 
 }  // namespace
 
+/// Knuth's sum: the rounding error of a + b is itself a double, computed without a comparison of a
+/// and b. The order of operations matters, and -ffast-math would destroy it.
 DoubleDouble DoubleDouble::sum(double a, double b) noexcept {
   const double sum = a + b;
   const double ofB = sum - a;
@@ -42,6 +44,7 @@ DoubleDouble DoubleDouble::sum(double a, double b) noexcept {
 
 DoubleDouble DoubleDouble::product(double a, double b) noexcept {
   const double product = a * b;
+  // fma rounds once: what it returns is the exact error of the rounded product.
   return {product, std::fma(a, b, -product)};
 }
 
@@ -61,6 +64,7 @@ DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
   return orderedSum(highs.high, highs.low + (a.high * b.low + a.low * b.high));
 }
 
+/// Long division in base 2^53: each step divides what the ones before left.
 DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noexcept {
   const double first = a.high / b.high;
   DoubleDouble rest = a - b * first;
@@ -72,6 +76,7 @@ DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) noexcept {
 
 DoubleDouble squareRoot(const DoubleDouble& number) noexcept {
   if (number.isZero()) return 0.0;
+  // One step of Newton's method from the double nearest to the root doubles its digits.
   const double root = std::sqrt(number.high);
   const DoubleDouble rest = number - DoubleDouble::product(root, root);
   return orderedSum(root, rest.high / (2.0 * root));
@@ -81,7 +86,7 @@ DoubleDouble scaled(const DoubleDouble& number, int exponent) noexcept {
   return {std::ldexp(number.high, exponent), std::ldexp(number.low, exponent)};
 }
 
-std::optional<double> heldByDouble(const DoubleDouble& number, int exponent) noexcept {
+std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcept {
   const double nearest = std::ldexp(number.high, exponent);
   const bool isHeld = number.isZero() || std::isnormal(nearest);
   return isHeld ? std::optional(nearest) : std::nullopt;
@@ -94,12 +99,14 @@ DoubleDouble exactQuotient(Wide numerator, Wide denominator) {
   Wide quotient = numerator / denominator;
   Wide rest = numerator % denominator;
   int exponent = 0;
+  // Long division in base 2, until the quotient has enough digits.
   for (; quotient < (kOne << (kDigits - 1)); --exponent) {
     rest <<= 1;
     quotient = (quotient << 1) | (rest >= denominator ? 1 : 0);
     if (rest >= denominator) rest -= denominator;
   }
-  if (rest != 0) quotient |= 1;  // just above the digits that are written: enough to round rightly
+  // A sticky bit: the true quotient lies just above, so that a tie is not rounded to even.
+  if (rest != 0) quotient |= 1;
 
   const auto high = static_cast<double>(quotient);
   const auto low = static_cast<double>(quotient - static_cast<Wide>(high));
@@ -115,7 +122,7 @@ std::optional<Multiples> commonUnitOf(std::span<const double> numbers) {
     const bool fits = std::ranges::all_of(numbers, [&](double number) {
       return std::abs(number * q - std::round(number * q)) <= noise;
     });
-    if (!fits || (largest > 0.0 && largest * q < 0.5)) continue;
+    if (!fits || (largest > 0.0 && largest * q < 0.5)) continue;  // all would round to zero
 
     Multiples result{.multiples = {}, .denominator = parts};
     for (const double number : numbers) {

@@ -10,14 +10,14 @@ namespace analysis {
 /// A number of about 31 digits, as the unevaluated sum of two doubles: high is the double nearest
 /// to it, low is what is left.
 ///
-/// Sums of doubles keep here what a double would lose (Dekker 1971; Hida, Li & Bailey 2001). It
-/// widens the precision and not the range: who uses it scales first.
+/// Sums and products keep the digits that a double would lose (Dekker 1971; Hida, Li & Bailey
+/// 2001). The range is that of a double: scale numbers first that may overflow.
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
 
   constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double number) : high(number) {}  // NOLINT: every double is one
+  constexpr DoubleDouble(double number) : high(number) {}  // NOLINT: implicit, without loss
   constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
 
   /// a + b, exactly.
@@ -44,13 +44,13 @@ DoubleDouble scaled(const DoubleDouble& number, int exponent) noexcept;
 
 /// The double nearest to number · 2^exponent; nothing where a double would overflow or, below
 /// 2.2e-308, lose digits.
-std::optional<double> heldByDouble(const DoubleDouble& number, int exponent) noexcept;
+std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcept;
 
 /// A whole number of 128 bits: what sums of squares of very many answers need.
 __extension__ using Wide = __int128;
 
-/// The quotient of two whole numbers; its high part is the exactly rounded double,
-/// and both together have all the digits of a DoubleDouble.
+/// The quotient of two whole numbers. Its high part is the correctly rounded double, and both parts
+/// together have all the digits of a DoubleDouble.
 ///
 /// @param numerator    of less than 2^127
 /// @param denominator  between 1 and 2^126
@@ -63,10 +63,11 @@ struct Multiples {
 };
 
 /// The smallest q ≤ 1000 such that all numbers are whole multiples of 1/q, but for the rounding of
-/// their last digits (1e-12 of the largest). Nothing where there is none: measured values.
+/// their last digits (1e-12 of the largest). Nothing where there is no such q, as for measured
+/// values.
 ///
-/// Means of a few answers are such multiples; computed as doubles, two that should be equal often
-/// differ in the last digit.
+/// The means of a few answers are such multiples: three answers give thirds. Computed as doubles,
+/// two means that should be equal often differ in the last digit, and are then not seen as ties.
 ///
 /// @throws std::invalid_argument  if a value is infinite or no number.
 std::optional<Multiples> commonUnitOf(std::span<const double> numbers);

@@ -18,7 +18,8 @@ struct Scaled {
   int exponent = 0;
 };
 
-/// C(n, k), for k ≤ n/2.
+/// C(n, k), for k ≤ n/2. Every partial product is itself a binomial coefficient; powers of two are
+/// split off before it overflows.
 Scaled binomial(double n, double k) {
   constexpr int kStep = 500;
   Scaled result{.number = 1.0, .exponent = 0};
@@ -33,7 +34,7 @@ Scaled binomial(double n, double k) {
 
 SmallProbability probabilityOf(const Scaled& scaledP) {
   return {
-      .p = heldByDouble(scaledP.number, scaledP.exponent),
+      .p = toDouble(scaledP.number, scaledP.exponent),
       .log10P = (std::log2(scaledP.number.high) + scaledP.exponent) /
                 (std::numbers::ln10 / std::numbers::ln2)};
 }
@@ -44,6 +45,7 @@ Scaled lowerTail(std::uint64_t heads, std::uint64_t tosses) {
   const auto k = static_cast<double>(heads);
   DoubleDouble sum = 1.0;
   DoubleDouble term = 1.0;
+  // Terms fall at least as fast as a geometric series; below 1e-40 they have no digit in the sum.
   for (double i = k; i > 0.0 && term.high > 1e-40; --i) {
     term = term * i / (n - i + 1.0);
     sum = sum + term;
@@ -59,7 +61,7 @@ void require(std::uint64_t heads, std::uint64_t tosses) {
   if (tosses > kMostTosses) throw std::invalid_argument("there are too many tosses of a coin");
 }
 
-constexpr std::size_t kMostWeights = 500;  // 2^−500 is far within a double's range
+constexpr std::size_t kMostWeights = 500;  // the smallest probability, 2^−500, is still a double
 constexpr std::uint64_t kMostSteps = 50'000'000;
 
 std::uint64_t unitOf(std::span<const std::uint64_t> weights) {
@@ -91,7 +93,7 @@ SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses) {
   return both.log10P < 0.0 ? both : SmallProbability{.p = 1.0, .log10P = 0.0};
 }
 
-bool SubsetSums::canHold(std::span<const std::uint64_t> weights) {
+bool SubsetSums::isFeasible(std::span<const std::uint64_t> weights) {
   if (weights.size() > kMostWeights) return false;
   const std::uint64_t unit = unitOf(weights);
   std::uint64_t reach = 0;
@@ -103,7 +105,7 @@ bool SubsetSums::canHold(std::span<const std::uint64_t> weights) {
 }
 
 SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(weights)) {
-  if (!canHold(weights)) throw std::invalid_argument("too many sums to compute their law");
+  if (!isFeasible(weights)) throw std::invalid_argument("too many sums to compute their law");
   std::size_t reach = 0;
   for (const auto weight : weights) reach += weight / unit_;
 
@@ -113,6 +115,7 @@ SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(we
   for (const auto weight : weights) {
     const std::size_t step = weight / unit_;
     reached += step;
+    // Downwards, so that each weight is used once: the smaller sum still is without it.
     for (std::size_t sum = reached; sum >= step; --sum) {
       probabilities_[sum] = halfOf(probabilities_[sum] + probabilities_[sum - step]);
       if (sum == 0) break;
@@ -128,6 +131,7 @@ double SubsetSums::atMost(std::uint64_t sum) const {
   return total.high;
 }
 
+/// Added from the far end of the tail, so that small probabilities come first.
 double SubsetSums::atLeast(std::uint64_t sum) const {
   const std::uint64_t first = sum / unit_ + (sum % unit_ == 0 ? 0 : 1);
   DoubleDouble total;

@@ -17,7 +17,7 @@ struct SmallProbability {
 
 constexpr std::uint64_t kMostTosses = std::uint64_t{1} << 24;
 
-/// P(heads ≤ k) of n tosses of a fair coin: Σ C(n, i) / 2ⁿ over i ≤ k, summed in 31 digits.
+/// P(heads ≤ k) of n tosses of a fair coin: Σ C(n, i) / 2ⁿ over i = 0 … k, summed in 31 digits.
 /// @throws std::invalid_argument  for more heads than tosses, or more than kMostTosses.
 SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses);
 
@@ -25,16 +25,17 @@ SmallProbability headsAtMost(std::uint64_t heads, std::uint64_t tosses);
 /// @throws std::invalid_argument  as above.
 SmallProbability fairCoinP(std::uint64_t heads, std::uint64_t tosses);
 
-/// The exact law of Σ wᵢ Bᵢ, where each Bᵢ is 0 or 1 by the toss of a fair coin: what a signed rank
-/// or a sign-flip statistic follows if differences are as likely up as down.
+/// The exact distribution of Σ wᵢ Bᵢ, where each Bᵢ is 0 or 1 with probability ½: that of a signed
+/// rank or a sign-flip statistic where positive and negative differences are equally likely.
 ///
 /// By dynamic programming over the sums, one weight after another, in 31 digits.
 class SubsetSums {
  public:
-  /// Whether the law can be held and computed within about a second.
-  static bool canHold(std::span<const std::uint64_t> weights);
+  /// Whether the distribution fits into memory and is computed within about a second: at most 500
+  /// weights, and at most 5·10⁷ additions.
+  static bool isFeasible(std::span<const std::uint64_t> weights);
 
-  /// @throws std::invalid_argument  for weights that canHold() refuses.
+  /// @throws std::invalid_argument  for weights that are not feasible.
   explicit SubsetSums(std::span<const std::uint64_t> weights);
 
   /// P(sum ≤ s)
@@ -45,8 +46,8 @@ class SubsetSums {
   double twoSided(std::uint64_t sum) const;
 
  private:
-  std::uint64_t unit_ = 1;  // all sums are multiples of it
-  std::vector<DoubleDouble> probabilities_;
+  std::uint64_t unit_ = 1;                   ///< the greatest common divisor of the weights
+  std::vector<DoubleDouble> probabilities_;  ///< of the sum i · unit_
 };
 
 }  // namespace analysis

@@ -31,7 +31,7 @@ double lowerP(double ratio, double degreesOfFreedom1, double degreesOfFreedom2) 
 ///
 ///     I_x(a, b) = xᵃ (1 − x)ᵇ / (a B(a, b)) · Σ xⁿ (a + b)…(a + b + n − 1) / ((a + 1)…(a + n))
 ///
-/// has sunk to nothing after some terms (Abramowitz & Stegun 26.5.4). logOdds = ln((1 − x) / x).
+/// ends after some terms (Abramowitz & Stegun 26.5.4). logOdds = ln((1 − x) / x).
 double logTail(double a, double b, double logOdds) {
   const double odds = std::exp(logOdds);
   const double x = 1.0 / (1.0 + odds);
@@ -63,6 +63,7 @@ double FisherDistribution::upperP(double f) const {
   const double ratio = degreesOfFreedom1_ / degreesOfFreedom2_ * f;
   const double a = 0.5 * degreesOfFreedom2_;
   const double b = 0.5 * degreesOfFreedom1_;
+  // The argument of the smaller of x and 1 − x, so that neither is rounded to one.
   if (ratio < 1.0) return boost::math::ibetac(b, a, ratio / (1.0 + ratio));
   return boost::math::ibeta(a, b, 1.0 / (1.0 + ratio));
 }

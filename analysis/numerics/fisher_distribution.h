@@ -12,11 +12,11 @@ class FisherDistribution {
   /// @throws std::invalid_argument  for degrees of freedom that are not finite and above 0.
   FisherDistribution(double degreesOfFreedom1, double degreesOfFreedom2);
 
-  /// P(F ≥ f) for f ≥ 0. Zero, or less exact, below 1e-300: ask log10UpperP() then.
+  /// P(F ≥ f) for f ≥ 0. Below 1e-300 it loses digits, and becomes 0: use log10UpperP() there.
   /// @throws std::invalid_argument  for an f that is infinite, negative or no number.
   double upperP(double f) const;
 
-  /// log₁₀ P(F ≥ f), of full precision near one and far beyond what a double can hold.
+  /// log₁₀ P(F ≥ f), of full precision both near p = 1 and where p is too small for a double.
   /// @throws std::invalid_argument  as above.
   double log10UpperP(double f) const;
 

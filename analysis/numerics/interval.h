@@ -2,7 +2,7 @@
 
 namespace analysis {
 
-/// From here to there, both ends included.
+/// A closed interval: both ends belong to it.
 struct Interval {
   double low = 0.0;
   double high = 0.0;

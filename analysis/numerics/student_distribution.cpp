@@ -21,7 +21,7 @@ namespace analysis {
 namespace {
 
 constexpr double kLargeT = 1e100;  // its square is still a double
-constexpr double kSmallT = 0.6;    // the centre holds less than half of any Student's law
+constexpr double kSmallT = 0.6;    // P(|T| < 0.6) is below one half for every ν ≥ 1
 
 /// The continued fraction of I_x(a, 1/2) after Didonato & Morris 1992, written with y = 1 − x, so
 /// that nothing cancels where x is nearly one.
@@ -58,7 +58,7 @@ double logTail(double t, double degreesOfFreedom) {
   const double rootOfY = root / std::hypot(1.0, root);
 
   TailFraction fraction(a, rootOfY * rootOfY);
-  std::uintmax_t terms = 1000;  // some ten are enough
+  std::uintmax_t terms = 1000;  // a limit: some ten are used
   const double under = boost::math::tools::continued_fraction_b(fraction, 1e-15, terms);
   const double beta = std::sqrt(std::numbers::pi) * boost::math::tgamma_delta_ratio(a, 0.5);
   return a * logX + std::log(rootOfY) - std::log(beta) - std::log(under);
@@ -112,6 +112,7 @@ double upperLimit(double t, double degreesOfFreedom, double tail) {
   const auto excess = [&](double noncentrality) {
     return noncentralTProbability(t, degreesOfFreedom, noncentrality) - tail;
   };
+  // Brackets the root, doubling the reach, before the solver divides the bracket.
   double low = t;
   for (double reach = 1.0; excess(low) < 0.0; reach *= 2.0) low -= reach;
   double high = low + 1.0;
@@ -120,7 +121,7 @@ double upperLimit(double t, double degreesOfFreedom, double tail) {
     high += reach;
   }
 
-  std::uintmax_t steps = 200;  // some ten are enough
+  std::uintmax_t steps = 200;  // a limit: some ten are used
   const boost::math::tools::eps_tolerance<double> allDigits(52);
   const auto bracket = boost::math::tools::toms748_solve(excess, low, high, allDigits, steps);
   return 0.5 * (bracket.first + bracket.second);
@@ -137,7 +138,8 @@ StudentDistribution::StudentDistribution(double degreesOfFreedom)
 
 double StudentDistribution::twoSidedP(double t) const {
   if (std::abs(t) >= kLargeT) return std::exp(logTail(std::abs(t), degreesOfFreedom_));
-  if (std::abs(t) < kSmallT) return 1.0 - centre(t, degreesOfFreedom_);  // Boost loses digits there
+  // Near zero the centre is the smaller part, and keeps the digits that Boost's tail loses there.
+  if (std::abs(t) < kSmallT) return 1.0 - centre(t, degreesOfFreedom_);
   const boost::math::students_t distribution(degreesOfFreedom_);
   return 2.0 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
 }

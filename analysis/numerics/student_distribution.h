@@ -17,10 +17,10 @@ class StudentDistribution {
   /// @throws std::invalid_argument  for others.
   explicit StudentDistribution(double degreesOfFreedom);
 
-  /// P(|T| ≥ |t|). Zero, or less exact, below 1e-300: ask log10TwoSidedP() then.
+  /// P(|T| ≥ |t|). Below 1e-300 it loses digits, and becomes 0: use log10TwoSidedP() there.
   double twoSidedP(double t) const;
 
-  /// log₁₀ P(|T| ≥ |t|), of full precision near one and far beyond what a double can hold.
+  /// log₁₀ P(|T| ≥ |t|), of full precision both near p = 1 and where p is too small for a double.
   double log10TwoSidedP(double t) const;
 
   /// The t that |T| exceeds with a probability of @p p in (0, 1].

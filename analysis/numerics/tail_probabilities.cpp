@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kFarOut = 30.0;  // standard deviations
 
-/// ln P(Z ≥ x) for x far out: Laplace's asymptotic series, Σ (−1)ⁿ (2n − 1)!! / x²ⁿ.
+/// ln P(Z ≥ x) for x > 30: Laplace's asymptotic series, Σ (−1)ⁿ (2n − 1)!! / x²ⁿ (Abramowitz &
+/// Stegun 7.1.23). The first term left out is below 1e-20.
 double logFarNormalTail(double x) {
   constexpr int kTerms = 9;
   double series = 0.0;
@@ -26,7 +27,8 @@ double logFarNormalTail(double x) {
   return -0.5 * x * x - 0.5 * std::log(2.0 * std::numbers::pi) - std::log(x) + std::log1p(series);
 }
 
-/// ln Q(a, x) for x far above a: Legendre's continued fraction, from its end.
+/// ln Q(a, x) for x far above a: Legendre's continued fraction (the even part of
+/// Abramowitz & Stegun 6.5.31), evaluated from its end.
 double logFarGammaTail(double a, double x) {
   constexpr int kTerms = 300;
   double fraction = x + 2.0 * kTerms + 1.0 - a;
@@ -51,6 +53,8 @@ double logIntegrand(double z, double q, double m) {
   const double logBelow = logNormalCdf(z);
   const double logShare =
       std::min(0.0, logNormalCdf(z - q) - logBelow);  // of Φ(z) that lies more than q below
+  // Φ(z)^m − (Φ(z) − Φ(z − q))^m = Φ(z)^m (1 − (1 − share)^m); for a tiny share the last is m ·
+  // share.
   const double logLoss = logShare < kNegligible
                              ? std::log(m) + logShare
                              : std::log(-std::expm1(m * std::log1p(-std::exp(logShare))));
@@ -66,6 +70,7 @@ double logUpperTail(double q, std::size_t k) {
   for (long i = first; i <= last; ++i) {
     logs.push_back(logIntegrand(static_cast<double>(i) * kStep, q, m));
   }
+  // Relative to the largest term, so that no exponential underflows.
   const double largest = *std::ranges::max_element(logs);
   double sum = 0.0;
   for (const double log : logs) sum += std::exp(log - largest);
@@ -91,6 +96,7 @@ double log10NormalTwoSidedP(double z) {
   if (distance > kFarOut) {
     return (logFarNormalTail(distance) + std::numbers::ln2) / std::numbers::ln10;
   }
+  // Near z = 0 the logarithm of a p near one would lose digits; that of 1 − erf does not.
   if (distance < 0.5)
     return std::log1p(-std::erf(distance / std::numbers::sqrt2)) / std::numbers::ln10;
   return std::log10(normalTwoSidedP(z));

@@ -18,7 +18,7 @@ namespace analysis {
 ///     and 1, or an effect that is no number.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
 
-/// The most participants that anybody plans.
+/// The largest number of participants that is considered.
 inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 
 /// The fewest participants with whom a paired t-test has at least this power; nothing for an effect

@@ -70,7 +70,9 @@ double rankP(const std::vector<int>& differences) {
   return normalTwoSidedP(z);
 }
 
-/// One simulated study and the limits that its tests are held against.
+/// One simulated study and the critical values of its tests. The tests work on sums in whole
+/// numbers and on critical values that are computed once, since a plan simulates thousands of
+/// studies.
 class Trial {
  public:
   explicit Trial(const PowerSimulation& s)
@@ -167,7 +169,7 @@ class Trial {
 
   std::size_t conditions_;
   int answers_;
-  double level_;  ///< of one comparison
+  double level_;  ///< α of one comparison
   double criticalT_;
   double criticalChi_;
   std::map<double, double> quantiles_;  ///< of Student's t, by degrees of freedom

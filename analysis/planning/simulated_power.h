@@ -6,13 +6,13 @@
 
 namespace analysis {
 
-/// How often a test found something, of all simulated studies.
+/// The share of simulated studies in which a test was significant.
 struct DetectionRate {
   double rate = 0.0;
   double standardError = 0.0;  ///< of the simulation: √(rate (1 − rate) / studies)
 };
 
-/// What would be simulated.
+/// What is simulated.
 struct PowerSimulation {
   LikertModel model;
   std::uint64_t participants = 12;

@@ -36,6 +36,7 @@ AnswerLattice::AnswerLattice(const AnswerScale& scale, std::uint64_t mostAnswers
         "groups of " + std::to_string(mostAnswers) +
         " answers on so fine a scale are too many to count out");
   }
+  // n answers are n − 1 answers and one more, u, which shifts every sum of squares by u².
   squares_.resize(mostAnswers + 1);
   squares_[0] = {{1}};
   for (std::uint64_t n = 1; n <= mostAnswers; ++n) {
@@ -70,6 +71,7 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
     const auto total = static_cast<std::int64_t>(sum);
     const std::int64_t meanTimes = total + count * parts * scale_.lowest;  // · n · parts
     if (!group.mean.prints(meanTimes, count * parts, reading)) continue;
+    // For whole u from 0 to steps, u ≤ u² ≤ u · steps.
     for (std::uint64_t squares = sum; squares <= sum * steps_; ++squares) {
       if (!isAttainable(n, sum, squares)) continue;
       const std::int64_t over = count * static_cast<std::int64_t>(squares) - total * total;

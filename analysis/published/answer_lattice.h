@@ -8,7 +8,7 @@
 
 namespace analysis {
 
-/// A scale that people answered on: lowest, lowest + 1/parts … highest. Means of two statements on
+/// An answer scale: lowest, lowest + 1/parts … highest. Means of two statements on
 /// 1 … 5 have parts = 2.
 struct AnswerScale {
   int lowest = 1;
@@ -16,7 +16,7 @@ struct AnswerScale {
   int parts = 1;
 };
 
-/// What the answers of a group may have added up to.
+/// One possible mean and variance of the answers of a group.
 struct LatticePoint {
   std::uint64_t n = 0;
   double mean = 0.0;
@@ -28,12 +28,12 @@ struct LatticePoint {
 /// The pairs of a sum S and a sum of squares Q that n answers on a scale can have at all.
 ///
 /// Not every mean is a number of whole answers divided by n (GRIM, Brown & Heathers 2017), and not
-/// every variance belongs to such a mean (GRIMMER, Anaya 2016). Here the pairs are counted out,
-/// answer by answer, so that none is taken for possible that is not.
+/// every variance belongs to such a mean (GRIMMER, Anaya 2016). Here the possible pairs are
+/// enumerated, answer by answer: the result is exact, not a necessary condition only.
 class AnswerLattice {
  public:
   static constexpr int kMostPoints = 101;
-  /// How many pairs of n, S and Q are counted out at most: what a computer does in seconds.
+  /// How many combinations of n, S and Q are enumerated at most: a matter of seconds.
   static constexpr double kMostPairs = 1e9;
 
   /// For groups of up to @p mostAnswers.
@@ -57,7 +57,7 @@ class AnswerLattice {
 
   AnswerScale scale_;
   std::uint64_t steps_ = 0;                 ///< answers are lowest + u/parts, u = 0 … steps_
-  std::vector<std::vector<Bits>> squares_;  ///< [n][Σ u]: a bit for every Σ u² that there is
+  std::vector<std::vector<Bits>> squares_;  ///< [n][Σ u]: a bit for every possible Σ u²
 };
 
 }  // namespace analysis

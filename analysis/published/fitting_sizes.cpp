@@ -24,7 +24,7 @@ bool isSet(const Bits& bits, std::size_t i) {
   return ((bits[i / kWordBits] >> (i % kWordBits)) & 1U) != 0;
 }
 
-/// What is in both; whether anything is left.
+/// Intersects bits with other; false where nothing is left.
 bool keep(Bits& bits, const Bits& other) {
   std::uint64_t any = 0;
   for (std::size_t i = 0; i < bits.size(); ++i) any |= bits[i] &= other[i];
@@ -38,6 +38,9 @@ struct Agreement {
   bool isEmpty = true;
 };
 
+/// A constraint search: the values of each group are the lattice points that print its mean and
+/// variance; a printed p is a constraint between two groups. Which pairs of points satisfy it is
+/// computed once for each pair of sizes, as bits, and used for all combinations of sizes.
 class SizeSearch {
  public:
   SizeSearch(
@@ -65,7 +68,7 @@ class SizeSearch {
       GroupSizes combination;
       for (std::size_t g = 0; g < at.size(); ++g) combination.push_back(sizes_[g][at[g]]);
       result.fitting.push_back(combination);
-    } while (isAdvanced(at));
+    } while (advance(at));
     addPossible(result);
     return result;
   }
@@ -101,7 +104,7 @@ class SizeSearch {
     return agreement;
   }
 
-  bool isAdvanced(std::vector<std::size_t>& at) const {
+  bool advance(std::vector<std::size_t>& at) const {
     for (std::size_t g = at.size(); g-- > 0;) {
       if (++at[g] < sizes_[g].size()) return true;
       at[g] = 0;
@@ -123,19 +126,20 @@ class SizeSearch {
     return canChoose(at, 0, left);
   }
 
-  /// Chooses a point for one group after the other, and leaves to the later ones what agrees.
+  /// Backtracking with forward checking: chooses a point for one group after the other, and keeps
+  /// of the later groups the points that agree with it.
   bool canChoose(
       const std::vector<std::size_t>& at, std::size_t group, const std::vector<Bits>& left) const {
     if (group == at.size()) return true;
     for (std::size_t point = 0; point < points_[group][at[group]].size(); ++point) {
       if (!isSet(left[group], point)) continue;
       auto after = left;
-      if (narrows(at, group, point, after) && canChoose(at, group + 1, after)) return true;
+      if (propagate(at, group, point, after) && canChoose(at, group + 1, after)) return true;
     }
     return false;
   }
 
-  bool narrows(
+  bool propagate(
       const std::vector<std::size_t>& at,
       std::size_t group,
       std::size_t point,

@@ -14,7 +14,7 @@ namespace analysis {
 /// The sizes of all groups, in the order of the table.
 using GroupSizes = std::vector<std::uint64_t>;
 
-/// Which sizes of the groups answers on a scale can have had.
+/// The group sizes for which answers on a scale exist that print the whole row.
 struct FittingSizes {
   PublishedConvention convention;
   std::uint64_t tried = 0;          ///< combinations of sizes

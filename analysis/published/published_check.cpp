@@ -7,7 +7,7 @@
 namespace analysis {
 namespace {
 
-constexpr int kStepsOfEdge = 64;
+constexpr int kStepsOfEdge = 64;  // p bends slightly along an edge: an extreme may lie inside
 
 double between(const Interval& range, int step) {
   if (step == kStepsOfEdge) return range.high;

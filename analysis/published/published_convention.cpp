@@ -22,6 +22,7 @@ const char* wordFor(Convention::Test test) {
   return "";
 }
 
+/// Welch & Satterthwaite's degrees of freedom, from shares of the variance, which cannot overflow.
 SpreadOfDifference welchSpread(double v1, double n1, double v2, double n2) {
   const double total = v1 + v2;
   if (total == 0.0) return {};

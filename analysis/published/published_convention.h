@@ -10,7 +10,7 @@
 
 namespace analysis {
 
-/// What a publication may leave unsaid about its p values.
+/// How p values were computed, as far as publications often do not say.
 struct PublishedConvention {
   enum class Test {
     Welch,
@@ -43,7 +43,7 @@ std::string describe(const PublishedConvention& convention);
 Interval varianceBounds(
     const PublishedGroup& group, std::uint64_t n, const PublishedConvention& convention);
 
-/// What a difference of two means is held against.
+/// The standard error of a difference of two means, with its degrees of freedom.
 struct SpreadOfDifference {
   double standardError = 0.0;     ///< 0 where both groups are constant
   double degreesOfFreedom = 1.0;  ///< at least 1

@@ -32,14 +32,14 @@ class RowReader {
     return row_->cells[table_.columnIndex(column)];
   }
 
-  void complain(const std::string& what) {
+  void addProblem(const std::string& what) {
     problems_.push_back(file_ + ", line " + std::to_string(row_->line) + ": " + what);
   }
 
   ReportedNumber number(std::string_view column) {
     const auto number = reportedNumber(cell(column), markOf(table_));
     if (!number) {
-      complain(
+      addProblem(
           quoted(cell(column)) + " is no " + std::string(column) +
           ": write it as it is printed, "
           "for instance 4.10, with at most nine digits");
@@ -61,7 +61,7 @@ std::optional<std::uint64_t> sizeOf(RowReader& reader) {
   const bool isSize = n && n->decimals == 0 && n->digits >= 2 &&
                       n->digits <= static_cast<std::int64_t>(kMostPublishedAnswers);
   if (isSize) return static_cast<std::uint64_t>(n->digits);
-  reader.complain(
+  reader.addProblem(
       quoted(cell) + " is no size of a group: a whole number from 2 to " +
       std::to_string(kMostPublishedAnswers) + ", or nothing where it is not known");
   return std::nullopt;
@@ -77,15 +77,16 @@ void readGroups(const CsvTable& csv, PublishedTable& table, std::vector<std::str
   for (const auto& row : csv.rows) {
     reader.begin(row);
     PublishedGroup group{.name = reader.cell("group")};
-    if (group.name.empty()) reader.complain("the group has no name");
+    if (group.name.empty()) reader.addProblem("the group has no name");
     if (!seen.insert(group.name).second) {
-      reader.complain("a second group is called " + quoted(group.name));
+      reader.addProblem("a second group is called " + quoted(group.name));
     }
     if (hasColumn(csv, "n")) group.n = sizeOf(reader);
     group.mean = reader.number("mean");
     group.spread = reader.number(spread);
     group.isStandardDeviation = isStandardDeviation;
-    if (group.spread.digits < 0) reader.complain("a " + std::string(spread) + " is never negative");
+    if (group.spread.digits < 0)
+      reader.addProblem("a " + std::string(spread) + " is never negative");
     table.groups.push_back(group);
   }
 }
@@ -102,12 +103,13 @@ std::optional<PublishedP> pOf(std::string_view text, DecimalMark mark) {
   return p;
 }
 
-std::size_t groupCalled(const std::string& name, const PublishedTable& table, RowReader& reader) {
+std::size_t groupIndex(const std::string& name, const PublishedTable& table, RowReader& reader) {
   const auto found = std::ranges::find(table.groups, name, &PublishedGroup::name);
   if (found == table.groups.end()) {
     std::vector<std::string> names;
     for (const auto& group : table.groups) names.push_back(group.name);
-    reader.complain("there is no group " + quoted(name) + "; the groups are " + enumerated(names));
+    reader.addProblem(
+        "there is no group " + quoted(name) + "; the groups are " + enumerated(names));
     return 0;
   }
   return static_cast<std::size_t>(found - table.groups.begin());
@@ -120,13 +122,13 @@ void readComparisons(
   for (const auto& row : csv.rows) {
     reader.begin(row);
     PublishedComparison comparison;
-    comparison.first = groupCalled(reader.cell("group1"), table, reader);
-    comparison.second = groupCalled(reader.cell("group2"), table, reader);
+    comparison.first = groupIndex(reader.cell("group1"), table, reader);
+    comparison.second = groupIndex(reader.cell("group2"), table, reader);
     if (reader.cell("group1") == reader.cell("group2")) {
-      reader.complain("a group is not compared with itself");
+      reader.addProblem("a group is not compared with itself");
     }
     const auto p = pOf(reader.cell("p"), markOf(csv));
-    if (!p) reader.complain(quoted(reader.cell("p")) + " is no p: write .021, < .001 or > .05");
+    if (!p) reader.addProblem(quoted(reader.cell("p")) + " is no p: write .021, < .001 or > .05");
     comparison.p = p.value_or(PublishedP{});
     table.comparisons.push_back(comparison);
   }

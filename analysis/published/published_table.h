@@ -41,7 +41,7 @@ struct PublishedComparison {
   PublishedP p;
 };
 
-/// One row of a published table: groups that were compared with each other, and what came out.
+/// One row of a published table: groups, and the p values of their comparisons.
 struct PublishedTable {
   std::vector<PublishedGroup> groups;
   std::vector<PublishedComparison> comparisons;

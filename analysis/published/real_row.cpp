@@ -18,15 +18,15 @@ struct Bound {
   double most = 0.0;
 };
 
-/// Numbers that fulfil all bounds, by the shortest paths of Bellman and Ford; nothing where there
-/// are none.
+/// Numbers that satisfy all bounds, by the shortest paths of Bellman and Ford; nothing where there
+/// are none: then a cycle of bounds has a negative sum, and the numbers fall in every round.
 std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std::size_t nodes) {
   std::vector<double> number(nodes, 0.0);
   for (std::size_t round = 0; round <= nodes; ++round) {
     bool isChanged = false;
     for (const auto& bound : bounds) {
       const double most = number[bound.from] + bound.most;
-      if (most < number[bound.to] - 1e-12) {
+      if (most < number[bound.to] - 1e-12) {  // rounding alone must not make a negative cycle
         number[bound.to] = most;
         isChanged = true;
       }
@@ -57,7 +57,7 @@ class RowSearch {
       const PublishedConvention& convention)
       : table_(table), convention_(convention) {
     const std::size_t groups = table.groups.size();
-    steps_ = groups <= 4 ? 9 : (groups == 5 ? 5 : 3);
+    steps_ = groups <= 4 ? 9 : (groups == 5 ? 5 : 3);  // at most 3^8 = 6561 combinations
     for (std::size_t g = 0; g < groups; ++g) {
       const Interval range = varianceBounds(table.groups[g], sizes[g], convention);
       std::vector<double> grid;
@@ -83,7 +83,7 @@ class RowSearch {
         }
         return row;
       }
-    } while (isAdvanced(at));
+    } while (advance(at));
     return std::nullopt;
   }
 
@@ -102,7 +102,7 @@ class RowSearch {
     return ranges;
   }
 
-  bool isAdvanced(std::vector<std::size_t>& at) const {
+  bool advance(std::vector<std::size_t>& at) const {
     for (auto& index : at) {
       if (++index < steps_) return true;
       index = 0;
@@ -110,7 +110,9 @@ class RowSearch {
     return false;
   }
 
-  /// Adds one comparison after the other, each in either direction.
+  /// |m₁ − m₂| in a range is two bounds once the larger mean is chosen: adds one comparison after
+  /// the other, each in either direction, and turns back as soon as the bounds contradict each
+  /// other.
   std::optional<std::vector<double>> meansAt(
       const std::vector<std::size_t>& at,
       std::size_t next,

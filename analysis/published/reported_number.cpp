@@ -50,6 +50,7 @@ Interval ReportedNumber::bounds(Reading reading) const {
 
 bool ReportedNumber::prints(
     std::int64_t numerator, std::int64_t denominator, Reading reading) const {
+  // Both sides times denominator · 10^decimals: whole numbers, which are compared without rounding.
   const Wide given = Wide(powerOfTen(decimals)) * numerator;
   const Wide printed = Wide(digits) * denominator;
   if (reading == Reading::Rounded) {

@@ -24,7 +24,7 @@ const TWindow::Limits& TWindow::limitsAt(std::size_t degreesOfFreedom) const {
 }
 
 bool TWindow::holds(const LatticePoint& group1, const LatticePoint& group2) const {
-  constexpr double kMargin = 1e-9;
+  constexpr double kMargin = 1e-9;  // of t: what lies nearer to a limit is decided by its p
   const auto spread =
       spreadOfDifference(convention_.test, group1.variance, group1.n, group2.variance, group2.n);
   const double difference = std::abs(group1.mean - group2.mean);

@@ -10,8 +10,8 @@ namespace analysis {
 
 /// Whether two groups have a p between two limits, for very many pairs of groups.
 ///
-/// Most are decided by the t that belongs to a limit at the whole degrees of freedom below and
-/// above; only what lies between these is computed.
+/// Most pairs are decided by their t alone, from the quantiles at the whole degrees of freedom
+/// below and above; a p is computed only for a t between these.
 class TWindow {
  public:
   TWindow(const Interval& p, const PublishedConvention& convention);

@@ -9,7 +9,7 @@
 
 namespace analysis {
 
-/// How the p values of one family of tests are held to account for their number.
+/// How the p values of one family of tests are adjusted for their number.
 ///
 /// With p₁ ≤ … ≤ p_m in order of size, each p′ is not more than 1:
 enum class Adjustment {
@@ -31,17 +31,17 @@ inline constexpr std::array kAdjustments{
     Adjustment::BenjaminiYekutieli,
     Adjustment::HolmSidak};
 
-/// The word for it in a file: `bonferroni`, `holm`, `hochberg`, `hommel`, `bh`, `by`, `holm-sidak`.
+/// Its name in a file: `bonferroni`, `holm`, `hochberg`, `hommel`, `bh`, `by`, `holm-sidak`.
 std::string_view nameOf(Adjustment method) noexcept;
 
 /// The method that has this name; nothing if there is none.
 std::optional<Adjustment> adjustmentNamed(std::string_view name) noexcept;
 
-/// How many of a family's tests there really are: those that have a p value. A test that is not
-/// defined cannot find anything by chance, and does not count.
+/// The number of a family's tests that have a p value. A test that is not defined cannot be
+/// significant by chance, and does not count.
 std::size_t definedCount(std::span<const std::optional<double>> pValues);
 
-/// The adjusted p values, in the same order. What has no p value stays without one.
+/// The adjusted p values, in the same order; a missing p value stays missing.
 ///
 /// @param pValues  as computed, never rounded.
 /// @throws std::invalid_argument  if one of them is not between 0 and 1.

@@ -5,9 +5,8 @@
 
 namespace analysis {
 
-// How small an exact two-sided p can become at all, whatever the answers: with few participants it
-// may stay above the level at which a study decides. log₁₀ holds also where p is too small for a
-// double.
+// The smallest exact two-sided p that any answers can give: with few participants it may be above
+// the level of significance. log₁₀ is right also where p is too small for a double.
 
 /// An exact p at its smallest.
 struct AttainableP {
@@ -15,7 +14,7 @@ struct AttainableP {
   double log10P = 0.0;
 };
 
-/// Sign flips, the sign test and the signed rank test on n differences that all point one way:
+/// Sign flips, the sign test and the signed rank test on n differences of the same sign:
 ///
 ///     p = 2 / 2ⁿ = 2^(1 − n)
 ///
@@ -45,8 +44,8 @@ AttainableP smallestMannWhitneyP(std::uint64_t n1, std::uint64_t n2);
 /// @throws std::invalid_argument  for fewer than two options.
 AttainableP smallestVoteP(std::uint64_t n, int k);
 
-/// The fewest participants with whom an exact paired test can find anything at all, if it is one of
-/// a family of m with Bonferroni's correction: the smallest n with 2^(1 − n) ≤ α / m.
+/// The fewest participants with whom an exact paired test can be significant, if it is one of a
+/// family of m with Bonferroni's correction: the smallest n with 2^(1 − n) ≤ α / m.
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no comparisons.
 std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons);
 

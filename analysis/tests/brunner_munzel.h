@@ -10,8 +10,8 @@
 
 namespace analysis {
 
-/// What Brunner & Munzel's test says about two groups. Whatever is not defined is not there, and
-/// the reason says why.
+/// What Brunner & Munzel's test says about two groups. What is not defined is missing,
+/// with a reason.
 struct BrunnerMunzelResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
@@ -19,7 +19,7 @@ struct BrunnerMunzelResult {
   std::optional<double> w;  ///< positive if group 2 ranks higher; ±infinity without overlap
   std::optional<double> degreesOfFreedom;  ///< as in Welch's test; rarely a whole number
   std::optional<double> p;                 ///< two-sided
-  std::optional<double> log10P;            ///< holds also where p is too small for a double
+  std::optional<double> log10P;            ///< also where p is too small for a double
   std::optional<double> pLess;             ///< if only group 1 < group 2 were of interest
   std::optional<double> pGreater;          ///< if only group 1 > group 2 were of interest
   Reason reason;                           ///< why something above is missing; empty if nothing is

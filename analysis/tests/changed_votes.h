@@ -9,36 +9,35 @@
 
 namespace analysis {
 
-/// Whether people change from no to yes as often as from yes to no. What is missing has its reason.
+/// Whether participants change from no to yes as often as from yes to no. What is missing has a
+/// reason.
 struct McNemarResult {
   std::uint64_t changedToYes = 0;
   std::uint64_t changedToNo = 0;
   std::optional<double> p;       ///< exact, two-sided: 2 P(heads ≤ the rarer change), at most 1
-  std::optional<double> log10P;  ///< holds also where p is too small for a double
+  std::optional<double> log10P;  ///< also where p is too small for a double
   std::optional<double> chiSquared;   ///< (b − c)²/(b + c), one degree of freedom, not corrected
   std::optional<double> pAsymptotic;  ///< of χ²
   Reason reason;                      ///< why something above is missing; empty if nothing is
 };
 
-/// McNemar's test (1947) of paired yes and no: who changed is a toss of a fair coin; who did not
-/// does not count.
+/// McNemar's test (1947) of paired yes and no: under the null hypothesis each change is equally
+/// likely in both directions; answers that did not change do not count.
 McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo);
 
 /// @param before, after  of the same people in the same order.
 /// @throws std::invalid_argument  if their numbers differ.
 McNemarResult mcNemarTestOfPairs(const std::vector<bool>& before, const std::vector<bool>& after);
 
-/// Whether options are chosen as often the second time as the first. What is missing has its
-/// reason.
+/// Whether options are chosen as often the second time as the first. What is missing has a reason.
 struct StuartMaxwellResult {
   std::uint64_t persons = 0;
   std::uint64_t changed = 0;
   std::optional<double> chiSquared;
-  std::optional<double>
-      degreesOfFreedom;          ///< k − 1 if changes connect all options; fewer otherwise
-  std::optional<double> p;       ///< of χ²
-  std::optional<double> log10P;  ///< holds also where p is too small for a double
-  Reason reason;                 ///< why something above is missing; empty if nothing is
+  std::optional<double> degreesOfFreedom;  ///< k − 1 if changes connect all options, or fewer
+  std::optional<double> p;                 ///< of χ²
+  std::optional<double> log10P;            ///< also where p is too small for a double
+  Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
 /// Stuart's and Maxwell's test (1955, 1970) of equal margins of a square table nᵢⱼ, how many chose

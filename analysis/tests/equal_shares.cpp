@@ -32,7 +32,8 @@ const Binomials& binomials() {
   return table;
 }
 
-/// Visits all outcomes, those alike but for the names of the options together.
+/// Visits all outcomes; those that differ only in which option got which count are visited
+/// together.
 class Outcomes {
  public:
   explicit Outcomes(Wide observed) : observed_(observed) {}

@@ -6,8 +6,8 @@
 
 namespace analysis {
 
-/// The exact multinomial test of equal shares: had everybody voted by lot, how probable would an
-/// outcome be that is not more probable than this one?
+/// The exact multinomial test of equal shares: the probability, if all options were equally likely,
+/// of an outcome that is not more probable than the observed one.
 ///
 ///     p = Σ n! / (v₁! … v_k!) / kⁿ   over all outcomes v whose term is not larger
 ///

@@ -19,10 +19,10 @@ struct EquivalenceBounds {
 struct OneSidedTest {
   double t = 0.0;  ///< (difference − bound) / standard error; ±infinity beyond a double
   double p = 1.0;
-  std::optional<double> log10P;  ///< holds also where p is too small for a double
+  std::optional<double> log10P;  ///< also where p is too small for a double
 };
 
-/// Whether two conditions are alike enough.
+/// Whether two conditions are equivalent within the bounds.
 struct EquivalenceResult {
   EquivalenceBounds bounds;
   std::optional<OneSidedTest> aboveLower;  ///< small p: the difference is above the lower bound
@@ -36,8 +36,8 @@ struct EquivalenceResult {
 ///
 ///     p = max(P(T ≥ (diff − lower) / se), P(T ≤ (diff − upper) / se))
 ///
-/// With p ≤ α, the confidence interval of the difference at 1 − 2α lies within the bounds. "No
-/// significant difference" is no such finding.
+/// With p ≤ α, the confidence interval of the difference at 1 − 2α lies within the bounds. A
+/// difference that is not significant does not show equivalence.
 ///
 /// Not defined where the test of the difference is not.
 ///

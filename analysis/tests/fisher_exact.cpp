@@ -14,7 +14,7 @@ using Counts = std::vector<std::uint64_t>;
 constexpr std::uint64_t kMostCounts = 300;
 constexpr std::uint64_t kMostTables = 500'000;
 constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
-constexpr double kAlike = 1e-20;
+constexpr double kAlike = 1e-20;  // relative: equal probabilities, computed in 31 digits
 
 /// Pascal's triangle in doubles of 31 digits.
 class LongBinomials {

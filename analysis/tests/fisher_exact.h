@@ -9,7 +9,7 @@
 
 namespace analysis {
 
-/// Whether rows and columns of a table of counts have to do with each other. What is missing has
+/// Whether rows and columns of a table of counts are associated. What is missing has
 /// its reason.
 struct FisherExactResult {
   std::uint64_t total = 0;

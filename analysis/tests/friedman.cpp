@@ -14,7 +14,8 @@
 namespace analysis {
 namespace {
 
-/// What the statistics are made of, in whole numbers.
+/// The sums that the statistics are computed from, in whole numbers: ranks are doubled, so that
+/// midranks are whole, and ties are exact.
 struct Ranking {
   Wide b = 0;
   Wide k = 0;
@@ -90,6 +91,7 @@ RankComparison compared(const Ranking& ranking, std::size_t first, std::size_t s
   pair.nemenyiP = studentizedRangeP(pair.nemenyiQ, static_cast<std::size_t>(ranking.k));
   pair.nemenyiLog10P = log10StudentizedRangeP(pair.nemenyiQ, static_cast<std::size_t>(ranking.k));
 
+  // Conover's variance, 2 (b Σr² − ΣR²) / ((b − 1)(k − 1)), of doubled ranks.
   Wide sumsSquared = 0;
   for (const Wide sum : ranking.doubledSums) sumsSquared += sum * sum;
   const Wide residual = ranking.b * ranking.squares - sumsSquared;

@@ -18,14 +18,14 @@ struct RankComparison {
 
   double nemenyiQ = 0.0;       ///< |difference| / √(k(k + 1)/(6b)) · √2
   double nemenyiP = 1.0;       ///< of the range of k normal values: already holds for all pairs
-  double nemenyiLog10P = 0.0;  ///< holds also where p is too small for a double
+  double nemenyiLog10P = 0.0;  ///< also where p is too small for a double
 
   std::optional<double> conoverT;  ///< signed as the difference; nothing if all blocks agree
   std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
 };
 
-/// What Friedman's test says about treatments that every block has seen. Whatever is not defined
-/// is not there, and the reason says why.
+/// What Friedman's test says about treatments that every block has seen. What is not defined is
+/// missing, with a reason.
 struct FriedmanResult {
   std::uint64_t blocks = 0;      ///< b: participants
   std::uint64_t treatments = 0;  ///< k
@@ -33,13 +33,13 @@ struct FriedmanResult {
 
   std::optional<double> chiSquared;  ///< corrected for ties; k − 1 degrees of freedom
   std::optional<double> p;           ///< of χ²
-  std::optional<double> log10P;      ///< holds also where p is too small for a double
+  std::optional<double> log10P;      ///< also where p is too small for a double
   std::optional<double> kendallW;    ///< 0 … 1: how far the blocks agree
 
   std::optional<double> imanDavenportF;  ///< +infinity if all blocks agree
   std::optional<double> imanDavenportP;  ///< of F with k − 1 and (k − 1)(b − 1); 0 if F is infinite
 
-  std::optional<double> imanDavenportLog10P;  ///< holds also where p is too small for a double
+  std::optional<double> imanDavenportLog10P;  ///< also where p is too small for a double
 
   std::optional<double> exactP;  ///< under all permutations within blocks, midranks kept
 

@@ -59,7 +59,8 @@ Wide inequality(std::size_t cell, const Grid& grid, Wide blocks) {
   return sum + (rest - mean) * (rest - mean);
 }
 
-/// Everything on the grid moved by every permutation of one more block.
+/// One step of the dynamic programming: the counts after one more block, which adds each of its
+/// permutations to every sum reached so far.
 std::vector<Wide> moved(const std::vector<Wide>& ways, const std::vector<std::size_t>& moves) {
   std::vector<Wide> next(ways.size(), 0);
   for (std::size_t cell = 0; cell < ways.size(); ++cell) {

@@ -7,8 +7,8 @@
 
 namespace analysis {
 
-/// The exact p of Friedman's test: how probable are rank sums as unequal as these, if every block
-/// might as well have permuted its ranks?
+/// The exact p of Friedman's test: the probability of rank sums at least as unequal as these, if
+/// all permutations of the ranks of a block are equally likely.
 ///
 /// Counted in whole numbers by dynamic programming over the rank sums of all but one treatment.
 /// Nothing without blocks, nor where there are too many: without ties from 127 blocks of two

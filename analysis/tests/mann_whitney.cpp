@@ -41,6 +41,7 @@ void addAsymptotic(MannWhitneyResult& result, const TiedGroups& groups, const Pl
     return;
   }
   const Wide excess = places.sum1 - pairs;  // 2 (U − its mean)
+  // The continuity correction moves U by ½, that is 2U by 1, towards its mean.
   const Wide corrected = excess > 0 ? excess - 1 : excess < 0 ? excess + 1 : 0;
   const DoubleDouble deviation = squareRoot(variance) * 2.0;
   result.z = (exactQuotient(excess, 1) / deviation).high;

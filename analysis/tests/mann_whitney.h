@@ -10,8 +10,8 @@
 
 namespace analysis {
 
-/// What Mann & Whitney's test says about two groups. Whatever is not defined is not there, and the
-/// reason says why.
+/// What Mann & Whitney's test says about two groups. What is not defined is missing, with
+/// a reason.
 struct MannWhitneyResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
@@ -25,7 +25,7 @@ struct MannWhitneyResult {
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
-  std::optional<double> log10PAsymptotic;       ///< holds also where p is too small for a double
+  std::optional<double> log10PAsymptotic;       ///< also where p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with U moved by ½ towards its mean
 
   Reason reason;  ///< why something above is missing; empty if nothing is

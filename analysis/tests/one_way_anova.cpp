@@ -78,9 +78,9 @@ OneWayAnovaResult oneWayAnova(std::span<const Moments> groups) {
   const auto k = static_cast<double>(groups.size());
   const Squares squares = squaresOf(groups, n);
   const DoubleDouble all = squares.between + squares.within;
-  result.squaresBetween = heldByDouble(squares.between, 2 * squares.exponent);
-  result.squaresWithin = heldByDouble(squares.within, 2 * squares.exponent);
-  result.residualDeviation = heldByDouble(squareRoot(squares.within / (n - k)), squares.exponent);
+  result.squaresBetween = toDouble(squares.between, 2 * squares.exponent);
+  result.squaresWithin = toDouble(squares.within, 2 * squares.exponent);
+  result.residualDeviation = toDouble(squareRoot(squares.within / (n - k)), squares.exponent);
   result.degreesOfFreedom1 = k - 1.0;
   result.degreesOfFreedom2 = n - k;
   if (!all.isZero()) result.rSquared = (squares.between / all).high;

@@ -22,7 +22,7 @@ struct OneWayAnovaResult {
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< n − k
   std::optional<double> p;
-  std::optional<double> log10P;             ///< holds also where p is too small for a double
+  std::optional<double> log10P;             ///< also where p is too small for a double
   std::optional<double> rSquared;           ///< share of the groups in all squares, 0 … 1; η²
   std::optional<double> residualDeviation;  ///< standard deviation within groups, pooled
 

@@ -47,8 +47,8 @@ void addProbabilities(PairedTResult& result) {
 void addTest(PairedTResult& result, const Moments& differences) {
   const auto n = static_cast<double>(differences.n);
   const DoubleDouble standardError = squareRoot(differences.variance / n);
-  result.variance = heldByDouble(differences.variance, 2 * differences.exponent);
-  result.standardError = heldByDouble(standardError, differences.exponent);
+  result.variance = toDouble(differences.variance, 2 * differences.exponent);
+  result.standardError = toDouble(standardError, differences.exponent);
   if (differences.isConstant()) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     if (!differences.mean.isZero()) result.t = std::copysign(kInfinity, differences.mean.high);
@@ -72,7 +72,7 @@ PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y) 
 
   const Moments differences = momentsOf(values);
   if (differences.n > 0) {
-    result.meanDifference = heldByDouble(differences.mean, differences.exponent);
+    result.meanDifference = toDouble(differences.mean, differences.exponent);
   }
   if (differences.n > 1) addTest(result, differences);
   result.reason = whyUndefined(differences);

@@ -9,7 +9,8 @@
 
 namespace analysis {
 
-/// What the paired t-test says. Whatever is not defined is not there, and the reason says why.
+/// What the paired t-test says. What is not defined is missing,
+/// with a reason.
 struct PairedTResult {
   std::uint64_t n = 0;  ///< of the pairs
 
@@ -19,15 +20,15 @@ struct PairedTResult {
   std::optional<double> t;               ///< ±infinity for differences that are all the same
   std::optional<double> degreesOfFreedom;
 
-  std::optional<double> p;         ///< two-sided, not yet corrected for the number of tests
-  std::optional<double> log10P;    ///< of p; holds also where p is too small for a double
+  std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
+  std::optional<double> log10P;    ///< of p; also where p is too small for a double
   std::optional<double> pLess;     ///< if only x < y were of interest
   std::optional<double> pGreater;  ///< if only x > y were of interest
 
   Reason reason;  ///< why something above is missing; empty if nothing is
 };
 
-/// The paired t-test: do the same people answer differently under two conditions?
+/// The paired t-test: do the same participants answer differently under two conditions?
 ///
 ///     t = d̄ / (s_d / √n),   d = x − y,   n − 1 degrees of freedom
 ///

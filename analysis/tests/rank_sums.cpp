@@ -8,7 +8,7 @@
 namespace analysis {
 namespace {
 
-constexpr std::uint64_t kMostValues = 1000;  // C(1000, 500) is within a double's range
+constexpr std::uint64_t kMostValues = 1000;  // C(1000, 500) ≈ 3e299 is still a double
 constexpr std::uint64_t kMostSteps = 50'000'000;
 
 /// Doubled midranks of all values from the smallest, as whole numbers of steps above the first.
@@ -51,6 +51,7 @@ std::vector<DoubleDouble> waysTo(const ReducedRanks& ranks, std::size_t chosen) 
   std::size_t seen = 0;
   for (const auto rank : ranks.steps) {
     ++seen;
+    // Downwards, so that each rank is chosen at most once.
     for (std::size_t count = std::min(seen, chosen); count > 0; --count) {
       for (std::size_t sum = rank; sum < width; ++sum) {
         const DoubleDouble& without = ways[count - 1][sum - rank];

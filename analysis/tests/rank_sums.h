@@ -13,7 +13,8 @@ namespace analysis {
 /// of the given midranks, ties included, by dynamic programming over rank sums in 31 digits.
 class RankSums {
  public:
-  /// Whether the law can be held and computed within about a second: two groups of some 50.
+  /// Whether the distribution fits into memory and is computed within about a second: two groups of
+  /// some 50 values.
   static bool canHold(const TiedGroups& groups);
 
   /// @throws std::invalid_argument  for groups that canHold() refuses, and for an empty one.

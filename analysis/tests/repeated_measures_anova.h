@@ -18,7 +18,7 @@ struct RepeatedMeasuresResult {
   std::optional<double> degreesOfFreedom1;  ///< k − 1
   std::optional<double> degreesOfFreedom2;  ///< (k − 1)(n − 1)
   std::optional<double> p;                  ///< if the conditions are spherical
-  std::optional<double> log10P;             ///< holds also where p is too small for a double
+  std::optional<double> log10P;             ///< also where p is too small for a double
   std::optional<double> partialEtaSquared;  ///< in 0 … 1
 
   std::optional<double> greenhouseGeisser;   ///< ε, from 1/(k − 1) to 1: how spherical they are

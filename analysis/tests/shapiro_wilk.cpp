@@ -65,12 +65,13 @@ struct Statistic {
 Statistic statisticOf(std::span<const double> sorted) {
   constexpr double kLarge = 1e300;
   const bool isLarge = -sorted.front() > kLarge || sorted.back() > kLarge;
-  const double unit = isLarge ? 0.25 : 1.0;  // so that the range does not overflow
+  const double unit = isLarge ? 0.25 : 1.0;  // a power of two: the range does not overflow
   const double low = unit * sorted.front();
   const double range = unit * sorted.back() - low;
   DoubleDouble sum;
   DoubleDouble squares;
   for (const double value : sorted) {
+    // W does not depend on offset and scale: from 0 to 1 nothing overflows, and no digit is lost.
     const DoubleDouble place = DoubleDouble::difference(unit * value, low) / range;
     sum = sum + place;
     squares = squares + place * place;

@@ -45,7 +45,7 @@ std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
   return integers;
 }
 
-/// The sums of all subsets, from the smallest.
+/// The sums of all subsets, from the smallest: merging two sorted lists keeps them sorted.
 Integers subsetSums(std::span<const Wide> weights) {
   Integers sums{0};
   for (const Wide weight : weights) {
@@ -58,8 +58,9 @@ Integers subsetSums(std::span<const Wide> weights) {
   return sums;
 }
 
-/// How many of all subsets have a sum of at least this: each half of the weights has its sums, and
-/// the larger one of them is, the smaller the other may be.
+/// How many subsets have a sum of at least `least`, by meeting in the middle (Horowitz & Sahni
+/// 1974): for the sums of one half in ascending order, the smallest sufficient sum of the other
+/// half descends. 2^(n/2) sums in place of 2ⁿ.
 std::uint64_t subsetsOfAtLeast(std::span<const Wide> weights, Wide least) {
   const Integers lower = subsetSums(weights.first(weights.size() / 2));
   const Integers upper = subsetSums(weights.subspan(weights.size() / 2));
@@ -100,11 +101,11 @@ void addEnumerated(SignFlipResult& result, const Flips& flips) {
   result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
 }
 
-/// Whether the sums are few enough to go through them one by one.
+/// By the distribution of all sums; false where there are too many different ones.
 bool addBySums(SignFlipResult& result, const Flips& flips) {
   std::vector<std::uint64_t> weights;
   for (const Wide size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
-  if (!SubsetSums::canHold(weights)) return false;
+  if (!SubsetSums::isFeasible(weights)) return false;
 
   const SubsetSums law(weights);
   const auto positive = static_cast<std::uint64_t>(flips.positive);

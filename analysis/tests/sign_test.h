@@ -14,7 +14,7 @@ struct SignTestResult {
   std::uint64_t negative = 0;
   std::uint64_t zeros = 0;
   std::optional<double> p;         ///< exact, two-sided
-  std::optional<double> log10P;    ///< holds also where p is too small for a double
+  std::optional<double> log10P;    ///< also where p is too small for a double
   std::optional<double> pLess;     ///< exact P(no more positive ones)
   std::optional<double> pGreater;  ///< exact P(no fewer positive ones)
   Reason reason;                   ///< why something above is missing; empty if nothing is

@@ -43,7 +43,7 @@ SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
 }
 
 void addExact(SignedRankResult& result, const SignedRanks& ranks) {
-  if (!SubsetSums::canHold(ranks.doubled)) {
+  if (!SubsetSums::isFeasible(ranks.doubled)) {
     result.reason = reason("too_many_differences_asymptotic");
     return;
   }
@@ -56,6 +56,7 @@ void addExact(SignedRankResult& result, const SignedRanks& ranks) {
 
 void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
   const Wide excess = 2 * ranks.positiveSum - ranks.sum;  // 4 (V − its mean)
+  // The continuity correction moves V by ½, that is 4V by 2, towards its mean.
   const Wide corrected = excess > 0 ? excess - 2 : excess < 0 ? excess + 2 : 0;
   const DoubleDouble deviation = squareRoot(exactQuotient(ranks.squares, 1));
   result.rankBiserial = exactQuotient(excess, ranks.sum).high;

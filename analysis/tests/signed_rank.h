@@ -14,8 +14,8 @@ enum class Zeros {
   RankedThenDropped  ///< after ranking, as Pratt (1959) does: zeros push the others up
 };
 
-/// What the signed rank test says about paired differences. Whatever is not defined is not there,
-/// and the reason says why.
+/// What the signed rank test says about paired differences. What is not defined is
+/// missing, with a reason.
 struct SignedRankResult {
   std::uint64_t n = 0;  ///< all differences
   std::uint64_t positive = 0;
@@ -31,7 +31,7 @@ struct SignedRankResult {
 
   std::optional<double> z;                      ///< normal, without continuity correction
   std::optional<double> pAsymptotic;            ///< two-sided, of z
-  std::optional<double> log10PAsymptotic;       ///< holds also where p is too small for a double
+  std::optional<double> log10PAsymptotic;       ///< also where p is too small for a double
   std::optional<double> pAsymptoticContinuity;  ///< with V moved by ½ towards its mean
 
   Reason reason;  ///< why something above is missing; empty if nothing is

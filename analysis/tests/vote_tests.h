@@ -10,14 +10,14 @@
 
 namespace analysis {
 
-/// Whether options are preferred equally often. What is missing has its reason.
+/// Whether options are preferred equally often. What is missing has a reason.
 struct EqualSharesResult {
   std::uint64_t votes = 0;
   std::optional<double> exactP;            ///< as equalSharesP() has it
   std::optional<double> chiSquared;        ///< Σ (v − n/k)² / (n/k)
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< of χ²; for a few votes only roughly
-  std::optional<double> log10P;            ///< holds also where p is too small for a double
+  std::optional<double> log10P;            ///< also where p is too small for a double
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
@@ -25,7 +25,7 @@ struct EqualSharesResult {
 /// independent: several of one person make p too small.
 EqualSharesResult equalSharesTest(const VoteCounts& votes);
 
-/// Whether options get as many yes, if each person says yes or no to each. What is missing has its
+/// Whether options get as many yes, if each person says yes or no to each. What is missing has a
 /// reason.
 struct CochranResult {
   std::uint64_t persons = 0;
@@ -33,7 +33,7 @@ struct CochranResult {
   std::optional<double> q;
   std::optional<double> degreesOfFreedom;  ///< k − 1
   std::optional<double> p;                 ///< of χ²
-  std::optional<double> log10P;            ///< holds also where p is too small for a double
+  std::optional<double> log10P;            ///< also where p is too small for a double
   std::optional<double> exactP;            ///< under all permutations within persons
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };

@@ -52,7 +52,7 @@ void addTest(WelchResult& result, const Contrast& contrast) {
   const DoubleDouble standardError = squareRoot(v1 + v2);
   const double t = tOf(contrast, standardError);
 
-  result.standardError = heldByDouble(standardError, contrast.spreadExponent);
+  result.standardError = toDouble(standardError, contrast.spreadExponent);
   result.t = t;
   if (standardError.isZero()) {
     if (contrast.difference.isZero()) result.t.reset();
@@ -95,7 +95,7 @@ WelchResult welchTTest(const Moments& group1, const Moments& group2) {
   result.variance2 = summary2.variance;
   if (group1.n > 0 && group2.n > 0) {
     const Contrast contrast = contrastOf(group1, group2);
-    result.difference = heldByDouble(contrast.difference, contrast.meanExponent);
+    result.difference = toDouble(contrast.difference, contrast.meanExponent);
     if (group1.n > 1 && group2.n > 1) addTest(result, contrast);
   }
   result.reason = whyUndefined(group1, group2);

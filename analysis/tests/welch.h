@@ -11,8 +11,8 @@
 
 namespace analysis {
 
-/// What Welch's t-test says about two groups. Whatever is not defined is not there, and the reason
-/// says why.
+/// What Welch's t-test says about two groups. What is not defined is missing,
+/// with a reason.
 struct WelchResult {
   std::uint64_t n1 = 0;
   std::uint64_t n2 = 0;
@@ -26,8 +26,8 @@ struct WelchResult {
   std::optional<double> t;  ///< ±infinity for constant groups that differ, and beyond a double
   std::optional<double> degreesOfFreedom;  ///< Welch–Satterthwaite; rarely a whole number
 
-  std::optional<double> p;         ///< two-sided, not yet corrected for the number of tests
-  std::optional<double> log10P;    ///< of p; holds also where p is too small for a double
+  std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
+  std::optional<double> log10P;    ///< of p; also where p is too small for a double
   std::optional<double> pLess;     ///< if only group 1 < group 2 were of interest
   std::optional<double> pGreater;  ///< if only group 1 > group 2 were of interest
   std::optional<double> pToolpak;  ///< two-sided, as the spreadsheet has it

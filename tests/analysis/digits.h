@@ -5,15 +5,15 @@
 
 namespace tests {
 
-/// How many digits of a number are right: −log₁₀ of its relative error, 17 where nothing is wrong.
+/// How many digits of a number are right: −log₁₀ of its relative error, 17 where it is exact.
 /// @param exact  a decimal string; all its digits count.
 double correctDigits(double number, const std::string& exact);
 
-/// Remembers for each quantity the data set where it came out worst.
+/// Collects for each quantity the data set with the fewest correct digits.
 class WorstDigits {
  public:
   explicit WorstDigits(std::string title) : title_(std::move(title)) {}
-  /// Tells what it remembers.
+  /// Prints the worst of each quantity.
   ~WorstDigits();
   WorstDigits(const WorstDigits&) = delete;
   WorstDigits& operator=(const WorstDigits&) = delete;

@@ -124,7 +124,7 @@ TEST(GoldenTwoSamples, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 15 * 22 - 14 - 2);
 }
 
-TEST(GoldenTwoSamples, LeaveNoDataSetUnread) {
+TEST(GoldenTwoSamples, CoverEveryDataSet) {
   const auto golden = tests::statsJson("golden.json")["two"];
 
   std::set<std::string> files;

@@ -94,7 +94,7 @@ TEST(PublishedStudy, RoundsToTable2) {
   }
 }
 
-TEST(PublishedStudy, ComparesAsThePipelineInRDoes) {
+TEST(PublishedStudy, AgreesWithThePipelineInR) {
   const auto cells = pooledAnswers();
   const auto golden = tests::statsJson("study/study_golden.json")["paper_welch"];
   tests::WorstDigits worst("the study, against 15 printed digits of R");

@@ -42,7 +42,7 @@ std::map<std::string, std::vector<double>> participantMeans() {
   return means;
 }
 
-TEST(StudyWithinParticipants, ComparesAsRDoes) {
+TEST(StudyWithinParticipants, AgreesWithR) {
   const auto means = participantMeans();
   const auto golden = tests::statsJson("study/study_golden.json")["within"];
   ASSERT_EQ(golden.size(), 6U);

@@ -1,4 +1,5 @@
-// Welch's test where something is missing: too few, one voice, beyond a double.
+// Welch's test where something is missing: too few values, constant groups, numbers beyond a
+// double.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ TEST(WelchTest, IsUndefinedForFewerThanTwo) {
   EXPECT_FALSE(one.p.has_value());
 }
 
-TEST(WelchTest, IsUndefinedForOneVoice) {
+TEST(WelchTest, IsUndefinedForEqualConstantGroups) {
   const auto result = welchTTest(Values{6.0, 6.0, 6.0}, Values{6.0, 6.0});
 
   EXPECT_EQ(result.reason.key(), "constant_equal");
@@ -45,7 +46,7 @@ TEST(WelchTest, IsUndefinedForOneVoice) {
   EXPECT_FALSE(result.p.has_value());
 }
 
-TEST(WelchTest, HasAnInfiniteTForTwoVoices) {
+TEST(WelchTest, HasAnInfiniteTForDifferentConstantGroups) {
   const auto result = welchTTest(Values{1.0, 1.0}, Values{5.0, 5.0, 5.0});
 
   EXPECT_EQ(result.reason.key(), "constant_differ");
@@ -83,7 +84,7 @@ TEST(WelchTest, IsDefinedWhereTheDifferenceIsBeyondADouble) {
   EXPECT_FALSE(result.reason.empty());
 }
 
-TEST(WelchTest, SaysSoWhereTIsBeyondADouble) {
+TEST(WelchTest, GivesAReasonForAnInfiniteT) {
   const auto result = welchTTest(Values{1e200, 1e200}, Values{1e-200, 2e-200});
   EXPECT_EQ(result.t, INFINITY);
   EXPECT_FALSE(result.p.has_value());

@@ -21,7 +21,7 @@ AnswerTable three() {
   return table;
 }
 
-TEST(AnswerTable, AveragesByPersonAndMethod) {
+TEST(AnswerTable, AveragesByParticipantAndMethod) {
   const auto means = three().participantMeans();
   EXPECT_EQ(means[0][0], 5.0 / 3.0);
   EXPECT_EQ(means[0][1], 5.0);
@@ -35,7 +35,7 @@ TEST(AnswerTable, CountsAllAnswersAboutAMethod) {
   EXPECT_EQ(counts.counts()[1], 2U);
 }
 
-TEST(AnswerTable, LeavesOutWhoLacksAMethod) {
+TEST(AnswerTable, LeavesOutParticipantsWhoLackAMethod) {
   const auto complete = analysis::completeMeans(three(), {1, 0});
   EXPECT_EQ(complete.participants, (std::vector<std::size_t>{0, 2}));
   EXPECT_EQ(complete.leftOut, std::vector<std::size_t>{1});

@@ -25,11 +25,11 @@ TEST(CsvTable, HasColumnsAndRows) {
   EXPECT_EQ(table.rows[1].line, 3U);
 }
 
-TEST(CsvTable, NeedsNoLineEndAtItsEnd) {
+TEST(CsvTable, NeedsNoFinalLineEnd) {
   EXPECT_EQ(readCsv("g,x\na,1").rows.size(), 1U);
 }
 
-TEST(CsvTable, UnderstandsEveryLineEnd) {
+TEST(CsvTable, ReadsEveryKindOfLineEnd) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string csv;
     for (const char* row : {"g,x", "a,1", "b,2"}) csv.append(row).append(end);
@@ -64,7 +64,7 @@ TEST(CsvTable, CountsLinesWithinQuotationMarksByAnyLineEnd) {
   EXPECT_EQ(readCsv("g,x\r\n\"1\r\n2\r3\n4\",1\r\nb,2\r\n").rows[1].line, 6U);
 }
 
-TEST(CsvTable, TakesNoNoticeOfAByteOrderMark) {
+TEST(CsvTable, IgnoresAByteOrderMark) {
   EXPECT_EQ(readCsv("\xEF\xBB\xBFg,x\na,1\n").columns.front(), "g");
 }
 
@@ -81,7 +81,7 @@ TEST(CsvTable, TrimsSpacesOutsideQuotationMarks) {
   EXPECT_EQ(readCsv("g , x\n").columns, (Cells{"g", "x"}));
 }
 
-TEST(CsvTable, KeepsUmlautsAndEmptyCells) {
+TEST(CsvTable, KeepsNonAsciiTextAndEmptyCells) {
   EXPECT_EQ(readCsv("Größe,x,y\nä,,1\n").rows[0].cells, (Cells{"ä", "", "1"}));
 }
 
@@ -127,7 +127,7 @@ TEST(CsvTable, NamesNoMoreThanTenProblems) {
   EXPECT_TRUE(error.ends_with("\nand 2 more")) << error;
 }
 
-TEST(CsvTable, KnowsItsColumns) {
+TEST(CsvTable, FindsColumnsByName) {
   const auto table = readCsv("method,score,note,note\na,1,,\n");
   const auto errorFor = [&](const char* column) -> std::string {
     try {

@@ -20,7 +20,7 @@ TEST(DecimalNumber, IsTheNearestDouble) {
   EXPECT_EQ(decimalNumber("9007199254740993.00000000001"), 9007199254740994.0);
 }
 
-TEST(DecimalNumber, IsNotFoundInOtherText) {
+TEST(DecimalNumber, RejectsOtherText) {
   for (const char* text :
        {"",
         " ",
@@ -41,13 +41,13 @@ TEST(DecimalNumber, IsNotFoundInOtherText) {
   }
 }
 
-TEST(DecimalNumber, IsFiniteAndHeldByADouble) {
+TEST(DecimalNumber, RejectsInfinityAndNumbersOutOfRange) {
   for (const char* text : {"inf", "-Inf", "infinity", "nan", "NaN", "1e999", "-1e999", "1e-999"}) {
     EXPECT_FALSE(decimalNumber(text).has_value()) << text;
   }
 }
 
-TEST(DecimalNumber, UnderstandsACommaWhereOneIsExpected) {
+TEST(DecimalNumber, ReadsADecimalCommaWhereOneIsAllowed) {
   EXPECT_EQ(decimalNumber("4,5", DecimalMark::PointOrComma), 4.5);
   EXPECT_EQ(decimalNumber("4.5", DecimalMark::PointOrComma), 4.5);
   EXPECT_EQ(decimalNumber("-1,5e2", DecimalMark::PointOrComma), -150.0);

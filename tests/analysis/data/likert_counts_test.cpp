@@ -16,7 +16,7 @@ LikertCounts counts(int lowest, const Counts& each) {
   return {lowest, each};
 }
 
-TEST(LikertCounts, KnowTheirScale) {
+TEST(LikertCounts, HaveTheScaleTheyWereMadeWith) {
   const LikertCounts answers(1, 7);
   EXPECT_EQ(answers.lowest(), 1);
   EXPECT_EQ(answers.highest(), 7);
@@ -33,14 +33,14 @@ TEST(LikertCounts, CountAnswers) {
   EXPECT_EQ(answers.total(), 4U);
 }
 
-TEST(LikertCounts, RefuseAnswersThatAreNotOnTheScale) {
+TEST(LikertCounts, RejectAnswersOutsideTheScale) {
   LikertCounts answers(1, 5);
   EXPECT_THROW(answers.add(0), std::invalid_argument);
   EXPECT_THROW(answers.add(6), std::invalid_argument);
   EXPECT_EQ(answers.total(), 0U);
 }
 
-TEST(LikertCounts, RefuseScalesThatAreNone) {
+TEST(LikertCounts, RejectInvalidScales) {
   EXPECT_THROW(LikertCounts(1, 1), std::invalid_argument);
   EXPECT_THROW(LikertCounts(5, 1), std::invalid_argument);
   EXPECT_THROW(LikertCounts(0, 5000), std::invalid_argument);
@@ -49,7 +49,7 @@ TEST(LikertCounts, RefuseScalesThatAreNone) {
   EXPECT_THROW(counts(1, {3}), std::invalid_argument);
 }
 
-TEST(LikertCounts, RefuseMoreThanTheyCanSumExactly) {
+TEST(LikertCounts, RejectMoreThanTheyCanSumExactly) {
   LikertCounts answers(1, 5);
   answers.add(1, LikertCounts::kMostAnswers);
   EXPECT_THROW(answers.add(1), std::invalid_argument);
@@ -91,7 +91,7 @@ TEST(LikertCounts, HaveNoVarianceBelowTwoAnswers) {
   EXPECT_FALSE(answers.variance().has_value());
 }
 
-TEST(LikertCounts, HaveNoVarianceButZeroForOneVoice) {
+TEST(LikertCounts, HaveZeroVarianceWhereAllAnswersAreEqual) {
   EXPECT_EQ(counts(1, {0, 0, 0, 0, 1'000'000}).variance(), 0.0);
 }
 
@@ -128,7 +128,7 @@ TEST(LikertCounts, SumTheWidestScaleAndTheMostAnswersExactly) {
   EXPECT_DOUBLE_EQ(answers.variance().value(), 1023.0 * 1023.0 / 4.0 * (1.0 + 0x1p-40));
 }
 
-TEST(LikertCounts, AgreeWithTheirAnswersOneByOne) {
+TEST(LikertCounts, EqualTheMomentsOfTheSingleAnswers) {
   const auto answers = counts(0, {7, 4, 3, 7, 9, 0, 2});
   std::vector<double> values;
   double point = 0.0;

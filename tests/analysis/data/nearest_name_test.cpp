@@ -10,7 +10,7 @@ using analysis::enumerated;
 using analysis::nearestName;
 using Names = std::vector<std::string>;
 
-TEST(NearestName, TakesTheFewestLettersToMend) {
+TEST(NearestName, NeedsTheFewestEdits) {
   const Names names{"participant", "cohort", "method", "score"};
   EXPECT_EQ(nearestName("scores", names), "score");
   EXPECT_EQ(nearestName("mehtod", names), "method");
@@ -22,11 +22,11 @@ TEST(NearestName, IsTheFirstOfSeveral) {
   EXPECT_EQ(nearestName("c", Names{"a", "b"}), "a");
 }
 
-TEST(NearestName, MayBeEmptyItself) {
+TEST(NearestName, MayBeEmpty) {
   EXPECT_EQ(nearestName("x", Names{""}), "");
 }
 
-TEST(Enumerated, ReadsAsASentenceDoes) {
+TEST(Enumerated, JoinsNamesAsInASentence) {
   EXPECT_EQ(enumerated(Names{}), "");
   EXPECT_EQ(enumerated(Names{"a"}), "'a'");
   EXPECT_EQ(enumerated(Names{"a", "b"}), "'a' and 'b'");

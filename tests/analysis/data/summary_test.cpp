@@ -35,20 +35,20 @@ TEST(Summary, HasNoVarianceForOneValue) {
   EXPECT_FALSE(summary.standardDeviation.has_value());
 }
 
-TEST(Summary, HasZeroVarianceForOneVoice) {
+TEST(Summary, HasZeroVarianceWhereAllValuesAreEqual) {
   EXPECT_EQ(summarise(Values{0.1, 0.1, 0.1}).variance, 0.0);
   EXPECT_EQ(summarise(Values{0.1, 0.1, 0.1}).mean, 0.1);
   EXPECT_EQ(summarise(Values{0.0, -0.0}).variance, 0.0);
 }
 
-TEST(Summary, LosesNothingToALargeOffset) {
+TEST(Summary, KeepsItsDigitsWithALargeOffset) {
   // The variance of 1, 2, 4 is 7/3; all these values are doubles.
   for (const double offset : {1e6, 1e9, 1e15, -4e15}) {
     EXPECT_EQ(summarise(Values{offset + 1, offset + 2, offset + 4}).variance, 7.0 / 3.0) << offset;
   }
 }
 
-TEST(Summary, DoesNotCareForTheOrder) {
+TEST(Summary, DoesNotDependOnTheOrder) {
   Values values{1e9, 3.0, -1e-9, 0.1, 7e5, -1e9};
   const auto before = summarise(values);
   std::ranges::sort(values);
@@ -58,7 +58,7 @@ TEST(Summary, DoesNotCareForTheOrder) {
   EXPECT_EQ(before.variance, after.variance);
 }
 
-TEST(Summary, HoldsADeviationWhoseSquareADoubleCannotHold) {
+TEST(Summary, HasADeviationWhereTheVarianceOverflows) {
   for (const double unit : {1e-200, 1e200}) {
     const auto summary = summarise(Values{1.0 * unit, 2.0 * unit, 3.0 * unit});
     EXPECT_DOUBLE_EQ(summary.mean.value(), 2.0 * unit);
@@ -67,7 +67,7 @@ TEST(Summary, HoldsADeviationWhoseSquareADoubleCannotHold) {
   }
 }
 
-TEST(Summary, ReachesTheEndsOfTheDoubles) {
+TEST(Summary, CoversTheRangeOfDoubles) {
   const double largest = std::numeric_limits<double>::max();
   const double smallest = std::numeric_limits<double>::denorm_min();
   EXPECT_EQ(summarise(Values{largest, largest}).mean, largest);
@@ -76,7 +76,7 @@ TEST(Summary, ReachesTheEndsOfTheDoubles) {
   EXPECT_EQ(summarise(Values{smallest, smallest}).variance, 0.0);
 }
 
-TEST(Summary, RefusesWhatIsNoNumber) {
+TEST(Summary, RejectsInfinityAndNaN) {
   EXPECT_THROW(summarise(Values{1.0, std::nan("")}), std::invalid_argument);
   EXPECT_THROW(summarise(Values{1.0, INFINITY}), std::invalid_argument);
 }

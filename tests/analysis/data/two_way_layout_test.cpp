@@ -35,7 +35,7 @@ TEST(TwoWayLayout, MayBeEmpty) {
   EXPECT_EQ(twoWayLayout(Table{{}, {}}).columns, 0U);
 }
 
-TEST(TwoWayLayout, RefusesATableWithHoles) {
+TEST(TwoWayLayout, RejectsAnIncompleteTable) {
   EXPECT_THROW(twoWayLayout(Table{{1, 2}, {1, 2, 3}}), std::invalid_argument);
 }
 

@@ -20,7 +20,7 @@ struct KnownFactor {
   const char* log10Bf10;
 };
 
-TEST(BayesFactor, HasTheLogarithmOfItsDefinition) {
+TEST(BayesFactor, AgreesWithItsDefinition) {
   // mpmath, 30 digits: quad of the integral over ln g
   const KnownFactor known[] = {
       {0.0, 10.0, 11.0, "-0.526560188276459053"},
@@ -46,7 +46,7 @@ TEST(BayesFactor, DependsOnThePrior) {
   EXPECT_EQ(jzsBayesFactor(2.5, 30.0, 16.0, 1.0).priorScale, 1.0);
 }
 
-TEST(BayesFactor, IsThatOfStudentsOwnData) {
+TEST(BayesFactor, EqualsThatOfStudentsSleepData) {
   // R: BayesFactor::ttestBF(sleep$extra[1:10], sleep$extra[11:20], paired = TRUE)
   const Values drug1{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
   const Values drug2{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
@@ -54,11 +54,11 @@ TEST(BayesFactor, IsThatOfStudentsOwnData) {
   EXPECT_NEAR(factor.bf10.value(), 17.25888, 5e-6);
 }
 
-TEST(BayesFactor, DoesNotMindTheSign) {
+TEST(BayesFactor, IsTheSameForBothSigns) {
   EXPECT_EQ(jzsBayesFactor(2.0, 18.0, 5.0).bf10, jzsBayesFactor(-2.0, 18.0, 5.0).bf10);
 }
 
-TEST(BayesFactor, SpeaksForNoDifferenceWhereThereIsNone) {
+TEST(BayesFactor, FavoursTheNullHypothesisAtAZeroT) {
   EXPECT_LT(jzsBayesFactor(0.0, 18.0, 5.0).bf10.value(), 1.0);
   EXPECT_LT(jzsBayesFactor(0.0, 2e6, 5e5).bf10.value(), 0.01);
 }
@@ -84,7 +84,7 @@ TEST(BayesFactor, IsUndefinedWhereTheTestIs) {
   EXPECT_EQ(jzsBayesFactor(shifted).reason, shifted.reason);
 }
 
-TEST(BayesFactor, RefusesWhatHasNone) {
+TEST(BayesFactor, RejectsInvalidArguments) {
   EXPECT_THROW(jzsBayesFactor(NAN, 18.0, 5.0), std::invalid_argument);
   EXPECT_THROW(jzsBayesFactor(INFINITY, 18.0, 5.0), std::invalid_argument);
   EXPECT_THROW(jzsBayesFactor(1.0, 0.0, 5.0), std::invalid_argument);

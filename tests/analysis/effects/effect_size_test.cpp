@@ -47,7 +47,7 @@ TEST(EffectSizes, FollowFromTheirDefinition) {
   EXPECT_TRUE(effects.reason.empty());
 }
 
-TEST(EffectSizes, HaveTheSameIntervalByBothTestsForGroupsAlikeInSizeAndVariance) {
+TEST(EffectSizes, HaveTheSameIntervalByBothTestsForEqualSizesAndVariances) {
   const auto effects = effectSizes(Values{1.0, 2.0, 3.0, 4.0}, Values{3.0, 4.0, 5.0, 6.0});
 
   EXPECT_NEAR(effects.cohenD.interval->low, effects.cohenDAv.interval->low, 1e-13);
@@ -67,7 +67,7 @@ TEST(EffectSizes, HaveWiderIntervalsForMoreConfidence) {
   EXPECT_LT(usual.cohenD.interval->low, usual.cohenD.value.value());
 }
 
-TEST(EffectSizes, SayWhatTheyLack) {
+TEST(EffectSizes, GiveAReasonForWhatIsMissing) {
   const auto oneConstant = effectSizes(Values{5.0, 5.0, 5.0}, Values{1.0, 2.0, 4.0});
   EXPECT_TRUE(oneConstant.cohenD.value.has_value());
   EXPECT_FALSE(oneConstant.glassDelta1.has_value());
@@ -88,7 +88,7 @@ TEST(EffectSizes, SayWhatTheyLack) {
   EXPECT_FALSE(effectSizes(Values{}, Values{}).reason.empty());
 }
 
-TEST(EffectSizes, HoldFarOut) {
+TEST(EffectSizes, HaveIntervalsForVeryLargeEffects) {
   // x − 0 of about 1e30 standard errors: the limits are t times the roots of χ²/ν, ν = 2
   const auto far = effectSizes(Values{1e15, 1e15}, Values{0.0, 1e-15});
   const double d = far.cohenD.value.value();
@@ -101,7 +101,7 @@ TEST(EffectSizes, HoldFarOut) {
   EXPECT_FALSE(farthest.reason.empty());
 }
 
-TEST(EffectSizes, RefuseALevelThatIsNone) {
+TEST(EffectSizes, RejectInvalidConfidenceLevels) {
   EXPECT_THROW(effectSizes(Values{}, Values{}, 1.0), std::invalid_argument);
 }
 
@@ -117,7 +117,7 @@ TEST(PairedEffects, AreStandardisedByTheDifferences) {
       effects.hedgesGz.interval->high, effects.cohenDz.interval->high * *effects.hedgesJ);
 }
 
-TEST(PairedEffects, SayWhatTheyLack) {
+TEST(PairedEffects, GiveAReasonForWhatIsMissing) {
   const auto two = effectSizes(analysis::pairedTTest(Values{5.0, 4.0}, Values{2.0, 3.0}));
   EXPECT_TRUE(two.cohenDz.interval.has_value());
   EXPECT_FALSE(two.hedgesGz.value.has_value());

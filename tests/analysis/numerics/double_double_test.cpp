@@ -7,17 +7,17 @@
 namespace double_double_test {
 
 using analysis::DoubleDouble;
-using analysis::heldByDouble;
+using analysis::toDouble;
 
 constexpr double kTolerance = 1e-31;
 
-TEST(DoubleDouble, LosesNothingOfASum) {
+TEST(DoubleDouble, HoldsASumExactly) {
   const DoubleDouble sum = DoubleDouble::sum(1e16, 1.0);
   EXPECT_EQ((sum - 1e16).high, 1.0);
   EXPECT_EQ((DoubleDouble(1e16) + 1e-8 - 1e16).high, 1e-8);
 }
 
-TEST(DoubleDouble, LosesNothingOfAProduct) {
+TEST(DoubleDouble, HoldsAProductExactly) {
   const double third = 1.0 / 3.0;
   const DoubleDouble square = DoubleDouble::product(third, third);
   EXPECT_EQ(square.high, third * third);
@@ -39,12 +39,12 @@ TEST(DoubleDouble, TakesRootsToThirtyOneDigits) {
   EXPECT_EQ(squareRoot(DoubleDouble(9.0)).high, 3.0);
 }
 
-TEST(DoubleDouble, IsHeldByADoubleWithinItsRangeOnly) {
-  EXPECT_EQ(heldByDouble(0.75, 1), 1.5);
-  EXPECT_EQ(heldByDouble(0.0, 5000), 0.0);
-  EXPECT_EQ(heldByDouble(0.5, -1021), std::numeric_limits<double>::min());
-  EXPECT_FALSE(heldByDouble(0.5, -1022).has_value());
-  EXPECT_FALSE(heldByDouble(0.5, 1025).has_value());
+TEST(DoubleDouble, ConvertsToADoubleOnlyWithinItsRange) {
+  EXPECT_EQ(toDouble(0.75, 1), 1.5);
+  EXPECT_EQ(toDouble(0.0, 5000), 0.0);
+  EXPECT_EQ(toDouble(0.5, -1021), std::numeric_limits<double>::min());
+  EXPECT_FALSE(toDouble(0.5, -1022).has_value());
+  EXPECT_FALSE(toDouble(0.5, 1025).has_value());
 }
 
 }  // namespace double_double_test

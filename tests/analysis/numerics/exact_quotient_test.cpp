@@ -11,7 +11,7 @@ namespace exact_quotient_test {
 using analysis::exactQuotient;
 using analysis::Wide;
 
-TEST(ExactQuotient, IsRoundedAsADoubleQuotientOfWholeNumbers) {
+TEST(ExactQuotient, RoundsAsADoubleDivisionDoes) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 20'000; ++i) {
     // Whole numbers below 2^53 are doubles, and a processor rounds their quotient exactly.
@@ -23,7 +23,7 @@ TEST(ExactQuotient, IsRoundedAsADoubleQuotientOfWholeNumbers) {
   }
 }
 
-TEST(ExactQuotient, GoesOnBehindTheDouble) {
+TEST(ExactQuotient, HasMoreDigitsThanADouble) {
   const auto third = exactQuotient(1, 3);
   EXPECT_NEAR((third * 3.0 - 1.0).high, 0.0, 1e-31);
 }
@@ -33,7 +33,7 @@ TEST(ExactQuotient, HasTheSignOfItsNumerator) {
   EXPECT_EQ(exactQuotient(0, 2).high, 0.0);
 }
 
-TEST(ExactQuotient, TakesTheWidestNumbers) {
+TEST(ExactQuotient, AcceptsTheLargestNumbers) {
   const Wide wide = Wide{1} << 126;
   EXPECT_EQ(exactQuotient(wide, 1).high, 0x1p126);
   EXPECT_EQ(exactQuotient(1, wide).high, 0x1p-126);
@@ -41,7 +41,7 @@ TEST(ExactQuotient, TakesTheWidestNumbers) {
   EXPECT_NEAR(exactQuotient(wide - 1, wide).low, 0.0, 0x1p-119);
 }
 
-TEST(ExactQuotient, RoundsJustAboveTheMiddleUpwards) {
+TEST(ExactQuotient, RoundsUpJustAboveATie) {
   // (2^53 + 1) · 2^60 lies in the middle of two doubles; one more does not.
   const Wide middle = ((Wide{1} << 53) + 1) << 60;
   EXPECT_EQ(exactQuotient(middle, 1).high, 0x1p113);

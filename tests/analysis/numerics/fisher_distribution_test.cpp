@@ -41,7 +41,7 @@ TEST(FisherDistribution, HasLogarithmsBeyondADouble) {
   EXPECT_EQ(FisherDistribution(3.0, 400.0).upperP(1e6), 0.0);
 }
 
-TEST(FisherDistribution, IsTheSquareOfStudents) {
+TEST(FisherDistribution, IsThatOfTheSquareOfStudentsT) {
   for (const double t : {0.1, 1.0, 2.3, 12.0}) {
     const double p = analysis::StudentDistribution(9.5).twoSidedP(t);
     EXPECT_NEAR(FisherDistribution(1.0, 9.5).upperP(t * t) / p, 1.0, 1e-13);
@@ -56,7 +56,7 @@ TEST(FisherDistribution, HasTheQuantilesOfItsTails) {
   EXPECT_EQ(FisherDistribution(5.0, 1e-6).upperQuantile(0.025), INFINITY);
 }
 
-TEST(FisherDistribution, RefusesWhatIsNone) {
+TEST(FisherDistribution, RejectsInvalidArguments) {
   EXPECT_THROW(FisherDistribution(0.0, 5.0), std::invalid_argument);
   EXPECT_THROW(FisherDistribution(2.0, INFINITY), std::invalid_argument);
   EXPECT_THROW(FisherDistribution(2.0, 5.0).upperP(-1.0), std::invalid_argument);

@@ -40,14 +40,14 @@ TEST(NoncentralT, HasTheProbabilitiesOfItsDefinition) {
   }
 }
 
-TEST(NoncentralT, IsStudentsWithoutNoncentrality) {
+TEST(NoncentralT, IsStudentsTWithoutNoncentrality) {
   for (const double t : {0.3, 1.0, 2.5, 8.0}) {
     const double p = analysis::StudentDistribution(7.5).twoSidedP(t);
     EXPECT_NEAR(noncentralTProbability(t, 7.5, 0.0), 1.0 - 0.5 * p, 1e-14);
   }
 }
 
-TEST(NoncentralT, MirrorsItsSigns) {
+TEST(NoncentralT, IsSymmetricInBothSigns) {
   for (const double noncentrality : {1.5, 99.0, 101.0, 250.0}) {
     const double t = noncentrality + 1.0;
     const double p = noncentralTProbability(t, 12.0, noncentrality);
@@ -57,7 +57,7 @@ TEST(NoncentralT, MirrorsItsSigns) {
   EXPECT_EQ(noncentralTProbability(5.0, 12.0, -150.0), 1.0);
 }
 
-TEST(NoncentralT, DoesNotJumpWhereItsMethodChanges) {
+TEST(NoncentralT, IsContinuousWhereItsMethodChanges) {
   for (const double degreesOfFreedom : {1.0, 2.7, 40.0, 1e5}) {
     const double near = noncentralTProbability(104.0, degreesOfFreedom, 100.0);
     const double far = noncentralTProbability(104.0, degreesOfFreedom, std::nextafter(100.0, 101));
@@ -65,7 +65,7 @@ TEST(NoncentralT, DoesNotJumpWhereItsMethodChanges) {
   }
 }
 
-TEST(NoncentralityInterval, IsNormalForVeryManyDegreesOfFreedom) {
+TEST(NoncentralityInterval, IsNormalForManyDegreesOfFreedom) {
   const auto interval = noncentralityInterval(3.0, 1e12, 0.95);
   EXPECT_NEAR(interval.low, 3.0 - 1.959963984540054, 1e-9);  // R: qnorm(.975)
   EXPECT_NEAR(interval.high, 3.0 + 1.959963984540054, 1e-9);
@@ -83,14 +83,14 @@ TEST(NoncentralityInterval, LeavesTheTailsItPromises) {
   }
 }
 
-TEST(NoncentralityInterval, IsThatOfMpmathFarOut) {
+TEST(NoncentralityInterval, AgreesWithMpmathForLargeT) {
   // mpmath: findroot of P(T ≤ 300 | δ) = .975 and .025 with 20 degrees of freedom
   const auto interval = noncentralityInterval(300.0, 20.0, 0.95);
   EXPECT_GE(tests::correctDigits(interval.low, "207.72359252883042"), 12.0);
   EXPECT_GE(tests::correctDigits(interval.high, "392.145890799362143"), 12.0);
 }
 
-TEST(NoncentralityInterval, RefusesWhatHasNone) {
+TEST(NoncentralityInterval, RejectsInvalidArguments) {
   EXPECT_THROW(noncentralityInterval(NAN, 5.0, 0.95), std::invalid_argument);
   EXPECT_THROW(noncentralityInterval(INFINITY, 5.0, 0.95), std::invalid_argument);
   EXPECT_THROW(noncentralityInterval(1.0, 0.5, 0.95), std::invalid_argument);

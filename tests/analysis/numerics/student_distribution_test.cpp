@@ -13,7 +13,7 @@ namespace student_distribution_test {
 using analysis::StudentDistribution;
 using tests::correctDigits;
 
-TEST(StudentDistribution, IsCauchysForOneDegreeOfFreedom) {
+TEST(StudentDistribution, IsTheCauchyDistributionForOneDegreeOfFreedom) {
   const StudentDistribution cauchy(1.0);
   EXPECT_DOUBLE_EQ(cauchy.twoSidedP(1.0), 0.5);
   EXPECT_DOUBLE_EQ(cauchy.twoSidedP(-1.0), 0.5);
@@ -30,7 +30,7 @@ TEST(StudentDistribution, HasAClosedFormForTwoDegreesOfFreedom) {
   }
 }
 
-TEST(StudentDistribution, BecomesTheNormalLaw) {
+TEST(StudentDistribution, ApproachesTheNormalDistribution) {
   EXPECT_NEAR(StudentDistribution(1e12).twoSidedP(1.96), std::erfc(1.96 / std::sqrt(2.0)), 1e-12);
 }
 
@@ -57,7 +57,7 @@ constexpr Far kFar[] = {
     {45.0, 1e12, "3.352361651786034556818186e-442", "-441.4746491359539238586467"},
 };
 
-TEST(StudentDistribution, KeepsItsDigitsNearOneAndFarOut) {
+TEST(StudentDistribution, KeepsItsDigitsForSmallAndLargeT) {
   constexpr double kSmallest = -300.0;
   for (const auto& [t, degreesOfFreedom, p, log10P] : kFar) {
     SCOPED_TRACE(std::to_string(t) + " of " + std::to_string(degreesOfFreedom));
@@ -71,7 +71,7 @@ TEST(StudentDistribution, KeepsItsDigitsNearOneAndFarOut) {
   }
 }
 
-TEST(StudentDistribution, GoesSmoothlyFromOneFormulaToTheNext) {
+TEST(StudentDistribution, IsContinuousWhereItsFormulaChanges) {
   // Both sides of p = 1e-300, of t = 1e100 and of the bound of the centre.
   const auto rate = [](double degreesOfFreedom, double t) {
     const StudentDistribution law(degreesOfFreedom);
@@ -103,14 +103,14 @@ constexpr Quantile kQuantiles[] = {
     {0.05 / 3.0, 60.13, "2.462800032223187313008912"},
 };
 
-TEST(StudentDistribution, FindsTheTOfAProbability) {
+TEST(StudentDistribution, HasThePublishedQuantiles) {
   for (const auto& [p, degreesOfFreedom, t] : kQuantiles) {
     EXPECT_GE(correctDigits(StudentDistribution(degreesOfFreedom).twoSidedQuantile(p), t), 14.0)
         << p << " of " << degreesOfFreedom;
   }
 }
 
-TEST(StudentDistribution, ReturnsFromTheTToItsProbability) {
+TEST(StudentDistribution, InvertsItsProbability) {
   for (const double degreesOfFreedom : {1.0, 1.7, 5.0, 60.13, 2e6, 1e12}) {
     const StudentDistribution law(degreesOfFreedom);
     for (const double p : {0.9, 0.5, 0.05, 0.05 / 3.0, 1e-6, 1e-15}) {
@@ -121,7 +121,7 @@ TEST(StudentDistribution, ReturnsFromTheTToItsProbability) {
   EXPECT_EQ(StudentDistribution(5.0).twoSidedQuantile(1.0), 0.0);
 }
 
-TEST(StudentDistribution, RefusesWhatMakesNoSense) {
+TEST(StudentDistribution, RejectsInvalidArguments) {
   EXPECT_THROW(StudentDistribution(0.5), std::invalid_argument);
   EXPECT_THROW(StudentDistribution(std::nan("")), std::invalid_argument);
   EXPECT_THROW(StudentDistribution{INFINITY}, std::invalid_argument);

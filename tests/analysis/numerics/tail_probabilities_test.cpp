@@ -12,7 +12,7 @@ namespace tail_probabilities_test {
 
 using tests::correctDigits;
 
-TEST(NormalTail, HasItsLogarithmFarOut) {
+TEST(NormalTail, HasItsLogarithmFarInTheTail) {
   using analysis::log10NormalTwoSidedP;
   EXPECT_GE(correctDigits(log10NormalTwoSidedP(0.1), "-0.036049661062642286128"), 14.0);
   EXPECT_GE(correctDigits(log10NormalTwoSidedP(-1.96), "-1.3010665622238701215"), 14.0);
@@ -21,20 +21,20 @@ TEST(NormalTail, HasItsLogarithmFarOut) {
   EXPECT_GE(correctDigits(log10NormalTwoSidedP(100.0), "-2173.5705128733703953"), 14.0);
 }
 
-TEST(NormalTail, HasItsLawOnEitherSide) {
+TEST(NormalTail, HasItsLogarithmOnBothSides) {
   EXPECT_GE(correctDigits(analysis::logNormalCdf(-0.1), "-0.77615459273027332557"), 14.0);
   EXPECT_GE(correctDigits(analysis::logNormalCdf(-29.0), "-424.78741990973016268"), 14.0);
   EXPECT_GE(correctDigits(analysis::logNormalCdf(-40.0), "-804.60844201375378817"), 14.0);
   EXPECT_NEAR(std::exp(analysis::logNormalCdf(1.0)), 1.0 - 0.5 * std::erfc(std::sqrt(0.5)), 1e-15);
 }
 
-TEST(NormalTail, HasTheQuantileOfEveryTextbook) {
+TEST(NormalTail, HasThePublishedQuantiles) {
   EXPECT_GE(
       correctDigits(analysis::normalTwoSidedQuantile(0.95), "1.959963984540054235524594"), 15.0);
   EXPECT_THROW(analysis::normalTwoSidedQuantile(1.0), std::invalid_argument);
 }
 
-TEST(ChiSquaredTail, IsReachedNearAndFar) {
+TEST(ChiSquaredTail, HasTheDigitsOfMpmath) {
   EXPECT_GE(correctDigits(analysis::chiSquaredP(3.0, 1.0), "0.083264516663550401855"), 14.0);
   EXPECT_GE(correctDigits(analysis::chiSquaredP(1e-3, 2.0), "0.99950012497916927056"), 14.0);
   EXPECT_GE(correctDigits(analysis::log10ChiSquaredP(2000.0, 4.0), "-431.29404782577250901"), 14.0);
@@ -45,7 +45,7 @@ TEST(ChiSquaredTail, IsReachedNearAndFar) {
   EXPECT_THROW(analysis::chiSquaredP(1.0, 0.0), std::invalid_argument);
 }
 
-TEST(StudentizedRange, IsReachedNearAndFar) {
+TEST(StudentizedRange, HasTheDigitsOfMpmath) {
   using analysis::log10StudentizedRangeP;
   using analysis::studentizedRangeP;
   EXPECT_GE(correctDigits(studentizedRangeP(0.5, 3), "0.93342194513528696372"), 13.0);
@@ -58,7 +58,7 @@ TEST(StudentizedRange, IsReachedNearAndFar) {
   EXPECT_GE(correctDigits(log10StudentizedRangeP(60.0, 5), "-391.59097084451657604"), 13.0);
 }
 
-TEST(StudentizedRange, IsTheDifferenceOfTwo) {
+TEST(StudentizedRange, OfTwoIsTheirDifference) {
   for (const double q : {0.0, 1e-3, 0.7, 2.0, 5.0, 20.0}) {  // P(|Z₁ − Z₂| ≥ q) = erfc(q/2)
     EXPECT_NEAR(analysis::studentizedRangeP(q, 2) / std::erfc(0.5 * q), 1.0, 1e-12) << q;
   }
@@ -71,7 +71,7 @@ TEST(StudentizedRange, HasTheCriticalValuesOfTheTables) {
   EXPECT_NEAR(analysis::studentizedRangeP(4.474, 10), 0.05, 1e-4);
 }
 
-TEST(StudentizedRange, HoldsAtItsEdges) {
+TEST(StudentizedRange, IsDefinedAtItsLimits) {
   EXPECT_NEAR(analysis::studentizedRangeP(0.0, 7), 1.0, 1e-13);
   EXPECT_NEAR(analysis::studentizedRangeP(0.0, 10'000), 1.0, 1e-12);
   EXPECT_EQ(analysis::studentizedRangeP(1000.0, 3), 0.0);

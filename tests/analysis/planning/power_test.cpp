@@ -44,7 +44,8 @@ TEST(Power, SaysHowManyParticipantsAreNeeded) {
     std::uint64_t for80;
     std::uint64_t for90;
   };
-  // statistics, 6
+  // R: ceiling(power.t.test(delta = dz, sd = 1, sig.level = .05 / 3, power = .8 or .9,
+  //                         type = "paired", strict = TRUE)$n)
   for (const auto& [dz, for80, for90] :
        {Case{0.5, 45, 57}, {0.8, 20, 25}, {1.0, 14, 17}, {1.2, 11, 13}, {1.5, 8, 10}}) {
     EXPECT_EQ(participantsForPower(dz, kThird, 0.8), for80) << dz;
@@ -54,7 +55,7 @@ TEST(Power, SaysHowManyParticipantsAreNeeded) {
   EXPECT_EQ(participantsForPower(0.5, 0.05, 0.8), 34U);  // G*Power, textbooks
 }
 
-TEST(Power, IsAlphaWithoutAnEffectAndOneForAHugeOne) {
+TEST(Power, IsAlphaWithoutAnEffectAndOneForALargeOne) {
   EXPECT_EQ(pairedTPower(0.0, 12, 0.05), 0.05);
   EXPECT_EQ(pairedTPower(1e9, 12, 0.05), 1.0);
   EXPECT_NEAR(pairedTPower(20.0, 1000, 0.05), 1.0, 1e-12);
@@ -64,7 +65,7 @@ TEST(Power, IsAlphaWithoutAnEffectAndOneForAHugeOne) {
   EXPECT_NEAR(static_cast<double>(*participantsForPower(0.003, 0.05, 0.8)), 872'100, 3.0);
 }
 
-TEST(Power, RefusesWhatCannotBe) {
+TEST(Power, RejectsInvalidArguments) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(pairedTPower(1.0, 1, 0.05), std::invalid_argument);
   EXPECT_THROW(pairedTPower(1.0, 6, 0.0), std::invalid_argument);

@@ -13,8 +13,8 @@ using analysis::LikertModel;
 using analysis::PowerSimulation;
 using analysis::simulatePower;
 
-TEST(SimulatedPower, KeepsTheFamilywiseErrorThatWasMeasured) {
-  // statistics, 4: N = 6, no true difference, 20,000 studies a cell; here 4,000.
+TEST(SimulatedPower, HasTheMeasuredFamilywiseError) {
+  // Rates of 20,000 studies a cell, simulated by another program: N = 6, no true difference.
   struct Case {
     double participant;
     double byCondition;
@@ -36,7 +36,7 @@ TEST(SimulatedPower, KeepsTheFamilywiseErrorThatWasMeasured) {
   }
 }
 
-TEST(SimulatedPower, ComesNearTheFormulaOfThePairedT) {
+TEST(SimulatedPower, AgreesWithTheFormulaOfThePairedT) {
   PowerSimulation simulation{.participants = 14, .studies = 4000, .seed = 3};
   simulation.model.dz = 1.0;
   simulation.model.points = 9;  // so many that the scale takes little away …
@@ -46,7 +46,7 @@ TEST(SimulatedPower, ComesNearTheFormulaOfThePairedT) {
   EXPECT_LT(simulatePower(simulation).pairedT.rate, fine.pairedT.rate - 0.02);
 }
 
-TEST(SimulatedPower, FindsNothingByExactRanksWhereNothingCanBeFound) {
+TEST(SimulatedPower, FindsNothingWhereTheExactTestCannotBeSignificant) {
   PowerSimulation simulation{.participants = 6, .studies = 300};
   simulation.model.dz = 10.0;
   const auto six = simulatePower(simulation);
@@ -68,7 +68,7 @@ TEST(SimulatedPower, IsTheSameForTheSameSeed) {
   EXPECT_NE(simulatePower(simulation).pairedT.rate, first.pairedT.rate);
 }
 
-TEST(SimulatedPower, RanksManyParticipantsAsTheExactTestDoes) {
+TEST(SimulatedPower, HasNearlyTheSamePowerByExactAndNormalRankTests) {
   PowerSimulation exact{.participants = 50, .studies = 1000};
   exact.model.dz = 0.5;
   auto normal = exact;
@@ -76,7 +76,7 @@ TEST(SimulatedPower, RanksManyParticipantsAsTheExactTestDoes) {
   EXPECT_NEAR(simulatePower(exact).signedRank.rate, simulatePower(normal).signedRank.rate, 0.08);
 }
 
-TEST(LikertCohort, AnswersAsItsModelSays) {
+TEST(LikertCohort, HasTheDocumentedShares) {
   LikertModel model{.participantShare = 0.0, .participantByConditionShare = 0.0};
   model.residualShare = 1.0;
   model.dz = 0.0;
@@ -95,7 +95,7 @@ TEST(LikertCohort, AnswersAsItsModelSays) {
   }
 }
 
-TEST(SimulatedPower, RefusesWhatCannotBe) {
+TEST(SimulatedPower, RejectsInvalidArguments) {
   PowerSimulation simulation{.participants = 1};
   EXPECT_THROW(simulatePower(simulation), std::invalid_argument);
   simulation.participants = 6;

@@ -62,7 +62,7 @@ TEST(PublishedCheck, BoundsEveryPOfThePunchPaper) {
       checkAt(professionals(), {36, 36, 36}, kWelch).comparisons[1].attainable.high, .0165, 5e-5);
 }
 
-TEST(PublishedCheck, FindsThatThePrintedPCannotBe) {
+TEST(PublishedCheck, FindsThatThePrintedPIsImpossible) {
   const auto all = checkAt(professionals(), {36, 36, 36}, kWelch);
   EXPECT_TRUE(all.comparisons[0].follows);
   EXPECT_FALSE(all.comparisons[1].follows);  // .021, and at most .0165
@@ -98,13 +98,13 @@ TEST(PublishedCheck, NoEqualSizesFitWholeAnswers) {
   EXPECT_FALSE(of30.fewestMissing());
 }
 
-TEST(PublishedCheck, HalfPointsFitWhereOneAnswerOfEachPersonIsMissing) {
+TEST(PublishedCheck, HalfPointsFitWhereEachParticipantLacksOneAnswer) {
   EXPECT_EQ(fits(professionals(), {30}, 2).equalSizes(), std::vector<std::uint64_t>{30});
   EXPECT_EQ(fits(others(), {25}, 2).equalSizes(), std::vector<std::uint64_t>{25});
   EXPECT_TRUE(fits(professionals(), {36}, 2).fitting.empty());
 }
 
-TEST(PublishedCheck, AnswersThatExistFitByTheConventionTheyWerePrintedBy) {
+TEST(PublishedCheck, RealAnswersFitByTheConventionTheyWerePrintedWith) {
   const std::vector<std::uint64_t> counts1{0, 1, 1, 4, 6};
   const std::vector<std::uint64_t> counts2{3, 2, 4, 2, 1};
   const auto a = welchTTest(LikertCounts(1, counts1), LikertCounts(1, counts2));
@@ -132,7 +132,7 @@ TEST(PublishedCheck, AnswersThatExistFitByTheConventionTheyWerePrintedBy) {
   }
 }
 
-TEST(PublishedCheck, KnowsWhichMeansAndVariancesWholeAnswersHave) {
+TEST(PublishedCheck, FindsTheMeansAndVariancesOfWholeAnswers) {
   const auto group = [](const char* mean, const char* variance) {
     return readPublishedTable(
                std::string("group,mean,variance\na,") + mean + "," + variance + "\nb,1,1\n",
@@ -150,12 +150,12 @@ TEST(PublishedCheck, KnowsWhichMeansAndVariancesWholeAnswersHave) {
   EXPECT_EQ(points("5.18", "1.00", 28), 0U);  // 731/756 = 0.967 and 787/756 = 1.041 are nearest
   EXPECT_EQ(points("3.47", "1.00", 10), 0U);
   EXPECT_EQ(points("1.00", "0.00", 10), 1U);
-  EXPECT_EQ(points("1.00", "0.10", 10), 0U);  // everybody chose 1
+  EXPECT_EQ(points("1.00", "0.10", 10), 0U);  // all answers are 1
   EXPECT_EQ(points("4.00", "18.00", 2), 1U);  // 1 and 7
   EXPECT_EQ(points("4.00", "16.00", 2), 0U);
 }
 
-TEST(PublishedCheck, TakesEveryConvention) {
+TEST(PublishedCheck, CoversEveryConvention) {
   const auto conventions = publishedConventions();
   EXPECT_EQ(conventions.size(), 24U);
   EXPECT_EQ(describe(conventions.front()), "Welch, two-sided, variances with n − 1, rounded");
@@ -168,7 +168,7 @@ TEST(PublishedCheck, TakesEveryConvention) {
   EXPECT_DOUBLE_EQ(one.high, two.high / 2);
 }
 
-TEST(PublishedCheck, HoldsWhereVariancesMayBeZero) {
+TEST(PublishedCheck, AllowsVariancesOfZero) {
   const auto table = readPublishedTable(
       "group,mean,variance\na,3,0\nb,3,0\nc,5,0\n", "group1,group2,p\na,b,.9\na,c,< .001\n");
   const auto check = checkAt(table, {5, 5, 5}, kWelch);

@@ -46,7 +46,7 @@ TEST(PublishedTable, ReadsStandardDeviationsAndDecimalCommas) {
   EXPECT_DOUBLE_EQ(table.comparisons[0].p.bounds(Reading::Truncated).low, 0.05);
 }
 
-TEST(PublishedTable, SaysEverythingThatIsWrongAtOnce) {
+TEST(PublishedTable, ReportsAllProblemsAtOnce) {
   const auto refusal = refusalOf(
       "group,n,mean,variance\nI,1,4.1,1.3\nI,36,vier,-2\n", "group1,group2,p\nI,X,1.2\nI,I,.5\n");
   for (const char* phrase :
@@ -61,7 +61,7 @@ TEST(PublishedTable, SaysEverythingThatIsWrongAtOnce) {
   }
 }
 
-TEST(PublishedTable, NeedsItsColumnsAndRows) {
+TEST(PublishedTable, RejectsMissingColumnsAndRows) {
   EXPECT_NE(refusalOf("group,mean\nI,4.1\n", kComparisons).find("'variance'"), std::string::npos);
   const auto none = refusalOf("group,mean,sd\nI,4.1,1.0\n", "group1,group2,p\n");
   EXPECT_NE(none.find("2 to 8 groups"), std::string::npos) << none;

@@ -7,7 +7,7 @@ namespace reported_number_test {
 using analysis::Reading;
 using analysis::reportedNumber;
 
-TEST(ReportedNumber, KeepsItsLastZeros) {
+TEST(ReportedNumber, KeepsTrailingZeros) {
   const auto number = reportedNumber("4.10");
   ASSERT_TRUE(number);
   EXPECT_EQ(number->digits, 410);
@@ -19,7 +19,7 @@ TEST(ReportedNumber, KeepsItsLastZeros) {
   EXPECT_EQ(reportedNumber("-3")->text(), "-3");
 }
 
-TEST(ReportedNumber, IsNothingElse) {
+TEST(ReportedNumber, RejectsOtherText) {
   for (const char* text : {"", ".", "-", "4.1.2", "4,1", "4.1 ", "1e3", "nan", "1234567890"}) {
     EXPECT_FALSE(reportedNumber(text)) << text;
   }
@@ -41,7 +41,7 @@ TEST(ReportedNumber, StandsForAnInterval) {
   EXPECT_DOUBLE_EQ(zero.high, 0.1);
 }
 
-TEST(ReportedNumber, DecidesBordersInWholeNumbers) {
+TEST(ReportedNumber, DecidesTiesExactly) {
   const auto number = *reportedNumber("4.1");
   EXPECT_TRUE(number.prints(81, 20, Reading::Rounded));  // 4.05: a half may go either way
   EXPECT_TRUE(number.prints(83, 20, Reading::Rounded));  // 4.15
@@ -53,7 +53,7 @@ TEST(ReportedNumber, DecidesBordersInWholeNumbers) {
   EXPECT_TRUE(reportedNumber("0.0")->prints(-9, 100, Reading::Truncated));
 }
 
-TEST(ReportedNumber, DecidesRootsInWholeNumbers) {
+TEST(ReportedNumber, DecidesRootsExactly) {
   const auto number = *reportedNumber("1.1");
   EXPECT_TRUE(number.printsRootOf(11025, 10000, Reading::Rounded));  // 1.05²
   EXPECT_FALSE(number.printsRootOf(11024, 10000, Reading::Rounded));

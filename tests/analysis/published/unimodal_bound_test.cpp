@@ -33,7 +33,7 @@ void eachShare(std::vector<int>& weights, std::size_t at, int left, const See& s
   }
 }
 
-TEST(UnimodalBound, IsReachedByNoDistributionOfTwentyAnswersAndAlmostBySome) {
+TEST(UnimodalBound, BoundsEveryDistributionOfTwentyAnswersClosely) {
   constexpr int kAnswers = 20;
   std::vector<int> weights(5);
   double closest = 1e9;
@@ -57,14 +57,14 @@ TEST(UnimodalBound, IsReachedByNoDistributionOfTwentyAnswersAndAlmostBySome) {
   EXPECT_LT(closest, 1e-9);
 }
 
-TEST(UnimodalBound, IsThatOfAUniformDistributionInTheMiddle) {
+TEST(UnimodalBound, IsThatOfTheUniformDistributionAtTheMiddle) {
   EXPECT_NEAR(largestUnimodalVariance(1, 5, 3.0), 2.0, 1e-14);
   EXPECT_NEAR(largestUnimodalVariance(-3, 3, 0.0), 4.0, 1e-14);
   EXPECT_NEAR(largestUnimodalVariance(1, 5, 1.0), 0.0, 1e-14);
   EXPECT_NEAR(largestUnimodalVariance(1, 5, 5.0), 0.0, 1e-14);
 }
 
-TEST(UnimodalBound, MayBeMovedWithTheScale) {
+TEST(UnimodalBound, DoesNotDependOnWhereTheScaleBegins) {
   EXPECT_NEAR(
       largestUnimodalVariance(100001, 100005, 100002.6), largestUnimodalVariance(1, 5, 2.6), 1e-9);
 }
@@ -77,11 +77,11 @@ TEST(UnimodalBound, IsExceededByThePublishedTable) {
   EXPECT_NEAR(kOfSample * largestUnimodalVariance(1, 5, 3.25), 2.25, 0.005);
 }
 
-TEST(UnimodalBound, FindsTwoCampsAndNothingInOne) {
-  LikertCounts camps(1, 5);
-  camps.add(1, 9);
-  camps.add(5, 9);
-  EXPECT_EQ(isBeyondUnimodal(camps), true);
+TEST(UnimodalBound, IsExceededByAnswersAtBothEndsOnly) {
+  LikertCounts extremes(1, 5);
+  extremes.add(1, 9);
+  extremes.add(5, 9);
+  EXPECT_EQ(isBeyondUnimodal(extremes), true);
   LikertCounts even(1, 5);
   for (int point = 1; point <= 5; ++point) even.add(point, 4);
   EXPECT_EQ(isBeyondUnimodal(even), false);
@@ -90,7 +90,7 @@ TEST(UnimodalBound, FindsTwoCampsAndNothingInOne) {
   EXPECT_EQ(isBeyondUnimodal(one), std::nullopt);
 }
 
-TEST(UnimodalBound, RefusesWhatMakesNoSense) {
+TEST(UnimodalBound, RejectsInvalidArguments) {
   EXPECT_THROW(largestUnimodalVariance(1, 1, 1.0), std::invalid_argument);
   EXPECT_THROW(largestUnimodalVariance(1, 5, 5.1), std::invalid_argument);
   EXPECT_THROW(largestUnimodalVariance(1, 5, std::nan("")), std::invalid_argument);
