@@ -146,8 +146,8 @@ class Evolution {
     for (std::size_t m = 0; m < kMembers; ++m) {
       auto places = innerOf(starts[m % starts.size()]);
       // The starts as they are, and then scattered further and further.
-      const double reach = 0.3 * static_cast<double>(m / starts.size()) *
-                           static_cast<double>(error.size()) / static_cast<double>(kMembers);
+      const std::size_t round = m / starts.size();
+      const double reach = 0.3 * static_cast<double>(round * error.size()) / kMembers;
       for (double& place : places) place += reach * random_.normal();
       const auto cost = error_.through(nodesOf(places)).error;
       members_.push_back({std::move(places), cost});
