@@ -31,8 +31,8 @@ std::size_t largestOf(const std::string& name) {
 }
 
 std::optional<LoadedProtocol> load(
-    std::string_view json, const FileFinder& find, Problems& problems) {
-  auto draft = readDraft(json, find, problems);
+    std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
+  auto draft = readDraft(json, find, problems, defaults);
   if (!draft) return std::nullopt;
   validate(*draft, problems);
   if (problems.hasErrors()) return std::nullopt;
@@ -43,9 +43,9 @@ std::optional<LoadedProtocol> load(
 }  // namespace
 
 std::optional<LoadedProtocol> loadProtocol(
-    std::string_view json, const FileFinder& find, Problems& problems) {
+    std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
   Problems found;
-  auto loaded = load(json, find, found);
+  auto loaded = load(json, find, found, defaults);
   tell(found, problems);
   return loaded;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 
@@ -12,7 +13,10 @@ namespace protocols {
 /// Reads a protocol and everything it refers to, and checks that it all fits together. Nothing
 /// where there are errors; warnings leave it usable.
 std::optional<LoadedProtocol> loadProtocol(
-    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
+    std::string_view json,
+    const FileFinder& find,
+    questionnaires::Problems& problems,
+    Defaults defaults = Defaults::Current);
 
 /// The same from a file, or from the library by name ("punch-face-validity"). What it refers to is
 /// looked for beside the file.

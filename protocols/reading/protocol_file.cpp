@@ -285,7 +285,8 @@ bool Draft::hasAllPhases() const noexcept {
   return isComplete(loaded.protocol.phases);
 }
 
-std::optional<Draft> readDraft(std::string_view json, const FileFinder& find, Problems& problems) {
+std::optional<Draft> readDraft(
+    std::string_view json, const FileFinder& find, Problems& problems, Defaults defaults) {
   const auto value = questionnaires::parseJson(json, problems);
   if (!value) return std::nullopt;
   const Node root(*value, "$", problems);
@@ -304,7 +305,7 @@ std::optional<Draft> readDraft(std::string_view json, const FileFinder& find, Pr
            "simulation"})) {
     return std::nullopt;
   }
-  ReferencedFiles files(find, problems);
+  ReferencedFiles files(find, problems, defaults);
   Draft draft;
   draft.loaded.text = json;
   draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);

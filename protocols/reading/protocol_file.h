@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 
@@ -30,6 +31,9 @@ struct Draft {
 /// as it can be read: what cannot be is empty, and a problem. Nothing only where @p json is no JSON
 /// object. Whether it all fits together is asked by validate().
 std::optional<Draft> readDraft(
-    std::string_view json, const FileFinder& find, questionnaires::Problems& problems);
+    std::string_view json,
+    const FileFinder& find,
+    questionnaires::Problems& problems,
+    Defaults defaults = Defaults::Current);
 
 }  // namespace protocols

@@ -11,6 +11,7 @@
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/recordings/cut.h"
+#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
@@ -27,9 +28,12 @@ namespace protocols {
 /// returned lives as long as this.
 class ReferencedFiles {
  public:
-  /// Both outlive this.
-  ReferencedFiles(const FileFinder& find, questionnaires::Problems& problems)
-      : find_(find), problems_(problems) {}
+  /// File finder and problems outlive this.
+  ReferencedFiles(const FileFinder& find, questionnaires::Problems& problems, Defaults defaults)
+      : find_(find), problems_(problems), defaults_(defaults) {}
+
+  /// What the protocol means where it says nothing.
+  Defaults defaults() const noexcept { return defaults_; }
 
   struct PackingFile {
     std::shared_ptr<const haptics::reaming::PackedBone> bone;
@@ -80,6 +84,7 @@ class ReferencedFiles {
 
   const FileFinder& find_;
   questionnaires::Problems& problems_;
+  Defaults defaults_;
   std::vector<SourceFile> files_;
   ByName<haptics::recordings::Cut> cuts_;
   ByName<haptics::reaming::Material> materials_;

@@ -159,11 +159,14 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   }
   spec.scheme = node.choice("variant", engine::kSchemeNames, spec.scheme);
   spec.smoothing = node.choice("smoothing", engine::kSmoothingNames, spec.smoothing);
+  const auto beyond = context.sources.defaults() == Defaults::Release01
+                          ? models::BeyondCurve::RampOut
+                          : models::BeyondCurve::Absent;
   Read<engine::InterpolationSpec> interpolation;
   if (const auto part = node.object("interpolation")) {
-    interpolation = readInterpolation(*part, context, models::BeyondCurve::Absent);
+    interpolation = readInterpolation(*part, context, beyond);
   } else {
-    interpolation.emplace().options.beyond = models::BeyondCurve::Absent;
+    interpolation.emplace().options.beyond = beyond;
     useCut(*context.sources.cut(std::string(kParametricCut), {}), *interpolation);
   }
   Read<engine::FiniteElementsSpec> elements = engine::FiniteElementsSpec{};
@@ -319,8 +322,11 @@ void readScene(
     return;
   condition.device = scene.id("device");
   condition.isVisualised = scene.flag("visualisation", false);
-  condition.seenTissue =
-      scene.choice("tissue_follows", engine::kSeenTissueNames, engine::SeenTissue::Penetration);
+  condition.seenTissue = scene.choice(
+      "tissue_follows",
+      engine::kSeenTissueNames,
+      sources.defaults() == Defaults::Release01 ? engine::SeenTissue::Force
+                                                : engine::SeenTissue::Penetration);
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
   const auto* device = protocol.device(condition.device);
   const Context context{sources, device == nullptr ? nullptr : device->kind};

@@ -18,6 +18,9 @@ class SceneSources {
   SceneSources(ReferencedFiles& files, std::vector<FeltSource>& all, const std::string& condition)
       : files_(files), all_(all), condition_(condition) {}
 
+  /// What the scene means where it says nothing.
+  Defaults defaults() const noexcept { return files_.defaults(); }
+
   /// The cut of a file, or the one called kParametricCut.
   const haptics::recordings::Cut* cut(const std::string& name, const std::string& path);
 

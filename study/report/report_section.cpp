@@ -59,7 +59,7 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
     return std::nullopt;
   };
   questionnaires::Problems problems;
-  protocols::loadProtocol(stored.text, find, problems);
+  protocols::loadProtocol(stored.text, find, problems, stored.defaults);
   return problems.all();
 }
 

@@ -92,7 +92,7 @@ const protocols::LoadedProtocol& Study::protocol(ProtocolId id) {
     return std::nullopt;
   };
   questionnaires::Problems problems;
-  auto protocol = protocols::loadProtocol(stored.text, find, problems);
+  auto protocol = protocols::loadProtocol(stored.text, find, problems, stored.defaults);
   if (!protocol) {
     throw StorageError(
         "The protocol in " + database_.path() + " cannot be read by this version of palpate:\n" +

@@ -71,12 +71,27 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
       .text = select.text(1),
       .reason = select.text(2),
       .addedUtc = select.text(3),
-      .frozenUtc = select.optionalText(4)};
+      .frozenUtc = select.optionalText(4),
+      .defaults = defaultsOf(id)};
   Statement files(
       database_, "SELECT name, text FROM protocol_file WHERE protocol_id = ? ORDER BY name");
   files.bind(1, static_cast<std::int64_t>(id));
   while (files.step()) protocol.files.push_back({files.text(0), files.text(1)});
   return protocol;
+}
+
+protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
+  // The study says which release made it. Release 0.1 noted an amendment as a sentence, later ones
+  // note it as a list of values.
+  Statement select(
+      database_,
+      "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "
+      "THEN (SELECT app_version NOT LIKE '0.1.%' FROM study) "
+      "ELSE (SELECT detail LIKE '[%' FROM event WHERE kind = 'amended_protocol' "
+      "ORDER BY seq LIMIT 1 OFFSET (SELECT count(*) - 1 FROM protocol WHERE id < ?1)) END");
+  select.bind(1, static_cast<std::int64_t>(id));
+  const bool isCurrent = select.step() && select.number(0) != 0;
+  return isCurrent ? protocols::Defaults::Current : protocols::Defaults::Release01;
 }
 
 StoredProtocol ProtocolRepository::current() const {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
@@ -19,6 +20,7 @@ struct StoredProtocol {
   std::string reason;
   std::string addedUtc;
   std::optional<std::string> frozenUtc;
+  protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };
 
 /// The tables of protocols.
@@ -36,6 +38,9 @@ class ProtocolRepository {
   /// The one that new sessions use: the last.
   StoredProtocol current() const;
   std::vector<ProtocolId> all() const;
+
+  /// The defaults of the release under which the protocol came into the study.
+  protocols::Defaults defaultsOf(ProtocolId id) const;
 
  private:
   Database& database_;
