@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,11 +47,13 @@ struct TestRow {
 
   std::optional<double> p;            ///< two-sided unless docs/statistics.md says otherwise
   std::optional<double> log10P;       ///< holds also where p is too small for a double
-  std::optional<double> adjusted;     ///< p, held to account for the size of its family
+  bool isOfFamily = false;            ///< p is held to account for the size of a family
+  std::optional<double> adjusted;     ///< the p that comes of it
   std::optional<bool> isSignificant;  ///< adjusted ≤ alpha
 
   NamedNumber effect;
   std::optional<Interval> effectInterval;
+  Reason effectReason;  ///< why the effect is missing, where that has a reason of its own
 
   std::vector<NamedNumber> more;  ///< what only this test has: "p_exact", "epsilon"
   Reason reason;                  ///< why something above is missing; empty if nothing is
@@ -63,5 +66,11 @@ struct TestRow {
     return std::nullopt;
   }
 };
+
+/// The row of a test; nullptr where it is not among them.
+const TestRow* findTest(std::span<const TestRow> rows, std::string_view id);
+
+/// @throws std::out_of_range  where it is not among them.
+const TestRow& testNamed(std::span<const TestRow> rows, std::string_view id);
 
 }  // namespace analysis

@@ -12,8 +12,19 @@ namespace analysis {
 
 /// What an analyst chooses for a test.
 struct TestSettings {
-  double level = 0.95;          ///< of confidence intervals, between 0 and 1
+  double level = 0.95;                  ///< of confidence intervals, between 0 and 1
+  std::optional<double> adjustedLevel;  ///< of the interval of one of several tests, if wanted
   std::optional<double> bound;  ///< of tests of equivalence: smaller differences count as none, > 0
+};
+
+/// Whether the results of a study have a test, and of what. A test that is used is computed for
+/// every study and stands in its tables, exports and reports.
+enum class StudyUse {
+  None,
+  Pairs,        ///< two conditions within people, by participants' means; one of a family of tests
+  BesidePairs,  ///< the same beside the family: its p is not adjusted
+  Conditions,   ///< all conditions within people, by participants' means
+  Cohorts,      ///< participants' means of one condition in two cohorts
 };
 
 /// A statistical test that can be asked for by name, of any table.
@@ -30,6 +41,7 @@ struct StatisticalTest {
   std::string_view source;    ///< author and year
   DataShape shape = DataShape::TwoGroups;
   std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;
+  StudyUse use = StudyUse::None;
   Form form = Form::OneRow;
 };
 

@@ -74,6 +74,7 @@ TestRow rowOf(const MannWhitneyResult& result, const CliffDelta& delta) {
   row.statistic = {"U", result.u};
   row.effect = {"cliff_delta", delta.delta};
   row.effectInterval = delta.interval;
+  row.effectReason = delta.reason;
   row.more = {
       {"z", result.z},
       {"p_asymptotic", result.pAsymptotic},
@@ -120,6 +121,7 @@ TestRow rowOf(
   row.interval = interval;
   row.effect = {"g_z", effects.hedgesGz.value};
   row.effectInterval = effects.hedgesGz.interval;
+  row.more = {{"d_z", effects.cohenDz.value}};
   return row;
 }
 
@@ -181,6 +183,7 @@ TestRow rowOf(const FriedmanResult& result) {
   row.effect = {"kendall_w", result.kendallW};
   row.more = {
       {"p_permutation", result.exactP},
+      {"conditions", static_cast<double>(result.treatments)},
       {"iman_davenport_f", result.imanDavenportF},
       {"iman_davenport_p", result.imanDavenportP}};
   return row;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/data/nearest_name.h"
+#include "analysis/registry/test_rows.h"
 
 namespace analysis {
 namespace {
@@ -79,6 +80,18 @@ PairwiseComparisons comparePairwise(
   }
   judge(family);
   return family;
+}
+
+TestRow rowOf(const PairwiseComparison& comparison) {
+  auto row = rowOf(comparison.welch, comparison.interval);
+  row.id = "welch";
+  row.group1 = comparison.group1;
+  row.group2 = comparison.group2;
+  row.adjustedInterval = comparison.adjustedInterval;
+  row.isOfFamily = true;
+  row.adjusted = comparison.adjustedP;
+  row.isSignificant = comparison.isSignificant;
+  return row;
 }
 
 }  // namespace analysis

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/data/likert_counts.h"
+#include "analysis/data/test_row.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/tests/adjustment.h"
 #include "analysis/tests/welch.h"
@@ -35,6 +36,9 @@ struct PairwiseComparison {
   std::optional<Interval> interval;          ///< of the difference, at 1 − alpha
   std::optional<Interval> adjustedInterval;  ///< of the difference, at 1 − alpha per test
 };
+
+/// The same as every other test has it.
+TestRow rowOf(const PairwiseComparison& comparison);
 
 /// The family of comparisons that a study declared, each by Welch's test, held to account for
 /// their number.

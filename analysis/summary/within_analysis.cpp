@@ -4,7 +4,8 @@
 #include <stdexcept>
 
 #include "analysis/models/fixed_effects.h"
-#include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/registry/registry.h"
+#include "analysis/registry/test_rows.h"
 
 namespace analysis {
 namespace {
@@ -60,18 +61,16 @@ MixedDesign designOf(const AnswerTable& table) {
   return design;
 }
 
-/// Adjusts what @p member holds over all rows.
+/// Adjusts the p values of one test over all rows.
 void adjustOver(
-    std::vector<WithinComparison>& rows,
-    AdjustedP WithinComparison::*member,
-    const WithinOptions& options) {
+    std::vector<WithinComparison>& rows, std::size_t place, const WithinOptions& options) {
   std::vector<std::optional<double>> pValues;
-  for (const auto& row : rows) pValues.push_back((row.*member).p);
+  for (const auto& row : rows) pValues.push_back(row.tests[place].p);
   const auto adjusted = options.adjustment ? adjust(pValues, *options.adjustment) : pValues;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    auto& value = rows[i].*member;
-    value.adjusted = adjusted[i];
-    if (adjusted[i]) value.isSignificant = *adjusted[i] <= options.alpha;
+    auto& test = rows[i].tests[place];
+    test.adjusted = adjusted[i];
+    if (adjusted[i]) test.isSignificant = *adjusted[i] <= options.alpha;
   }
 }
 
@@ -91,13 +90,9 @@ class Comparing {
     overall();
     mixed();
     for (const auto& pair : pairs_) row(pair);
-    for (auto member :
-         {&WithinComparison::pairedP,
-          &WithinComparison::signFlipP,
-          &WithinComparison::signedRankP,
-          &WithinComparison::mixedP,
-          &WithinComparison::ordinalP}) {
-      adjustOver(result_.rows, member, options_);
+    const auto places = result_.rows.empty() ? 0 : result_.rows.front().tests.size();
+    for (std::size_t place = 0; place < places; ++place) {
+      if (result_.rows.front().tests[place].isOfFamily) adjustOver(result_.rows, place, options_);
     }
     return std::move(result_);
   }
@@ -112,8 +107,13 @@ class Comparing {
       result_.leftOut.push_back(table_.participants[place]);
     }
     if (every.size() < 2) return;
-    result_.friedman = friedmanTest(complete.means);
-    result_.anova = repeatedMeasuresAnova(complete.means);
+    TestData data;
+    for (std::size_t i = 0; i < every.size(); ++i) {
+      data.values.push_back({.name = table_.methods[i], .values = complete.of(i)});
+    }
+    for (const auto& test : statisticalTests()) {
+      if (test.use == StudyUse::Conditions) addTest(result_.overall, test, data);
+    }
   }
 
   void mixed() {
@@ -132,38 +132,31 @@ class Comparing {
     WithinComparison row{.group1 = pair.first, .group2 = pair.second};
     const auto complete =
         completeMeans(table_, {placeOf(table_, pair.first), placeOf(table_, pair.second)});
-    const auto first = complete.of(0);
-    const auto second = complete.of(1);
-    for (std::size_t i = 0; i < first.size(); ++i) row.differences.push_back(first[i] - second[i]);
-    row.differences = withoutRoundingNoise(row.differences);
-    row.paired = pairedTTest(first, second);
-    row.interval = confidenceInterval(row.paired, 1.0 - options_.alpha);
-    row.adjustedInterval = confidenceInterval(row.paired, 1.0 - *result_.alphaPerTest);
-    row.effects = effectSizes(row.paired, 1.0 - options_.alpha);
-    row.signFlip = signFlipTest(row.differences);
-    row.signedRank = signedRankTest(row.differences);
-    row.location = hodgesLehmann(row.differences, 1.0 - options_.alpha);
-    row.bayes = jzsBayesFactor(row.paired);
-    if (const auto bound = options_.equivalenceBound) {
-      row.equivalence = equivalenceTest(row.paired, {.lower = -*bound, .upper = *bound});
+    const TestData data{
+        .values = {
+            {.name = pair.first, .values = complete.of(0)},
+            {.name = pair.second, .values = complete.of(1)}}};
+    for (const auto& test : statisticalTests()) {
+      if (test.use == StudyUse::Pairs || test.use == StudyUse::BesidePairs) {
+        addTest(row.tests, test, data);
+      }
     }
-    if (result_.mixed.fit) {
-      row.mixed = mixedContrast(pair);
-    } else {
-      row.mixed.reason = result_.mixed.reason;
-    }
-    row.ordinal = ordinalContrast(pair);
-    if (row.ordinal) {
-      row.ordinalP.p = row.ordinal->p;
-    } else {
-      row.ordinalReason =
-          result_.ordinal.fit ? reason("no_answers_to_method") : result_.ordinal.reason;
-    }
-    row.pairedP.p = row.paired.p;
-    row.signFlipP.p = row.signFlip.p;
-    row.signedRankP.p = row.signedRank.p;
-    row.mixedP.p = row.mixed.p;
+    row.tests.push_back(mixedContrast(pair));
+    row.tests.push_back(ordinalContrast(pair));
     result_.rows.push_back(std::move(row));
+  }
+
+  /// A test of equivalence only where its bound was declared.
+  void addTest(std::vector<TestRow>& rows, const StatisticalTest& test, const TestData& data) {
+    const bool needsBound = test.form == StatisticalTest::Form::NeedsBound;
+    if (needsBound && !options_.equivalenceBound) return;
+    TestSettings settings{.level = 1.0 - options_.alpha};
+    if (result_.alphaPerTest) settings.adjustedLevel = 1.0 - *result_.alphaPerTest;
+    if (needsBound) settings.bound = options_.equivalenceBound;
+    for (auto& row : computeTest(test, data, settings)) {
+      row.isOfFamily = test.use == StudyUse::Pairs;
+      rows.push_back(std::move(row));
+    }
   }
 
   bool hasAnswers(const DeclaredPair& pair) const {
@@ -174,24 +167,47 @@ class Comparing {
     return isThere(pair.first) && isThere(pair.second);
   }
 
-  std::optional<WaldEstimate> ordinalContrast(const DeclaredPair& pair) const {
-    if (!result_.ordinal.fit || !hasAnswers(pair)) return std::nullopt;
+  TestRow modelRow(
+      TestRow row, std::string_view id, const DeclaredPair& pair, const Reason& whyNot) const {
+    row.id = id;
+    row.group1 = pair.first;
+    row.group2 = pair.second;
+    row.n1 = table_.answers.size();
+    row.isOfFamily = true;
+    if (!whyNot.empty()) row.reason = whyNot;
+    return row;
+  }
+
+  /// Why a fitted model has no difference of a pair.
+  Reason whyNoContrast(bool hasFit, const Reason& whyNoFit, const DeclaredPair& pair) const {
+    if (!hasFit) return whyNoFit;
+    return hasAnswers(pair) ? Reason() : reason("no_answers_to_method");
+  }
+
+  template <typename Fit>
+  auto contrastOf(const Fit& fit, const DeclaredPair& pair) const {
     return contrast(
-        *result_.ordinal.fit,
+        fit,
         pair.first + " - " + pair.second,
         design_->fixed.difference(kMethod, pair.first, pair.second));
   }
 
-  TEstimate mixedContrast(const DeclaredPair& pair) const {
-    if (!hasAnswers(pair)) {
-      TEstimate missing;
-      missing.reason = reason("no_answers_to_method");
-      return missing;
+  TestRow mixedContrast(const DeclaredPair& pair) const {
+    const auto& model = result_.mixed;
+    const auto whyNot = whyNoContrast(model.fit.has_value(), model.reason, pair);
+    TestRow row;
+    if (whyNot.empty()) row = rowOf(contrastOf(*model.fit, pair), table_.answers.size());
+    return modelRow(std::move(row), "mixed_model", pair, whyNot);
+  }
+
+  TestRow ordinalContrast(const DeclaredPair& pair) const {
+    const auto& model = result_.ordinal;
+    const auto whyNot = whyNoContrast(model.fit.has_value(), model.reason, pair);
+    TestRow row;
+    if (whyNot.empty()) {
+      row = rowOf(contrastOf(*model.fit, pair), table_.answers.size(), 1.0 - options_.alpha);
     }
-    return contrast(
-        *result_.mixed.fit,
-        pair.first + " - " + pair.second,
-        design_->fixed.difference(kMethod, pair.first, pair.second));
+    return modelRow(std::move(row), "ordinal_model", pair, whyNot);
   }
 
   const AnswerTable& table_;

@@ -4,57 +4,27 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/data/answer_table.h"
-#include "analysis/data/reason.h"
-#include "analysis/effects/bayes_factor.h"
-#include "analysis/effects/effect_size.h"
-#include "analysis/effects/rank_effects.h"
+#include "analysis/data/test_row.h"
 #include "analysis/models/cumulative_link_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
-#include "analysis/numerics/interval.h"
 #include "analysis/summary/pairwise_comparisons.h"
 #include "analysis/tests/adjustment.h"
-#include "analysis/tests/equivalence.h"
-#include "analysis/tests/friedman.h"
-#include "analysis/tests/paired_t.h"
-#include "analysis/tests/repeated_measures_anova.h"
-#include "analysis/tests/sign_flip.h"
-#include "analysis/tests/signed_rank.h"
 
 namespace analysis {
 
-/// A p value, and the same held to account for the size of its family.
-struct AdjustedP {
-  std::optional<double> p;
-  std::optional<double> adjusted;
-  std::optional<bool> isSignificant;  ///< adjusted ≤ alpha
-};
-
-/// Two methods, compared within people: by every participant's mean score of each.
+/// Two methods, compared within people.
 struct WithinComparison {
   std::string group1;
   std::string group2;
-  std::vector<double> differences;  ///< one per participant, without rounding noise
-  PairedTResult paired;
-  std::optional<Interval> interval;          ///< of the mean difference, at 1 − alpha
-  std::optional<Interval> adjustedInterval;  ///< … at 1 − alpha / m
-  PairedEffects effects;
-  SignFlipResult signFlip;
-  SignedRankResult signedRank;  ///< zeros dropped, as Wilcoxon did
-  HodgesLehmannResult location;
-  BayesFactor bayes;
-  std::optional<EquivalenceResult> equivalence;  ///< where a bound was declared
-  TEstimate mixed;                               ///< of the linear mixed model
-  std::optional<WaldEstimate> ordinal;           ///< of the cumulative link mixed model
-  Reason ordinalReason;                          ///< why there is none
+  /// The registered tests of pairs (StudyUse) on every participant's mean score of each method,
+  /// those of equivalence where a bound was declared; then `mixed_model` and `ordinal_model`.
+  std::vector<TestRow> tests;
 
-  AdjustedP pairedP;
-  AdjustedP signFlipP;
-  AdjustedP signedRankP;
-  AdjustedP mixedP;
-  AdjustedP ordinalP;
+  const TestRow& test(std::string_view id) const { return testNamed(tests, id); }
 };
 
 /// What a sound analysis of one cohort's answers to a family of questions says. The unit is the
@@ -64,8 +34,7 @@ struct WithinAnalysis {
   std::vector<std::string> leftOut;
   std::size_t tests = 0;  ///< comparisons declared
   std::optional<double> alphaPerTest;
-  FriedmanResult friedman;             ///< of participants' means
-  RepeatedMeasuresResult anova;        ///< of the same
+  std::vector<TestRow> overall;        ///< the registered tests of all methods at once
   LinearMixedResult mixed;             ///< score ~ method [+ round] + (1 | participant) + (1 | …)
   CumulativeLinkResult ordinal;        ///< the same model of logits
   std::vector<WithinComparison> rows;  ///< in the order of the pairs
@@ -78,9 +47,9 @@ struct WithinOptions {
   std::optional<double> equivalenceBound;                   ///< [points of the scale]
 };
 
-/// Compares methods within people (docs/statistics.md): paired t, exact sign flip, exact signed
-/// rank and Bayes factor on participants' means, Friedman and repeated-measures ANOVA over all
-/// methods, and two mixed models of the single answers: one of their means, one of their order.
+/// Compares methods within people (docs/statistics.md): the registered tests of pairs and of all
+/// methods on participants' means, and two mixed models of the single answers: one of their means,
+/// one of their order.
 ///
 /// @param pairs  of the table's methods; first − second.
 /// @throws std::invalid_argument  if a pair names a method that is not there.

@@ -1,7 +1,5 @@
 #include "study/app/json_file.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "study/storage/records.h"
@@ -16,58 +14,8 @@ Json orNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// JSON has no infinity: a t beyond every number is null, and the reason says so.
-Json finiteOrNull(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
-
 std::string printed(const Json& json) {
   return json.dump(2) + "\n";
-}
-
-void addInterval(
-    Json& json, const std::string& prefix, const std::optional<analysis::Interval>& interval) {
-  json[prefix + "_low"] = interval ? finiteOrNull(interval->low) : Json(nullptr);
-  json[prefix + "_high"] = interval ? finiteOrNull(interval->high) : Json(nullptr);
-}
-
-void addNumber(Json& json, const analysis::NamedNumber& number) {
-  if (!number.name.empty()) json[std::string(number.name)] = finiteOrNull(number.value);
-}
-
-void addSizes(Json& json, const analysis::TestRow& row) {
-  if (row.n1) json[row.n2 ? "n1" : "n"] = *row.n1;
-  if (row.n2) json["n2"] = *row.n2;
-  if (!row.moments) return;
-  json["mean1"] = orNull((*row.moments)[0].mean);
-  json["mean2"] = orNull((*row.moments)[1].mean);
-  json["variance1"] = orNull((*row.moments)[0].variance);
-  json["variance2"] = orNull((*row.moments)[1].variance);
-}
-
-/// Numbers that the test does not have are left out; those that are not defined are null.
-void addRow(Json& json, const analysis::TestRow& row) {
-  addSizes(json, row);
-  addNumber(json, row.estimate);
-  if (!row.estimate.name.empty()) json["se"] = orNull(row.standardError);
-  addNumber(json, row.statistic);
-  json["df"] = orNull(row.df);
-  if (row.statistic.name == "F") json["df2"] = orNull(row.df2);
-  json["p"] = orNull(row.p);
-  json["log10_p"] = orNull(row.log10P);
-  if (!row.estimate.name.empty()) addInterval(json, "conf", row.interval);
-  addNumber(json, row.effect);
-  if (!row.effect.name.empty()) {
-    addInterval(json, std::string(row.effect.name), row.effectInterval);
-  }
-  for (const auto& number : row.more) addNumber(json, number);
-  json["reason"] = row.reason.empty() ? Json(nullptr) : Json(base::describe(row.reason));
-}
-
-void addNames(Json& json, const analysis::TestRow& row) {
-  if (row.group1.empty()) return;
-  json["group1"] = row.group1;
-  json["group2"] = row.group2;
 }
 
 using haptics::recordings::CurvePoint;
@@ -129,26 +77,6 @@ std::string problemsAsJson(
          {"path", problem.path},
          {"what", base::describe(problem.what)},
          {"fix", base::describe(problem.fix)}});
-  }
-  return printed(json);
-}
-
-std::string testAsJson(
-    const analysis::StatisticalTest& test,
-    const analysis::TestData& data,
-    const std::vector<analysis::TestRow>& rows,
-    double level) {
-  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
-  Json json{{"test", test.id}};
-  if (!isList) addNames(json, rows.front());
-  json["missing"] = data.missing;
-  json["conf_level"] = level;
-  if (!isList) addRow(json, rows.front());
-  for (const auto& row : rows) {
-    if (!isList) break;
-    auto& comparison = json["comparisons"].emplace_back();
-    addNames(comparison, row);
-    addRow(comparison, row);
   }
   return printed(json);
 }

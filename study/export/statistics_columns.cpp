@@ -1,3 +1,4 @@
+#include "analysis/registry/registry.h"
 #include "study/export/statistics_row.h"
 #include "study/export/study_tables.h"
 
@@ -13,10 +14,40 @@ Column<StatisticsRow> statisticsColumn(const char* name, Holding holding, std::s
           }};
 }
 
+/// A row of every registered test that studies have, of made-up numbers: it has the names of its
+/// statistic and effect.
+std::vector<analysis::TestRow> exampleRows() {
+  std::vector<analysis::TestRow> rows;
+  const analysis::TestData data{
+      .values = {
+          {.name = "a", .values = {1.0, 2.0, 4.0}}, {.name = "b", .values = {2.0, 3.0, 7.0}}}};
+  for (const auto& test : analysis::statisticalTests()) {
+    if (test.use == analysis::StudyUse::None) continue;
+    const bool needsBound = test.form == analysis::StatisticalTest::Form::NeedsBound;
+    analysis::TestSettings settings;
+    if (needsBound) settings.bound = 1.0;
+    for (auto& row : computeTest(test, data, settings)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// "t, z, V" and what else @p nameOf says of the rows, each once.
+template <typename NameOf>
+std::string listed(
+    std::string text, const std::vector<analysis::TestRow>& rows, const NameOf& nameOf) {
+  for (const auto& row : rows) {
+    const std::string name(nameOf(row));
+    const auto isListed = (", " + text + ",").find(", " + name + ",") != std::string::npos;
+    if (!name.empty() && !isListed) text += ", " + name;
+  }
+  return text;
+}
+
 }  // namespace
 
 Columns<StatisticsRow> statisticsColumns() {
   using namespace holds;
+  const auto tests = exampleRows();
   return {
       statisticsColumn("run_mode", OneOf{ValueList::RunModes}, kRunModeInWords),
       statisticsColumn("cohort", OneOf{ValueList::Cohorts}, kCohortInWords),
@@ -42,12 +73,13 @@ Columns<StatisticsRow> statisticsColumns() {
       statisticsColumn(
           "method",
           Text{},
-          "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
-          "rm_anova, "
-          "mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
-          "brown_forsythe, "
-          "tost, bayes_factor, omega_total; not of a family: score, acceptability, "
-          "felt_difference"),
+          listed(
+              "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
+              "rm_anova, mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
+              "brown_forsythe, tost, bayes_factor, omega_total",
+              tests,
+              [](const auto& row) { return row.id; }) +
+              "; not of a family: score, acceptability, felt_difference"),
       statisticsColumn(
           "declared",
           Boolean{},
@@ -66,7 +98,11 @@ Columns<StatisticsRow> statisticsColumns() {
           "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; slope over "
           "positions; of felt_difference the mean over participants [N]"),
       statisticsColumn("se", Number{}, "Its standard error"),
-      statisticsColumn("statistic_name", Text{}, "t, z, V, U, chi2, F, W"),
+      statisticsColumn(
+          "statistic_name",
+          Text{},
+          listed(
+              "t, z, V, U, chi2, F, W", tests, [](const auto& row) { return row.statistic.name; })),
       statisticsColumn("statistic", Number{}, "Its value"),
       statisticsColumn("df", Number{}, "Degrees of freedom; of F its first"),
       statisticsColumn("df2", Number{}, "Second degrees of freedom of F"),
@@ -95,8 +131,12 @@ Columns<StatisticsRow> statisticsColumns() {
       statisticsColumn(
           "effect_name",
           Text{},
-          "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
-          "rank_biserial, bf10, share or rms_pooled [N]"),
+          listed(
+              "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
+              "rank_biserial, bf10",
+              tests,
+              [](const auto& row) { return row.effect.name; }) +
+              ", share or rms_pooled [N]"),
       statisticsColumn("effect", Number{}, "Its value"),
       statisticsColumn("effect_low", Number{}, "Its confidence interval"),
       statisticsColumn("effect_high", Number{}, "…"),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/registry/test_rows.h"
+
 namespace study {
 namespace {
 
@@ -30,105 +32,28 @@ std::string allCodes(const CohortResult& cohort, const std::map<std::string, std
   return text;
 }
 
-StatisticsRow beginning(const char* design, const char* method) {
-  return {
-      {"design", std::string(design)},
-      {"unit", std::string("participant")},
-      {"method", std::string(method)}};
-}
-
-StatisticsRow friedmanRow(const CohortResult& cohort) {
-  const auto& f = cohort.within.friedman;
-  auto row = beginning("paired", "friedman");
-  row["n1"] = whole(f.blocks);
-  row["statistic_name"] = std::string("chi2");
-  row["statistic"] = cellOf(f.chiSquared);
-  if (f.chiSquared) row["df"] = static_cast<double>(f.treatments - 1);
-  row["p"] = cellOf(f.p);
-  row["log10_p"] = cellOf(f.log10P);
-  row["p_permutation"] = cellOf(f.exactP);
-  row["effect_name"] = std::string("kendall_w");
-  row["effect"] = cellOf(f.kendallW);
-  addReason(row, f.reason);
+StatisticsRow rowOf(const char* design, const analysis::TestRow& test) {
+  StatisticsRow row{{"design", std::string(design)}, {"unit", std::string("participant")}};
+  addTest(row, test);
   return row;
 }
 
-StatisticsRow anovaRow(const CohortResult& cohort) {
-  const auto& anova = cohort.within.anova;
-  auto row = beginning("paired", "rm_anova");
-  row["n1"] = whole(anova.participants);
-  row["statistic_name"] = std::string("F");
-  row["statistic"] = finite(anova.f);
-  row["df"] = cellOf(anova.degreesOfFreedom1);
-  row["df2"] = cellOf(anova.degreesOfFreedom2);
-  row["p"] = cellOf(anova.p);
-  row["log10_p"] = cellOf(anova.log10P);
-  row["epsilon"] = cellOf(anova.greenhouseGeisser);
-  row["p_epsilon"] = cellOf(anova.pGreenhouseGeisser);
-  row["effect_name"] = std::string("partial_eta2");
-  row["effect"] = cellOf(anova.partialEtaSquared);
-  addReason(row, anova.reason);
-  return row;
+StatisticsRow rowOf(const char* design, const char* id, analysis::TestRow test) {
+  test.id = id;
+  return rowOf(design, test);
 }
 
 StatisticsRow orderRow(const CohortResult& cohort) {
-  const auto& slope = cohort.position.slope;
-  auto row = beginning("paired", "order_slope");
+  auto test = analysis::rowOf(cohort.position.slope, cohort.position.slopeInterval, {});
+  test.effect = {};
+  auto row = rowOf("paired", "order_slope", std::move(test));
   row["conf_level"] = 0.95;
-  row["n1"] = whole(slope.n);
-  row["estimate"] = cellOf(slope.meanDifference);
-  row["se"] = cellOf(slope.standardError);
-  row["statistic_name"] = std::string("t");
-  row["statistic"] = finite(slope.t);
-  row["df"] = cellOf(slope.degreesOfFreedom);
-  row["p"] = cellOf(slope.p);
-  row["log10_p"] = cellOf(slope.log10P);
-  addInterval(row, "conf", cohort.position.slopeInterval);
-  addReason(row, slope.reason);
   return row;
 }
 
-StatisticsRow spreadRow(const CohortResult& cohort) {
-  const auto& spread = cohort.checks.spread;
-  auto row = beginning("unpaired", "brown_forsythe");
-  row["statistic_name"] = std::string("F");
-  row["statistic"] = finite(spread.f);
-  row["df"] = cellOf(spread.degreesOfFreedom1);
-  row["df2"] = cellOf(spread.degreesOfFreedom2);
-  row["p"] = cellOf(spread.p);
-  row["log10_p"] = cellOf(spread.log10P);
-  addReason(row, spread.reason);
-  return row;
-}
-
-StatisticsRow alphaRow(const analysis::MethodChecks& checks) {
-  auto row = beginning("paired", "cronbach_alpha");
-  row["conf_level"] = checks.alpha.level;
-  row["n1"] = whole(checks.alpha.respondents);
-  row["effect_name"] = std::string("cronbach_alpha");
-  row["effect"] = cellOf(checks.alpha.value);
-  addInterval(row, "effect", checks.alpha.interval);
-  addReason(row, checks.alpha.reason);
-  return row;
-}
-
-StatisticsRow omegaRow(const analysis::MethodChecks& checks) {
-  auto row = beginning("paired", "omega_total");
-  row["n1"] = whole(checks.omega.respondents);
-  row["effect_name"] = std::string("omega_total");
-  row["effect"] = cellOf(checks.omega.value);
-  addReason(
-      row, checks.omega.isImproper ? analysis::reason("improper_omega") : checks.omega.reason);
-  return row;
-}
-
-StatisticsRow normalityRow(const analysis::MethodChecks& checks) {
-  auto row = beginning("unpaired", "shapiro_wilk");
-  row["n1"] = whole(checks.normality.n);
-  row["statistic_name"] = std::string("W");
-  row["statistic"] = cellOf(checks.normality.w);
-  row["p"] = cellOf(checks.normality.p);
-  addReason(row, checks.normality.reason);
+StatisticsRow alphaRow(const analysis::CronbachAlpha& alpha) {
+  auto row = rowOf("paired", "cronbach_alpha", analysis::rowOf(alpha));
+  row["conf_level"] = alpha.level;
   return row;
 }
 
@@ -150,13 +75,48 @@ StatisticsRow headOfRow(
       {"conf_level", 1.0 - family.alpha}};
 }
 
+void addTest(StatisticsRow& row, const analysis::TestRow& test) {
+  row["method"] = std::string(test.id);
+  if (test.n1) row["n1"] = whole(*test.n1);
+  if (test.n2) row["n2"] = whole(*test.n2);
+  for (std::size_t i = 0; test.moments && i < test.moments->size(); ++i) {
+    const auto& [mean, variance] = (*test.moments)[i];
+    row["mean" + std::to_string(i + 1)] = cellOf(mean);
+    if (variance) row["sd" + std::to_string(i + 1)] = std::sqrt(*variance);
+  }
+  row["estimate"] = cellOf(test.estimate.value);
+  row["se"] = cellOf(test.standardError);
+  addName(row, "statistic_name", std::string(test.statistic.name));
+  row["statistic"] = finite(test.statistic.value);
+  row["df"] = cellOf(test.df);
+  row["df2"] = cellOf(test.df2);
+  row["p"] = cellOf(test.p);
+  row["log10_p"] = cellOf(test.log10P);
+  row["p_adj"] = cellOf(test.adjusted);
+  addInterval(row, "conf", test.interval);
+  addInterval(row, "conf", test.adjustedInterval, "_adj");
+  addName(row, "effect_name", std::string(test.effect.name));
+  row["effect"] = finite(test.effect.value);
+  if (test.effectInterval) {
+    row["effect_low"] = finite(test.effectInterval->low);
+    row["effect_high"] = finite(test.effectInterval->high);
+  }
+  for (const auto& number : test.more) row[std::string(number.name)] = cellOf(number.value);
+  addReason(row, test.reason);
+}
+
 std::vector<StatisticsRow> overallRows(
     const CohortResult& cohort, const std::map<std::string, std::string>& codes) {
-  std::vector<StatisticsRow> rows{
-      friedmanRow(cohort), anovaRow(cohort), orderRow(cohort), spreadRow(cohort)};
+  std::vector<StatisticsRow> rows;
+  for (const auto& test : cohort.within.overall) rows.push_back(rowOf("paired", test));
+  rows.push_back(orderRow(cohort));
+  rows.push_back(rowOf("unpaired", "brown_forsythe", analysis::rowOf(cohort.checks.spread)));
   for (auto& row : rows) row["groups"] = allCodes(cohort, codes);
   for (const auto& checks : cohort.checks.methods) {
-    for (auto row : {alphaRow(checks), omegaRow(checks), normalityRow(checks)}) {
+    for (auto row :
+         {alphaRow(checks.alpha),
+          rowOf("paired", "omega_total", analysis::rowOf(checks.omega)),
+          rowOf("unpaired", "shapiro_wilk", analysis::rowOf(checks.normality))}) {
       row["group1"] = codes.at(checks.method);
       rows.push_back(std::move(row));
     }

@@ -27,6 +27,9 @@ StatisticsRow headOfRow(
     std::string_view runMode,
     const std::string& cohort);
 
+/// What a test found.
+void addTest(StatisticsRow& row, const analysis::TestRow& test);
+
 /// Rows about a cohort as a whole, without their heads: overall tests, the order, reliability and
 /// distribution.
 /// @param codes  of conditions

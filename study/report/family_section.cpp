@@ -57,7 +57,7 @@ class FamilyWriter : HtmlWriter {
 
   /// As in the punch paper.
   void pooled() {
-    const bool isNamed = f_.family.test == protocols::TestType::Welch;
+    const bool isNamed = f_.isNamed("welch");
     const auto correction =
         nameOf(isNamed ? f_.family.correction : protocols::CorrectionType::Bonferroni);
     table(
@@ -87,8 +87,7 @@ class FamilyWriter : HtmlWriter {
         "Several answers of one person are not independent, so these p values may be too small or "
         "too large.",
         s_.words(
-            f_.isConfirmatory(protocols::TestType::Welch) ? "declared in the protocol: confirmatory"
-                                                          : "exploratory"));
+            f_.isConfirmatory("welch") ? "declared in the protocol: confirmatory" : "exploratory"));
   }
 
   void pooled(const analysis::PairwiseComparison& comparison) {

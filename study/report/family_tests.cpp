@@ -1,23 +1,38 @@
 #include "study/report/family_tests.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
+#include "analysis/registry/registry.h"
 #include "study/report/html_writer.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {
 
-using protocols::TestType;
-
 /// p and, where it is another, adjusted p in brackets; bold where it is the named test's and
 /// significant.
-std::string pCell(const analysis::AdjustedP& p, bool isNamed) {
-  std::string text = escaped(pInWords(p.p));
-  if (p.p && p.adjusted && *p.adjusted != *p.p) {
-    text += " (" + escaped(pInWords(p.adjusted)) + ")";
+std::string pCell(const analysis::TestRow& test, bool isNamed) {
+  std::string text = escaped(pInWords(test.p));
+  if (test.p && test.adjusted && *test.adjusted != *test.p) {
+    text += " (" + escaped(pInWords(test.adjusted)) + ")";
   }
-  return isNamed && p.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
+  return isNamed && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
+}
+
+/// What stands above a column of p values.
+std::string_view headingOf(std::string_view test) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShort{
+      {{"paired_t", "Paired t"},
+       {"sign_flip", "Sign flip"},
+       {"signed_rank", "Signed rank"},
+       {"mixed_model", "Mixed model"},
+       {"ordinal_model", "Ordinal model"}}};
+  for (const auto& [id, heading] : kShort) {
+    if (id == test) return heading;
+  }
+  return analysis::statisticalTest(test).title;
 }
 
 /// "p_Holm" and its like as print has them.
@@ -73,12 +88,6 @@ class TestsWriter : HtmlWriter {
   }
 
  private:
-  /// Whether the protocol names @p test, declared before there were data or not.
-  bool isNamed(TestType test) const { return f_.family.test == test; }
-  std::string marked(std::string_view english, TestType test) const {
-    return say(english) + (isNamed(test) ? " *" : "");
-  }
-
   std::string pairOf(const analysis::WithinComparison& row) const {
     return condition(row.group1) + " vs. " + condition(row.group2);
   }
@@ -102,58 +111,66 @@ class TestsWriter : HtmlWriter {
     }
     endTable();
     const auto correction = nameOf(f_.family.correction);
+    std::vector<std::string> headings{say("Comparison")};
+    const auto& pairs = f_.cohorts.front().within.rows;
+    for (std::size_t i = 0; !pairs.empty() && i < pairs.front().tests.size(); ++i) {
+      const auto& test = pairs.front().tests[i];
+      if (!test.isOfFamily) continue;
+      headings.push_back(say(headingOf(test.id)) + (f_.isNamed(test.id) ? " *" : ""));
+    }
     table(
         correction.empty()
             ? say("The same, tested: p without correction")
             : say("The same, tested: p, and in brackets p after {} correction", correction),
-        {say("Comparison"),
-         marked("Paired t", TestType::PairedT),
-         marked("Sign flip", TestType::SignFlip),
-         marked("Signed rank", TestType::SignedRank),
-         say("Mixed model"),
-         say("Ordinal model")});
+        headings);
     for (const auto& part : f_.cohorts) {
-      rowOver(cohort(part.cohort), 6);
-      for (const auto& c : part.within.rows) {
-        row(
-            {pairOf(c),
-             pCell(c.pairedP, isNamed(TestType::PairedT)),
-             pCell(c.signFlipP, isNamed(TestType::SignFlip)),
-             pCell(c.signedRankP, isNamed(TestType::SignedRank)),
-             pCell(c.mixedP, false),
-             pCell(c.ordinalP, false)});
+      rowOver(cohort(part.cohort), headings.size());
+      for (const auto& comparison : part.within.rows) {
+        std::vector<std::string> cells{pairOf(comparison)};
+        for (const auto& test : comparison.tests) {
+          if (test.isOfFamily) cells.push_back(pCell(test, f_.isNamed(test.id)));
+        }
+        row(cells);
       }
     }
     endTable();
-    if (isNamed(TestType::Welch)) return;
+    if (f_.isNamed("welch")) return;
     note(
         f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
                       : "* the test that the protocol names, exploratory; bold: adjusted p ≤ α.");
   }
 
   void difference(const analysis::WithinComparison& c) {
-    if (!c.paired.meanDifference) {
+    const auto& test = c.test("paired_t");
+    if (!test.estimate.value) {
       put("<tr><td>{}</td><td class=\"words\" colspan=\"6\">{}</td></tr>",
           pairOf(c),
-          say("not defined: {}", s_.words(c.paired.reason)));
+          say("not defined: {}", s_.words(test.reason)));
       return;
     }
-    const auto& g = c.effects.hedgesGz;
+    const auto& bf10 = c.test("bayes_factor").effect.value;
     row(
         {pairOf(c),
-         rounded(c.paired.meanDifference, 2),
-         intervalInWords(c.interval),
-         rounded(c.paired.t, 2),
-         c.paired.degreesOfFreedom ? fmt::format("{:g}", *c.paired.degreesOfFreedom) : "–",
-         rounded(g.value, 2) + (g.interval ? " " + intervalInWords(g.interval) : ""),
-         c.bayes.bf10 ? escaped(evidenceInWords(*c.bayes.bf10)) : "–"});
+         rounded(test.estimate.value, 2),
+         intervalInWords(test.interval),
+         rounded(test.statistic.value, 2),
+         test.df ? fmt::format("{:g}", *test.df) : "–",
+         effectOf(test),
+         bf10 ? escaped(evidenceInWords(*bf10)) : "–"});
+  }
+
+  /// With its interval where it has one.
+  static std::string effectOf(const analysis::TestRow& test) {
+    return rounded(test.effect.value, 2) +
+           (test.effectInterval ? " " + intervalInWords(test.effectInterval) : "");
   }
 
   void sentences() {
     put("<details open><summary>{}</summary>", say("In sentences"));
     for (const auto& part : f_.cohorts) {
       put("<p><em>{}</em>: ", cohort(part.cohort));
-      for (const auto& line : apaLines(part.within, s_.words)) put("{}. ", escaped(line));
+      for (const auto& line : apaLines(part.within, f_.family, s_.words))
+        put("{}. ", escaped(line));
       put("</p><ul>");
       for (const auto& comparison : part.within.rows) {
         std::string sentence;
@@ -169,24 +186,41 @@ class TestsWriter : HtmlWriter {
 
   void between() {
     if (f_.between.empty()) return;
+    std::vector<std::string> headings{
+        say("Method"), "U", say("exact p"), say("Brunner–Munzel p"), say("Cliff’s δ")};
+    for (const auto* test : othersOf(f_.between.front())) {
+      headings.push_back(say(analysis::statisticalTest(test->id).title) + ", p");
+    }
     table(
         say("Between cohorts, on participants’ means (exploratory): positive δ where the first has "
             "the larger values"),
-        {say("Method"), "U", say("exact p"), say("Brunner–Munzel p"), say("Cliff’s δ")});
+        headings);
     std::string last;
     for (const auto& b : f_.between) {
       const std::string pair = cohort(b.cohort1) + " vs. " + cohort(b.cohort2);
-      if (pair != last) rowOver(pair, 5);
+      if (pair != last) rowOver(pair, headings.size());
       last = pair;
-      row(
-          {condition(b.condition),
-           b.mannWhitney.u ? fmt::format("{:g}", *b.mannWhitney.u) : "–",
-           escaped(pInWords(b.mannWhitney.p)),
-           escaped(pInWords(b.brunnerMunzel.p)),
-           rounded(b.cliff.delta, 2) +
-               (b.cliff.interval ? " " + intervalInWords(b.cliff.interval) : "")});
+      const auto& ranks = b.test("mann_whitney");
+      const auto& u = ranks.statistic.value;
+      std::vector<std::string> cells{
+          condition(b.condition),
+          u ? fmt::format("{:g}", *u) : "–",
+          escaped(pInWords(ranks.p)),
+          escaped(pInWords(b.test("brunner_munzel").p)),
+          effectOf(ranks)};
+      for (const auto* test : othersOf(b)) cells.push_back(escaped(pInWords(test->p)));
+      row(cells);
     }
     endTable();
+  }
+
+  /// Tests between cohorts that have no column of their own.
+  static std::vector<const analysis::TestRow*> othersOf(const BetweenResult& result) {
+    std::vector<const analysis::TestRow*> others;
+    for (const auto& test : result.tests) {
+      if (test.id != "mann_whitney" && test.id != "brunner_munzel") others.push_back(&test);
+    }
+    return others;
   }
 
   const FamilyResult& f_;

@@ -1,9 +1,12 @@
 #include "study/results/apa_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "analysis/registry/registry.h"
 
 namespace study {
 namespace {
@@ -14,11 +17,11 @@ std::string pEquals(const std::optional<double>& p) {
 }
 
 /// "p = .021, p_Holm = .063".
-std::string pBoth(const analysis::AdjustedP& p, const protocols::Family& family) {
-  std::string words = pEquals(p.p);
+std::string pBoth(const analysis::TestRow& test, const protocols::Family& family) {
+  std::string words = pEquals(test.p);
   const auto name = nameOf(family.correction);
-  if (p.p && !name.empty()) {
-    words += fmt::format(", p_{} {}", name, equalsInWords(pInWords(p.adjusted)));
+  if (test.p && !name.empty()) {
+    words += fmt::format(", p_{} {}", name, equalsInWords(pInWords(test.adjusted)));
   }
   return words;
 }
@@ -34,94 +37,110 @@ class ApaWriter {
   explicit ApaWriter(const words::Words& words) : w_(words) {}
 
   std::string paired(const analysis::WithinComparison& row, const protocols::Family& family) const {
-    const auto& t = row.paired;
+    const auto& t = row.test("paired_t");
     if (!t.p) return w_.say("paired t-test not defined: {}", w_(t.reason));
     std::string line = w_.say(
         "t({}) = {}, {}, mean difference {}, {:g} % CI {}",
-        freedom(*t.degreesOfFreedom),
-        rounded(t.t, 2),
-        pBoth(row.pairedP, family),
-        rounded(t.meanDifference, 2),
+        freedom(*t.df),
+        rounded(t.statistic.value, 2),
+        pBoth(t, family),
+        rounded(t.estimate.value, 2),
         100.0 * (1.0 - family.alpha),
-        intervalInWords(row.interval));
-    if (row.effects.hedgesGz.value) {
+        intervalInWords(t.interval));
+    if (t.effect.value) {
       line += fmt::format(
-          ", g_z = {} {}",
-          rounded(row.effects.hedgesGz.value, 2),
-          intervalInWords(row.effects.hedgesGz.interval));
+          ", g_z = {} {}", rounded(t.effect.value, 2), intervalInWords(t.effectInterval));
     }
     return line;
   }
 
   std::string exact(const analysis::WithinComparison& row, const protocols::Family& family) const {
-    std::string line = row.signFlip.p
-                           ? w_.say("exact sign flip {}", pBoth(row.signFlipP, family))
-                           : w_.say("sign flip not defined: {}", w_(row.signFlip.reason));
+    const auto& flip = row.test("sign_flip");
+    const auto& rank = row.test("signed_rank");
+    std::string line = flip.p ? w_.say("exact sign flip {}", pBoth(flip, family))
+                              : w_.say("sign flip not defined: {}", w_(flip.reason));
     line += "; ";
-    line += row.signedRank.p ? w_.say(
-                                   "signed rank V = {:g}, {}",
-                                   row.signedRank.v.value_or(0.0),
-                                   pBoth(row.signedRankP, family))
-                             : w_.say("signed rank not defined: {}", w_(row.signedRank.reason));
-    if (row.bayes.bf10) line += "; BF10 " + equalsInWords(evidenceInWords(*row.bayes.bf10));
-    return line;
-  }
-
-  std::string mixed(const analysis::WithinComparison& row, const protocols::Family& family) const {
-    if (!row.mixed.p) return w_.say("mixed model: no p value: {}", w_(row.mixed.reason));
-    return w_.say(
-        "mixed model: t({}) = {}, {}, difference {}",
-        freedom(*row.mixed.degreesOfFreedom),
-        rounded(row.mixed.t, 2),
-        pBoth(row.mixedP, family),
-        rounded(row.mixed.estimate, 2));
-  }
-
-  std::string ordinal(
-      const analysis::WithinComparison& row, const protocols::Family& family) const {
-    const auto& estimate = *row.ordinal;
-    return w_.say(
-        "ordinal mixed model: odds ratio {}, {:g} % CI {}, z = {}, {}",
-        rounded(estimate.oddsRatio, 2),
-        100.0 * (1.0 - family.alpha),
-        intervalInWords(oddsRatioInterval(estimate, 1.0 - family.alpha)),
-        rounded(estimate.z, 2),
-        pBoth(row.ordinalP, family));
-  }
-
-  std::string equivalence(const analysis::EquivalenceResult& result) const {
-    if (!result.p) return w_.say("equivalence not defined: {}", w_(result.reason));
-    return w_.say("equivalent within ±{:g}: TOST {}", result.bounds.upper, pEquals(result.p));
-  }
-
-  std::string friedman(const analysis::FriedmanResult& friedman) const {
-    if (!friedman.p) return w_.say("Friedman’s test not defined: {}", w_(friedman.reason));
-    std::string line = fmt::format(
-        "Friedman χ²({}) = {}, {}, W = {}",
-        friedman.treatments - 1,
-        rounded(friedman.chiSquared, 2),
-        pEquals(friedman.p),
-        rounded(friedman.kendallW, 2));
-    if (friedman.exactP) line += w_.say(", exact {}", pEquals(friedman.exactP));
-    return line;
-  }
-
-  std::string anova(const analysis::RepeatedMeasuresResult& anova) const {
-    if (!anova.p) return w_.say("Repeated-measures ANOVA not defined: {}", w_(anova.reason));
-    std::string line = w_.say(
-        "Repeated-measures ANOVA F({:g}, {:g}) = {}, {}, partial η² = {}",
-        *anova.degreesOfFreedom1,
-        *anova.degreesOfFreedom2,
-        rounded(anova.f, 2),
-        pEquals(anova.p),
-        rounded(anova.partialEtaSquared, 2));
-    if (anova.pGreenhouseGeisser) {
-      line += fmt::format(
-          ", Greenhouse–Geisser ε = {}, {}",
-          rounded(anova.greenhouseGeisser, 2),
-          pEquals(anova.pGreenhouseGeisser));
+    line += rank.p ? w_.say(
+                         "signed rank V = {:g}, {}",
+                         rank.statistic.value.value_or(0.0),
+                         pBoth(rank, family))
+                   : w_.say("signed rank not defined: {}", w_(rank.reason));
+    if (const auto& bf10 = row.test("bayes_factor").effect.value) {
+      line += "; BF10 " + equalsInWords(evidenceInWords(*bf10));
     }
     return line;
+  }
+
+  std::string mixed(const analysis::TestRow& test, const protocols::Family& family) const {
+    if (!test.p) return w_.say("mixed model: no p value: {}", w_(test.reason));
+    return w_.say(
+        "mixed model: t({}) = {}, {}, difference {}",
+        freedom(*test.df),
+        rounded(test.statistic.value, 2),
+        pBoth(test, family),
+        rounded(test.estimate.value, 2));
+  }
+
+  std::string ordinal(const analysis::TestRow& test, const protocols::Family& family) const {
+    return w_.say(
+        "ordinal mixed model: odds ratio {}, {:g} % CI {}, z = {}, {}",
+        rounded(test.effect.value, 2),
+        100.0 * (1.0 - family.alpha),
+        intervalInWords(test.effectInterval),
+        rounded(test.statistic.value, 2),
+        pBoth(test, family));
+  }
+
+  std::string equivalence(const analysis::TestRow& test) const {
+    if (!test.p) return w_.say("equivalence not defined: {}", w_(test.reason));
+    return w_.say(
+        "equivalent within ±{:g}: TOST {}",
+        test.also("equivalence_bound").value_or(0.0),
+        pEquals(test.p));
+  }
+
+  std::string friedman(const analysis::TestRow& test) const {
+    if (!test.p) return w_.say("Friedman’s test not defined: {}", w_(test.reason));
+    std::string line = fmt::format(
+        "Friedman χ²({:g}) = {}, {}, W = {}",
+        test.df.value_or(0.0),
+        rounded(test.statistic.value, 2),
+        pEquals(test.p),
+        rounded(test.effect.value, 2));
+    const auto exactP = test.also("p_permutation");
+    if (exactP) line += w_.say(", exact {}", pEquals(exactP));
+    return line;
+  }
+
+  std::string anova(const analysis::TestRow& test) const {
+    if (!test.p) return w_.say("Repeated-measures ANOVA not defined: {}", w_(test.reason));
+    std::string line = w_.say(
+        "Repeated-measures ANOVA F({:g}, {:g}) = {}, {}, partial η² = {}",
+        *test.df,
+        *test.df2,
+        rounded(test.statistic.value, 2),
+        pEquals(test.p),
+        rounded(test.effect.value, 2));
+    if (const auto p = test.also("p_epsilon")) {
+      line += fmt::format(
+          ", Greenhouse–Geisser ε = {}, {}", rounded(test.also("epsilon"), 2), pEquals(p));
+    }
+    return line;
+  }
+
+  /// Of a test that has no sentence of its own.
+  std::string other(const analysis::TestRow& test, const protocols::Family& family) const {
+    const auto title = w_(analysis::statisticalTest(test.id).title);
+    if (!test.reason.empty() && !test.p) return title + ": " + w_(test.reason);
+    std::string line = title + ": ";
+    const auto add = [&](const analysis::NamedNumber& number) {
+      if (!number.name.empty()) {
+        line += fmt::format("{} = {}, ", number.name, rounded(number.value, 2));
+      }
+    };
+    add(test.statistic);
+    add(test.effect);
+    return line + (test.isOfFamily ? pBoth(test, family) : pEquals(test.p));
   }
 
   std::string variances(const analysis::LinearMixedResult& mixed) const {
@@ -207,21 +226,44 @@ std::vector<std::string> apaLines(
     const protocols::Family& family,
     const words::Words& words) {
   const ApaWriter writer(words);
-  std::vector<std::string> lines{
-      writer.paired(row, family), writer.exact(row, family), writer.mixed(row, family)};
-  if (row.ordinal) lines.push_back(writer.ordinal(row, family));
-  if (row.equivalence) lines.push_back(writer.equivalence(*row.equivalence));
+  std::vector<std::string> lines{writer.paired(row, family), writer.exact(row, family)};
+  constexpr std::array<std::string_view, 4> kTold{
+      "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
+  for (const auto& test : row.tests) {
+    if (std::ranges::find(kTold, test.id) != kTold.end()) continue;
+    if (test.id == "tost") continue;  // comes last
+    if (test.id == "mixed_model") {
+      lines.push_back(writer.mixed(test, family));
+    } else if (test.id == "ordinal_model") {
+      if (test.p) lines.push_back(writer.ordinal(test, family));
+    } else {
+      lines.push_back(writer.other(test, family));
+    }
+  }
+  if (const auto* tost = analysis::findTest(row.tests, "tost")) {
+    lines.push_back(writer.equivalence(*tost));
+  }
   return lines;
 }
 
 std::vector<std::string> apaLines(
-    const analysis::WithinAnalysis& analysis, const words::Words& words) {
+    const analysis::WithinAnalysis& analysis,
+    const protocols::Family& family,
+    const words::Words& words) {
   const ApaWriter writer(words);
-  return {
-      writer.friedman(analysis.friedman),
-      writer.anova(analysis.anova),
-      writer.variances(analysis.mixed),
-      writer.ordinal(analysis.ordinal)};
+  std::vector<std::string> lines;
+  for (const auto& test : analysis.overall) {
+    if (test.id == "friedman") {
+      lines.push_back(writer.friedman(test));
+    } else if (test.id == "rm_anova") {
+      lines.push_back(writer.anova(test));
+    } else {
+      lines.push_back(writer.other(test, family));
+    }
+  }
+  lines.push_back(writer.variances(analysis.mixed));
+  lines.push_back(writer.ordinal(analysis.ordinal));
+  return lines;
 }
 
 }  // namespace study

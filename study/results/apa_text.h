@@ -43,6 +43,8 @@ std::vector<std::string> apaLines(
 
 /// The overall tests of a cohort: Friedman, repeated-measures ANOVA, the mixed models' variances.
 std::vector<std::string> apaLines(
-    const analysis::WithinAnalysis& analysis, const words::Words& words = {});
+    const analysis::WithinAnalysis& analysis,
+    const protocols::Family& family,
+    const words::Words& words = {});
 
 }  // namespace study

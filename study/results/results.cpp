@@ -1,6 +1,7 @@
 #include "study/results/results.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -8,6 +9,7 @@
 
 #include "analysis/effects/share_interval.h"
 #include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/registry/registry.h"
 #include "study/model/trial_record.h"
 #include "study/results/answer_tables.h"
 #include "study/results/pooled_results.h"
@@ -108,6 +110,17 @@ class Computation {
     return analysis::withoutRoundingNoise(means);
   }
 
+  static std::vector<analysis::TestRow> testsOf(
+      const analysis::NamedValues& first, const analysis::NamedValues& second) {
+    std::vector<analysis::TestRow> rows;
+    const analysis::TestData data{.values = {first, second}};
+    for (const auto& test : analysis::statisticalTests()) {
+      if (test.use != analysis::StudyUse::Cohorts) continue;
+      for (auto& row : computeTest(test, data, {})) rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
   /// Every pair of cohorts, condition by condition.
   static std::vector<BetweenResult> betweenCohorts(const FamilyResult& family) {
     std::vector<BetweenResult> results;
@@ -121,9 +134,9 @@ class Computation {
               {.condition = cohorts[i].table.methods[method],
                .cohort1 = cohorts[i].cohort,
                .cohort2 = cohorts[j].cohort,
-               .mannWhitney = analysis::mannWhitneyTest(first, second),
-               .brunnerMunzel = analysis::brunnerMunzelTest(first, second),
-               .cliff = analysis::cliffDelta(first, second)});
+               .tests = testsOf(
+                   {.name = cohorts[i].cohort, .values = first},
+                   {.name = cohorts[j].cohort, .values = second})});
         }
       }
     }
@@ -177,9 +190,9 @@ class Computation {
       for (const auto& row : part.comparisons.rows) pValues.push_back(row.welch.p);
     }
     for (const auto& row : part.within.rows) {
-      if (family.test == protocols::TestType::PairedT) pValues.push_back(row.pairedP.p);
-      if (family.test == protocols::TestType::SignFlip) pValues.push_back(row.signFlipP.p);
-      if (family.test == protocols::TestType::SignedRank) pValues.push_back(row.signedRankP.p);
+      if (const auto* test = analysis::findTest(row.tests, idOf(family.test))) {
+        pValues.push_back(test->p);
+      }
     }
     return pValues;
   }
@@ -288,6 +301,11 @@ void CohortFlow::add(SessionState state) {
     default:
       ++inProgress;
   }
+}
+
+std::string_view idOf(protocols::TestType test) noexcept {
+  constexpr std::array<std::string_view, 4> kIds{"welch", "paired_t", "sign_flip", "signed_rank"};
+  return kIds[static_cast<std::size_t>(test)];
 }
 
 int Results::completed() const {

@@ -7,14 +7,11 @@
 
 #include "analysis/data/answer_table.h"
 #include "analysis/data/vote_counts.h"
-#include "analysis/effects/rank_effects.h"
 #include "analysis/summary/flags.h"
 #include "analysis/summary/pairwise_comparisons.h"
 #include "analysis/summary/position_effect.h"
 #include "analysis/summary/scale_checks.h"
 #include "analysis/summary/within_analysis.h"
-#include "analysis/tests/brunner_munzel.h"
-#include "analysis/tests/mann_whitney.h"
 #include "analysis/tests/vote_tests.h"
 #include "study/model/run_mode.h"
 #include "study/results/instrument_scores.h"
@@ -56,10 +53,15 @@ struct BetweenResult {
   std::string condition;
   std::string cohort1;
   std::string cohort2;
-  analysis::MannWhitneyResult mannWhitney;
-  analysis::BrunnerMunzelResult brunnerMunzel;
-  analysis::CliffDelta cliff;
+  std::vector<analysis::TestRow> tests;  ///< the registered tests of cohorts (StudyUse)
+
+  const analysis::TestRow& test(std::string_view id) const {
+    return analysis::testNamed(tests, id);
+  }
 };
+
+/// The id of a test that a protocol can declare: "paired_t".
+std::string_view idOf(protocols::TestType test) noexcept;
 
 struct FamilyResult {
   protocols::Family family;
@@ -67,8 +69,10 @@ struct FamilyResult {
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 
-  /// Whether @p test is the one that was declared: confirmatory, all else is exploratory.
-  bool isConfirmatory(protocols::TestType test) const { return isDeclared && family.test == test; }
+  /// Whether the protocol names the test of this id, declared before there were data or not.
+  bool isNamed(std::string_view test) const { return idOf(family.test) == test; }
+  /// Whether it is the one that was declared: confirmatory, all else is exploratory.
+  bool isConfirmatory(std::string_view test) const { return isDeclared && isNamed(test); }
 };
 
 /// How a study is computed (docs/statistics.md).

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/registry/registry.h"
 #include "study/words/counted.h"
 
 namespace study {
@@ -43,6 +44,9 @@ class Writer {
 
   const std::string& titleOf(const std::string& condition) const {
     return protocol_.condition(condition)->title;
+  }
+  static std::string_view titleOf(const analysis::TestRow& test) {
+    return analysis::statisticalTest(test.id).title;
   }
   const std::string& cohortTitle(const std::string& cohort) const {
     return protocol_.cohort(cohort)->title.in("en");
@@ -97,8 +101,7 @@ class Writer {
         family.family.title,
         isCorrected ? fmt::format(" with {} correction", correctionOf(family.family)) : "",
         family.family.alpha,
-        family.isConfirmatory(protocols::TestType::Welch) ? "declared: confirmatory"
-                                                          : "exploratory"));
+        family.isConfirmatory("welch") ? "declared: confirmatory" : "exploratory"));
     for (const auto& cohort : family.cohorts) {
       line(
           cohortTitle(cohort.cohort) +
@@ -135,7 +138,7 @@ class Writer {
           cohort.within.leftOut.empty()
               ? ""
               : fmt::format(", {} left out", cohort.within.leftOut.size())));
-      for (const auto& words : apaLines(cohort.within)) line("  " + words);
+      for (const auto& words : apaLines(cohort.within, family.family)) line("  " + words);
       for (const auto& row : cohort.within.rows) {
         line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
         for (const auto& words : apaLines(row, family.family)) line("    " + words);
@@ -175,15 +178,20 @@ class Writer {
 
   std::string betweenInWords(const BetweenResult& row) const {
     std::string words = cohortTitle(row.cohort1) + " vs. " + cohortTitle(row.cohort2) + ": ";
-    if (!row.mannWhitney.p) return words + "not defined: " + base::describe(row.mannWhitney.reason);
+    const auto& ranks = row.test("mann_whitney");
+    if (!ranks.p) return words + "not defined: " + base::describe(ranks.reason);
     words += fmt::format(
         "U = {:g}, exact p {}, Cliff's δ = {} {}",
-        row.mannWhitney.u.value_or(0.0),
-        equalsInWords(pInWords(row.mannWhitney.p)),
-        rounded(row.cliff.delta, 2),
-        intervalInWords(row.cliff.interval));
-    if (row.brunnerMunzel.p)
-      words += "; Brunner–Munzel p " + equalsInWords(pInWords(row.brunnerMunzel.p));
+        ranks.statistic.value.value_or(0.0),
+        equalsInWords(pInWords(ranks.p)),
+        rounded(ranks.effect.value, 2),
+        intervalInWords(ranks.effectInterval));
+    for (const auto& test : row.tests) {
+      if (test.id == "mann_whitney" || !test.p) continue;
+      const auto name =
+          test.id == "brunner_munzel" ? std::string("Brunner–Munzel") : std::string(titleOf(test));
+      words += "; " + name + " p " + equalsInWords(pInWords(test.p));
+    }
     return words;
   }
 

@@ -217,14 +217,19 @@ TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
     for (const auto& truth : golden["within"]) {
       if (truth["cohort"] != cohort.cohort) continue;
       const auto& row = rowFor(cohort, conditionOf(truth["group1"]), conditionOf(truth["group2"]));
-      EXPECT_NEAR(std::abs(row.paired.t.value()), std::abs(numberIn(truth["t"])), 1e-12);
-      EXPECT_NEAR(row.paired.p.value(), numberIn(truth["p_t"]), 1e-14);
       EXPECT_NEAR(
-          std::abs(row.effects.cohenDz.value.value()), std::abs(numberIn(truth["dz"])), 1e-12);
-      EXPECT_NEAR(row.signFlip.p.value(), numberIn(truth["p_signflip_exact"]), 1e-14);
-      EXPECT_NEAR(row.signedRank.p.value(), numberIn(truth["p_wilcoxon_exact"]), 1e-14);
-      paired.push_back(row.paired.p);
-      ranked.push_back(row.signedRank.p);
+          std::abs(row.test("paired_t").statistic.value.value()),
+          std::abs(numberIn(truth["t"])),
+          1e-12);
+      EXPECT_NEAR(row.test("paired_t").p.value(), numberIn(truth["p_t"]), 1e-14);
+      EXPECT_NEAR(
+          std::abs(row.test("paired_t").also("d_z").value()),
+          std::abs(numberIn(truth["dz"])),
+          1e-12);
+      EXPECT_NEAR(row.test("sign_flip").p.value(), numberIn(truth["p_signflip_exact"]), 1e-14);
+      EXPECT_NEAR(row.test("signed_rank").p.value(), numberIn(truth["p_wilcoxon_exact"]), 1e-14);
+      paired.push_back(row.test("paired_t").p);
+      ranked.push_back(row.test("signed_rank").p);
       truths.push_back(truth);
       ++compared;
     }
@@ -236,9 +241,10 @@ TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
     }
     for (const auto& truth : golden["friedman"]) {
       if (truth["cohort"] != cohort.cohort) continue;
-      EXPECT_NEAR(cohort.within.friedman.chiSquared.value(), numberIn(truth["chi2"]), 1e-12);
-      EXPECT_NEAR(cohort.within.friedman.p.value(), numberIn(truth["p"]), 1e-13);
-      EXPECT_NEAR(cohort.within.friedman.kendallW.value(), numberIn(truth["kendall_W"]), 1e-13);
+      const auto& friedman = analysis::testNamed(cohort.within.overall, "friedman");
+      EXPECT_NEAR(friedman.statistic.value.value(), numberIn(truth["chi2"]), 1e-12);
+      EXPECT_NEAR(friedman.p.value(), numberIn(truth["p"]), 1e-13);
+      EXPECT_NEAR(friedman.effect.value.value(), numberIn(truth["kendall_W"]), 1e-13);
       ++compared;
     }
     const std::string name = cohort.cohort == "professional" ? "lmm_prof" : "lmm_non";
@@ -247,9 +253,11 @@ TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
       const auto dash = contrast.find(" - ");
       const auto& row = rowFor(
           cohort, conditionOf(contrast.substr(0, dash)), conditionOf(contrast.substr(dash + 3)));
-      EXPECT_NEAR(std::abs(row.mixed.estimate), std::abs(numberIn(truth["estimate"])), 1e-6);
-      EXPECT_NEAR(row.mixed.standardError, numberIn(truth["SE"]), 1e-6);
-      EXPECT_NEAR(std::abs(row.mixed.t.value()), std::abs(numberIn(truth["t"])), 1e-5);
+      const auto& mixed = row.test("mixed_model");
+      EXPECT_NEAR(
+          std::abs(mixed.estimate.value.value()), std::abs(numberIn(truth["estimate"])), 1e-6);
+      EXPECT_NEAR(mixed.standardError.value(), numberIn(truth["SE"]), 1e-6);
+      EXPECT_NEAR(std::abs(mixed.statistic.value.value()), std::abs(numberIn(truth["t"])), 1e-5);
       ++compared;
     }
   }

@@ -34,120 +34,187 @@ ResultJson limits(const std::optional<analysis::Interval>& interval) {
   return ResultJson::array({interval->low, interval->high});
 }
 
-ResultJson pooledAsJson(const analysis::PairwiseComparison& row) {
-  const auto& w = row.welch;
-  return {
-      {"group1", row.group1},
-      {"group2", row.group2},
-      {"n1", w.n1},
-      {"n2", w.n2},
-      {"mean1", nullable(w.mean1)},
-      {"mean2", nullable(w.mean2)},
-      {"variance1", nullable(w.variance1)},
-      {"variance2", nullable(w.variance2)},
-      {"difference", nullable(w.difference)},
-      {"se", nullable(w.standardError)},
-      {"t", nullable(w.t)},
-      {"df", nullable(w.degreesOfFreedom)},
-      {"p", nullable(w.p)},
-      {"log10_p", nullable(w.log10P)},
-      {"conf_low", row.interval ? ResultJson(row.interval->low) : ResultJson(nullptr)},
-      {"conf_high", row.interval ? ResultJson(row.interval->high) : ResultJson(nullptr)},
-      {"reason", reasonOf(w.reason)},
-      {"p_adj", nullable(row.adjustedP)},
-      {"conf_low_adj",
-       row.adjustedInterval ? ResultJson(row.adjustedInterval->low) : ResultJson(nullptr)},
-      {"conf_high_adj",
-       row.adjustedInterval ? ResultJson(row.adjustedInterval->high) : ResultJson(nullptr)},
-      {"significant", nullable(row.isSignificant)}};
-}
-
-ResultJson testedAsJson(const analysis::AdjustedP& p, const analysis::Reason& reason) {
-  return {
-      {"p", nullable(p.p)},
-      {"p_adj", nullable(p.adjusted)},
-      {"significant", nullable(p.isSignificant)},
-      {"reason", reasonOf(reason)}};
-}
-
 void addInterval(
     ResultJson& json,
     const std::string& prefix,
     const std::optional<analysis::Interval>& interval) {
-  json[prefix + "low"] = interval ? ResultJson(interval->low) : ResultJson(nullptr);
-  json[prefix + "high"] = interval ? ResultJson(interval->high) : ResultJson(nullptr);
+  json[prefix + "low"] = interval ? nullable(std::optional(interval->low)) : ResultJson(nullptr);
+  json[prefix + "high"] = interval ? nullable(std::optional(interval->high)) : ResultJson(nullptr);
 }
 
-void addModels(ResultJson& json, const analysis::WithinComparison& row, double alpha) {
-  json["mixed_model"] = testedAsJson(row.mixedP, row.mixed.reason);
-  if (row.mixedP.p) {
-    json["mixed_model"]["estimate"] = row.mixed.estimate;
-    json["mixed_model"]["se"] = row.mixed.standardError;
-    json["mixed_model"]["t"] = nullable(row.mixed.t);
-    json["mixed_model"]["df"] = nullable(row.mixed.degreesOfFreedom);
-  }
-  json["ordinal_model"] = testedAsJson(row.ordinalP, row.ordinalReason);
-  if (!row.ordinal) return;
-  json["ordinal_model"]["estimate"] = row.ordinal->estimate;
-  json["ordinal_model"]["se"] = row.ordinal->standardError;
-  json["ordinal_model"]["z"] = row.ordinal->z;
-  json["ordinal_model"]["odds_ratio"] = nullable(std::optional(row.ordinal->oddsRatio));
-  json["ordinal_model"]["odds_ratio_conf"] = limits(oddsRatioInterval(*row.ordinal, 1.0 - alpha));
+void addNumber(ResultJson& json, const analysis::NamedNumber& number) {
+  if (!number.name.empty()) json[std::string(number.name)] = nullable(number.value);
 }
 
-ResultJson withinAsJson(const analysis::WithinComparison& row, double alpha) {
-  ResultJson json{
-      {"group1", row.group1},
-      {"group2", row.group2},
-      {"n", row.paired.n},
-      {"difference", nullable(row.paired.meanDifference)},
-      {"se", nullable(row.paired.standardError)},
-      {"t", nullable(row.paired.t)},
-      {"df", nullable(row.paired.degreesOfFreedom)},
-      {"log10_p", nullable(row.paired.log10P)}};
-  addInterval(json, "conf_", row.interval);
-  addInterval(json, "conf_adj_", row.adjustedInterval);
-  json["paired_t"] = testedAsJson(row.pairedP, row.paired.reason);
-  json["sign_flip"] = testedAsJson(row.signFlipP, row.signFlip.reason);
-  json["signed_rank"] = testedAsJson(row.signedRankP, row.signedRank.reason);
-  json["signed_rank"]["v"] = nullable(row.signedRank.v);
-  json["signed_rank"]["rank_biserial"] = nullable(row.signedRank.rankBiserial);
-  json["hodges_lehmann"] = nullable(row.location.estimate);
-  addModels(json, row, alpha);
-  json["d_z"] = nullable(row.effects.cohenDz.value);
-  json["g_z"] = nullable(row.effects.hedgesGz.value);
-  addInterval(json, "g_z_", row.effects.hedgesGz.interval);
-  json["bf10"] = nullable(row.bayes.bf10);
-  if (row.equivalence) {
-    json["tost"] = {
-        {"bound", row.equivalence->bounds.upper},
-        {"p", nullable(row.equivalence->p)},
-        {"reason", reasonOf(row.equivalence->reason)}};
+void addSizes(ResultJson& json, const analysis::TestRow& row) {
+  if (row.n1) json[row.n2 ? "n1" : "n"] = *row.n1;
+  if (row.n2) json["n2"] = *row.n2;
+  if (!row.moments) return;
+  json["mean1"] = nullable((*row.moments)[0].mean);
+  json["mean2"] = nullable((*row.moments)[1].mean);
+  json["variance1"] = nullable((*row.moments)[0].variance);
+  json["variance2"] = nullable((*row.moments)[1].variance);
+}
+
+/// Numbers that the test does not have are left out; those that are not defined are null.
+void addRow(ResultJson& json, const analysis::TestRow& row) {
+  addSizes(json, row);
+  addNumber(json, row.estimate);
+  if (!row.estimate.name.empty()) json["se"] = nullable(row.standardError);
+  addNumber(json, row.statistic);
+  json["df"] = nullable(row.df);
+  if (row.statistic.name == "F") json["df2"] = nullable(row.df2);
+  json["p"] = nullable(row.p);
+  json["log10_p"] = nullable(row.log10P);
+  if (!row.estimate.name.empty()) addInterval(json, "conf_", row.interval);
+  addNumber(json, row.effect);
+  if (!row.effect.name.empty()) {
+    addInterval(json, std::string(row.effect.name) + "_", row.effectInterval);
   }
-  json["reason"] = reasonOf(row.paired.reason);
+  for (const auto& number : row.more) addNumber(json, number);
+  json["reason"] = reasonOf(row.reason);
+}
+
+void addNames(ResultJson& json, const analysis::TestRow& row) {
+  if (row.group1.empty()) return;
+  json["group1"] = row.group1;
+  json["group2"] = row.group2;
+}
+
+ResultJson pooledAsJson(const analysis::PairwiseComparison& comparison) {
+  const auto test = rowOf(comparison);
+  ResultJson json;
+  addNames(json, test);
+  addRow(json, test);
+  json["p_adj"] = nullable(test.adjusted);
+  const auto& interval = test.adjustedInterval;
+  json["conf_low_adj"] = interval ? ResultJson(interval->low) : ResultJson(nullptr);
+  json["conf_high_adj"] = interval ? ResultJson(interval->high) : ResultJson(nullptr);
+  json["significant"] = nullable(test.isSignificant);
   return json;
 }
 
-ResultJson overallAsJson(const analysis::WithinAnalysis& within) {
-  const auto& friedman = within.friedman;
-  const auto& anova = within.anova;
+/// What every test of a family says.
+ResultJson testedAsJson(const analysis::TestRow& test) {
+  return {
+      {"p", nullable(test.p)},
+      {"p_adj", nullable(test.adjusted)},
+      {"significant", nullable(test.isSignificant)},
+      {"reason", reasonOf(test.reason)}};
+}
+
+/// All that a test says, for those that have no layout of their own.
+ResultJson rowAsJson(const analysis::TestRow& test) {
   ResultJson json;
-  json["friedman"] = {
-      {"chi2", nullable(friedman.chiSquared)},
-      {"df", friedman.treatments > 0 ? ResultJson(friedman.treatments - 1) : ResultJson(nullptr)},
-      {"p", nullable(friedman.p)},
-      {"p_exact", nullable(friedman.exactP)},
-      {"kendall_w", nullable(friedman.kendallW)},
-      {"reason", reasonOf(friedman.reason)}};
-  json["anova"] = {
-      {"f", nullable(anova.f)},
-      {"df1", nullable(anova.degreesOfFreedom1)},
-      {"df2", nullable(anova.degreesOfFreedom2)},
-      {"p", nullable(anova.p)},
-      {"partial_eta2", nullable(anova.partialEtaSquared)},
-      {"greenhouse_geisser", nullable(anova.greenhouseGeisser)},
-      {"p_greenhouse_geisser", nullable(anova.pGreenhouseGeisser)},
-      {"reason", reasonOf(anova.reason)}};
+  addRow(json, test);
+  if (test.isOfFamily) json.update(testedAsJson(test));
+  return json;
+}
+
+ResultJson mixedModelAsJson(const analysis::TestRow& test) {
+  auto json = testedAsJson(test);
+  if (!test.p) return json;
+  json["estimate"] = nullable(test.estimate.value);
+  json["se"] = nullable(test.standardError);
+  json["t"] = nullable(test.statistic.value);
+  json["df"] = nullable(test.df);
+  return json;
+}
+
+ResultJson ordinalModelAsJson(const analysis::TestRow& test) {
+  auto json = testedAsJson(test);
+  if (!test.p) return json;
+  json["estimate"] = nullable(test.estimate.value);
+  json["se"] = nullable(test.standardError);
+  json["z"] = nullable(test.statistic.value);
+  json["odds_ratio"] = nullable(test.effect.value);
+  json["odds_ratio_conf"] = limits(test.effectInterval);
+  return json;
+}
+
+ResultJson equivalenceAsJson(const analysis::TestRow& test) {
+  return {
+      {"bound", nullable(test.also("equivalence_bound"))},
+      {"p", nullable(test.p)},
+      {"reason", reasonOf(test.reason)}};
+}
+
+/// Those that have a place of their own, in the order in which they were introduced; then all
+/// others by their id.
+ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
+  const auto& paired = comparison.test("paired_t");
+  const auto& rank = comparison.test("signed_rank");
+  ResultJson json{
+      {"group1", comparison.group1},
+      {"group2", comparison.group2},
+      {"n", paired.n1.value_or(0)},
+      {"difference", nullable(paired.estimate.value)},
+      {"se", nullable(paired.standardError)},
+      {"t", nullable(paired.statistic.value)},
+      {"df", nullable(paired.df)},
+      {"log10_p", nullable(paired.log10P)}};
+  addInterval(json, "conf_", paired.interval);
+  addInterval(json, "conf_adj_", paired.adjustedInterval);
+  json["paired_t"] = testedAsJson(paired);
+  json["sign_flip"] = testedAsJson(comparison.test("sign_flip"));
+  json["signed_rank"] = testedAsJson(rank);
+  json["signed_rank"]["v"] = nullable(rank.statistic.value);
+  json["signed_rank"]["rank_biserial"] = nullable(rank.effect.value);
+  json["hodges_lehmann"] = nullable(rank.estimate.value);
+  json["mixed_model"] = mixedModelAsJson(comparison.test("mixed_model"));
+  json["ordinal_model"] = ordinalModelAsJson(comparison.test("ordinal_model"));
+  json["d_z"] = nullable(paired.also("d_z"));
+  json["g_z"] = nullable(paired.effect.value);
+  addInterval(json, "g_z_", paired.effectInterval);
+  json["bf10"] = nullable(comparison.test("bayes_factor").effect.value);
+  for (const auto& test : comparison.tests) {
+    const std::string id(test.id);
+    if (id == "tost") {
+      json[id] = equivalenceAsJson(test);
+    } else if (id != "bayes_factor" && !json.contains(id)) {
+      json[id] = rowAsJson(test);
+    }
+  }
+  json["reason"] = reasonOf(paired.reason);
+  return json;
+}
+
+ResultJson friedmanAsJson(const analysis::TestRow& test) {
+  // A whole number, also where there are too few participants for χ².
+  const auto conditions = static_cast<std::int64_t>(test.also("conditions").value_or(0.0));
+  return {
+      {"chi2", nullable(test.statistic.value)},
+      {"df", conditions > 0 ? ResultJson(conditions - 1) : ResultJson(nullptr)},
+      {"p", nullable(test.p)},
+      {"p_exact", nullable(test.also("p_permutation"))},
+      {"kendall_w", nullable(test.effect.value)},
+      {"reason", reasonOf(test.reason)}};
+}
+
+ResultJson anovaAsJson(const analysis::TestRow& test) {
+  return {
+      {"f", nullable(test.statistic.value)},
+      {"df1", nullable(test.df)},
+      {"df2", nullable(test.df2)},
+      {"p", nullable(test.p)},
+      {"partial_eta2", nullable(test.effect.value)},
+      {"greenhouse_geisser", nullable(test.also("epsilon"))},
+      {"p_greenhouse_geisser", nullable(test.also("p_epsilon"))},
+      {"reason", reasonOf(test.reason)}};
+}
+
+ResultJson overallAsJson(const analysis::WithinAnalysis& within) {
+  ResultJson json;
+  for (const auto& test : within.overall) {
+    const std::string id(test.id);
+    if (id == "friedman") {
+      json[id] = friedmanAsJson(test);
+    } else if (id == "rm_anova") {
+      json["anova"] = anovaAsJson(test);
+    } else {
+      json[id] = rowAsJson(test);
+    }
+  }
   json["mixed_model"] = {{"reason", reasonOf(within.mixed.reason)}};
   if (within.mixed.fit) {
     for (const auto& component : within.mixed.fit->components) {
@@ -164,7 +231,7 @@ ResultJson overallAsJson(const analysis::WithinAnalysis& within) {
   return json;
 }
 
-ResultJson withinAsJson(const analysis::WithinAnalysis& within, double alpha) {
+ResultJson withinAsJson(const analysis::WithinAnalysis& within) {
   ResultJson json{
       {"participants", within.participants},
       {"left_out", within.leftOut},
@@ -172,7 +239,7 @@ ResultJson withinAsJson(const analysis::WithinAnalysis& within, double alpha) {
       {"alpha_per_test", nullable(within.alphaPerTest)}};
   json.update(overallAsJson(within));
   json["comparisons"] = ResultJson::array();
-  for (const auto& row : within.rows) json["comparisons"].push_back(withinAsJson(row, alpha));
+  for (const auto& row : within.rows) json["comparisons"].push_back(withinAsJson(row));
   return json;
 }
 
@@ -220,7 +287,7 @@ ResultJson checksAsJson(const CohortResult& cohort) {
   return json;
 }
 
-ResultJson cohortAsJson(const CohortResult& cohort, double alpha) {
+ResultJson cohortAsJson(const CohortResult& cohort) {
   ResultJson json{
       {"cohort", cohort.cohort},
       {"m", cohort.comparisons.tests},
@@ -235,7 +302,7 @@ ResultJson cohortAsJson(const CohortResult& cohort, double alpha) {
          {"counts", std::vector<std::uint64_t>(counts.begin(), counts.end())}});
   }
   for (const auto& row : cohort.comparisons.rows) json["comparisons"].push_back(pooledAsJson(row));
-  json["within"] = withinAsJson(cohort.within, alpha);
+  json["within"] = withinAsJson(cohort.within);
   json.update(checksAsJson(cohort));
   json["flags"] = ResultJson::array();
   for (const auto& flag : cohort.flags) {
@@ -249,24 +316,30 @@ ResultJson cohortAsJson(const CohortResult& cohort, double alpha) {
   return json;
 }
 
-ResultJson betweenAsJson(const BetweenResult& row) {
-  return {
-      {"condition", row.condition},
-      {"cohort1", row.cohort1},
-      {"cohort2", row.cohort2},
+ResultJson betweenAsJson(const BetweenResult& result) {
+  const auto& ranks = result.test("mann_whitney");
+  const auto& brunnerMunzel = result.test("brunner_munzel");
+  ResultJson json{
+      {"condition", result.condition},
+      {"cohort1", result.cohort1},
+      {"cohort2", result.cohort2},
       {"mann_whitney",
-       {{"u", nullable(row.mannWhitney.u)},
-        {"p", nullable(row.mannWhitney.p)},
-        {"reason", reasonOf(row.mannWhitney.reason)}}},
+       {{"u", nullable(ranks.statistic.value)},
+        {"p", nullable(ranks.p)},
+        {"reason", reasonOf(ranks.reason)}}},
       {"brunner_munzel",
-       {{"w", nullable(row.brunnerMunzel.w)},
-        {"df", nullable(row.brunnerMunzel.degreesOfFreedom)},
-        {"p", nullable(row.brunnerMunzel.p)},
-        {"reason", reasonOf(row.brunnerMunzel.reason)}}},
+       {{"w", nullable(brunnerMunzel.statistic.value)},
+        {"df", nullable(brunnerMunzel.df)},
+        {"p", nullable(brunnerMunzel.p)},
+        {"reason", reasonOf(brunnerMunzel.reason)}}},
       {"cliff_delta",
-       {{"value", nullable(row.cliff.delta)},
-        {"conf", limits(row.cliff.interval)},
-        {"reason", reasonOf(row.cliff.reason)}}}};
+       {{"value", nullable(ranks.effect.value)},
+        {"conf", limits(ranks.effectInterval)},
+        {"reason", reasonOf(ranks.effectReason)}}}};
+  for (const auto& test : result.tests) {
+    if (!json.contains(std::string(test.id))) json[std::string(test.id)] = rowAsJson(test);
+  }
+  return json;
 }
 
 ResultJson familyAsJson(const FamilyResult& family) {
@@ -279,9 +352,7 @@ ResultJson familyAsJson(const FamilyResult& family) {
       {"declared_before_data", family.isDeclared},
       {"cohorts", ResultJson::array()},
       {"between", ResultJson::array()}};
-  for (const auto& cohort : family.cohorts) {
-    json["cohorts"].push_back(cohortAsJson(cohort, family.family.alpha));
-  }
+  for (const auto& cohort : family.cohorts) json["cohorts"].push_back(cohortAsJson(cohort));
   for (const auto& row : family.between) json["between"].push_back(betweenAsJson(row));
   return json;
 }
@@ -364,6 +435,26 @@ void addFelt(ResultJson& json, const FeltResult& felt) {
 }
 
 }  // namespace
+
+std::string testAsJson(
+    const analysis::StatisticalTest& test,
+    const analysis::TestData& data,
+    const std::vector<analysis::TestRow>& rows,
+    double level) {
+  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
+  ResultJson json{{"test", test.id}};
+  if (!isList) addNames(json, rows.front());
+  json["missing"] = data.missing;
+  json["conf_level"] = level;
+  if (!isList) addRow(json, rows.front());
+  for (const auto& row : rows) {
+    if (!isList) break;
+    auto& comparison = json["comparisons"].emplace_back();
+    addNames(comparison, row);
+    addRow(comparison, row);
+  }
+  return json.dump(2) + "\n";
+}
 
 std::string resultsAsJson(Study& study, const Results& results) {
   ResultJson json{

@@ -18,10 +18,11 @@ AxisScale effectScale(const FamilyResult& family) {
   double most = family.family.equivalenceBound.value_or(0.0);
   for (const auto& cohort : family.cohorts) {
     for (const auto& row : cohort.within.rows) {
-      for (const auto& interval : {row.interval, row.adjustedInterval}) {
+      const auto& test = row.test("paired_t");
+      for (const auto& interval : {test.interval, test.adjustedInterval}) {
         if (interval) most = std::max({most, -interval->low, interval->high});
       }
-      most = std::max(most, std::abs(row.paired.meanDifference.value_or(0.0)));
+      most = std::max(most, std::abs(test.estimate.value.value_or(0.0)));
     }
   }
   most = most > 0.0 ? 1.05 * most : 1.0;
@@ -62,21 +63,23 @@ class EffectPainter {
   void effect(const analysis::WithinComparison& row, double y) {
     canvas_.name(
         section_.conditionTitle(row.group1) + " − " + section_.conditionTitle(row.group2), y, kRow);
-    const auto difference = row.paired.meanDifference;
+    const auto& test = row.test("paired_t");
+    const auto difference = test.estimate.value;
     if (!difference) {
       canvas_.words(section_.words("not defined"), y, kRow);
       return;
     }
     const double middle = y + kRow / 2;
     const QColor colour = categoryColour(0);
-    if (row.adjustedInterval) {
-      canvas_.interval(row.adjustedInterval->low, row.adjustedInterval->high, middle, colour, 1.4);
+    if (test.adjustedInterval) {
+      canvas_.interval(
+          test.adjustedInterval->low, test.adjustedInterval->high, middle, colour, 1.4);
     }
-    if (row.interval) {
-      canvas_.interval(row.interval->low, row.interval->high, middle, colour, 4.0);
+    if (test.interval) {
+      canvas_.interval(test.interval->low, test.interval->high, middle, colour, 4.0);
     }
     canvas_.dot(*difference, middle, colour, 5.5);
-    canvas_.words(rounded(difference, 2) + " " + intervalInWords(row.interval), y, kRow);
+    canvas_.words(rounded(difference, 2) + " " + intervalInWords(test.interval), y, kRow);
   }
 
   QPainter& painter_;

@@ -30,18 +30,26 @@ analysis::AnswerTable professionals() {
 
 void expectDifference(const analysis::WithinComparison& row, double difference) {
   SCOPED_TRACE(row.group1 + " - " + row.group2);
-  EXPECT_NEAR(row.paired.meanDifference.value(), difference, 1e-12);
-  EXPECT_NEAR(row.mixed.estimate, difference, 1e-9) << "balanced, so the same as the means'";
-  EXPECT_GT(row.mixed.t.value() * difference, 0.0);
-  EXPECT_EQ(row.mixed.name, row.group1 + " - " + row.group2);
-  ASSERT_TRUE(row.ordinal.has_value()) << base::describe(row.ordinalReason);
-  EXPECT_GT(row.ordinal->estimate * difference, 0.0);
-  EXPECT_EQ(row.ordinal->oddsRatio > 1.0, difference > 0.0);
-  EXPECT_GT(row.location.estimate.value() * difference, 0.0);
-  EXPECT_GT(row.effects.hedgesGz.value.value() * difference, 0.0);
-  EXPECT_GT(row.signedRank.rankBiserial.value() * difference, 0.0);
-  EXPECT_LT(row.interval->low, difference);
-  EXPECT_GT(row.interval->high, difference);
+  const auto& paired = row.test("paired_t");
+  const auto& rank = row.test("signed_rank");
+  const auto& mixed = row.test("mixed_model");
+  const auto& ordinal = row.test("ordinal_model");
+  EXPECT_NEAR(paired.estimate.value.value(), difference, 1e-12);
+  EXPECT_NEAR(mixed.estimate.value.value(), difference, 1e-9)
+      << "balanced, so the same as the means'";
+  EXPECT_GT(mixed.statistic.value.value() * difference, 0.0);
+  for (const auto& test : row.tests) {
+    EXPECT_EQ(test.group1, row.group1);
+    EXPECT_EQ(test.group2, row.group2);
+  }
+  ASSERT_TRUE(ordinal.p) << base::describe(ordinal.reason);
+  EXPECT_GT(ordinal.estimate.value.value() * difference, 0.0);
+  EXPECT_EQ(ordinal.effect.value.value() > 1.0, difference > 0.0);
+  EXPECT_GT(rank.estimate.value.value() * difference, 0.0);
+  EXPECT_GT(paired.effect.value.value() * difference, 0.0);
+  EXPECT_GT(rank.effect.value.value() * difference, 0.0);
+  EXPECT_LT(paired.interval->low, difference);
+  EXPECT_GT(paired.interval->high, difference);
 }
 
 TEST(WithinAnalysis, TakesTheSecondMethodFromTheFirstInEveryTest) {

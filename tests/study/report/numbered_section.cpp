@@ -40,58 +40,94 @@ analysis::PairwiseComparisons pooledComparisons() {
   return {.alpha = 0.01, .tests = 4, .alphaPerTest = 0.0025, .rows = {row}};
 }
 
-analysis::WithinComparison withinComparison() {
-  analysis::WithinComparison row{.group1 = kFirst, .group2 = kSecond};
-  row.differences = {0.1, 0.2};
-  row.paired.n = 301;
-  row.paired.meanDifference = 3.02;
-  row.paired.variance = 3.03;
-  row.paired.standardError = 3.04;
-  row.paired.t = 3.05;
-  row.paired.degreesOfFreedom = 36.0;
-  row.paired.p = 0.307;
-  row.interval = {3.08, 3.09};
-  row.adjustedInterval = {3.11, 3.12};
-  row.effects.cohenDz = {3.13, analysis::Interval{3.14, 3.15}};
-  row.effects.hedgesGz = {3.16, analysis::Interval{3.17, 3.18}};
-  row.signFlip.p = 0.319;
-  row.signedRank.p = 0.321;
-  row.signedRank.pAsymptotic = 0.322;
-  row.signedRank.v = 323.0;
-  row.location.estimate = 3.24;
-  row.bayes.bf10 = 3.25;
-  row.equivalence.emplace();
-  row.equivalence->bounds = {-0.26, 0.26};
-  row.equivalence->p = 0.327;
-  row.mixed.estimate = 3.28;
-  row.mixed.standardError = 3.29;
-  row.mixed.t = 3.31;
-  row.mixed.degreesOfFreedom = 33.25;
-  row.mixed.p = 0.333;
-  row.ordinal = analysis::WaldEstimate{
-      .estimate = 1.0, .standardError = 0.1, .z = 3.34, .p = 0.335, .oddsRatio = 2.72};
-  row.pairedP = {0.307, 0.341, false};
-  row.signFlipP = {0.319, 0.342, false};
-  row.signedRankP = {0.321, 0.343, true};
-  row.mixedP = {0.333, 0.344, false};
-  row.ordinalP = {0.335, 0.345, false};
+analysis::TestRow tested(
+    std::string_view id, double p, double adjusted, bool isSignificant = false) {
+  analysis::TestRow row;
+  row.id = id;
+  row.p = p;
+  row.isOfFamily = true;
+  row.adjusted = adjusted;
+  row.isSignificant = isSignificant;
   return row;
 }
 
+analysis::TestRow pairedT() {
+  auto row = tested("paired_t", 0.307, 0.341);
+  row.n1 = 301;
+  row.estimate = {"difference", 3.02};
+  row.standardError = 3.04;
+  row.statistic = {"t", 3.05};
+  row.df = 36.0;
+  row.interval = {3.08, 3.09};
+  row.adjustedInterval = {3.11, 3.12};
+  row.effect = {"g_z", 3.16};
+  row.effectInterval = {3.17, 3.18};
+  row.more = {{"d_z", 3.13}};
+  return row;
+}
+
+analysis::TestRow bayesFactor() {
+  analysis::TestRow row;
+  row.id = "bayes_factor";
+  row.effect = {"bf10", 3.25};
+  return row;
+}
+
+analysis::TestRow equivalence() {
+  analysis::TestRow row;
+  row.id = "tost";
+  row.p = 0.327;
+  row.more = {{"equivalence_bound", 0.26}};
+  return row;
+}
+
+analysis::WithinComparison withinComparison() {
+  auto rank = tested("signed_rank", 0.321, 0.343, true);
+  rank.statistic = {"V", 323.0};
+  rank.estimate = {"location", 3.24};
+  rank.more = {{"p_asymptotic", 0.322}};
+  auto mixed = tested("mixed_model", 0.333, 0.344);
+  mixed.estimate = {"difference", 3.28};
+  mixed.standardError = 3.29;
+  mixed.statistic = {"t", 3.31};
+  mixed.df = 33.25;
+  auto ordinal = tested("ordinal_model", 0.335, 0.345);
+  ordinal.estimate = {"log_odds_ratio", 1.0};
+  ordinal.standardError = 0.1;
+  ordinal.statistic = {"z", 3.34};
+  ordinal.effect = {"odds_ratio", 2.72};
+  // 99 %: exp(1 ± 2.5758 · 0.1)
+  ordinal.effectInterval = {2.1010077, 3.5169106};
+  return {
+      .group1 = kFirst,
+      .group2 = kSecond,
+      .tests = {
+          pairedT(),
+          tested("sign_flip", 0.319, 0.342),
+          rank,
+          bayesFactor(),
+          equivalence(),
+          mixed,
+          ordinal}};
+}
+
 analysis::WithinAnalysis withinAnalysis() {
-  analysis::WithinAnalysis within{.participants = 41, .tests = 4};
-  within.friedman.treatments = 3;
-  within.friedman.chiSquared = 4.02;
-  within.friedman.p = 0.403;
-  within.friedman.kendallW = 0.44;
-  within.friedman.exactP = 0.405;
-  within.anova.f = 4.06;
-  within.anova.degreesOfFreedom1 = 47.0;
-  within.anova.degreesOfFreedom2 = 48.0;
-  within.anova.p = 0.409;
-  within.anova.partialEtaSquared = 0.41;
-  within.anova.greenhouseGeisser = 0.42;
-  within.anova.pGreenhouseGeisser = 0.411;
+  analysis::TestRow friedman;
+  friedman.id = "friedman";
+  friedman.statistic = {"chi2", 4.02};
+  friedman.df = 2.0;
+  friedman.p = 0.403;
+  friedman.effect = {"kendall_w", 0.44};
+  friedman.more = {{"p_permutation", 0.405}};
+  analysis::TestRow anova;
+  anova.id = "rm_anova";
+  anova.statistic = {"F", 4.06};
+  anova.df = 47.0;
+  anova.df2 = 48.0;
+  anova.p = 0.409;
+  anova.effect = {"partial_eta2", 0.41};
+  anova.more = {{"epsilon", 0.42}, {"p_epsilon", 0.411}};
+  analysis::WithinAnalysis within{.participants = 41, .tests = 4, .overall = {friedman, anova}};
   within.mixed.fit.emplace();
   within.mixed.fit->components = {{.name = "participant", .variance = 4.13}};
   within.mixed.fit->residualVariance = 4.14;
@@ -148,17 +184,21 @@ CohortResult cohortResult() {
 study::BetweenResult betweenResult() {
   study::BetweenResult result{
       .condition = kSecond, .cohort1 = kCohort, .cohort2 = "non-professional"};
-  result.mannWhitney.n1 = 701;
-  result.mannWhitney.n2 = 702;
-  result.mannWhitney.u = 703.5;
-  result.mannWhitney.p = 0.704;
-  result.mannWhitney.pAsymptotic = 0.705;
-  result.brunnerMunzel.probability = 0.706;
-  result.brunnerMunzel.w = 7.07;
-  result.brunnerMunzel.p = 0.708;
-  result.cliff.delta = 0.71;
-  result.cliff.probabilityOfSuperiority = 0.72;
-  result.cliff.interval = {0.73, 0.74};
+  analysis::TestRow ranks;
+  ranks.id = "mann_whitney";
+  ranks.n1 = 701;
+  ranks.n2 = 702;
+  ranks.statistic = {"U", 703.5};
+  ranks.p = 0.704;
+  ranks.effect = {"cliff_delta", 0.71};
+  ranks.effectInterval = {0.73, 0.74};
+  ranks.more = {{"p_asymptotic", 0.705}};
+  analysis::TestRow brunnerMunzel;
+  brunnerMunzel.id = "brunner_munzel";
+  brunnerMunzel.statistic = {"W", 7.07};
+  brunnerMunzel.p = 0.708;
+  brunnerMunzel.more = {{"probability", 0.706}};
+  result.tests = {ranks, brunnerMunzel};
   return result;
 }
 

@@ -59,7 +59,7 @@ TEST(PlanHistory, SaysWhatALaterVersionChanged) {
   EXPECT_EQ(history.changes[0].keys, std::vector<std::string_view>{"alpha"});
   EXPECT_FALSE(history.isDeclared("methods"));
   const auto results = computeResults(*study, RunMode::Live);
-  EXPECT_FALSE(results.families.front().isConfirmatory(protocols::TestType::Welch));
+  EXPECT_FALSE(results.families.front().isConfirmatory("welch"));
   EXPECT_TRUE(hasFlag(results));
 }
 

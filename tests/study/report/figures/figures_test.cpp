@@ -72,9 +72,10 @@ TEST(Figures, NameTheirAxesAndUnits) {
 TEST(Figures, ShowEffectsWithTheirNumbers) {
   const auto section = painted();
   const auto texts = textsIn(section.figures.families.front().effects);
-  const auto& row = section.results.families.front().cohorts.front().within.rows.front();
+  const auto& comparison = section.results.families.front().cohorts.front().within.rows.front();
+  const auto& row = comparison.test("paired_t");
   EXPECT_NE(
-      texts.find(rounded(row.paired.meanDifference, 2) + " " + intervalInWords(row.interval)),
+      texts.find(rounded(row.estimate.value, 2) + " " + intervalInWords(row.interval)),
       std::string::npos)
       << texts;
   EXPECT_NE(texts.find("Interpolation − FEM"), std::string::npos);
