@@ -11,12 +11,11 @@
 namespace study::app {
 namespace scene_play_test {
 
-const haptics::engine::PackingSpec kReamed{
-    .bone = haptics::engine::parametricBone(), .forceScale = 0.15};
-
 std::vector<PlayedCurve> playReamed(double from, double speed) {
+  const haptics::engine::PackingSpec reamed{
+      .bone = haptics::engine::parametricBone(), .forceScale = 0.15};
   const auto profile = profileOf({.least = from, .most = 0.02, .speed = speed});
-  return play("reamed", "Reamed", {.model = kReamed}, profile, false);
+  return play("reamed", "Reamed", {.model = reamed}, profile, false);
 }
 
 TEST(ScenePlay, ABoneThatIsReamedAnswersAtEveryStepHoweverFastTheToolStarts) {
