@@ -82,12 +82,12 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
 
 protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
   // The study says which release made it. Release 0.1 noted an amendment as a sentence, later ones
-  // note it as a list of values.
+  // note it as values.
   Statement select(
       database_,
       "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "
       "THEN (SELECT app_version NOT LIKE '0.1.%' FROM study) "
-      "ELSE (SELECT detail LIKE '[%' FROM event WHERE kind = 'amended_protocol' "
+      "ELSE (SELECT detail LIKE '{%' FROM event WHERE kind = 'amended_protocol' "
       "ORDER BY seq LIMIT 1 OFFSET (SELECT count(*) - 1 FROM protocol WHERE id < ?1)) END");
   select.bind(1, static_cast<std::int64_t>(id));
   const bool isCurrent = select.step() && select.number(0) != 0;
