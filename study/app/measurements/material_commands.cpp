@@ -219,8 +219,7 @@ void addCompare(CLI::App& noun, Action& action) {
   auto command = std::make_shared<CompareCommand>();
   auto* verb = noun.add_subcommand(
       "compare",
-      "Fig. 7 of the reaming paper: the natural cubic and the Hermite spline through the same 12 "
-      "nodes of a curve");
+      "Compare natural cubic and Hermite splines through 12 nodes (Fig. 7 of the reaming paper)");
   command->inputs.addTo(*verb);
   verb->add_option("--curve", command->curve, "TEST-SET/QUANTITY/CURVE, or all")
       ->capture_default_str();
