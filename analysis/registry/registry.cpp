@@ -264,7 +264,7 @@ Design designOf(const TestData& data) {
   return design;
 }
 
-/// A row for each pair of groups, or one with the reason why there is none.
+/// A row for each pair of groups, or one row with the reason why no pair can be tested.
 template <typename RowOfPair>
 Rows ofPairsOfGroups(const Factor& group, const Reason& whyNot, RowOfPair rowOfPair) {
   Rows rows;

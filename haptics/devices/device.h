@@ -88,7 +88,7 @@ struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
-  bool isHeld = true;     ///< the dead-man switch is held, or there is none
+  bool isHeld = true;     ///< the dead-man switch is held, or the device has no such switch
   std::int64_t deviceTime =
       0;                      ///< when it was measured, on the device's clock [ns]; 0: it has none
   std::int64_t hostTime = 0;  ///< when it arrived, on CLOCK_MONOTONIC [ns]; 0: at once

@@ -10,7 +10,7 @@ namespace haptics {
 /// Every kind of device that there is. Each has a folder of its own below haptics/devices.
 const std::vector<const devices::DeviceKind*>& deviceKinds();
 
-/// The one of that name; nullptr where there is none.
+/// The entry of that name; nullptr if no entry has it.
 const devices::DeviceKind* deviceKindNamed(std::string_view name);
 
 }  // namespace haptics

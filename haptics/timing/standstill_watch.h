@@ -28,7 +28,7 @@ class StandstillWatch {
         Clock::duration(longest_.load(std::memory_order_relaxed)));
   }
 
-  /// Begins anew.
+  /// Forgets the longest delay so far.
   void restart() noexcept { longest_.store(0, std::memory_order_relaxed); }
 
  private:

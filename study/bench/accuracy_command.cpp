@@ -328,7 +328,7 @@ Measured measure(const AccuracyOptions& options) {
   return haptics::bench::gathered(all);
 }
 
-/// Prints the errors that exceed their bounds; whether there is none.
+/// Prints the errors that exceed their bounds. Returns whether all are within.
 bool areWithinBounds(const Measured& all) {
   int bounded = 0;
   int failed = 0;

@@ -110,7 +110,7 @@ class BidsSession {
   std::string task_;
 };
 
-/// One row per person; of somebody who came more than once, as they were the first time.
+/// One row per person; for a person with several sessions, as in the first of them.
 ExportedTable participantsOf(const std::vector<ExportedSession>& sessions, const Readers& readers) {
   std::vector<ExportedSession> first;
   std::set<std::string> seen;

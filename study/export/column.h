@@ -76,7 +76,7 @@ struct ExportedColumn {
   ColumnType type;
   std::string unit;  ///< "s", "N"; empty: it has none, or the device decides
   std::string description;
-  bool isFreeText = false;         ///< somebody wrote it
+  bool isFreeText = false;         ///< written by a participant or an operator
   std::vector<Level> levels = {};  ///< the values that may stand in it, in order; empty: any
 };
 
@@ -101,7 +101,7 @@ namespace holds {
 struct Text {
   static constexpr ColumnType kType = ColumnType::Text;
 };
-/// What somebody wrote: a spreadsheet must not take it for a formula.
+/// Free text: a spreadsheet must not take it for a formula.
 struct FreeText {
   static constexpr ColumnType kType = ColumnType::Text;
 };

@@ -29,7 +29,7 @@ std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept;
 /// What kept a force from the hand, or was wrong with it.
 enum class SafetyKind {
   TooFast,        ///< the tool exceeded the limit of velocity
-  Released,       ///< nobody held the dead-man switch
+  Released,       ///< the dead-man switch was not held
   NoSample,       ///< the device gave no measurement
   MissedPeriods,  ///< the clock missed more than one period
   SoftStart,      ///< the force waited for a small one, or came on

@@ -8,7 +8,7 @@
 // The parts of a page about one study. Each is HTML, and may be empty.
 namespace study::report {
 
-/// What the study is, and whether somebody really took part.
+/// What the study is, and whether its participants were real or simulated.
 std::string headAsHtml(const ReportSection& section);
 
 /// Who took part, cohort by cohort.

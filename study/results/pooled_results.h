@@ -13,7 +13,7 @@ namespace study {
 
 /// The profile as published alone (docs/statistics.md): how often each point was chosen, by family,
 /// cohort and condition, all answers pooled, and the declared comparisons. Nothing that asks who
-/// gave an answer: no flags, no votes, no tests within people. Counts every answer anew.
+/// gave an answer: no flags, no votes, no tests within people. Counts every answer each time.
 /// @throws storage::StorageError
 Results pooledResults(Study& study, RunMode mode);
 

@@ -21,7 +21,7 @@ enum class NodeRule {
 
 /// What nodes are chosen for. The error is that of the spline of this kind through them:
 /// max |v − v̂| / max(|v|, floor). PaperLiteral takes the paper's own e_a instead,
-/// max |v − v̂| / |v| over v ≠ 0, whatever the floor.
+/// max |v − v̂| / |v| over v ≠ 0; it does not depend on the floor.
 struct NodeWish {
   NodeRule rule = NodeRule::Greedy;
   SplineKind kind = SplineKind::HermiteDataSlope;

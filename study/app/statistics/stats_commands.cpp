@@ -26,7 +26,7 @@ struct RunOptions {
   bool isWatched = false;
 };
 
-/// The pooled tables, and again whenever something has happened; until somebody interrupts it.
+/// Prints the pooled tables, and prints them again after each new event, until it is interrupted.
 [[noreturn]] void watch(Study& study, RunMode mode) {
   constexpr std::chrono::milliseconds kBetweenLooks{500};
   while (true) {

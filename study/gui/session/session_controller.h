@@ -55,7 +55,7 @@ class SessionController final : public QObject {
   void setCupSource(std::function<scene::HipScene*()> cup) { cup_ = std::move(cup); }
   scene::HipScene* visibleCup() const { return cup_ ? cup_() : nullptr; }
   /// Takes the next sample for a plot.
-  /// @return false if there is none.
+  /// @return false if there is no further sample.
   bool nextToPlot(haptics::engine::TickSample& sample) {
     return live_ && live_->nextToPlot(sample);
   }

@@ -10,7 +10,7 @@ namespace study::gui {
 
 /// Runs @p action. If it throws, shows the error's message and returns false.
 ///
-/// Exceptions must not cross Qt's event loop, so slots call this for whatever may throw.
+/// Exceptions must not cross Qt's event loop, so slots call this for code that may throw.
 template <typename Action>
 bool attempt(QWidget* parent, Action&& action) {
   try {
