@@ -13,7 +13,8 @@
 
 namespace base {
 
-/// One kind of message. A room lists its kinds in one table; key and English stand there only.
+/// One kind of message. Each room lists its kinds in one table; the key and the English text are
+/// written nowhere else.
 struct MessageKind {
   std::string_view key;      ///< stable: catalogues, tests and stored messages name it
   std::string_view english;  ///< with {} (or {:.2f}) for each argument, as fmt::format reads it
@@ -36,12 +37,12 @@ Argument asArgument(T&& value) {
   }
 }
 
-/// A fact that is told to people: why a number is missing, what a file's author should know, what
-/// was wrong with a trial. Code compares and stores kind and arguments; words are made where they
-/// are shown, by describe() or in another language by study::words::Words.
+/// A fact for people to read: why a number is missing, what a file's author should know, what was
+/// wrong with a trial. Code compares and stores kind and arguments; words are made where they are
+/// shown, by describe() or in another language by study::words::Words.
 class Message {
  public:
-  /// Nothing.
+  /// No message.
   Message() = default;
 
   Message(const MessageKind& kind, std::vector<Argument> arguments)
@@ -57,9 +58,9 @@ class Message {
 
   bool empty() const noexcept { return kind_ == nullptr && arguments_.empty(); }
 
-  /// Empty for nothing and for words from elsewhere.
+  /// Empty if there is no message, and for verbatim words.
   std::string_view key() const noexcept { return kind_ == nullptr ? "" : kind_->key; }
-  /// "{}" for words from elsewhere.
+  /// "{}" for verbatim words.
   std::string_view english() const noexcept { return kind_ != nullptr ? kind_->english : "{}"; }
   const std::vector<Argument>& arguments() const noexcept { return arguments_; }
 
@@ -72,23 +73,24 @@ class Message {
   std::vector<Argument> arguments_;
 };
 
-/// The message in English; empty for nothing.
+/// The message in English; empty for no message.
 std::string describe(const Message& message);
 
 /// Several messages in English, between semicolons.
 std::string describe(const std::vector<Message>& messages);
 
-/// A pattern, in any language, with its arguments put in. In the pseudo-language its letters are
-/// others (see shown()).
+/// A pattern, in any language, with its arguments filled in. In the pseudo-language its letters are
+/// replaced (see shown()).
 std::string filled(std::string_view pattern, const std::vector<Argument>& arguments);
 
 /// The same with arguments that have names: "{item} = {value}".
 using NamedArguments = std::vector<std::pair<std::string, Argument>>;
 std::string filled(std::string_view pattern, const NamedArguments& arguments);
 
-/// A pattern as it is shown: itself; or, where the environment has PALPATE_PSEUDO_LANGUAGE, with
-/// every letter outside {} replaced by another one, drawn from the pattern. Tests run programs so:
-/// code that reads a sentence as data fails then.
+/// A pattern as it is shown to people: unchanged, unless the environment variable
+/// PALPATE_PSEUDO_LANGUAGE is set. Then every letter outside {} is replaced by another one that is
+/// computed from the pattern. Tests run programs in this way, so that code which reads a sentence
+/// as data fails.
 std::string shown(std::string_view pattern);
 
 constexpr std::size_t placesIn(std::string_view pattern) {
@@ -97,8 +99,8 @@ constexpr std::size_t placesIn(std::string_view pattern) {
   return places;
 }
 
-/// A key of the table @p kKinds for a message with @p kArguments arguments. A key that is not
-/// there, and a wrong number of arguments, do not compile.
+/// A key of the table @p kKinds for a message with @p kArguments arguments. An unknown key or a
+/// wrong number of arguments does not compile.
 template <const auto& kKinds, std::size_t kArguments>
 class KeyIn {
  public:

@@ -34,8 +34,8 @@ std::uint64_t RandomStream::bits() noexcept {
 }
 
 std::uint64_t RandomStream::below(std::uint64_t bound) noexcept {
-  const std::uint64_t unfair =
-      -bound % bound;  // 2⁶⁴ mod bound: so many draws would favour the small
+  // 2⁶⁴ mod bound. Bits below it are drawn again, or small numbers would be more likely.
+  const std::uint64_t unfair = -bound % bound;
   std::uint64_t draw = bits();
   while (draw < unfair) draw = bits();
   return draw % bound;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-// Every random number that Palpate draws itself, but for test cases and plans, which use
-// std::mt19937_64. For the same seed the numbers are the same on every computer and in every
-// version: orders, simulated participants and materials have been drawn from them. Distributions
+// All random numbers that Palpate draws itself, except those of test cases and of plans, which use
+// std::mt19937_64. The same seed gives the same numbers on every computer and in every version,
+// because stored orders, simulated participants and materials were drawn from them. Distributions
 // of the standard library differ between libraries, so these generators have their own.
 namespace base {
 
@@ -47,7 +47,8 @@ class SplitMix64 {
 inline constexpr int kRandomVersion = 1;
 
 /// Random numbers for one purpose: a stream is named by the study's seed, an index (of a
-/// participant, a slot) and a purpose ("order", "labels"), so that a new purpose changes no other.
+/// participant, a slot) and a purpose ("order", "labels"), so that adding a purpose leaves the
+/// numbers of all others as they are.
 ///
 /// Generator: xoshiro256** (Blackman & Vigna 2018), its state filled by SplitMix64 from the seed,
 /// the index and the FNV-1a hash of the purpose.
@@ -68,7 +69,7 @@ class RandomStream {
   /// A number from the normal law with mean 0 and standard deviation 1 (Marsaglia's polar method).
   double normal() noexcept;
 
-  /// Puts @p values into one of their orders, each equally likely (Fisher–Yates).
+  /// Shuffles @p values; all orders are equally likely (Fisher–Yates).
   template <typename T>
   void shuffle(std::vector<T>& values) noexcept {
     for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);

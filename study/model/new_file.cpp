@@ -13,7 +13,7 @@ namespace study {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int file) {
-  const int code = errno;
+  const int code = errno;  // read first: close() and unlink() may change it
   if (file >= 0) {
     close(file);
     unlink(path.c_str());
@@ -40,6 +40,7 @@ void writeNewFile(const std::string& path, const std::string& content) {
     if (count < 0) fail(path, file);
     written += static_cast<std::size_t>(count);
   }
+  // Until here the data may be in memory only; a full or failing disk may show not before now.
   if (fsync(file) != 0) fail(path, file);
   close(file);
 }

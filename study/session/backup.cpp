@@ -19,9 +19,9 @@ using storage::Database;
 using storage::StorageError;
 using Access = Database::Access;
 
-constexpr double kShareOfCopying = 0.6;  // of the time, taken roughly; the rest is reading it again
+constexpr double kShareOfCopying = 0.6;  // of the time, estimated: verifying takes the rest
 
-/// The three databases of a study as they were at one moment.
+/// The three databases of a study, all as they were at the same moment.
 class Snapshot {
  public:
   explicit Snapshot(const StudyFiles& files)
@@ -29,18 +29,19 @@ class Snapshot {
             Database::open(files.study(), storage::studySchema(), Access::ReadOnly),
             Database::open(files.traces(), storage::traceSchema(), Access::ReadOnly),
             Database::open(files.identity(), storage::identitySchema(), Access::ReadOnly)} {
-    // Whatever is felt or answered ends with a commit to study.db: while nobody else may commit
-    // there, the three belong together.
+    // Recording and answering both end with a commit to study.db. While this transaction holds its
+    // write lock, nothing can be committed there, so the three read snapshots belong together. Each
+    // snapshot then stays as it is after the lock is released.
     auto writer = writerOf(files);
-    std::optional<storage::Transaction> nobodyElse;
-    if (writer) nobodyElse.emplace(*writer);
-    for (auto& database : databases_) database.holdStill();
+    std::optional<storage::Transaction> writeLock;
+    if (writer) writeLock.emplace(*writer);
+    for (auto& database : databases_) database.beginSnapshot();
   }
 
   const std::array<Database, 3>& databases() const noexcept { return databases_; }
 
  private:
-  /// Nothing where nobody may write any more: an archive, or a disk that is only read.
+  /// std::nullopt if the study cannot be written at all: an archive, or a read-only disk.
   static std::optional<Database> writerOf(const StudyFiles& files) {
     try {
       return Database::open(files.study(), storage::studySchema(), Access::ReadWrite);
@@ -59,8 +60,8 @@ std::uintmax_t sizeOf(const fs::path& file) {
   return ignored ? 0 : size;
 }
 
-/// Whether SQLite or the study itself makes this file anew where it is needed.
-bool isMadeAnew(const std::string& name) {
+/// Whether the file is a database, or one that SQLite or the study creates again when needed.
+bool isDatabaseOrRecreated(const std::string& name) {
   if (name == "ballast") return true;
   const auto stem = name.substr(0, name.find(".db"));
   const auto rest = name.substr(stem.size());
@@ -89,11 +90,11 @@ void copyDatabases(const Snapshot& snapshot, const fs::path& to, const Progress&
   }
 }
 
-/// Exports, the device file, and whatever else somebody has put there.
-void copyTheRest(const fs::path& from, const fs::path& to, const Progress& progress) {
+/// Copies exports, the device file and all other files in the folder.
+void copyOtherFiles(const fs::path& from, const fs::path& to, const Progress& progress) {
   for (const auto& entry : fs::directory_iterator(from)) {
     const auto name = entry.path().filename().string();
-    if (isMadeAnew(name)) continue;
+    if (isDatabaseOrRecreated(name)) continue;
     tell(progress, kShareOfCopying, "copying " + name);
     fs::copy(
         entry.path(), to / name, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
@@ -108,7 +109,7 @@ Verification verifyCopy(const fs::path& folder, const Progress& progress) {
   });
 }
 
-/// What reading the copy left beside its databases.
+/// Removes the log files that reading the copy left beside its databases.
 void removeLogs(const fs::path& folder) {
   const StudyFiles files{folder};
   std::error_code ignored;
@@ -126,8 +127,8 @@ std::uintmax_t bytesIn(const fs::path& folder) {
   return bytes;
 }
 
-/// As it is known without links and dots: "out/" means "out".
-fs::path plain(const fs::path& folder) {
+/// The path without links, dots and trailing slash: "out/" becomes "out".
+fs::path normalised(const fs::path& folder) {
   fs::path path = fs::weakly_canonical(fs::absolute(folder));
   return path.has_filename() ? path : path.parent_path();
 }
@@ -154,11 +155,12 @@ Backup copyInto(
     const Snapshot snapshot(StudyFiles{from});
     copyDatabases(snapshot, unfinished, told);
   }
-  copyTheRest(from, unfinished, told);
+  copyOtherFiles(from, unfinished, told);
   Backup backup;
   backup.verification = verifyCopy(unfinished, told);
   removeLogs(unfinished);
   backup.bytes = bytesIn(unfinished);
+  // Last: the target appears only when the copy is complete and verified.
   fs::rename(unfinished, target);
   return backup;
 }
@@ -166,15 +168,15 @@ Backup copyInto(
 }  // namespace
 
 Backup backUp(const fs::path& folder, const fs::path& destination, const Progress& progress) {
-  const auto from = plain(folder);
-  const auto target = plain(destination);
+  const auto from = normalised(folder);
+  const auto target = normalised(destination);
   if (!fs::is_directory(from)) {
     throw StorageError("There is no study in " + folder.string() + ". Check the folder's name.");
   }
   refuseUnlessNew(from, target);
   const auto unfinished = newFolderBeside(target);
   try {
-    // As open to others as the study itself, and no more: names of people lie in it.
+    // The copy holds names of people, so it gets the permissions of the study, and no wider ones.
     fs::permissions(unfinished, fs::status(from).permissions());
     return copyInto(from, unfinished, target, progress);
   } catch (const fs::filesystem_error& error) {

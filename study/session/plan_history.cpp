@@ -21,7 +21,7 @@ const Family* familyIn(const AnalysisPlan& plan, const std::string& id) {
   return found == plan.families.end() ? nullptr : &*found;
 }
 
-/// Whether family @p id stands in both plans, and alike.
+/// Whether both plans have family @p id, with the same declarations.
 bool isAlikeIn(const AnalysisPlan& one, const AnalysisPlan& other, const std::string& id) {
   const auto* first = familyIn(one, id);
   const auto* second = familyIn(other, id);
@@ -34,7 +34,7 @@ class PlanFollower {
   explicit PlanFollower(const AnalysisPlan& declared) : declared_(declared) {}
 
   /// What one version did to the plan of the version before it.
-  /// @param isUsed  a live participant began with it
+  /// @param isUsed  whether a live participant began with this version
   void follow(
       const AnalysisPlan& before,
       const protocols::Protocol& after,
@@ -56,15 +56,16 @@ class PlanFollower {
     }
     if (!isUsed) return;
     for (const auto& family : declared_.families) {
-      if (!isAlikeIn(declared_, after.analysis, family.id)) usedOtherwise_.insert(family.id);
+      if (!isAlikeIn(declared_, after.analysis, family.id)) usedInOtherForm_.insert(family.id);
     }
   }
 
-  /// Which families of @p now were not declared as they stand, and what happened to all of them.
+  /// Lists the families of @p now that were not declared as they are now, and the changes to all
+  /// families.
   void finish(const AnalysisPlan& now, PlanHistory& history) {
     for (const auto& family : now.families) {
       const bool isKept = isAlikeIn(declared_, now, family.id);
-      if (!isKept || usedOtherwise_.contains(family.id)) history.undeclared.push_back(family.id);
+      if (!isKept || usedInOtherForm_.contains(family.id)) history.undeclared.push_back(family.id);
     }
     for (auto& change : changes_) {
       if (change.kind == FamilyChange::Kind::PutBack) continue;
@@ -87,13 +88,14 @@ class PlanFollower {
          .keys = {},
          .version = version,
          .addedUtc = addedUtc,
-         .isHarmless = kind == FamilyChange::Kind::PutBack && !usedOtherwise_.contains(family.id)});
+         .isHarmless =
+             kind == FamilyChange::Kind::PutBack && !usedInOtherForm_.contains(family.id)});
   }
 
   const AnalysisPlan& declared_;
   std::vector<FamilyChange> changes_;
-  std::set<std::string>
-      usedOtherwise_;  ///< families a live participant began with, unlike declared
+  /// Families that were not as declared in a version with which a live participant began.
+  std::set<std::string> usedInOtherForm_;
 };
 
 }  // namespace

@@ -8,42 +8,43 @@
 
 namespace study {
 
-/// What a version of the protocol did to a family of comparisons after the first live participant
-/// had begun: whoever did it may have seen data.
+/// A change that a version of the protocol made to a family of comparisons after the first live
+/// participant had begun. Its author may have seen data.
 struct FamilyChange {
-  /// PutBack: it then stood again as it had when the first live participant began.
+  /// PutBack: the family was again as it had been when the first live participant began.
   enum class Kind { Added, Changed, Removed, PutBack };
 
   std::string family;  ///< its id
   std::string title;
   Kind kind = Kind::Changed;
-  std::vector<std::string_view> keys;  ///< Changed: which of its keys in the protocol
-  std::string version;                 ///< of the protocol, as its authors name it
-  std::string addedUtc;                ///< when that version came into the study, ISO 8601
-  /// Changed, Added: whether its family is declared all the same, as it was put back in time.
-  /// PutBack: whether no live participant had begun with a version in which it was otherwise.
+  std::vector<std::string_view> keys;  ///< Changed: the keys in the protocol whose values changed
+  std::string version;                 ///< of the protocol, as its authors call it
+  std::string addedUtc;                ///< when that version was added to the study, ISO 8601
+  /// Changed, Added: true if the family counts as declared because it was restored in time.
+  /// PutBack: true if no live participant had begun with a version in which the family differed.
   bool isHarmless = false;
 };
 
-/// What became of the analysis plan since it was first kept.
+/// All changes to the analysis plan since it was first stored.
 struct PlanHistory {
   std::size_t versions = 1;             ///< of the protocol
-  std::size_t versionsSinceBegun = 0;   ///< of these, after the first live participant had begun
+  std::size_t versionsSinceBegun = 0;   ///< of these, added after the first live participant had
+                                        ///< begun
   std::vector<FamilyChange> changes;    ///< the oldest first
-  std::vector<std::string> undeclared;  ///< families that were not declared as they now stand
+  std::vector<std::string> undeclared;  ///< families that were not declared as they are now
 
-  /// Whether @p family stands in the protocol as it did in every version with which a live
-  /// participant began, or nobody has begun yet: only then its declared test is confirmatory. One
-  /// that was changed and put back before anybody took part in between is declared; otherwise it is
-  /// not, since some of the data came under another plan, and whoever put it back had two plans to
-  /// choose from with more data at hand.
+  /// Whether the declared test of @p family is confirmatory. That is so if no live participant has
+  /// begun yet, or if every version with which one began had the family as it is now. A family that
+  /// was changed and restored before anybody began in between is therefore declared. Otherwise it
+  /// is not: some of the data were collected under another plan, and the author of the restored
+  /// plan could choose between two plans with more data at hand.
   bool isDeclared(std::string_view family) const;
 };
 
 /// @throws storage::StorageError
 PlanHistory planHistory(Study& study);
 
-/// In which keys two families differ; their titles do not count, nor the order of comparisons.
+/// The keys in which two families differ. Titles and the order of comparisons are not compared.
 std::vector<std::string_view> differingKeys(
     const protocols::Family& before, const protocols::Family& after);
 

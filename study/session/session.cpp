@@ -17,7 +17,7 @@ using storage::SlotState;
 using storage::StorageError;
 using storage::VisitStatus;
 
-constexpr double kClockSlack = 2.0;  // [s]: more is no drift, somebody set the clock
+constexpr double kClockSlack = 2.0;  // [s]: clocks do not drift by more; somebody set the clock
 
 std::vector<Step> planFor(Study& study, const SessionRow& row) {
   const auto& protocol = study.protocol(row.protocol).protocol;
@@ -67,7 +67,7 @@ void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   study.events().append({.when = now, .kind = "froze_protocol", .detail = row.participant});
 }
 
-/// Writes down that somebody takes part, inside the caller's transaction.
+/// Stores a new participant's first session, inside the caller's transaction.
 std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   auto sessions = study.sessions();
   row.protocol = study.protocols().current().id;
@@ -120,10 +120,10 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
 Session Session::resume(Study& study, SessionId id) {
   auto row = study.sessions().load(id);
   std::optional<storage::Lease> lease;
-  study.withRoom([&] {
+  study.withReservedSpace([&] {
     storage::Transaction transaction(study.database());
     lease.emplace(study.database(), id, asUtc(study.clock().now().wall));
-    row = study.sessions().load(id);  // as it is now that nobody else goes on with it
+    row = study.sessions().load(id);  // read again: only now can no other program change it
     transaction.commit();
   });
   auto plan = planFor(study, row);
@@ -145,7 +145,7 @@ bool Session::isRightAfterConsent() const noexcept {
   return study::isRightAfterConsent(row_.state, plan_, row_.step);
 }
 
-/// What comes before is no step that is ever done again.
+/// The step before this one is never repeated: there is none, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept {
   const bool isAgain = state == SessionState::Interrupted;
   const auto before = static_cast<std::size_t>(step) - 1;
@@ -175,20 +175,21 @@ void Session::require(bool condition, const std::string& otherwise) const {
 }
 
 void Session::transact(const std::function<void()>& action) {
-  settleDoubt();
+  resolveUnknownCommit();
   const SessionRow before = row_;
   const auto lastMoment = lastMoment_;
   try {
     study_.transact([&] {
+      // Runs a second time if the disk was full: both runs must begin from the same state.
       row_ = before;
       lastMoment_ = lastMoment;
-      said_.clear();
+      pendingEvents_.clear();
       action();
       study_.sessions().update(row_);
-      for (const auto& event : said_) study_.events().append(event);
+      for (const auto& event : pendingEvents_) study_.events().append(event);
     });
   } catch (const StorageError& error) {
-    isInDoubt_ = error.kind() == StorageError::Kind::Unknown;
+    isCommitUnknown_ = error.kind() == StorageError::Kind::Unknown;
     row_ = before;
     throw;
   } catch (...) {
@@ -197,11 +198,12 @@ void Session::transact(const std::function<void()>& action) {
   }
 }
 
-/// Nobody goes on from a step that may not be the present one any more.
-void Session::settleDoubt() {
-  if (!isInDoubt_) return;
+/// After a commit of unknown outcome: reads the row again, and stops the caller if its step is
+/// over.
+void Session::resolveUnknownCommit() {
+  if (!isCommitUnknown_) return;
   const auto kept = study_.sessions().load(row_.id);
-  isInDoubt_ = false;
+  isCommitUnknown_ = false;
   if (kept == row_) return;
   row_ = kept;
   throw UserError(
@@ -220,20 +222,20 @@ void Session::keep(storage::Event event) {
   event.visit = visit();
   event.when = study_.clock().now();
   noticeSteppedClock(event.when);
-  said_.push_back(std::move(event));
+  pendingEvents_.push_back(std::move(event));
 }
 
 void Session::noticeSteppedClock(const Moment& now) {
   const auto last = std::exchange(lastMoment_, now);
   if (!last) return;
-  const double onWall = static_cast<double>(now.wall - last->wall) / 1e3;
-  const double really = static_cast<double>(now.monotonic - last->monotonic) / 1e9;
-  if (std::abs(onWall - really) < kClockSlack) return;
-  said_.push_back(
+  const double byWallClock = static_cast<double>(now.wall - last->wall) / 1e3;        // [s]
+  const double elapsed = static_cast<double>(now.monotonic - last->monotonic) / 1e9;  // [s]
+  if (std::abs(byWallClock - elapsed) < kClockSlack) return;
+  pendingEvents_.push_back(
       {.visit = visit(),
        .when = now,
        .kind = "clock_stepped",
-       .values = {{"by_s", onWall - really}}});
+       .values = {{"by_s", byWallClock - elapsed}}});
 }
 
 std::string Session::utcNow() const {

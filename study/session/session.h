@@ -15,27 +15,29 @@
 
 namespace study {
 
-/// Who takes part.
+/// The participant of a new session.
 struct Enrolment {
   std::string cohort;
   RunMode runMode = RunMode::Live;
   std::string language = "en";
-  std::string code;  ///< empty: one is made up
+  std::string code;  ///< empty: the next free code is used
 };
 
-/// One sitting of one participant: what may happen next, and every step of it on the disk before
-/// anybody sees the next page. The window, the terminal and a simulated cohort go through it alike.
+/// One session of one participant: its steps, and the events that are possible next. Every step is
+/// on the disk before the next page is shown. The windows, the terminal and simulated cohorts all
+/// use this class.
 ///
-/// Whatever returns has been committed. What throws storage::StorageError was not, and nothing has
-/// changed: the answers are still on the screen. (Of the kind Unknown, it may have been: the next
-/// call finds out, and says so where it was.) The study outlives its sessions.
+/// When a function returns, its change has been committed. When it throws storage::StorageError,
+/// nothing was committed and nothing has changed: the answers are still on the screen. The
+/// exception is an error of the kind Unknown, where the commit may have succeeded; the next call
+/// reads the row again, and reports it if it did. The study must outlive its sessions.
 class Session {
  public:
   /// Reserves the next place of the cohort. The first live participant freezes the protocol.
   /// @throws UserError  if the protocol has no such cohort or language.
   static Session enrol(Study& study, const Enrolment& enrolment);
 
-  /// Goes on with a session at the step it was in. A trial that was under way counts as broken off.
+  /// Continues a session at its present step. A trial that was running counts as broken off.
   /// @throws storage::StorageError  (Busy) if another program is running it.
   static Session resume(Study& study, SessionId id);
 
@@ -52,52 +54,55 @@ class Session {
   bool isOver() const noexcept { return study::isOver(row_.state); }
   bool allows(SessionEvent event) const noexcept;
 
-  /// The step that the participant is in. Not when it is over.
+  /// The participant's present step. Must not be called when the session is over.
   const Step& step() const { return plan_.at(static_cast<std::size_t>(row_.step)); }
   int stepIndex() const noexcept { return row_.step; }
   VisitKey visit() const noexcept { return {row_.id, row_.step, row_.attempt}; }
 
-  /// What is asked in this step; nothing where nothing is.
+  /// The questionnaire of this step; nullptr if it has none.
   const questionnaires::Instrument* instrument() const;
   std::vector<questionnaires::Item> items() const;
-  /// What has been answered in this step so far.
+  /// The answers given in this step so far.
   std::vector<GivenAnswer> answers() const;
-  /// The required items that have no answer yet; answers that name a person count as given.
+  /// The required items without an answer. Answers that name a person count as given.
   std::vector<std::string> missing() const;
 
-  /// One answer, or what it was changed to: one transaction.
-  /// @throws UserError  if the item is not asked here, or the response cannot be an answer to it.
+  /// Stores an answer, or a changed one, in one transaction.
+  /// @throws UserError  if this step does not ask the item, or the response is not valid for it.
   void record(const GivenAnswer& answer);
 
-  /// Takes an answer back: the item is missing again.
+  /// Removes an answer: the item is missing again.
   void retract(const std::string& item);
 
-  /// The physical cuts that were counted in a benchmark; none or more.
+  /// Stores how many physical cuts were counted in a benchmark, 0 or more.
   void recordBenchmarkCuts(int cuts);
   int benchmarkCuts() const;
 
-  /// On to the next step; the consent step leads to consent or to its refusal by what was answered.
+  /// Goes on to the next step. After the consent step the answers decide between consent and
+  /// refusal.
   /// @throws UserError  if something required is missing, or this is a trial.
   void finishStep();
 
-  /// Goes on without feeling what is offered once more.
+  /// Skips a trial that is only offered.
   /// @throws UserError  if nothing is offered in this step.
   void declineOffer();
 
   void beginTrial();
-  /// @param record  of a trial that was finished; any other is broken off.
+  /// @param record  must have the ending Finished; a trial that ended otherwise goes to
+  ///     breakOffTrial().
   void finishTrial(const TrialRecord& record);
-  /// No force any more; the operator decides between repeatStep(), skipStep(), giveUpOnDevice().
+  /// The force is off. The operator now chooses between repeatStep(), skipStep() and
+  /// giveUpOnDevice().
   void breakOffTrial(const TrialRecord& record);
 
-  /// This step (after a break-off) or the one before it again, from the start; what was answered
-  /// stays, marked as repeated.
+  /// Repeats this step (after a break-off) or the one before it from its start. Its answers are
+  /// kept and marked as repeated.
   void repeatStep(const std::string& reason);
-  /// Leaves this step out; of a trial also the questions about it.
+  /// Skips this step; after a trial also the questions about it.
   void skipStep(const std::string& reason);
   void pause(const std::string& reason);
   void resumeAfterPause();
-  /// At any time, in a trial as well: it is let go of first, and counts as stopped.
+  /// Possible at any time. A running trial is stopped first and counts as stopped.
   void withdraw(const std::string& reason);
   void reject(const std::string& reason);
   void giveUpOnDevice(const std::string& reason);
@@ -110,14 +115,14 @@ class Session {
   void require(SessionEvent event) const;
   void require(bool condition, const std::string& otherwise) const;
   void transact(const std::function<void()>& action);
-  void settleDoubt();
+  void resolveUnknownCommit();
   void say(storage::Actor actor, const std::string& kind, const std::string& detail = {});
   void say(storage::Actor actor, const std::string& kind, base::NamedArguments values);
   void keep(storage::Event event);
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;
 
-  /// The parts of a transaction.
+  /// The functions below run inside a transaction.
   void enter(SessionEvent event, storage::Actor actor, const std::string& detail = {});
   void enter(SessionEvent event, storage::Actor actor, base::NamedArguments values);
   void leaveStep(storage::VisitStatus status, const std::string& reason);
@@ -139,16 +144,16 @@ class Session {
   const protocols::LoadedProtocol* protocol_;
   storage::Lease lease_;
   std::optional<Moment> lastMoment_;
-  std::vector<storage::Event> said_;  ///< in the transaction under way
-  bool isInDoubt_ = false;            ///< whether the last transaction arrived
+  std::vector<storage::Event> pendingEvents_;  ///< events of the present transaction
+  bool isCommitUnknown_ = false;  ///< whether the outcome of the last commit is unknown
 };
 
-/// Whether @p event can happen to a session that is in @p state at step @p step of @p plan: what
-/// the state allows, and what this step does.
+/// Whether @p event is possible for a session in @p state at step @p step of @p plan. Depends on
+/// the state and on the kind of the step.
 bool allows(
     SessionState state, const std::vector<Step>& plan, int step, SessionEvent event) noexcept;
 
-/// Whether the step before is one that is never done again.
+/// Whether the step before is never repeated: there is none, or it is the consent form.
 bool isRightAfterConsent(SessionState state, const std::vector<Step>& plan, int step) noexcept;
 
 }  // namespace study

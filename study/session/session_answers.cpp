@@ -1,4 +1,4 @@
-// What is asked in a step, and what has been answered.
+// Questions and answers of a session.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,8 @@ using storage::Actor;
 
 constexpr const char* kBenchmarkItem = "physical-cuts";
 
-/// A number stays a number, also where somebody wrote it without a point.
+/// An answer as it is stored: a number stays a number also if it was entered without a decimal
+/// point.
 GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
   using questionnaires::ItemType;
   const bool isNumber = item.type == ItemType::Number || item.type == ItemType::Slider;
@@ -83,7 +84,7 @@ void Session::record(const GivenAnswer& answer) {
 void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnswer& answer) {
   const auto* text = std::get_if<std::string>(&answer.response);
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
-  study_.withRoom([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
+  study_.withReservedSpace([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
   transact([&] {
     say(Actor::Participant, "answered", {{"item", item.id}, {"kept_apart", std::int64_t{1}}});
   });
@@ -92,7 +93,8 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
 void Session::retract(const std::string& id) {
   requireAnswerable();
   const auto item = askedItem(id);
-  if (item.isIdentifying) study_.withRoom([&] { study_.identities().remove(place(), id); });
+  if (item.isIdentifying)
+    study_.withReservedSpace([&] { study_.identities().remove(place(), id); });
   transact([&] {
     storage::AnswerRepository(study_.database()).remove(visit(), id);
     say(Actor::Participant, "retracted", id);

@@ -44,7 +44,7 @@ PartOfSession partOf(const protocols::LoadedProtocol& loaded, const Step& step, 
   }
   const auto* instrument = step.hasItems() ? loaded.instrument(step.instrument) : nullptr;
   if (instrument == nullptr) return part;
-  // What stands above every questionnaire of a block is read once, and then known.
+  // The introduction of a questionnaire is read in the first round of a block only.
   const bool isKnown = step.kind == StepKind::Questionnaire && step.position > 1;
   if (!isKnown) part.seconds += secondsToRead(instrument->introduction, pace);
   for (const auto& item : instrument->itemsOf(step.itemSet)) {
@@ -60,7 +60,7 @@ SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace
       protocols::scheduleFor(protocol, protocol.seed.value_or(1), protocol.cohorts.front().id, 0);
   SessionLength length;
   for (const auto& step : sessionPlan(protocol, schedule)) {
-    if (step.isOffered) continue;  // hardly anybody takes all of them
+    if (step.isOffered) continue;  // few participants accept the offer
     const auto part = partOf(loaded, step, pace);
     add(length.parts, part);
     length.seconds += part.seconds;

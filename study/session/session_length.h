@@ -8,13 +8,13 @@
 
 namespace study {
 
-/// How fast people are taken to be.
+/// How fast participants are assumed to be.
 struct Pace {
-  double perItem = 8.0;         ///< a statement or a choice [s]
-  double perText = 40.0;        ///< an answer in words [s]
+  double perItem = 8.0;         ///< to answer a statement or a choice [s]
+  double perText = 40.0;        ///< to answer in free text [s]
   double perCut = 8.0;          ///< one cut or stroke [s]
-  double perChange = 20.0;      ///< from one trial to the next [s]
-  double wordsPerSecond = 3.0;  ///< of a text that is read
+  double perChange = 20.0;      ///< to change from one trial to the next [s]
+  double wordsPerSecond = 3.0;  ///< when reading a text
 };
 
 /// All steps of one kind.
@@ -26,19 +26,19 @@ struct PartOfSession {
   double seconds = 0.0;
 };
 
-/// How long a session lasts, and what with.
+/// The expected duration of a session and of its parts.
 struct SessionLength {
   std::vector<PartOfSession> parts;  ///< in the order in which they first occur
   double seconds = 0.0;
-  double secondsOfForce = 0.0;  ///< of that in trials on the device
+  double secondsOfForce = 0.0;  ///< of these, in trials on the device
 };
 
 /// One step of a session.
 PartOfSession partOf(
     const protocols::LoadedProtocol& loaded, const Step& step, const Pace& pace = {});
 
-/// The sum over all steps of a session, which is the same for every participant. A trial lasts its
-/// least number of cuts, and one where the protocol names none.
+/// The sum over all steps of a session, which is the same for every participant. A trial is taken
+/// to last for its minimum number of cuts, or for one cut if the protocol names none.
 SessionLength lengthOf(const protocols::LoadedProtocol& loaded, const Pace& pace);
 
 }  // namespace study

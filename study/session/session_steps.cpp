@@ -1,4 +1,4 @@
-// How a session goes on: steps, trials, and what the operator may decide.
+// The course of a session: steps, trials, and the operator's decisions.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ void Session::keepTrial(const TrialRecord& record) {
   }
 }
 
-/// What is known of a trial that nobody is there to tell about.
+/// The record of a trial that no longer runs, from its stored trace alone.
 TrialRecord Session::brokenOff(TrialEnding ending) {
   TrialRecord record{.ending = ending};
   record.traceSamples = study_.traces().sampleCount(visit());
@@ -117,7 +117,9 @@ TrialRecord Session::brokenOff(TrialEnding ending) {
   return record;
 }
 
-/// Of a questionnaire the trial that it is about; nobody is asked again about what nobody felt.
+/// The step that repeatStep() goes back to. From a questionnaire this is the trial that it is
+/// about. From the step after a questionnaire it is that questionnaire, or the trial if that was
+/// not finished: questions about a condition are not asked again without the condition.
 int Session::stepToRepeat() const {
   if (row_.state == SessionState::Interrupted) return row_.step;
   const auto isQuestionnaire = [&](int step) {
@@ -154,7 +156,7 @@ void Session::skipStep(const std::string& reason) {
     leaveStep(VisitStatus::Skipped, reason);
     enter(SessionEvent::SkippedStep, Actor::Operator, reason);
     int target = row_.step + 1;
-    // Nobody is asked about what nobody felt.
+    // A skipped trial leaves nothing to ask about: its questionnaires are skipped, too.
     while (skipped.kind == StepKind::Trial && target < static_cast<int>(plan_.size()) &&
            plan_[static_cast<std::size_t>(target)].kind == StepKind::Questionnaire) {
       const VisitKey unasked{row_.id, target, sessions.attempts(row_.id, target) + 1};

@@ -129,7 +129,7 @@ storage::TraceStore Study::openTraces() const {
       StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));
 }
 
-void Study::withRoom(const std::function<void()>& action) {
+void Study::withReservedSpace(const std::function<void()>& action) {
   try {
     action();
   } catch (const StorageError& error) {
@@ -139,7 +139,7 @@ void Study::withRoom(const std::function<void()>& action) {
   }
 }
 
-bool Study::hasArrived(const std::vector<std::byte>& head) {
+bool Study::isEventStored(const std::vector<std::byte>& head) {
   try {
     return !head.empty() && events().holds(head);
   } catch (const StorageError& error) {
@@ -150,15 +150,16 @@ bool Study::hasArrived(const std::vector<std::byte>& head) {
 }
 
 void Study::transact(const std::function<void()>& action) {
-  withRoom([&] {
+  withReservedSpace([&] {
     std::vector<std::byte> head;
     try {
       storage::Transaction transaction(database_);
       action();
+      // The hash of the last event identifies this transaction if its commit seems to fail.
       head = events().head();
       transaction.commit();
     } catch (const StorageError&) {
-      if (!hasArrived(head)) throw;
+      if (!isEventStored(head)) throw;
     }
   });
 }

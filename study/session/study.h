@@ -21,18 +21,20 @@ namespace study {
 
 /// A study on disk: a folder with study.db, traces.db and identity.db.
 ///
-/// Owns the connections of the thread that made it. Outlives its sessions.
+/// Owns the database connections of the thread that created it. Must outlive its sessions.
 class Study {
  public:
-  /// A new folder. @throws storage::StorageError  if it is there already, or cannot be written.
-  /// @param seed  of everything drawn; the protocol's, or one drawn now, where there is none.
+  /// Makes a new folder.
+  /// @throws storage::StorageError  if it exists already, or cannot be written.
+  /// @param seed  of everything that is drawn; if there is none, the protocol's, or else a random
+  ///     one.
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
       Clock& clock,
       std::optional<std::uint64_t> seed = std::nullopt);
 
-  /// A folder that is there. @throws storage::StorageError
+  /// Opens an existing folder. @throws storage::StorageError
   static Study open(
       const std::filesystem::path& folder,
       Clock& clock,
@@ -44,12 +46,13 @@ class Study {
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
 
-  /// The protocol that new sessions use, and that of a session.
+  /// The protocol that new sessions use, and the one of a given version.
   const protocols::LoadedProtocol& protocol();
   const protocols::LoadedProtocol& protocol(ProtocolId id);
 
-  /// New sessions use @p protocol from now on. Once a live participant has begun, that is a new
-  /// version, and needs a reason. @throws storage::StorageError  if it does and there is none.
+  /// New sessions use @p protocol from now on. Once a live participant has begun, this needs a
+  /// reason.
+  /// @throws storage::StorageError  if that reason is missing.
   void amend(const protocols::LoadedProtocol& protocol, const std::string& reason);
 
   storage::Database& database() noexcept { return database_; }
@@ -62,19 +65,18 @@ class Study {
   /// Another connection to traces.db, for the recorder's thread.
   storage::TraceStore openTraces() const;
 
-  /// Runs @p action; if the disk is full, gives back the room that was kept free and tries once
-  /// more.
-  /// @throws whatever it throws.
-  void withRoom(const std::function<void()>& action);
+  /// Runs @p action. If the disk is full, releases the reserved disk space and tries once more.
+  /// @throws everything that @p action throws.
+  void withReservedSpace(const std::function<void()>& action);
 
-  /// Runs @p action, which notes at least one event at its end, as one transaction, with that room
-  /// where it is needed. A commit that failed is unknown, not undone: the audit trail says whether
-  /// it arrived.
-  /// @throws storage::StorageError  and then nothing has changed; or, of the kind Unknown, it may
-  /// have.
+  /// Runs @p action in one transaction, and uses the reserved disk space if needed. The action must
+  /// append at least one event last. If a commit fails its outcome is unknown, so the audit trail
+  /// is read to find out whether it was written.
+  /// @throws storage::StorageError  and then nothing has changed, except for the kind Unknown,
+  ///     where it may have.
   void transact(const std::function<void()>& action);
 
-  /// Writes down something that happened to no session: an export, an unblinding.
+  /// Appends an event that belongs to no session: an export, an unblinding.
   void note(const std::string& kind, const std::string& words);
   void note(storage::Event event);
 
@@ -86,7 +88,7 @@ class Study {
       storage::Database traces,
       storage::Database identities);
   void readHead();
-  bool hasArrived(const std::vector<std::byte>& head);
+  bool isEventStored(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;
   Clock* clock_;
@@ -99,7 +101,7 @@ class Study {
   std::string createdUtc_;
 };
 
-/// The version of this program, as it stands in every session.
+/// The version of this program, as stored with every session.
 std::string_view appVersion() noexcept;
 
 }  // namespace study

@@ -1,4 +1,4 @@
-// How a study comes to be.
+// Creates studies.
 #include <array>
 #include <utility>
 
@@ -18,8 +18,9 @@ namespace fs = std::filesystem;
 using storage::Database;
 using storage::StorageError;
 
-constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: for a first session
+constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: enough for a first session
 
+/// A random seed that JSON files and scripts can hold exactly.
 std::uint64_t drawnSeed() {
   constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
   std::uint64_t seed = 0;
@@ -27,8 +28,8 @@ std::uint64_t drawnSeed() {
   return seed & kExactInJson;
 }
 
-/// Names a study for good. A study with a given seed and protocol always gets the same name, so
-/// that a simulated one can be made again byte for byte; a drawn seed makes it unique.
+/// The permanent name of a study. The same seed and protocol give the same name, so that a
+/// simulated study can be made again byte for byte. A drawn seed makes the name unique.
 std::string uuidFor(std::uint64_t seed, const std::string& protocolHash) {
   std::array<unsigned char, 16> bytes{};
   const std::string content = std::to_string(seed) + protocolHash;
@@ -68,7 +69,7 @@ void makeFolder(const fs::path& folder) {
   fs::create_directory(folder / "exports", error);
 }
 
-/// Writes what a new study begins with.
+/// Creates the databases of a new study and writes their first rows.
 void begin(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
@@ -79,6 +80,8 @@ void begin(
   Database::create(files.traces(), storage::traceSchema());
   Database::create(files.identity(), storage::identitySchema());
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
+  // The row of the study is committed last. A folder without it was never finished, and
+  // Study::open() refuses it.
   Database database =
       Database::open(files.study(), storage::studySchema(), Database::Access::ReadWrite);
   storage::Transaction transaction(database);
@@ -112,7 +115,7 @@ Study Study::create(
     begin(folder, protocol, clock, seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()));
   } catch (const StorageError&) {
     std::error_code ignored;
-    fs::remove_all(folder, ignored);  // nothing but a study that was never made is in it
+    fs::remove_all(folder, ignored);  // the study was never complete: no data are lost
     throw;
   }
   return open(folder, clock);

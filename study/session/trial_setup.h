@@ -9,17 +9,17 @@
 
 namespace study {
 
-/// The device that the trial @p session stands before is felt on.
+/// The device that the protocol asks for in the present trial of @p session.
 const protocols::DeviceNeed& deviceFor(const Session& session);
 
-/// What is felt and seen in that trial.
+/// The scene of that trial: what is rendered and shown.
 haptics::engine::SceneSpec sceneFor(const Session& session);
 
-/// That trial as it is to be rendered, its samples kept in @p traces, which outlives it.
+/// The setup of that trial. Its samples are stored in @p traces, which must outlive it.
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces);
 
-/// That trial on its device of @p deviceSet, open and armed.
-/// @throws UserError, haptics::devices::DeviceError  if the device is not there or not ready.
+/// That trial on its device of @p deviceSet, opened and armed.
+/// @throws UserError, haptics::devices::DeviceError  if the device is missing or not ready.
 std::unique_ptr<Trial> trialFor(
     const Session& session, DeviceSet& deviceSet, storage::TraceStore& traces);
 

@@ -7,7 +7,7 @@
 namespace study {
 namespace {
 
-/// A step as an operator may read it: the alternative, never what it is.
+/// A step in words for the operator: the label of the alternative, never its condition.
 std::string placeOf(const Step& step) {
   const bool hasLabel = step.kind == StepKind::Trial || step.kind == StepKind::Questionnaire;
   if (!hasLabel) return step.phase;
@@ -15,7 +15,7 @@ std::string placeOf(const Step& step) {
   return step.phase + (step.kind == StepKind::Trial ? ": " : ": questions on ") + label;
 }
 
-/// What the operator does by an event of @p state; nothing where the participant does it.
+/// What the operator does with @p event in @p state; std::nullopt if the participant does it.
 std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
   const bool isBroken = state == SessionState::Interrupted;
   switch (event) {
@@ -48,7 +48,7 @@ std::vector<std::string> choicesFor(
         std::to_string(session.holder->pid) + ", since " + session.holder->since +
         "): go on there, or close it there first."};
   }
-  // Whoever goes on with a trial that nobody ended finds it broken off.
+  // A trial that no program ended is broken off when its session is resumed.
   const auto found =
       session.state == SessionState::InTrial ? SessionState::Interrupted : session.state;
   std::vector<std::string> choices;

@@ -19,8 +19,7 @@ namespace {
 using Problems = std::vector<std::string>;
 
 constexpr const char* kOfTraces = "every trial has its trace, sample for sample";
-constexpr double kShareBeforeTraces =
-    0.2;  // of the time, taken roughly: traces are most of a study
+constexpr double kShareBeforeTraces = 0.2;  // of the time, estimated: reading traces takes the rest
 
 std::string nameOf(const VisitKey& visit) {
   return "session " + std::to_string(static_cast<std::int64_t>(visit.session)) + ", step " +
@@ -42,18 +41,18 @@ Problems auditTrail(Study& study) {
   return broken ? Problems{*broken} : Problems{};
 }
 
-/// What the tables say must be what the last event vouched for. What format 1 wrote vouches for
-/// nothing.
+/// Compares the tables' content with the hash in the last event. Events of format 1 have no such
+/// hash.
 void checkContent(
     Study& study,
     std::optional<SessionId> session,
     const storage::Hash& found,
     const std::string& name,
     Problems& problems) {
-  const auto vouched = study.events().vouchedFor(session);
-  if (!vouched) {
+  const auto expected = study.events().lastContentHash(session);
+  if (!expected) {
     problems.push_back("the audit trail knows nothing of " + name);
-  } else if (!vouched->empty() && *vouched != storage::asBytes(found)) {
+  } else if (!expected->empty() && *expected != storage::asBytes(found)) {
     problems.push_back("what is kept of " + name + " is not what the audit trail vouches for");
   }
 }
@@ -68,14 +67,14 @@ Problems contents(Study& study) {
   return problems;
 }
 
-/// Whether the audit trail says of an answer what the table says.
+/// Whether the event in the audit trail records the same answer as the table.
 bool isOf(const storage::Event& event, const GivenAnswer& answer) {
   const bool isOfRelease01 = !event.detail.empty();
   return isOfRelease01 ? event.detail == storage::release_0_1::detailOf(answer)
                        : event.values == storage::valuesOf(answer);
 }
 
-/// The last thing that the audit trail says about each answer must be what the table says.
+/// For each answer, the last event about it must agree with the table.
 Problems answers(Study& study) {
   std::map<std::pair<VisitKey, std::string>, storage::Event> said;
   for (auto& event : study.events().read()) {
@@ -145,7 +144,7 @@ Problems orders(Study& study) {
   return problems;
 }
 
-/// What the audit trail says of every trial's trace.
+/// The digest of every trial's trace, from the audit trail.
 std::map<VisitKey, std::string> keptTraces(Study& study) {
   std::map<VisitKey, std::string> kept;
   for (const auto& event : study.events().read()) {

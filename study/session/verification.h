@@ -8,11 +8,11 @@
 
 namespace study {
 
-/// What a look at everything that a study has written came to.
+/// The results of checking everything that a study has stored.
 struct Verification {
   struct Check {
     std::string what;                   ///< "the audit trail is unbroken"
-    std::vector<std::string> problems;  ///< empty where it holds
+    std::vector<std::string> problems;  ///< empty if the check passed
   };
 
   std::vector<Check> checks;
@@ -20,10 +20,11 @@ struct Verification {
   bool isSound() const noexcept;
 };
 
-/// Reads a study to its last byte: files and their relations, the audit trail, every answer against
-/// it, the names and the protocols against their hashes, every order against the one that the seed
-/// draws, every trace against its trial. Changes nothing.
-/// @param progress  told before every check and every trace; whatever it throws ends it.
+/// Reads a study to its last byte and checks the files and their references, the audit trail, every
+/// answer against it, the hashes of names and protocols, every order against the one drawn from the
+/// seed, and every trace against its trial. Changes nothing.
+/// @param progress  called before every check and every trace; an exception that it throws ends the
+///     verification.
 Verification verify(Study& study, const Progress& progress = {});
 
 }  // namespace study

@@ -12,13 +12,13 @@
 
 namespace study::storage {
 
-/// The table of answers; nobody else writes SQL about them.
+/// The table of answers. All SQL about answers is here.
 class AnswerRepository {
  public:
-  /// The database outlives it.
+  /// The database must outlive this object.
   explicit AnswerRepository(Database& database) : database_(database) {}
 
-  /// Writes an answer, or what it was changed to. Inside the caller's transaction.
+  /// Writes an answer, or replaces it. Inside the caller's transaction.
   void put(const VisitKey& visit, const GivenAnswer& answer, const std::string& utc);
 
   /// Inside the caller's transaction.
@@ -33,8 +33,8 @@ class AnswerRepository {
   Database& database_;
 };
 
-/// A response as it stands in a column: points and numbers apart, an option or a text as it is,
-/// several options' ids with spaces between them.
+/// A response as it is stored: points and numbers in their own columns, an option or a text
+/// unchanged, the ids of several options separated by spaces.
 struct StoredResponse {
   std::string kind;  ///< point, number, text, choices
   std::optional<std::int64_t> point;
@@ -42,8 +42,8 @@ struct StoredResponse {
   std::optional<std::string> text;
 };
 
-/// An answer for the audit trail: {"item", "1.1"} and {"point", 4}, or "number", "text"; a long
-/// text by its "sha256".
+/// The values of an answer for the audit trail: {"item", "1.1"} and {"point", 4}, or "number",
+/// "text"; for a long text its "sha256".
 base::NamedArguments valuesOf(const GivenAnswer& answer);
 
 StoredResponse stored(const questionnaires::Response& response);

@@ -8,8 +8,8 @@
 namespace study::storage {
 namespace {
 
-// Columns are listed, and their order stays: a column that a later format adds changes no hash that
-// was written before. What is hashed of a row is every value with its type, bit by bit.
+// The columns are listed in a fixed order, so that a column which a later format adds does not
+// change older hashes. Every value of a row is hashed with its type, bit by bit.
 constexpr std::array kOfASession{
     "SELECT p.id, p.code, p.cohort, p.run_mode, p.created_utc FROM participant AS p "
     "JOIN session AS s ON s.participant_id = p.id WHERE s.id = ?",
@@ -37,6 +37,8 @@ constexpr std::array kOfTheStudy{
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
 
+/// Adds marks between rows and after the last one, so that no value can move to another row or
+/// table without a change of the hash.
 void addRows(Hasher& hasher, Statement& rows) {
   while (rows.step()) {
     hasher.add("row");

@@ -6,11 +6,11 @@
 
 namespace study::storage {
 
-/// Of everything that the tables say about a session: its participant, steps, visits, answers,
-/// trials, cuts. Another one as soon as a bit of that is.
+/// The hash of everything that the tables hold about a session: its participant, steps, visits,
+/// answers, trials, cuts. It changes with every bit of these.
 Hash contentHash(const Database& database, SessionId session);
 
-/// Of what the tables say about the study itself: its head and its protocols.
+/// The hash of what the tables hold about the study itself: its head and its protocols.
 Hash contentHash(const Database& database);
 
 }  // namespace study::storage

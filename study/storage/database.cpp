@@ -19,9 +19,10 @@ namespace study::storage {
 namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
-constexpr int kMostPauses = 1500;  // about 3 s: then the person at the desk is told
+constexpr int kMostPauses = 1500;  // about 3 s in all; then the caller gets an error
 
-/// File systems on which SQLite's write-ahead log does not work between machines.
+/// Whether the file is on a network file system. There SQLite's write-ahead log does not work
+/// between computers.
 bool isNetworkFileSystem(const std::string& path) {
   constexpr long kNfs = 0x6969;
   constexpr long kSmb = 0x517b;
@@ -33,16 +34,16 @@ bool isNetworkFileSystem(const std::string& path) {
   return info.f_type == kNfs || info.f_type == kSmb || info.f_type == kSmb2 || info.f_type == kCifs;
 }
 
-/// Whether nobody writes here any more: an archive, or a disk that is only read. A log beside the
-/// file would have to be read as well, and cannot without writing.
+/// Whether the file cannot be written by anyone: an archive, or a read-only disk. A log beside the
+/// file would have to be read as well, which is impossible without writing.
 bool isSealed(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr auto kAnybodyWrites =
+  constexpr auto kAnyWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   std::error_code error;
   if (fs::exists(path + "-wal", error) || error) return false;
   const auto mayWrite = [&](const fs::path& what) {
-    return (fs::status(what, error).permissions() & kAnybodyWrites) != fs::perms::none;
+    return (fs::status(what, error).permissions() & kAnyWrite) != fs::perms::none;
   };
   struct statvfs disk {};
   const auto folder = fs::absolute(path).parent_path();
@@ -50,7 +51,7 @@ bool isSealed(const std::string& path) {
   return isReadOnlyDisk || (!mayWrite(path) && !mayWrite(folder) && !error);
 }
 
-/// The name under which SQLite takes no locks and looks for no log.
+/// The URI with which SQLite takes no locks and looks for no log.
 std::string sealedName(const std::string& path) {
   std::string name = "file:";
   for (const char c : std::filesystem::absolute(path).lexically_normal().string()) {
@@ -68,9 +69,9 @@ std::int64_t pragmaNumber(const Database& database, const std::string& name) {
   return statement.step() ? statement.number(0) : 0;
 }
 
-/// Waits while another program writes; 0 gives up. SQLite's own handler pauses for longer and
-/// longer, up to 0.1 s: beside two stations that write without a pause it finds the file busy every
-/// time.
+/// SQLite's busy handler: waits while another program writes; returns 0 to give up. SQLite's own
+/// handler waits for longer each time, up to 0.1 s, and finds the file busy every time while two
+/// other stations write without a pause.
 int waitForOthers(void* /*unused*/, int pauses) {
   if (pauses >= kMostPauses) return 0;
   std::this_thread::sleep_for(kBusyPause);
@@ -147,6 +148,8 @@ Database Database::inMemory(const Schema& schema) {
 }
 
 void Database::configure(Access access) {
+  // A damaged or foreign file must not run functions from its schema, nor make SQLite read beyond a
+  // page. Without a memory map an I/O error is a return code, and not a signal.
   sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   execute("PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");
   requirePragma("foreign_keys", "ON", "1");
@@ -202,6 +205,8 @@ void Database::bringUpToDate(const Schema& schema, Access access) {
     throw StorageError(
         path_ + " is of an older format. Open the study once for writing to bring it up to date.");
   }
+  // The version is read again inside the transaction: another program may have converted the file
+  // since.
   Transaction transaction(*this);
   for (version = pragmaNumber(*this, "user_version"); version < newest; ++version) {
     execute(std::string(schema.steps[static_cast<std::size_t>(version)]));
@@ -215,7 +220,9 @@ void Database::execute(const std::string& sql) {
   if (code != SQLITE_OK) fail(code, "write to");
 }
 
-void Database::undoWhatIsLeft() {
+void Database::rollBackIfOwed() {
+  // In autocommit mode no transaction is open: SQLite rolls back by itself after some errors, for
+  // example a full disk, and a ROLLBACK would then be an error.
   if (owesRollback_ && sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
   owesRollback_ = false;
 }
@@ -240,9 +247,9 @@ std::int64_t Database::lastInsertedId() const noexcept {
 void Database::fail(int code, const std::string& action) const {
   const std::string reason = sqlite3_errmsg(handle_);
   const std::string could = "Could not " + action + " " + path_ + ": ";
-  const bool isForWantOfRoom =
-      (code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC;
-  switch (isForWantOfRoom ? SQLITE_FULL : code & 0xff) {
+  // The low byte is the primary code. Some calls report a full disk as an I/O error.
+  const bool isDiskFull = (code & 0xff) == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC;
+  switch (isDiskFull ? SQLITE_FULL : code & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw StorageError(

@@ -12,57 +12,61 @@ struct sqlite3;
 
 namespace study::storage {
 
-/// What a database file is for: written into its head, so that one is not taken for another.
+/// The kind of a database file. It is written into the file's header, so that one kind is not taken
+/// for another.
 struct Schema {
   std::int32_t applicationId = 0;
   std::string_view name;                    ///< for people: "a palpate study"
   std::span<const std::string_view> steps;  ///< step n takes a file from version n to n + 1
-  /// The oldest version with all of today's tables and columns: such a file is read as it is.
+  /// The oldest version with all tables and columns of the newest: such a file can be read as it
+  /// is.
   std::size_t oldestReadable = steps.size();
 };
 
-/// A connection to a SQLite file. An object that exists is open, is of the right kind and version,
-/// and has been asked whether it really keeps what it acknowledges: write-ahead log,
-/// synchronous=FULL, foreign keys, all read back. Belongs to one thread.
+/// A connection to a SQLite file. An object that exists is open and has the right kind and version.
+/// Its settings have been read back: write-ahead log, synchronous=FULL, foreign keys; with them a
+/// commit that returned is on the disk. Belongs to one thread.
 class Database {
  public:
   enum class Access { ReadWrite, ReadOnly };
 
-  /// A new file. @throws StorageError  if there is one already, or it cannot be written.
+  /// Creates a file. @throws StorageError  if it exists already, or it cannot be written.
   static Database create(const std::string& path, const Schema& schema);
 
-  /// A file that is there; older ones are taken to the present version first.
-  /// @throws StorageError  if it is missing, in use, damaged, foreign, or newer than this program.
+  /// Opens an existing file; older formats are first converted to the present one.
+  /// @throws StorageError  if it is missing, in use, damaged, of another kind, or newer than this
+  ///     program.
   static Database open(const std::string& path, const Schema& schema, Access access);
 
-  /// For tests: the same schema, kept nowhere.
+  /// For tests: the same schema in memory only.
   static Database inMemory(const Schema& schema);
 
   ~Database();
   Database(Database&& other) noexcept;
   Database& operator=(Database&&) = delete;
 
-  /// One or more statements without results. @throws StorageError
+  /// Runs one or more statements without results. @throws StorageError
   void execute(const std::string& sql);
 
-  /// What a transaction began and did not commit is to be undone: now if it can be, before the next
-  /// one begins if it cannot.
+  /// Marks the open transaction to be rolled back by rollBackIfOwed(): by the destructor of the
+  /// transaction or, if that fails, before the next one begins.
   void owesRollback() noexcept { owesRollback_ = true; }
-  void undoWhatIsLeft();
+  void rollBackIfOwed();
 
-  /// What is wrong with the file, by SQLite's own integrity check and the foreign keys; empty if
-  /// nothing.
+  /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
   std::string integrityProblems();
 
-  /// The same, without looking at indices and references: a fraction of the time.
+  /// The same without checking indices and references, in a fraction of the time.
   std::string quickProblems();
 
-  /// Keeps seeing the file as it is now, whatever others write, until this object goes.
-  void holdStill();
+  /// Begins a read transaction: this connection sees the file as it is now, whatever others write,
+  /// until it is closed.
+  void beginSnapshot();
 
-  /// Writes the file, as this connection sees it, to @p path, where none is. Others may go on
-  /// writing; a connection that holds still copies what it holds.
-  /// @param progress  told the share that is done, 0 to 1; whatever it throws ends the copying.
+  /// Writes the file, as this connection sees it, to @p path, which must not exist. Others may
+  /// write meanwhile; after beginSnapshot() the copy has the state of that moment.
+  /// @param progress  called with the share that is done, 0 to 1; an exception that it throws ends
+  ///     the copying.
   /// @throws StorageError
   void copyTo(const std::string& path, const std::function<void(double share)>& progress) const;
 
@@ -70,7 +74,7 @@ class Database {
   const std::string& path() const noexcept { return path_; }
   sqlite3* handle() const noexcept { return handle_; }
 
-  /// What @p code of SQLite means for the person at the desk.
+  /// Throws a StorageError that explains @p code of SQLite.
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:

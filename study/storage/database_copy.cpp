@@ -1,4 +1,4 @@
-// A database file as it is at one moment, copied while others write.
+// Copies a database file in a consistent state while others write to it.
 #include <filesystem>
 #include <memory>
 
@@ -10,16 +10,17 @@
 namespace study::storage {
 namespace {
 
-constexpr int kPagesAtATime = 256;  // a megabyte: often enough to be told of, and to be cancelled
+// A megabyte. After each, progress is reported and the copying can be cancelled.
+constexpr int kPagesAtATime = 256;
 
-struct EndsBackup {
+struct BackupDeleter {
   void operator()(sqlite3_backup* backup) const noexcept { sqlite3_backup_finish(backup); }
 };
 
 }  // namespace
 
-void Database::holdStill() {
-  execute("BEGIN");
+void Database::beginSnapshot() {
+  execute("BEGIN");  // takes no lock yet: the first statement that reads fixes the snapshot
   Statement look(*this, "SELECT count(*) FROM sqlite_schema");
   look.step();
 }
@@ -31,7 +32,7 @@ void Database::copyTo(
         path + " is there already. Nothing is ever overwritten: choose another folder.");
   }
   const Database copy(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-  const std::unique_ptr<sqlite3_backup, EndsBackup> backup(
+  const std::unique_ptr<sqlite3_backup, BackupDeleter> backup(
       sqlite3_backup_init(copy.handle_, "main", handle_, "main"));
   if (!backup) copy.fail(sqlite3_errcode(copy.handle_), "write to");
   int code = SQLITE_OK;

@@ -18,10 +18,10 @@ namespace {
 constexpr std::array<std::string_view, 1> kSteps{"CREATE TABLE row (words TEXT NOT NULL) STRICT"};
 constexpr Schema kSchema{0x70616c63, "a file for a self-test", kSteps};
 
-/// Goes with everything in it.
-struct PassingFolder {
+/// A folder that is removed with its content by the destructor.
+struct TemporaryFolder {
   std::filesystem::path path;
-  ~PassingFolder() {
+  ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
   }
@@ -31,7 +31,7 @@ struct PassingFolder {
 
 CommitTimes measureCommits(const std::filesystem::path& folder, int commits) {
   using Clock = std::chrono::steady_clock;
-  const PassingFolder passing{newFolderBeside(folder / "self-test")};
+  const TemporaryFolder passing{newFolderBeside(folder / "self-test")};
   auto database = Database::create((passing.path / "self-test.db").string(), kSchema);
   std::vector<double> times;
   for (int i = 0; i < commits; ++i) {

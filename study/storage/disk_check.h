@@ -4,15 +4,15 @@
 
 namespace study::storage {
 
-/// How long an answer takes to be safe on the disk.
+/// How long it takes to commit an answer to the disk.
 struct CommitTimes {
   int commits = 0;
   double median = 0.0;   ///< [s]
   double longest = 0.0;  ///< [s]
 };
 
-/// Commits @p commits small rows, each as an answer is committed (write-ahead log,
-/// synchronous=FULL), to a file of its own in @p folder, which is gone again afterwards.
+/// Commits @p commits small rows in the way answers are committed (write-ahead log,
+/// synchronous=FULL), to a new file in @p folder that is removed afterwards.
 /// @throws StorageError  if the folder cannot be written.
 CommitTimes measureCommits(const std::filesystem::path& folder, int commits);
 

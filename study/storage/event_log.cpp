@@ -25,7 +25,7 @@ struct Row {
   std::string actor;
   std::string kind;
   std::string detail;
-  std::vector<std::byte> content;  ///< empty in what format 1 wrote
+  std::vector<std::byte> content;  ///< empty in rows of format 1
 
   Hash hashAfter(std::int64_t seq, const std::vector<std::byte>& previous) const {
     Hasher hasher;
@@ -39,6 +39,7 @@ struct Row {
     hasher.add(actor);
     hasher.add(kind);
     hasher.add(detail);
+    // Left out if empty: rows of format 1 were hashed without it.
     if (!content.empty()) hasher.add(std::span(content));
     return hasher.finish();
   }
@@ -60,11 +61,12 @@ Row rowIn(const Statement& statement) {
       .content = statement.blob(10)};
 }
 
-/// What an event says, by its kind; all kinds that are not here have a detail without names.
+/// How the values of an event are described, by its kind. Kinds that are not listed have a detail
+/// without named values.
 struct EventText {
-  std::string_view kind;  ///< one that ends with '_' stands for all that begin so
+  std::string_view kind;  ///< one that ends with '_' matches all kinds with that prefix
   std::string_view english;
-  std::string_view counted = {};  ///< the value that is one in …
+  std::string_view counted = {};  ///< the value that selects ofOne if it is 1
   std::string_view ofOne = {};
 };
 
@@ -109,7 +111,7 @@ const EventText* textOf(std::string_view kind) {
   return found == kTexts.end() ? nullptr : &*found;
 }
 
-/// What is no text could be exported by nobody.
+/// Text that is not valid UTF-8 could not be exported.
 void requireText(const std::string& words) {
   if (!questionnaires::charactersIn(words) || words.find('\0') != std::string::npos) {
     throw StorageError("What is to be noted is no sound UTF-8 text. Write it with other letters.");
@@ -123,8 +125,8 @@ void requireText(const Event& event) {
   }
 }
 
-/// Detail and values of an event from its column. A sentence of release 0.1 never begins as a list
-/// of values does, in any kind that has values.
+/// Reads detail and values of an event from its column. In kinds that have values, no sentence of
+/// release 0.1 begins with '{'.
 void readDetail(Event& event, const std::string& column) {
   event.detail = column;
   if (textOf(event.kind) == nullptr) return;
@@ -136,7 +138,8 @@ void readDetail(Event& event, const std::string& column) {
   }
 }
 
-/// "381" in "2026-11-20T13:35:07.381Z"; 0 where it cannot be read.
+/// 381 for "2026-11-20T13:35:07.381Z"; 0 if it cannot be parsed. (SQLite's unixepoch() gives whole
+/// seconds only.)
 std::int64_t millisecondsIn(const std::string& utc) {
   constexpr std::size_t kWhere = 20;
   std::int64_t milliseconds = 0;
@@ -181,7 +184,7 @@ std::string describe(const Event& event) {
     if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
     return words;
   } catch (const std::runtime_error&) {
-    return asJson(event.values);  // a later release has other values
+    return asJson(event.values);  // a later release may store other values
   }
 }
 
@@ -242,7 +245,8 @@ bool EventLog::holds(const std::vector<std::byte>& head) const {
   return select.step();
 }
 
-std::optional<std::vector<std::byte>> EventLog::vouchedFor(std::optional<SessionId> session) const {
+std::optional<std::vector<std::byte>> EventLog::lastContentHash(
+    std::optional<SessionId> session) const {
   Statement select(
       database_, "SELECT content_hash FROM event WHERE session_id IS ? ORDER BY seq DESC LIMIT 1");
   select.bind(1, session ? std::optional(static_cast<std::int64_t>(*session)) : std::nullopt);

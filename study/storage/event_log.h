@@ -22,49 +22,52 @@ struct Event {
   Moment when;
   Actor actor = Actor::Program;
   std::string kind;    ///< "answered", "finished_step", "note"
-  std::string detail;  ///< one value or somebody's own words; may be empty
-  /// Where a kind has more to say, by name: {"times", 3}, {"duration_s", 0.12}. Release 0.1 wrote a
-  /// sentence instead, which is then in @ref detail (docs/decisions/0019).
+  std::string detail;  ///< one value, or text that somebody entered; may be empty
+  /// Named values of kinds that have several: {"times", 3}, {"duration_s", 0.12}. Release 0.1 wrote
+  /// a sentence instead, which is then in @ref detail (docs/decisions/0019).
   base::NamedArguments values = {};
 
-  /// One of the values; nothing where it is not there.
+  /// The value of that name; nullptr if there is none.
   const base::Argument* value(std::string_view name) const noexcept;
 };
 
 /// What the event says besides its kind, in English.
 std::string describe(const Event& event);
 
-/// Everything that happened in a study, in order; only ever added to.
+/// The audit trail: all events of a study in order. Events are only ever added.
 ///
-/// Every event carries a hash of itself and of the one before it (BLAKE2b-256): a line that is
-/// changed, removed or slipped in shows, which SQLite's own check of a file does not (of 3,000
-/// flipped bits it missed 1,571 that changed content). And it carries a hash of what the tables
-/// said about its session by then, so that a row changed behind the program's back shows as well.
+/// Every event carries a hash of itself and of the event before it (BLAKE2b-256), so that a
+/// changed, removed or inserted row is detected. SQLite's integrity check does not detect these (of
+/// 3,000 flipped bits it missed 1,571 that changed content). Every event also carries a hash of the
+/// tables' content about its session at that time, so that a row which another program changed is
+/// detected as well.
 class EventLog {
  public:
   explicit EventLog(Database& database) : database_(database) {}
 
-  /// Inside the caller's transaction, after everything else in it: the event vouches for what the
-  /// tables say by then. @throws StorageError  also if the detail is no text.
+  /// Appends an event inside the caller's transaction. It must be the last change there, because it
+  /// stores the hash of the tables' content.
+  /// @throws StorageError  also if the detail is not valid UTF-8.
   void append(const Event& event);
 
-  /// What the chain ends with at present; empty before the first event.
+  /// The hash of the last event; empty before the first.
   std::vector<std::byte> head() const;
 
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 
-  /// Whether the event that ended the chain with @p head has arrived.
+  /// Whether the event with hash @p head is stored.
   bool holds(const std::vector<std::byte>& head) const;
 
-  /// The content hash in the last event of a session, or of the study itself; empty where format 1
-  /// wrote it, nothing where there is no event.
-  std::optional<std::vector<std::byte>> vouchedFor(std::optional<SessionId> session) const;
+  /// The content hash in the last event of a session, or of the study itself. Empty if format 1
+  /// wrote the event; std::nullopt if there is no event.
+  std::optional<std::vector<std::byte>> lastContentHash(std::optional<SessionId> session) const;
 
   /// Events of one session, or of all, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
 
-  /// The first place at which the chain is broken, in words; nothing where it holds.
+  /// The first place at which the chain of hashes is broken, in words; std::nullopt if it is
+  /// intact.
   std::optional<std::string> firstBreak() const;
 
  private:

@@ -13,7 +13,8 @@ namespace study::storage {
 
 using Hash = std::array<std::byte, 32>;
 
-/// BLAKE2b-256 of some fields, each with its length before it, so that no two lists look alike.
+/// BLAKE2b-256 of several fields, each preceded by its length, so that different lists of fields
+/// have different input.
 class Hasher {
  public:
   void add(std::string_view field);
@@ -26,10 +27,10 @@ class Hasher {
   std::string fields_;
 };
 
-/// BLAKE2b-256 of bytes as they are.
+/// BLAKE2b-256 of the bytes alone.
 Hash hashOf(std::span<const std::byte> bytes);
 
-/// As a value that goes into a column, and compares with what comes out of one.
+/// The bytes of a hash, to be stored in a column and compared with one.
 std::vector<std::byte> asBytes(const Hash& hash);
 
 std::string inHexadecimal(const Hash& hash);

@@ -8,8 +8,9 @@
 
 namespace study::storage {
 
-/// identity.db: answers that name a person. Apart from everything else, never exported. Each row
-/// carries a hash of itself, since the audit trail may not vouch for what it must not know.
+/// identity.db: answers that name a person. They are stored apart from everything else and never
+/// exported. Each row carries a hash of itself, because the audit trail must not contain anything
+/// about them.
 class IdentityStore {
  public:
   explicit IdentityStore(Database database) : database_(std::move(database)) {}
@@ -28,7 +29,8 @@ class IdentityStore {
   void remove(const Place& place, const std::string& item);
   bool has(const Place& place, const std::string& item) const;
 
-  /// The rows that are not what was written, by participant and item. (Format 1 kept no hash.)
+  /// The rows that differ from what was written, by participant and item. (Format 1 stored no
+  /// hash.)
   std::vector<std::string> damaged() const;
 
   Database& database() noexcept { return database_; }

@@ -20,27 +20,29 @@ std::string thisStation() {
   return name.data();
 }
 
-/// What tells a process from a later one with the same number: when it began, and after which boot.
-/// Empty where there is no such process.
-std::string marksOf(std::int64_t pid) {
+/// Start time and boot id of a process, which distinguish it from a later process with the same
+/// number. Empty if there is no such process.
+std::string processMarkOf(std::int64_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   if (!std::getline(stat, line)) return {};
-  std::istringstream fields(line.substr(line.rfind(')') + 1));  // the name before may hold anything
+  // The process name stands in parentheses and may contain spaces and parentheses itself.
+  std::istringstream fields(line.substr(line.rfind(')') + 1));
   std::string began;
-  constexpr int kBegan = 20;  // the 22nd field in all
+  constexpr int kBegan = 20;  // the start time is field 22; fields 1 and 2 are already skipped
   for (int i = 0; i < kBegan; ++i) fields >> began;
   std::string boot;
   std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
   return boot + "/" + began;
 }
 
-/// The leases that this process holds: one whose row could not be removed is held by nobody.
+/// The leases that this process holds. If a row could not be removed when its lease ended, the row
+/// is still in the table but no longer in this set.
 class Tokens {
  public:
   std::string make() {
     const std::lock_guard lock(mutex_);
-    const std::string token = marksOf(getpid()) + "#" + std::to_string(++made_);
+    const std::string token = processMarkOf(getpid()) + "#" + std::to_string(++made_);
     held_.insert(token);
     return token;
   }
@@ -64,11 +66,11 @@ Tokens& tokens() {
   return all;
 }
 
-/// Whether somebody is behind the row of a lease.
+/// Whether the program that wrote a lease's row is still running.
 bool isAlive(const std::string& station, std::int64_t pid, const std::string& token) {
-  if (station != thisStation()) return true;  // nobody here can know
+  if (station != thisStation()) return true;  // another computer: this cannot be checked from here
   if (pid == getpid()) return tokens().isHeld(token);
-  return marksOf(pid) == token.substr(0, token.find('#'));
+  return processMarkOf(pid) == token.substr(0, token.find('#'));
 }
 
 }  // namespace
@@ -114,13 +116,13 @@ Lease::Lease(Lease&& other) noexcept
 
 Lease::~Lease() {
   if (database_ == nullptr) return;
-  tokens().drop(token_);
+  tokens().drop(token_);  // first: if the row cannot be removed, isAlive() still finds it free
   try {
     Statement give(*database_, "DELETE FROM lease WHERE session_id = ? AND process = ?");
     give.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
     give.run();
   } catch (const StorageError&) {
-    // The row stays behind, and is taken over by whoever goes on.
+    // The row stays in the table; the next program that resumes the session replaces it.
   }
 }
 

@@ -9,24 +9,24 @@
 
 namespace study::storage {
 
-/// The right to run a session: one program at a time, and one window of it. Given back when this
-/// object goes; what a crashed program of this computer left behind is taken over, and so is what
-/// this program could not give back.
+/// The exclusive right to run a session, for one program and one window. The destructor gives it
+/// back. A lease that a crashed program of this computer left, or that could not be given back, is
+/// taken over.
 class Lease {
  public:
-  /// Inside the caller's transaction.
-  /// @throws StorageError  (Busy) if somebody is running this session; says who.
+  /// Takes the lease, inside the caller's transaction.
+  /// @throws StorageError  (Busy) if the session is running elsewhere; says where.
   Lease(Database& database, SessionId session, const std::string& utc);
   ~Lease();
 
-  /// Who has a session, without taking it.
+  /// The program that holds a session's lease.
   struct Holder {
     std::string station;   ///< computer
     std::int64_t pid = 0;  ///< process there
     std::string since;     ///< UTC
-    bool isAlive = false;  ///< otherwise that program ended without giving it back
+    bool isAlive = false;  ///< false: that program ended without giving the lease back
   };
-  /// Nothing where nobody has.
+  /// The present holder, without taking the lease; std::nullopt if there is none.
   static std::optional<Holder> holder(const Database& database, SessionId session);
 
   Lease(Lease&& other) noexcept;
@@ -35,7 +35,7 @@ class Lease {
  private:
   Database* database_;
   SessionId session_;
-  std::string token_;  ///< nobody else's
+  std::string token_;  ///< unique to this lease
 };
 
 }  // namespace study::storage

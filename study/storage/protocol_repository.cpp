@@ -81,8 +81,8 @@ StoredProtocol ProtocolRepository::load(ProtocolId id) const {
 }
 
 protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
-  // The study says which release made it. Release 0.1 noted an amendment as a sentence, later ones
-  // note it as values.
+  // Which release stored this version? For the first, the study's own row names the release. For an
+  // amendment its event shows it: release 0.1 stored a sentence, later releases store values.
   Statement select(
       database_,
       "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "

@@ -11,10 +11,11 @@
 
 namespace study::storage {
 
-/// A protocol as a study keeps it, whole: what ran can be read again whatever becomes of the files.
+/// A protocol as a study stores it, complete with its files, so that it does not depend on files
+/// elsewhere.
 struct StoredProtocol {
   ProtocolId id{};
-  std::string sha256;  ///< of the text and all files, in hexadecimal
+  std::string sha256;  ///< of the text and all files, hexadecimal
   std::string text;
   std::vector<protocols::SourceFile> files;
   std::string reason;
@@ -23,7 +24,7 @@ struct StoredProtocol {
   protocols::Defaults defaults = protocols::Defaults::Current;  ///< of the release that stored it
 };
 
-/// The tables of protocols.
+/// The tables of protocols and their files.
 class ProtocolRepository {
  public:
   explicit ProtocolRepository(Database& database) : database_(database) {}
@@ -33,9 +34,9 @@ class ProtocolRepository {
       const protocols::LoadedProtocol& protocol, const std::string& reason, const std::string& utc);
   void freeze(ProtocolId id, const std::string& utc);
 
-  /// @throws StorageError  if there is none of that id.
+  /// @throws StorageError  if there is none with that id.
   StoredProtocol load(ProtocolId id) const;
-  /// The one that new sessions use: the last.
+  /// The newest one, which new sessions use.
   StoredProtocol current() const;
   std::vector<ProtocolId> all() const;
 
@@ -49,7 +50,7 @@ class ProtocolRepository {
 /// SHA-256 in hexadecimal.
 std::string sha256(std::string_view bytes);
 
-/// Of a protocol with all its files: order does not matter, any byte does.
+/// The SHA-256 of a protocol with all its files. Their order does not matter.
 std::string sha256(std::string_view text, const std::vector<protocols::SourceFile>& files);
 
 }  // namespace study::storage

@@ -10,7 +10,7 @@
 namespace study::storage {
 namespace {
 
-// Every statement that reads a visit begins with these columns.
+// All statements that read visits begin with these columns.
 constexpr const char* kStepColumns =
     "v.session_id, v.step, v.attempt, s.kind, s.phase, s.instrument, s.position, s.label, "
     "coalesce(a.condition, ''), v.status";
@@ -102,8 +102,8 @@ std::vector<AnswerRecord> Records::answers() const {
 }
 
 std::vector<PointCount> Records::pointCounts(RunMode mode) const {
-  // Two passes in the order of the visits, merged here. A single GROUP BY says the same in fewer
-  // lines, but SQLite then sorts all answers by their words, which takes four times as long.
+  // Two queries in the order of the visits, merged here. A single GROUP BY would be shorter, but
+  // SQLite then sorts all answers by text, which takes four times as long.
   Statement visits(
       database_,
       "SELECT v.session_id, v.step, v.attempt, n.cohort, s.phase, s.instrument, "
@@ -121,7 +121,7 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
 
   using ItemCounts = std::map<std::string, std::map<std::int64_t, std::uint64_t>>;
   std::map<std::array<std::string, 4>, ItemCounts> counted;
-  bool isThere = answers.step();  // from here on, both passes see the same state of the database
+  bool isThere = answers.step();  // from now on both queries see the same state of the database
   while (visits.step() && isThere) {
     const auto visit = visitIn(visits);
     auto& items = counted[{visits.text(3), visits.text(4), visits.text(5), visits.text(6)}];

@@ -17,7 +17,7 @@
 
 namespace study::storage {
 
-/// A session with everything that an analyst asks about it.
+/// A session with all columns that analyses use.
 struct SessionRecord {
   SessionId id{};
   std::string participant;
@@ -37,7 +37,7 @@ struct SessionRecord {
   bool isCompleted() const noexcept { return state == SessionState::Completed; }
 };
 
-/// Where something was asked or felt.
+/// A visit to a step in which something was asked or rendered.
 struct StepRecord {
   VisitKey visit;
   StepKind kind = StepKind::Reading;
@@ -45,14 +45,14 @@ struct StepRecord {
   std::string instrument;
   int position = 0;
   int label = 0;
-  std::string condition;  ///< empty where nothing was felt
+  std::string condition;  ///< empty if the step has no condition
   VisitStatus visitStatus = VisitStatus::Open;
 
-  /// Nothing that was given up or done again counts.
+  /// False for visits that were skipped, broken off or repeated.
   bool isFinished() const noexcept { return visitStatus == VisitStatus::Finished; }
 
-  /// A trial before a preference, felt by whoever wanted to: it has no place in the order, and
-  /// nothing is computed from it.
+  /// A trial that was offered once more before a preference. It has no position in the order, and
+  /// no statistic uses it.
   bool isOfferedAgain() const { return kind == StepKind::Trial && position == 0; }
 };
 
@@ -62,12 +62,13 @@ struct AnswerRecord {
   std::string savedUtc;
 };
 
-/// How often a cohort chose a point of an item's scale, about one condition in one phase.
+/// How often a point of an item's scale was chosen in one cohort, about one condition, in one
+/// phase.
 struct PointCount {
   std::string cohort;
   std::string phase;
   std::string instrument;
-  std::string condition;  ///< empty where nothing was felt
+  std::string condition;  ///< empty if the step has no condition
   std::string item;
   std::int64_t point = 0;
   std::uint64_t times = 0;
@@ -99,7 +100,7 @@ struct TrialRow {
   std::int64_t cuts = 0, traceSamples = 0;
 };
 
-/// Everything that happened, as an analyst reads it: in the order in which it was done.
+/// Everything that happened in a study, in order of time, for analyses.
 class Records {
  public:
   explicit Records(Database& database) : database_(database) {}
@@ -115,7 +116,7 @@ class Records {
   std::vector<TrialRow> trials() const;
   std::vector<CutRecord> cuts() const;
 
-  /// What "Alternative 2" of a block was in a session.
+  /// Which condition "Alternative 2" of a block was in a session.
   struct Alternative {
     SessionId session{};
     std::string block;

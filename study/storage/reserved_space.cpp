@@ -12,6 +12,7 @@ bool ReservedSpace::take() const noexcept {
   if (std::filesystem::exists(file_, ignored)) return true;
   const int file = open(file_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
   if (file < 0) return false;
+  // Allocates the blocks. A file of this size alone would be sparse and reserve nothing.
   const bool hasRoom = posix_fallocate(file, 0, static_cast<off_t>(kSize)) == 0;
   close(file);
   if (!hasRoom) release();

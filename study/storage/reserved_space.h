@@ -5,17 +5,17 @@
 
 namespace study::storage {
 
-/// Room that is kept free in a study's folder, so that a session can be finished when the disk is
-/// full. (4 MiB took another 4,500 answers per MiB when it was measured.)
+/// A file that reserves space in a study's folder, so that a session can be finished when the disk
+/// is full. (Each MiB held another 4,500 answers when it was measured.)
 class ReservedSpace {
  public:
   static constexpr std::uintmax_t kSize = 4 * 1024 * 1024;  ///< [bytes]
 
   explicit ReservedSpace(std::filesystem::path folder) : file_(folder / "ballast") {}
 
-  /// Takes the room if there is enough; returns whether it is held.
+  /// Reserves the space if there is enough; returns whether it is reserved.
   bool take() const noexcept;
-  /// Gives it back to whoever writes next; false if there was none.
+  /// Frees the space for the next write; false if none was reserved.
   bool release() const noexcept;
 
  private:

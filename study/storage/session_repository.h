@@ -14,9 +14,9 @@
 namespace study::storage {
 
 enum class SlotState {
-  Reserved,  ///< held by somebody who has begun
-  Consumed,  ///< by somebody who has finished
-  Released,  ///< free for another
+  Reserved,  ///< by a participant who has begun
+  Consumed,  ///< by a participant who has finished
+  Released,  ///< free for another participant
 };
 
 /// A session as it stands in its row.
@@ -40,24 +40,24 @@ struct SessionRow {
   bool operator==(const SessionRow&) const = default;
 };
 
-/// How a visit ended, or that it has not.
+/// How a visit ended; Open: it has not ended.
 enum class VisitStatus { Open, Finished, Skipped, Repeated, BrokenOff };
 
-/// The tables of participants, sessions, their steps and visits. Everything that writes does so
+/// The tables of participants, sessions, their steps and visits. All functions that write do so
 /// inside the caller's transaction.
 class SessionRepository {
  public:
   explicit SessionRepository(Database& database) : database_(database) {}
 
-  /// The lowest place of a design that nobody holds.
+  /// The lowest free place of a design.
   std::int64_t freeSlot(ProtocolId protocol, RunMode mode, const std::string& cohort) const;
 
-  /// A code that nobody has: P001, or PILOT-001, SIM-001.
+  /// An unused participant's code: P001, or PILOT-001, SIM-001.
   std::string freeCode(RunMode mode) const;
   bool hasParticipant(const std::string& code) const;
 
   /// Writes participant (if new), session, steps and allocation; fills in the id and the number.
-  /// @throws StorageError  if the code belongs to somebody of another cohort or run mode.
+  /// @throws StorageError  if the code belongs to a participant of another cohort or run mode.
   void add(SessionRow& session, const std::vector<Step>& steps, const std::string& appVersion);
   void update(const SessionRow& session);
 
@@ -66,17 +66,17 @@ class SessionRepository {
   bool hasLiveSession() const;
 
   void openVisit(const VisitKey& visit, const std::string& utc);
-  /// Only a visit that is open; how another one ended stays.
+  /// Closes a visit that is open; a visit that has ended is not changed.
   void closeVisit(
       const VisitKey& visit, VisitStatus status, const std::string& utc, const std::string& reason);
   /// How often a step has been begun.
   int attempts(SessionId session, int step) const;
-  /// How a visit stands; a step that was never begun is open.
+  /// The status of a visit; Open for a step that was never begun.
   VisitStatus statusOf(const VisitKey& visit) const;
-  /// Whatever was finished from @p step on does not count any more: it is done again.
+  /// Marks the finished visits from @p step on as repeated, so that they no longer count.
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
-  /// The condition of every step that has one, as it was drawn.
+  /// The condition of every step that has one, as stored when it was drawn.
   std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
 
  private:
@@ -90,8 +90,8 @@ std::string_view nameOf(SlotState state) noexcept;
 std::string_view nameOf(VisitStatus status) noexcept;
 std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept;
 
-/// What a stored name stands for, which @p value holds. @throws StorageError  (Damaged) where it is
-/// nothing that this program knows.
+/// The value whose stored name @p value holds.
+/// @throws StorageError  (Damaged) if this program does not know the name.
 template <typename Value>
 Value known(const std::optional<Value>& value, const std::string& name) {
   if (value) return *value;

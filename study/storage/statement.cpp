@@ -90,8 +90,8 @@ double Statement::real(int column) const noexcept {
   return sqlite3_column_double(statement_, column);
 }
 
-/// SQLite answers with nothing where there is nothing, and where it has no memory to show what
-/// there is; only the one is a value.
+/// SQLite returns a null pointer for an empty value, and also when it is out of memory. Only the
+/// first is a value; the second throws.
 void Statement::requireMemory(const void* value) const {
   if (value == nullptr && sqlite3_errcode(database_.handle()) == SQLITE_NOMEM) {
     database_.fail(SQLITE_NOMEM, "read");

@@ -14,11 +14,11 @@ struct sqlite3_stmt;
 
 namespace study::storage {
 
-/// A prepared statement. Parameters count from 1, columns from 0, as SQLite counts them. The
-/// database outlives it.
+/// A prepared statement. As in SQLite, parameters are numbered from 1 and columns from 0. The
+/// database must outlive it.
 class Statement {
  public:
-  /// @throws StorageError  as everything here.
+  /// @throws StorageError  like all functions here.
   Statement(const Database& database, const std::string& sql);
   ~Statement();
   Statement(const Statement&) = delete;
@@ -36,9 +36,9 @@ class Statement {
     return value ? bind(index, *value) : bindNull(index);
   }
 
-  /// True where there is a row, false at the end.
+  /// True if there is another row, false at the end.
   bool step();
-  /// For a statement without results.
+  /// Runs a statement without results.
   void run();
   void reset();
 
@@ -52,7 +52,7 @@ class Statement {
   std::optional<std::string> optionalText(int column) const;
 
   int columnCount() const noexcept;
-  /// A value with its type, bit by bit: two that differ in anything give different bytes.
+  /// A value with its type, bit by bit: different values always give different bytes.
   std::string exactBytes(int column) const;
 
  private:

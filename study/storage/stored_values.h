@@ -9,19 +9,19 @@
 
 namespace study::storage {
 
-/// Facts as a column holds them, in JSON. Numbers read back exactly.
+/// Values as columns store them, in JSON. Numbers read back exactly.
 
 /// [{"code": "trial.late", "arguments": [30, 4000]}]; an empty text for no message.
 std::string asJson(const std::vector<base::Message>& messages);
 
-/// @param text  by asJson(), of messages of study::kMessages. A code that is not known, of a later
-/// release, becomes a message of its own words.
+/// @param text  by asJson(), of messages of study::kMessages. An unknown code, of a later release,
+///     becomes a verbatim message.
 std::vector<base::Message> messagesIn(std::string_view text);
 
 /// {"item": "1.1", "point": 4}
 std::string asJson(const base::NamedArguments& values);
 
-/// Nothing where @p text is no such object.
+/// std::nullopt if @p text is not such an object.
 std::optional<base::NamedArguments> valuesIn(std::string_view text);
 
 }  // namespace study::storage

@@ -6,8 +6,8 @@
 namespace study::storage {
 namespace {
 
-// Step n takes a database from version n to version n + 1. Steps are added, never changed:
-// somebody's study is at each of them.
+// Step n takes a database from version n to version n + 1. Steps are added and never changed,
+// because there are studies of every version.
 constexpr std::array<std::string_view, 5> kStudySteps{
     R"sql(
       CREATE TABLE study (

@@ -4,13 +4,13 @@
 
 namespace study::storage {
 
-/// study.db: the protocol as frozen, sessions, answers, audit.
+/// study.db: the protocols, sessions, answers and the audit trail.
 const Schema& studySchema();
 
-/// traces.db: what was felt, a thousand times a second.
+/// traces.db: the samples of all trials, a thousand per second.
 const Schema& traceSchema();
 
-/// identity.db: whatever names a person. Never exported.
+/// identity.db: answers that name a person. Never exported.
 const Schema& identitySchema();
 
 }  // namespace study::storage

@@ -22,7 +22,7 @@ void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceS
   try {
     insert(visit, number, samples);
   } catch (const StorageError&) {
-    // A commit that failed is unknown, not undone: look whether it arrived.
+    // The commit may have succeeded although it reported an error: read the chunk back.
     if (!holds(visit, number, samples)) throw;
   }
 }

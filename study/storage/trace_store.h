@@ -10,13 +10,13 @@
 
 namespace study::storage {
 
-/// What is kept of a tick: 28 bytes, little-endian, in this order (layout 1).
+/// The stored part of a tick: 28 bytes, little-endian, in this order (layout 1).
 struct TraceSample {
   std::uint32_t tick = 0;          ///< of the trial
   float travel = 0.0F;             ///< [device's travel unit]
   float velocity = 0.0F;           ///< [device's travel unit / s]
   float desired = 0.0F;            ///< what the scene asked for [N]
-  float force = 0.0F;              ///< what the device was told [N]
+  float force = 0.0F;              ///< what was sent to the device [N]
   float lateness = 0.0F;           ///< [µs]
   std::uint8_t status = 0;         ///< haptics::devices::DeviceStatus
   std::uint8_t interventions = 0;  ///< haptics::engine::ForceLimiter::Intervention
@@ -24,23 +24,24 @@ struct TraceSample {
   std::uint8_t landmark = 0;       ///< haptics::models::CutDetector::Event
 };
 
-/// traces.db: chunks of about a second, each complete in itself with its hash; a power cut costs
-/// the one under way. A connection belongs to one thread.
+/// traces.db: the samples of a trial in chunks of about one second, each complete and with its
+/// hash. A power failure loses the chunk in progress only. A connection belongs to one thread.
 class TraceStore {
  public:
   explicit TraceStore(Database database) : database_(std::move(database)) {}
 
-  /// One transaction; a chunk that is there already is not written again. @throws StorageError
+  /// Stores a chunk in one transaction. Does nothing if this chunk is stored already.
+  /// @throws StorageError
   void add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples);
 
-  /// All samples of a trial, in order. @throws StorageError  (Damaged) if a chunk is not what was
-  /// written.
+  /// All samples of a trial, in order.
+  /// @throws StorageError  (Damaged) if a chunk differs from what was written.
   std::vector<TraceSample> read(const VisitKey& visit) const;
 
   std::int64_t sampleCount(const VisitKey& visit) const;
 
-  /// Of all chunks of a trial in their order, for the audit trail: a chunk that is taken away, put
-  /// elsewhere or written anew gives another one.
+  /// A hash of all chunks of a trial in order, for the audit trail. Removing, moving or rewriting a
+  /// chunk changes it.
   std::string digest(const VisitKey& visit) const;
 
   /// The visits that have a trace.

@@ -3,7 +3,7 @@
 namespace study::storage {
 
 Transaction::Transaction(Database& database) : database_(database) {
-  database_.undoWhatIsLeft();
+  database_.rollBackIfOwed();
   database_.execute("BEGIN IMMEDIATE");
 }
 
@@ -11,13 +11,15 @@ Transaction::~Transaction() {
   if (!isOpen_) return;
   try {
     database_.owesRollback();
-    database_.undoWhatIsLeft();
+    database_.rollBackIfOwed();
   } catch (const StorageError&) {
-    // The next transaction undoes it before it begins.
+    // Still marked: the next transaction rolls it back before it begins.
   }
 }
 
 void Transaction::commit() {
+  // If COMMIT throws, the transaction stays open here and the destructor rolls it back, unless
+  // SQLite has ended it already (see Database::rollBackIfOwed()).
   database_.execute("COMMIT");
   isOpen_ = false;
 }

@@ -4,19 +4,20 @@
 
 namespace study::storage {
 
-/// What belongs together: all of it, or nothing. Begins by taking the right to write, so that it
-/// cannot find out halfway that somebody else has it.
+/// A transaction: all of its changes are written, or none. It takes the write lock at once, so that
+/// it cannot fail halfway because another program holds it.
 class Transaction {
  public:
-  /// @throws StorageError  (Busy) if another program keeps the right to write for too long.
+  /// @throws StorageError  (Busy) if another program holds the write lock for too long.
   explicit Transaction(Database& database);
-  /// Undoes what was not committed.
+  /// Rolls back what was not committed.
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
 
-  /// On return everything is on the disk. @throws StorageError  and then it is *unknown*, not
-  /// undone: whoever catches it reads back before saying anything.
+  /// On return everything is on the disk.
+  /// @throws StorageError  and then the outcome is *unknown*: the caller reads the data back before
+  ///     reporting anything.
   void commit();
 
  private:

@@ -13,7 +13,7 @@ class TrialRepository {
  public:
   explicit TrialRepository(Database& database) : database_(database) {}
 
-  /// Inside the caller's transaction.
+  /// Writes a trial inside the caller's transaction.
   void add(const VisitKey& visit, const TrialRecord& record);
 
  private:

@@ -50,7 +50,8 @@ constexpr Choices<haptics::devices::WrenchFrame, 2> kFrames{
     {{"tool", haptics::devices::WrenchFrame::Tool}, {"base", haptics::devices::WrenchFrame::Base}}};
 constexpr Choices<bool, 2> kRenderers{{{"host", false}, {"device", true}}};
 
-/// One of the names that a key may have; @p fallback where it is missing, or wrong (and said).
+/// The value of a key that takes one of several names; @p fallback if it is missing, or unknown and
+/// reported.
 template <typename Known, typename Value>
 Value choice(const Node& node, std::string_view key, const Known& known, Value fallback) {
   if (!node.has(key)) return fallback;
@@ -73,7 +74,7 @@ Value choice(const Node& node, std::string_view key, const Known& known, Value f
   return fallback;
 }
 
-/// A list of exactly so many numbers; nothing, and a problem, where it is another.
+/// A list of exactly so many numbers; otherwise std::nullopt and a problem.
 std::optional<std::vector<double>> row(
     const Node& node, std::string_view key, std::size_t count, double least, double most) {
   if (!node.has(key)) return std::nullopt;
@@ -96,7 +97,7 @@ std::optional<std::uint64_t> readBuild(const Node& node) {
   return std::nullopt;
 }
 
-/// 0 for USB, or a speed that serial ports have.
+/// 0 for USB, or one of the standard speeds of serial ports [baud].
 int readBaud(const Node& node) {
   const auto baud = static_cast<int>(node.wholeNumber("baud", 0, 4'000'000, 0));
   if (haptics::devices::SerialPort::canGoAt(baud)) return baud;
@@ -169,8 +170,8 @@ IiwaSettings readIiwa(const Node& node) {
   return settings;
 }
 
-/// A way in which a device may be connected: its name in files, its keys beside "id" and "type",
-/// and how they are read.
+/// A way of connecting a device: its name in files, its keys besides "id" and "type", and the
+/// function that reads them.
 struct Type {
   std::vector<std::string_view> keys;
   std::function<decltype(DeviceEntry::settings)(const Node&)> read;
@@ -184,7 +185,7 @@ std::string serialName(const DeviceKind& kind) {
 }
 constexpr std::string_view kIiwaName = "iiwa-fri";
 
-/// Every kind can be simulated; a kind on a serial line speaks as the punch does.
+/// Every kind of device can be simulated. All kinds on a serial line use the punch's protocol.
 std::vector<std::pair<std::string, Type>> types() {
   std::vector<std::pair<std::string, Type>> types;
   for (const auto* kind : haptics::deviceKinds()) {
@@ -239,7 +240,7 @@ std::optional<DeviceEntry> readEntry(const Node& node) {
   if (!node.isObjectWith(keys)) return std::nullopt;
   const std::string id = node.id("id");
   if (!node.has("type")) {
-    static_cast<void>(node.text("type"));  // says that it is missing
+    static_cast<void>(node.text("type"));  // reports that it is missing
     return std::nullopt;
   }
   return DeviceEntry{id, choice(node, "type", known, known.front().second).read(node)};
@@ -253,7 +254,7 @@ std::string nameIn(const Choices<Value, N>& known, Value value) {
   return {};
 }
 
-/// In degrees, without the noise of the conversion behind the ninth place.
+/// [°]: rounded to nine decimals, beyond which there is only the error of the conversion.
 double inDegrees(double angle) {
   return std::round(1e9 * angle / kDegree) / 1e9;
 }

@@ -12,12 +12,12 @@
 
 namespace study {
 
-/// A stand-in in this program.
+/// A simulated device in this program.
 struct SimulatedSettings {
   const haptics::devices::DeviceKind* kind;
 };
 
-/// A device on a serial line, and who renders its scenes.
+/// A device on a serial line, and which side renders its scenes.
 struct SerialPunchSettings {
   haptics::devices::PunchSettings punch;
   bool rendersOnDevice = false;
@@ -31,18 +31,18 @@ struct DeviceEntry {
 
 const haptics::devices::DeviceKind& deviceKindOf(const DeviceEntry& entry) noexcept;
 
-/// The name of the device file in a study's folder that is used where none is named.
+/// The device file in a study's folder that is used unless another one is named.
 inline constexpr std::string_view kDeviceFileName = "devices.json";
 
-/// Which devices a laboratory has, and how they are connected (docs/devices.md), and everything
-/// that is wrong with it; nothing where there are errors.
+/// The devices of a laboratory and how they are connected (docs/devices.md), with all problems of
+/// the file; std::nullopt if there are errors.
 std::optional<std::vector<DeviceEntry>> readDevices(
     std::string_view json, questionnaires::Problems& problems);
 
-/// The same from a file. @throws UserError  with everything that is wrong with it, in words.
+/// Reads the same from a file. @throws UserError  with all problems of the file.
 std::vector<DeviceEntry> loadDevices(const std::string& file);
 
-/// Device entries as such a file, for the ones that palpate starts itself.
+/// The text of a device file with these entries, for devices that palpate starts itself.
 std::string devicesAsJson(const std::vector<DeviceEntry>& devices);
 
 }  // namespace study

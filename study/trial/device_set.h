@@ -21,16 +21,16 @@ class DeviceSet {
   DeviceSet(const DeviceSet&) = delete;
   DeviceSet& operator=(const DeviceSet&) = delete;
 
-  /// The device that a protocol calls @p need.id; opened now if it was not.
+  /// The device that the protocol calls @p need.id; opened now if it was not open.
   virtual haptics::devices::Device& device(const protocols::DeviceNeed& need) = 0;
   virtual bool isOpen(const std::string& id) const = 0;
 
-  /// Before a trial on that device: what is going to be felt, for a device that renders by itself.
+  /// Called before a trial on that device. A device that renders by itself is sent the scene.
   virtual void prepare(
       const protocols::DeviceNeed& /*need*/, const haptics::engine::SceneSpec& /*scene*/) {}
 };
 
-/// Simulated instruments, each in a hand that somebody provides.
+/// Simulated instruments, each moved by a hand that the caller provides.
 class SimulatedDeviceSet final : public DeviceSet {
  public:
   using HandFor =
@@ -41,7 +41,7 @@ class SimulatedDeviceSet final : public DeviceSet {
   haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
   bool isOpen(const std::string& id) const override { return open_.count(id) > 0; }
 
-  /// For trying out what happens then.
+  /// Simulates that a device is unplugged.
   void unplug(const std::string& id);
   void plugIn(const std::string& id);
 
@@ -55,15 +55,15 @@ class SimulatedDeviceSet final : public DeviceSet {
   std::map<std::string, Held> open_;
 };
 
-/// The hand of somebody who does not exist, drawn from the study's seed.
+/// The hand of a simulated participant, drawn from the study's seed.
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     const protocols::DeviceNeed& need,
     std::uint64_t seed,
     const std::string& cohort,
     std::uint64_t slot);
 
-/// The grip of a pointer on a simulated instrument, and how far it goes when it closes altogether
-/// [travel unit].
+/// A hand on a simulated instrument that follows the pointer, and the travel at which the
+/// instrument is fully closed [travel unit].
 std::unique_ptr<haptics::devices::PointerHand> pointerHandFor(const protocols::DeviceNeed& need);
 double farthestFor(const protocols::DeviceNeed& need) noexcept;
 

@@ -12,23 +12,23 @@
 namespace study {
 
 /// The instruments of a laboratory, as its device file describes them. A device is opened when it
-/// is first needed, and opened anew where it has failed since: whoever asks for it then has decided
-/// so.
+/// is first needed. One that has failed is opened again when it is next asked for, which is the
+/// operator's decision.
 class HardwareDeviceSet final : public DeviceSet {
  public:
-  /// @param handFor  for what the file has simulated.
+  /// @param handFor  makes the hands of the devices that the file lists as simulated.
   HardwareDeviceSet(std::vector<DeviceEntry> entries, SimulatedDeviceSet::HandFor handFor);
 
-  /// @throws UserError  if the file has no such device, or it is another instrument.
+  /// @throws UserError  if the file lists no such device, or the device is another instrument.
   /// @throws haptics::devices::DeviceError  if it cannot be opened.
   haptics::devices::Device& device(const protocols::DeviceNeed& need) override;
   bool isOpen(const std::string& id) const override;
 
-  /// A device without opening it; nullptr where the file has none of that name.
+  /// The device, without opening it; nullptr if the file lists none of that name.
   haptics::devices::Device* find(const std::string& id);
   const std::vector<DeviceEntry>& entries() const noexcept { return entries_; }
 
-  /// A scene for a punch that renders by itself; elsewhere nothing happens.
+  /// Sends a scene to a punch that renders by itself; does nothing for other devices.
   void prepare(const protocols::DeviceNeed& need, const haptics::engine::SceneSpec& scene) override;
 
  private:
@@ -40,7 +40,7 @@ class HardwareDeviceSet final : public DeviceSet {
   std::map<std::string, std::unique_ptr<haptics::devices::Device>> devices_;
 };
 
-/// The devices of @p deviceFile; where none is named, of the study's own device file if it has one;
+/// The devices of @p deviceFile; if it is empty, of the study's own device file if there is one;
 /// otherwise simulated ones.
 /// @throws UserError  if the file cannot be used, in words.
 std::unique_ptr<DeviceSet> deviceSetFor(
@@ -48,8 +48,8 @@ std::unique_ptr<DeviceSet> deviceSetFor(
     const std::filesystem::path& studyFolder,
     SimulatedDeviceSet::HandFor handFor);
 
-/// Whether @p device is fit for what a protocol needs of it: what it finds itself, and what the
-/// protocol asks for beyond its strength.
+/// Runs the device's own checks for @p seconds, and compares the kind of instrument and the
+/// largest force with what the protocol needs.
 std::vector<haptics::devices::CheckResult> preflight(
     haptics::devices::Device& device, const protocols::DeviceNeed* need, double seconds);
 

@@ -31,8 +31,10 @@ LiveTrial::~LiveTrial() {
 
 void LiveTrial::tick(double dt, double lateness) noexcept {
   const std::int64_t sampleTime = haptics::timing::now();
+  // @p lateness is in µs: the quotient counts the whole periods that passed without a tick.
   TickSample sample = trial_.step(dt, static_cast<int>(lateness * 1e-6 / dt));
   sample.lateness = static_cast<float>(lateness);
+  // Each of these is shown by itself and guards no other data, so relaxed order is enough.
   cuts_.store(static_cast<int>(sample.cuts), std::memory_order_relaxed);
   travel_.store(sample.travel, std::memory_order_relaxed);
   force_.store(sample.force, std::memory_order_relaxed);
@@ -69,7 +71,7 @@ void LiveTrial::drain() {
     try {
       trial_.keep(sample);
     } catch (const std::exception&) {
-      trial_.stop();  // what cannot be kept is not felt
+      trial_.stop();  // samples that cannot be recorded must not be felt
       isTraceLost_.store(true, std::memory_order_relaxed);
     }
   }
@@ -91,6 +93,8 @@ LiveTrial::Status LiveTrial::status() const noexcept {
 
 TrialRecord LiveTrial::finish(TrialEnding ending) {
   isFinished_ = true;
+  // First the loop, so that no sample is pushed any more; then the recorder, which empties the ring
+  // once more before it ends.
   const auto& report = loop_->finish();
   recorder_.request_stop();
   recorder_.join();

@@ -13,25 +13,26 @@
 
 namespace study {
 
-/// A trial at the pace of a clock: a haptic thread that ticks, a recorder's thread that keeps what
-/// it is handed through a ring, and the caller who looks on.
+/// A trial in real time with three threads: a haptic thread that ticks, a recorder thread that
+/// stores the samples it takes from a ring, and the caller, who reads status().
 class LiveTrial {
  public:
-  /// Begins to tick. The trial outlives it.
+  /// Begins to tick. The trial must outlive this object.
   explicit LiveTrial(Trial& trial);
 
-  /// Lets go, and waits for both threads.
+  /// Switches the force off and waits for both threads.
   ~LiveTrial();
   LiveTrial(const LiveTrial&) = delete;
   LiveTrial& operator=(const LiveTrial&) = delete;
 
-  /// How things are, for whoever looks on.
+  /// The present state of the trial.
   struct Status {
     int cuts = 0;
     double travel = 0.0;          ///< [device's travel unit]
     double force = 0.0;           ///< [N]
     std::int64_t sampleTime = 0;  ///< when the device was last read [ns on CLOCK_MONOTONIC]
-    bool isCutThrough = false;    ///< the tissue has yielded, or the jaws have met, in this closure
+    bool isCutThrough = false;    ///< the tissue has yielded or the jaws have met since the tool
+                                  ///< was last open
     std::uint64_t ticks = 0;
     std::uint64_t lateTicks = 0;
     bool isRealtime = false;
@@ -40,19 +41,19 @@ class LiveTrial {
   };
   Status status() const noexcept;
 
-  /// The next sample that nobody has looked at, for a plot. One caller only; false where there is
-  /// none.
+  /// The next sample for a plot. Only one thread may call it; false if there is none.
   bool nextToPlot(haptics::engine::TickSample& sample) noexcept { return toPlot_->pop(sample); }
 
-  /// No force at once.
+  /// Switches the force off at once.
   void stop() noexcept { trial_.stop(); }
 
-  /// Stops ticking, keeps what is left, says what happened; what went wrong in between wins over
-  /// @p ending. Once.
+  /// Stops the loop, stores the remaining samples and returns the record. If the device or the
+  /// trace was lost, the record says so instead of @p ending. Call it once.
   TrialRecord finish(TrialEnding ending);
 
  private:
-  /// A minute at 1 kHz, eight seconds at 8 kHz: longer than a disk holds its breath.
+  /// Holds a minute at 1 kHz, eight seconds at 8 kHz: longer than a write to a disk is ever
+  /// delayed.
   using Ring = haptics::engine::SampleRing<haptics::engine::TickSample, 65'536>;
 
   void tick(double dt, double lateness) noexcept;
@@ -72,11 +73,10 @@ class LiveTrial {
   std::atomic<bool> isTraceLost_{false};
   bool isFinished_ = false;
   std::jthread recorder_;
-  std::optional<haptics::engine::RealtimeLoop> loop_;  // last: the first to go
+  std::optional<haptics::engine::RealtimeLoop> loop_;  // last, so that it is destroyed first
 };
 
-/// Lets whoever holds the device feel @p trial, until it has cut @p cuts times or @p longest [s]
-/// have passed.
+/// Runs @p trial in real time until @p cuts cuts are completed or @p longest [s] have passed.
 TrialRecord runRealtime(Trial& trial, int cuts, double longest);
 
 }  // namespace study

@@ -35,7 +35,7 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
       statistics_(*device.capabilities().kind, device.capabilities().rate) {
   chunk_.reserve(static_cast<std::size_t>(rate()));
   engine_.setScene(&scene_);
-  device_.arm();  // the last that can fail: an armed device has somebody to disarm it
+  device_.arm();  // last, since it may throw: without a complete object no destructor disarms
 }
 
 Trial::~Trial() {

@@ -12,12 +12,12 @@
 
 namespace study {
 
-/// One condition on one device, ready to be felt and recorded: the same for a study day and for a
-/// simulated cohort. step() belongs to the haptic thread, keep() to the recorder's; a simulation
-/// calls both in turn.
+/// One condition on one device, ready to be rendered and recorded. Study days and simulated cohorts
+/// use the same class. The haptic thread calls step() and the recorder thread calls keep(); a
+/// simulation calls both in turn.
 class Trial {
  public:
-  /// Keeps a chunk of about a second of what was felt; may throw storage::StorageError.
+  /// Stores a chunk of about one second of samples; may throw storage::StorageError.
   using Keep = std::function<void(int number, const std::vector<storage::TraceSample>& samples)>;
 
   struct Setup {
@@ -26,36 +26,36 @@ class Trial {
     Keep keep;
   };
 
-  /// Builds the scene and arms the device, which is open and outlives the trial.
-  /// @throws std::invalid_argument  for a scene or limits that are not sound: the protocol's check
-  ///                                refuses those before.
+  /// Builds the scene and arms the device, which must be open and outlive the trial.
+  /// @throws std::invalid_argument  for an invalid scene or limits; the validation of the protocol
+  ///     finds those earlier.
   /// @throws haptics::devices::DeviceError  if the device is not ready, in words.
   Trial(haptics::devices::Device& device, Setup setup);
 
-  /// Lets go of the tool.
+  /// Disarms the device.
   ~Trial();
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
   double rate() const noexcept { return device_.capabilities().rate; }
-  /// What sets the pace, where it is the device; otherwise nothing, and a timer does.
+  /// The device's own pacer if it has one; otherwise nullptr, and a timer sets the pace.
   haptics::devices::Pacer* pacer() const noexcept { return device_.pacer(); }
   const haptics::engine::CompiledScene& scene() const noexcept { return scene_; }
 
-  /// One tick of @p dt [s], after @p missedPeriods that the clock let pass. Never allocates, waits
+  /// One tick of @p dt [s], after @p missedPeriods periods without a tick. Never allocates, waits
   /// or throws.
   haptics::engine::TickSample step(double dt, int missedPeriods = 0) noexcept {
     return engine_.tick(dt, missedPeriods);
   }
 
-  /// Any thread: no force at once.
+  /// May be called by any thread: switches the force off at once.
   void stop() noexcept { engine_.stop(); }
   bool isStopped() const noexcept { return engine_.isStopped(); }
 
   /// Records a tick. @throws storage::StorageError  if a chunk could not be kept.
   void keep(const haptics::engine::TickSample& sample);
 
-  /// Keeps what is left, and says what happened. Once, when nobody steps any more.
+  /// Stores the remaining samples and returns the record. Call it once, after the last step().
   TrialRecord finish(TrialEnding ending);
 
  private:
@@ -72,8 +72,8 @@ class Trial {
   std::int64_t kept_ = 0;
 };
 
-/// Lets the device's (simulated) hand feel @p trial as fast as this computer goes, until it has cut
-/// @p cuts times and opened again, or @p longest [s] of its own time have passed.
+/// Runs @p trial with the device's simulated hand, as fast as this computer can, until @p cuts cuts
+/// are completed and the tool is open again, or @p longest [s] of simulated time have passed.
 TrialRecord runOffline(Trial& trial, int cuts, double longest);
 
 }  // namespace study

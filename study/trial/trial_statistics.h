@@ -17,7 +17,7 @@ class TrialStatistics {
 
   void add(const haptics::engine::TickSample& sample);
 
-  /// Writes everything it knows into @p record; clocks and traces are others' business.
+  /// Writes the results into @p record, except for those of clocks and traces.
   void fillIn(TrialRecord& record) const;
 
  private:
