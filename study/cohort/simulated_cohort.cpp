@@ -1,4 +1,4 @@
-// A cohort that answers through the very same session code as people do.
+// Simulates cohorts through the same session code that real participants use.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -20,19 +20,19 @@ namespace {
 
 constexpr double kLongestTrial = 120.0;  // [s]
 constexpr int kMostFailures = 30;
-constexpr int kMostDisturbed = 60;  // failures more, while the machine stood still
-constexpr double kAtOnce = 0.5;     // [s]: a trial that breaks off sooner has not been felt
-constexpr int kMostAtOnce = 5;      // of those, one after the other: the device is not mended
+constexpr int kMostDisturbed = 60;    // additional failures allowed while the machine stood still
+constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier rendered nothing
+constexpr int kMostImmediateFailures = 5;  // of those in a row: then the device counts as broken
 constexpr std::chrono::milliseconds kBetweenTries{500};
-constexpr std::chrono::seconds kLongestWait{30};          // for a device to come back
+constexpr std::chrono::seconds kLongestWait{30};          // until a device is connected again
 constexpr std::int64_t kBetweenParticipants = 3'600'000;  // [ms]
 
 using Done = Acknowledged::Kind;
 
-/// One simulated sitting.
-class Sitting {
+/// One session of a simulated participant.
+class SimulatedSession {
  public:
-  Sitting(
+  SimulatedSession(
       Study& study,
       Session& session,
       SimulatedClock& clock,
@@ -64,18 +64,18 @@ class Sitting {
         continue;
       }
       if (session_.step().kind == StepKind::Trial && devices_ != nullptr) {
-        feelOn(*devices_);  // and says by itself how it went
+        runTrialOn(*devices_);  // acknowledges its own outcome
         continue;
       }
-      session_.step().kind == StepKind::Trial ? feel() : answerStep();
+      session_.step().kind == StepKind::Trial ? simulateTrial() : answerStep();
       acknowledge_({Done::Step, session_.participant() + " " + phase + " done"});
     }
   }
 
  private:
-  void feel() {
+  void simulateTrial() {
     const int cuts = session_.step().minimumCuts;
-    // The hand is fresh in every trial: one that is done again after a crash feels the same.
+    // Every trial gets a new hand, so that a trial repeated after a crash has the same movement.
     SimulatedDeviceSet deviceSet([&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(
           need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
@@ -92,15 +92,16 @@ class Sitting {
     session_.skipStep("a simulated trial broke off");
   }
 
-  /// On devices that are there, in real time. One that fails is connected anew, some times over.
-  void feelOn(DeviceSet& deviceSet) {
+  /// Runs the trial on real devices in real time. A device that fails is connected again, up to the
+  /// limits above.
+  void runTrialOn(DeviceSet& deviceSet) {
     const VisitKey visit = session_.visit();
     const int cuts = session_.step().minimumCuts;
     std::unique_ptr<Trial> trial;
     try {
       trial = trialFor(session_, deviceSet, study_.traces());
     } catch (const haptics::devices::DeviceError& error) {
-      // An arm that is not let command is waited for ten seconds each time.
+      // Connecting an arm that does not accept commands takes ten seconds each time.
       const auto now = std::chrono::steady_clock::now();
       if (!waitingSince_) waitingSince_ = now;
       if (++failures_ >= kMostFailures || now - *waitingSince_ > kLongestWait) throw;
@@ -120,7 +121,7 @@ class Sitting {
                               std::to_string(visit.attempt) + ": ";
     if (record.ending == TrialEnding::Finished) {
       failures_ = 0;
-      atOnce_ = 0;
+      immediateFailures_ = 0;
       session_.finishTrial(record);
       acknowledge_({Done::TrialOnDevice, which + "finished"});
       return;
@@ -128,16 +129,17 @@ class Sitting {
     session_.breakOffTrial(record);
     const std::string why =
         record.deviceFault.empty() ? std::string(nameOf(record.ending)) : record.deviceFault;
-    // What broke while the machine stood still says nothing about the device.
+    // A break-off while the machine stood still is no evidence against the device.
     const bool isDisturbed = stoodStill >= kDevicePatience;
     if (isDisturbed) {
       ++disturbed_;
     } else {
-      atOnce_ = record.duration < kAtOnce ? atOnce_ + 1 : 0;
+      immediateFailures_ = record.duration < kImmediately ? immediateFailures_ + 1 : 0;
       ++failures_;
     }
-    const bool isHopeless =
-        failures_ >= kMostFailures || atOnce_ >= kMostAtOnce || disturbed_ >= kMostDisturbed;
+    const bool isHopeless = failures_ >= kMostFailures ||
+                            immediateFailures_ >= kMostImmediateFailures ||
+                            disturbed_ >= kMostDisturbed;
     if (isHopeless) session_.giveUpOnDevice(why);
     const std::string machine = isDisturbed ? " (this computer stood still for " +
                                                   std::to_string(stoodStill.count()) + " ms)"
@@ -185,14 +187,14 @@ class Sitting {
   DeviceSet* devices_;
   haptics::timing::StandstillWatch* watch_;
   std::optional<std::chrono::steady_clock::time_point> waitingSince_;
-  int failures_ = 0;   ///< of devices, one after the other
-  int atOnce_ = 0;     ///< of these, that came before anything was felt
-  int disturbed_ = 0;  ///< besides, while the machine stood still
+  int failures_ = 0;           ///< of devices, in a row
+  int immediateFailures_ = 0;  ///< of these, before anything was rendered
+  int disturbed_ = 0;          ///< besides, while the machine stood still
   SimulatedParticipant person_;
   std::uint64_t seed_;
 };
 
-/// The cohort that is furthest behind its plan.
+/// The cohort with the fewest finished participants in proportion to its plan.
 std::string nextCohort(
     const protocols::Protocol& protocol, const std::map<std::string, int>& have) {
   std::string next;
@@ -209,7 +211,7 @@ std::string nextCohort(
   return next;
 }
 
-/// A new sitting begins an hour after the last one did; a resumed one goes on where it was.
+/// A new session begins an hour after the last one began; a resumed one continues at its own time.
 void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> resumed) {
   std::int64_t latest = 0;
   std::int64_t latestStart = 0;
@@ -258,7 +260,7 @@ void simulate(
     std::uint64_t seed,
     const Acknowledge& acknowledge,
     const OnDevices& on) {
-  Sitting(study, session, clock, seed, acknowledge, on).run();
+  SimulatedSession(study, session, clock, seed, acknowledge, on).run();
 }
 
 std::vector<SimulatedEnding> simulateCohorts(
@@ -269,7 +271,7 @@ std::vector<SimulatedEnding> simulateCohorts(
     const Acknowledge& acknowledge,
     const std::string& deviceFile,
     haptics::timing::StandstillWatch* watch) {
-  // Nobody who does not exist moves a real device unless asked to.
+  // Simulated participants use real devices only if a device file was named.
   std::unique_ptr<DeviceSet> devices;
   if (!deviceFile.empty()) {
     devices = deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {

@@ -11,7 +11,7 @@ using questionnaires::Item;
 using questionnaires::ItemType;
 using questionnaires::Response;
 
-constexpr double kLeavesOut = 0.3;  // how often what may be left out is
+constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
 
 }  // namespace
 
@@ -27,7 +27,7 @@ base::RandomStream SimulatedParticipant::stream(const std::string& purpose) cons
 }
 
 double SimulatedParticipant::secondsFor(const std::string& what, double least, double most) const {
-  // Whole milliseconds: what a clock can say.
+  // Whole milliseconds, the resolution of a study's clock.
   return std::round(stream("seconds/" + what).uniform(least, most) * 1000.0) / 1000.0;
 }
 
@@ -41,7 +41,8 @@ std::int64_t SimulatedParticipant::point(
   const double realism =
       session.step().condition.empty() ? 0.0 : realismOf(session.step().condition);
   const double felt = realism + truth_.answerDeviation * stream(purpose).normal();
-  const double unit = (item.scale.points - 1) / 4.0;  // the truth is written for five points
+  // realism is defined on a scale of five points
+  const double unit = (item.scale.points - 1) / 4.0;
   const double middle = (item.scale.lowest + item.scale.highest()) / 2.0;
   const double answer = middle + item.key * unit * felt;
   return std::clamp<std::int64_t>(std::llround(answer), item.scale.lowest, item.scale.highest());

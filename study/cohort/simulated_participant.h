@@ -16,19 +16,21 @@ namespace study {
 
 class DeviceSet;
 
-/// Devices that are felt in real time, where there are any.
+/// Devices for trials in real time, if there are any.
 struct OnDevices {
   DeviceSet* deviceSet = nullptr;
   haptics::timing::StandstillWatch* watch = nullptr;  ///< restarted before each trial
 };
 
-/// Somebody who does not exist, and answers as a model says: how real a condition feels to them is
+/// A simulated participant, who answers as a model says. The realism of a condition for this person
+/// is
 ///
-///     realism(condition) + leniency(person) + taste(person, condition),
+///     realism(condition) + leniency(person) + taste(person, condition).
 ///
-/// and an answer to a statement is that, seen through the statement's key, plus chance, on the
-/// points of its scale. Everything is drawn from the seed, the place in the cohort and the name of
-/// what is asked: who is interrupted and resumed answers as if nothing had been.
+/// An answer to a statement is that realism, reversed where the statement's key is −1, plus noise,
+/// rounded to the points of the scale. All random numbers depend on the seed, the place in the
+/// cohort and the name of what is asked only, so that a participant who is interrupted and resumed
+/// gives the same answers.
 class SimulatedParticipant {
  public:
   SimulatedParticipant(
@@ -37,14 +39,14 @@ class SimulatedParticipant {
       std::string cohort,
       std::uint64_t slot);
 
-  /// What they answer to @p item in @p step of @p session; nothing where they leave it out.
+  /// The response to @p item in @p step of @p session; std::nullopt if it is left out.
   std::optional<questionnaires::Response> answer(
       const Session& session, const questionnaires::Item& item) const;
 
-  /// How long they take for something [s].
+  /// The time spent on something [s].
   double secondsFor(const std::string& what, double least, double most) const;
 
-  /// How real @p condition feels to them; 0 is the middle of a scale.
+  /// The realism of @p condition for this person; 0 is the middle of a scale.
   double realismOf(const std::string& condition) const;
 
  private:
@@ -59,14 +61,14 @@ class SimulatedParticipant {
   std::uint64_t slot_;
 };
 
-/// Where and how the session of somebody who does not exist came to its end.
+/// Where and how the session of a simulated participant ended.
 struct SimulatedEnding {
   std::string participant;
   SessionState state = SessionState::Completed;
   int step = 0;
-  int attempts = 1;    ///< of that step
-  std::string reason;  ///< empty where there is none
-  int trials = 0;      ///< of the plan; 0 for sessions that had been over before
+  int attempts = 1;    ///< at that step
+  std::string reason;  ///< empty if there is none
+  int trials = 0;      ///< of the plan that were finished; 0 for sessions that were over before
   int trialsFinished = 0;
 };
 
@@ -78,14 +80,15 @@ struct Acknowledged {
   std::string what;  ///< "P001 round-1 1.1"
 };
 
-/// How long a device waits for the next force before it lets go: the shortest of all.
+/// How long a device waits for the next force before it switches its force off: the shortest time
+/// of all devices.
 inline constexpr std::chrono::milliseconds kDevicePatience{10};
 
-/// Told of everything as soon as it has happened.
+/// Called after every commit.
 using Acknowledge = std::function<void(const Acknowledged& done)>;
 
-/// Takes @p session from where it is to its end, through the same steps, transactions, engine and
-/// recorder as a real one, in @p clock's time; on @p devices if there are any, in real time.
+/// Runs @p session from its present step to its end, with the same steps, transactions, engine and
+/// recorder as a real session, in @p clock's time; on @p devices if there are any, in real time.
 void simulate(
     Study& study,
     Session& session,
@@ -94,11 +97,12 @@ void simulate(
     const Acknowledge& acknowledge,
     const OnDevices& on = {});
 
-/// Brings the number of simulated participants who have finished to @p participants, spread over
-/// the cohorts as they are planned; goes on with whoever was interrupted first. With a device file
-/// the trials are felt on its devices, in real time, by whatever hand is there: an emulator's. A
-/// trial that breaks off is repeated; five in a row that do so at once end the session, but for
-/// those in which the machine stood still for longer than a device waits, where @p watch is there.
+/// Simulates until @p participants simulated participants have finished, divided among the cohorts
+/// in proportion to the plan. Interrupted sessions are resumed first. With a device file the trials
+/// run on its devices in real time; the movement comes from their side, normally from an emulator.
+/// A trial that breaks off is repeated. Five immediate break-offs in a row end the session. If @p
+/// watch is given, those during which the machine stood still for longer than kDevicePatience do
+/// not count.
 /// @return how the session of each simulated participant of the study has ended.
 std::vector<SimulatedEnding> simulateCohorts(
     Study& study,
@@ -109,7 +113,7 @@ std::vector<SimulatedEnding> simulateCohorts(
     const std::string& deviceFile = {},
     haptics::timing::StandstillWatch* watch = nullptr);
 
-/// How many participants the protocol plans in all; 10 a cohort where it does not say.
+/// The number of participants that the protocol plans in all; 10 for each cohort without a number.
 int plannedParticipants(const protocols::Protocol& protocol);
 
 }  // namespace study

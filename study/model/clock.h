@@ -5,16 +5,16 @@
 
 namespace study {
 
-/// A moment by two clocks: the one on the wall, which may be set back, and one that only goes on.
+/// A moment on two clocks: the wall clock, which may be set back, and a monotonic one.
 struct Moment {
   std::int64_t wall = 0;       ///< since 1970-01-01T00:00:00Z [ms]
-  std::int64_t monotonic = 0;  ///< since some start of this computer [ns]
+  std::int64_t monotonic = 0;  ///< since this computer started [ns]
 };
 
 /// ISO 8601 in UTC with milliseconds: "2026-11-20T13:35:07.381Z".
 std::string asUtc(std::int64_t wallMilliseconds);
 
-/// Tells a study what time it is.
+/// Gives a study the time.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -31,16 +31,17 @@ class SystemClock final : public Clock {
   Moment now() override;
 };
 
-/// A clock that goes on when it is told to: simulated sessions, tests.
+/// A clock that the caller advances: for simulated sessions and tests.
 class SimulatedClock final : public Clock {
  public:
-  /// @param wall  [ms] since 1970; by default a morning that nobody will take for a real session.
+  /// @param wall  [ms] since 1970; by default the year 2000, so that no session looks like a real
+  ///     one.
   explicit SimulatedClock(std::int64_t wall = 946'720'800'000)
       : now_{wall, 0} {}  // 2000-01-01T10:00Z
 
   Moment now() override { return now_; }
   void advance(double seconds);
-  /// Sets the clock on the wall, as people and daylight saving do.
+  /// Sets the wall clock alone, as a person or daylight saving time does.
   void setWall(std::int64_t wall) { now_.wall = wall; }
 
  private:

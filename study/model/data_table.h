@@ -8,26 +8,26 @@
 
 namespace study {
 
-/// One cell of an exported table. Nothing is a missing value, never a zero.
+/// One cell of an exported table. std::monostate is a missing value, never a zero.
 using Cell = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// A value where there is one.
+/// The value as a cell; a missing value if there is none.
 template <typename T>
 Cell cellOf(const std::optional<T>& value) {
   return value ? Cell(*value) : Cell();
 }
 
-/// What stands above a column.
+/// The heading of a column.
 struct Heading {
   std::string name;         ///< in a file: snake_case, with its unit
   std::string description;  ///< on paper and in a terminal
-  bool isFreeText = false;  ///< somebody wrote it: spreadsheets must not take it for a formula
+  bool isFreeText = false;  ///< entered by people: spreadsheets must not read it as a formula
 };
 
 /// A table of a benchmark or a measurement, for a file, a page or a terminal. Tables of a study
-/// that leave the program are made of columns that say more: study/export/column.h.
+/// that leave the program have columns with types and units: study/export/column.h.
 struct DataTable {
-  std::string name;  ///< of the file, without its ending
+  std::string name;  ///< of the file, without its extension
   std::string description;
   std::vector<Heading> columns;
   std::vector<std::vector<Cell>> rows;

@@ -5,12 +5,12 @@
 
 namespace study {
 
-/// A session is not mistaken for a participant.
+/// Ids have their own types, so that a session is not taken for a participant.
 enum class SessionId : std::int64_t {};
 enum class ParticipantId : std::int64_t {};
 enum class ProtocolId : std::int64_t {};
 
-/// One showing of one step: repeated, it gets a new attempt; nothing is overwritten.
+/// One visit to one step. A repeated step gets a new attempt; nothing is overwritten.
 struct VisitKey {
   SessionId session{};
   int step = 0;     ///< from 0

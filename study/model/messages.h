@@ -8,8 +8,8 @@
 
 namespace study {
 
-/// What was wrong with a trial ("trial.…"), and with files of a study. The messages of trials are
-/// stored by key and arguments, so that both stay as they are.
+/// Why a trial did not pass ("trial.…"), and what is wrong with files of a study. Messages of
+/// trials are stored by key and arguments, so neither may change.
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"trial.broke_off", "the trial broke off ({})"},
     {"trial.broke_off.fault", "the trial broke off ({}: {})"},
@@ -46,7 +46,7 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"traces.unreadable", "the traces cannot be read; 'palpate study verify' says more"},
 });
 
-/// One of them, with its arguments.
+/// One of these messages, with its arguments.
 template <typename... Arguments>
 base::Message message(base::KeyIn<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kMessages>(key, std::forward<Arguments>(arguments)...);

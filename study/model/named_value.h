@@ -7,7 +7,7 @@
 
 namespace study {
 
-/// The value of an enum whose names stand in @p names in its order; nothing for another name.
+/// The value of an enum whose names are in @p names in its order; std::nullopt for an unknown name.
 template <typename Value, std::size_t kCount>
 constexpr std::optional<Value> valueNamed(
     const std::array<std::string_view, kCount>& names, std::string_view name) noexcept {

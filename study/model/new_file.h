@@ -5,13 +5,12 @@
 
 namespace study {
 
-/// Writes a file that is not there yet, and returns when it is on the disk.
-/// @throws storage::StorageError  in words, if it is there already or cannot be written; nothing is
-/// ever overwritten.
+/// Writes a new file, and returns when its content is on the disk.
+/// @throws storage::StorageError  in words, if the file exists already or cannot be written;
+///     nothing is ever overwritten.
 void writeNewFile(const std::string& path, const std::string& content);
 
-/// An empty folder beside @p target that nobody else has, for what is to be renamed to @p target
-/// once it is whole.
+/// A new empty folder beside @p target, to be renamed to @p target when it is complete.
 /// @throws storage::StorageError  in words, if it cannot be made.
 std::filesystem::path newFolderBeside(const std::filesystem::path& target);
 

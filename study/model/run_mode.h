@@ -5,12 +5,12 @@
 
 namespace study {
 
-/// What a session is for. It stands with every row, and only live ones count unless asked
-/// otherwise.
+/// The purpose of a session. It is stored with every row. Results count live sessions only, unless
+/// another mode is chosen.
 enum class RunMode {
   Live,
-  Pilot,      ///< somebody tries the study out; takes no place from a participant
-  Simulated,  ///< nobody took part
+  Pilot,      ///< a test of the study; takes no place of a participant
+  Simulated,  ///< without a participant
 };
 
 std::string_view nameOf(RunMode mode) noexcept;

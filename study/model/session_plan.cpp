@@ -50,7 +50,7 @@ void addTrials(
   }
 }
 
-/// Before a choice, each alternative once more, by its label: felt by whoever wants to.
+/// Adds each alternative once more before a preference, by its label: an optional trial.
 void offerAgain(
     const protocols::Protocol& protocol,
     const Phase& preference,

@@ -14,9 +14,9 @@ enum class StepKind {
   Reading,  ///< information, debrief
   Consent,
   Form,
-  Benchmark,      ///< cuts on the physical tool
-  Trial,          ///< something is felt
-  Questionnaire,  ///< about what was just felt
+  Benchmark,      ///< cuts with the physical tool
+  Trial,          ///< a condition is rendered
+  Questionnaire,  ///< about the condition just rendered
   Preference,
   Break,
   Interview,  ///< for the operator
@@ -25,19 +25,19 @@ enum class StepKind {
 std::string_view nameOf(StepKind kind) noexcept;
 std::optional<StepKind> stepKindNamed(std::string_view name) noexcept;
 
-/// One thing that a participant does. A session is a list of them.
+/// One step of a session; a session is a list of steps.
 struct Step {
   StepKind kind = StepKind::Reading;
   std::string phase;
-  std::string instrument;  ///< what is shown or asked; empty for trials, benchmarks, breaks
+  std::string instrument;  ///< shown or asked; empty for trials, benchmarks, breaks
   std::string itemSet;
-  int position = 0;           ///< Trial, Questionnaire: in its block, from 1
-  int label = 0;              ///< … and which alternative, from 1
-  std::string condition;      ///< … and what that is. For the engine and the analyst; nobody else
+  int position = 0;           ///< Trial, Questionnaire: position in its block, from 1
+  int label = 0;              ///< … and the label of the alternative, from 1
+  std::string condition;      ///< … and its condition: for engine and analysis only, never shown
   bool isVisualised = false;  ///< Trial
   int minimumCuts = 0;        ///< Trial, Benchmark
-  bool isOffered = false;     ///< Trial: once more, before a preference; may be declined
-  double seconds = 0.0;       ///< Break: at least [s]
+  bool isOffered = false;     ///< Trial: an optional repetition before a preference
+  double seconds = 0.0;       ///< Break: minimum duration [s]
   std::vector<std::string> alternatives;  ///< Preference: the labels to choose from
 
   bool hasItems() const noexcept { return !instrument.empty(); }

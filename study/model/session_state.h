@@ -7,12 +7,12 @@
 
 namespace study {
 
-/// Where a session is.
+/// The state of a session.
 enum class SessionState {
-  Enrolled,     ///< a place is reserved; nothing may be felt before consent
-  Consented,    ///< between trials: reading, answering, resting
-  InTrial,      ///< the hand is on the tool
-  Interrupted,  ///< a trial broke off; the operator decides
+  Enrolled,     ///< a place is reserved; no trial before consent
+  Consented,    ///< between trials: reading, answering, break
+  InTrial,      ///< the force is on
+  Interrupted,  ///< a trial was broken off; the operator decides
   Paused,
   Completed,
   Declined,         ///< did not consent
@@ -21,14 +21,14 @@ enum class SessionState {
   AbortedHardware,  ///< a device could not be brought back
 };
 
-/// What can happen to it.
+/// The events of a session.
 enum class SessionEvent {
   FinishedStep,
   GaveConsent,
   DeclinedConsent,
   BeganTrial,
   FinishedTrial,
-  BrokeOffTrial,  ///< the device went, somebody pressed stop, the program was ended
+  BrokeOffTrial,  ///< the device failed, stop was pressed, or the program ended
   RepeatedStep,
   SkippedStep,
   PausedSession,
@@ -45,7 +45,7 @@ struct SessionTransition {
   SessionState to;
 };
 
-/// What may follow what. Whatever is no row of this table cannot happen.
+/// All allowed transitions. Every other combination of state and event is refused.
 inline constexpr auto kSessionTransitions = std::to_array<SessionTransition>({
     {SessionState::Enrolled, SessionEvent::FinishedStep, SessionState::Enrolled},
     {SessionState::Enrolled, SessionEvent::GaveConsent, SessionState::Consented},
@@ -79,7 +79,7 @@ inline constexpr auto kSessionTransitions = std::to_array<SessionTransition>({
     {SessionState::Paused, SessionEvent::WasRejected, SessionState::Rejected},
 });
 
-/// The state that @p event leads to, or nothing where it cannot happen.
+/// The state after @p event; std::nullopt if it is not allowed.
 constexpr std::optional<SessionState> next(SessionState from, SessionEvent event) {
   const auto* row = std::find_if(
       kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
@@ -88,7 +88,7 @@ constexpr std::optional<SessionState> next(SessionState from, SessionEvent event
   return row == kSessionTransitions.end() ? std::nullopt : std::optional(row->to);
 }
 
-/// Nothing follows.
+/// Whether the state is final.
 constexpr bool isOver(SessionState state) {
   return std::none_of(
       kSessionTransitions.begin(), kSessionTransitions.end(), [&](const SessionTransition& t) {
@@ -107,7 +107,7 @@ std::string_view nameOf(SessionState state) noexcept;
 std::optional<SessionState> sessionStateNamed(std::string_view name) noexcept;
 std::string_view nameOf(SessionEvent event) noexcept;
 
-/// How a session ended, or that it has not: `in_progress`, `completed`, `declined`, `withdrawn`,
+/// The status of a session in tables: `in_progress`, `completed`, `declined`, `withdrawn`,
 /// `rejected`, `aborted_hardware`.
 std::string_view statusOf(SessionState state) noexcept;
 

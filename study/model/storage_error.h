@@ -8,28 +8,28 @@
 
 namespace study::storage {
 
-/// A study on disk that cannot be opened, read or written; what() is for the person at the desk.
+/// A study on disk cannot be opened, read or written. what() tells the operator what to do.
 class StorageError : public std::runtime_error {
  public:
   enum class Kind {
     Other,
-    Busy,  ///< somebody else is writing
+    Busy,  ///< another program is writing
     DiskFull,
-    Damaged,  ///< or never was a study
+    Damaged,  ///< or not a study at all
     Newer,    ///< written by a later version of this program
-    Unknown,  ///< whether it was kept cannot be found out just now
+    Unknown,  ///< whether the data were stored cannot be found out now
   };
 
   explicit StorageError(const std::string& what, Kind kind = Kind::Other)
       : std::runtime_error(what), kind_(kind) {}
 
-  /// About a file, whose path is the first argument of @p message.
+  /// About a file whose path is the first argument of @p message.
   explicit StorageError(base::Message message, Kind kind)
       : std::runtime_error(base::describe(message)), kind_(kind), message_(std::move(message)) {}
 
   Kind kind() const noexcept { return kind_; }
 
-  /// The same as a value; nothing where there are only words.
+  /// The same as a value; no message if the error was made from words only.
   const base::Message& message() const noexcept { return message_; }
 
  private:

@@ -5,7 +5,7 @@
 
 namespace study {
 
-/// The files of a study. Answers, traces and names lie apart.
+/// The files of a study. Answers, traces and names are in separate databases.
 struct StudyFiles {
   std::filesystem::path folder;
 

@@ -36,8 +36,8 @@ struct Finding {
   base::Message reason;
 };
 
-/// What a participant may have noticed. A force comes on softly in every trial; where that takes
-/// half of it, it hardly came.
+/// Warnings are for what a participant may have noticed. Every trial begins with a soft start; it
+/// counts only if it took half of the trial, which then had hardly any force.
 Finding findingOf(const SafetyEvent& event, double duration) {
   const auto found = [&](Verdict verdict, auto key) {
     return Finding{verdict, message(key, event.times, event.duration)};
@@ -61,7 +61,7 @@ Finding findingOf(const SafetyEvent& event, double duration) {
     case SafetyKind::Saturated:
     case SafetyKind::Slewed:
     case SafetyKind::Damped:
-      return {};  // said elsewhere, or as asked for
+      return {};  // reported elsewhere, or expected
   }
   return {};
 }
@@ -140,7 +140,7 @@ TrialRecord::Judgement TrialRecord::judgement() const {
                          : message("trial.samples_lost", lostSamples));
   }
   if (invalidTicks > 0) {
-    // One missing sample is bridged; a device on a wire misses one now and then.
+    // A single missing sample is extrapolated; on a wire one is lost now and then.
     const bool isRare = link.isThere && static_cast<double>(invalidTicks) <
                                             kWarnLateShare * static_cast<double>(ticks);
     found(

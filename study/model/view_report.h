@@ -7,22 +7,22 @@
 
 namespace study {
 
-/// How well a trial was to be seen, where it was visualised.
+/// How smoothly the scene of a trial was shown on the display.
 struct ViewReport {
-  std::string renderer;  ///< who drew: a graphics card, a driver, or our own rasteriser
+  std::string renderer;  ///< what drew: a graphics card, a driver, or our software renderer
   std::int64_t frames = 0;
-  std::int64_t dropped = 0;  ///< refreshes of the display, as it was meant, without a new picture
-  double rate = 0.0;         ///< frames a second, from the first to the last [1/s]
+  std::int64_t dropped = 0;  ///< refreshes, at the display's nominal rate, without a new picture
+  double rate = 0.0;         ///< from the first frame to the last [1/s]
   double frameMedian = 0.0;  ///< from one frame to the next [ms]
   double frameP99 = 0.0;     ///< [ms]
   double latencyMedian =
       0.0;                  ///< from reading the device to handing the picture to the display [ms]
   double latencyP99 = 0.0;  ///< [ms]
-  double period = 0.0;      ///< of the frames as they were meant [ms]
-  std::int64_t lostChanges = 0;  ///< of a bone, that never came to be seen
+  double period = 0.0;      ///< nominal, of the frames [ms]
+  std::int64_t lostChanges = 0;  ///< changes of a bone that were never drawn
 };
 
-/// For the record: {"frames", 512}, {"dropped", 3}, …
+/// The same as named values: {"frames", 512}, {"dropped", 3}, …
 base::NamedArguments valuesOf(const ViewReport& view);
 
 }  // namespace study

@@ -6,7 +6,7 @@
 
 namespace study::report {
 
-/// A point of a chart; what a logarithmic axis cannot show is left out.
+/// A point of a chart; a point that a logarithmic axis cannot show is left out.
 struct ChartPoint {
   double x = 0.0;
   double y = 0.0;
@@ -14,17 +14,17 @@ struct ChartPoint {
   std::string label;            ///< beside the marker
 };
 
-/// Points that belong together.
+/// Points of one kind.
 struct ChartSeries {
   enum class Style { Line, Dashed, Markers, LineAndMarkers };
 
-  std::string title;  ///< for the legend; none where empty
+  std::string title;  ///< in the legend; empty: no entry
   Style style = Style::Line;
   std::vector<ChartPoint> points;
-  std::optional<int> colour;  ///< a category; the series' place where it is not said
+  std::optional<int> colour;  ///< a category; std::nullopt: the index of the series
 };
 
-/// An axis reaches over all points, unless it is said how far.
+/// An axis covers all points, unless its ends are given.
 struct ChartAxis {
   std::string title;  ///< with its unit
   bool isLogarithmic = false;

@@ -14,7 +14,7 @@ namespace {
 
 using questionnaires::Item;
 
-/// What was chosen, as it stood on the screen; empty for what is neither a choice nor a number.
+/// The chosen option as it was shown; empty if the answer is neither a choice nor a number.
 std::string chosen(
     const Item& item, const questionnaires::Response& response, const std::string& language) {
   const auto textOf = [&](const std::string& id) -> std::string {
@@ -30,7 +30,7 @@ std::string chosen(
   return all;
 }
 
-/// Of the newest session of @p code that has come to the end of a consent form: what was answered.
+/// The answers to the consent form in the newest session of @p code that completed it.
 struct Consent {
   storage::SessionRecord session;
   std::map<std::string, storage::AnswerRecord> answers;  ///< by item

@@ -12,11 +12,11 @@ struct DocumentFigure {
   std::string name;  ///< of its SVG file
   std::string caption;
   Chart chart;
-  std::string svg;  ///< once it is painted
+  std::string svg;  ///< when it has been painted
 };
 
-/// What belongs together below one heading: words, then figures, then tables. A table's
-/// description is its caption; one without is for its CSV file alone.
+/// The content under one heading: text, then figures, then tables. A table's description is its
+/// caption; a table without one is written to its CSV file only.
 struct DocumentPart {
   std::string heading;
   std::vector<std::string> paragraphs;
@@ -24,14 +24,14 @@ struct DocumentPart {
   std::vector<DataTable> tables;
 };
 
-/// A report of tables and figures about something that is not a study.
+/// A report of tables and figures on a subject other than a study.
 struct Document {
   std::string title;
   std::vector<std::string> lead;
   std::vector<DocumentPart> parts;
 };
 
-/// One page that needs nothing else; numbers to four digits.
+/// One self-contained page; numbers with four digits.
 std::string asHtml(const Document& document);
 
 }  // namespace study::report

@@ -6,8 +6,8 @@
 
 namespace study::report {
 
-/// How far a family's scale and order can be trusted, and what a reader has to know about its
-/// results, each flag once.
+/// The reliability of a family's scale, the effect of order, and the notes on its results, each
+/// flag once.
 /// @param figure  of the positions.
 std::string checksAsHtml(
     const ReportSection& section, const FamilyResult& family, const std::string& figure);

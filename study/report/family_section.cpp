@@ -9,7 +9,7 @@
 namespace study::report {
 namespace {
 
-/// Writes what was answered, and the pooled tests.
+/// Writes the answers and the pooled tests.
 class FamilyWriter : HtmlWriter {
  public:
   FamilyWriter(
@@ -55,7 +55,7 @@ class FamilyWriter : HtmlWriter {
     endTable();
   }
 
-  /// As in the punch paper.
+  /// The table of the punch paper.
   void pooled() {
     const bool isNamed = f_.isNamed("welch");
     const auto correction =

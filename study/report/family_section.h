@@ -6,10 +6,10 @@
 
 namespace study::report {
 
-/// One family of questions: what was answered, the tests of the punch paper, the comparisons within
-/// people and between cohorts, what the order did, how far the scale can be trusted, and what a
-/// reader has to know. What was declared is confirmatory, all else exploratory.
-/// @param figures  of the family; nothing where nobody painted them.
+/// One family of questions: the answers, the tests of the punch paper, the comparisons within
+/// people and between cohorts, the effect of order, the reliability of the scale, and notes. The
+/// declared test is confirmatory, all others are exploratory.
+/// @param figures  of the family; empty if none were painted.
 std::string familyAsHtml(
     const ReportSection& section, const FamilyResult& family, const FamilyFigures& figures);
 

@@ -11,7 +11,7 @@
 namespace study::report {
 namespace {
 
-/// p and, where it is another, adjusted p in brackets; bold where it is the named test's and
+/// p and, if it differs, the adjusted p in brackets; bold if the test is the declared one and
 /// significant.
 std::string pCell(const analysis::TestRow& test, bool isNamed) {
   std::string text = escaped(pInWords(test.p));
@@ -21,7 +21,7 @@ std::string pCell(const analysis::TestRow& test, bool isNamed) {
   return isNamed && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
 }
 
-/// What stands above a column of p values.
+/// The heading of a column of p values.
 std::string_view headingOf(std::string_view test) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShort{
       {{"paired_t", "Paired t"},
@@ -35,7 +35,7 @@ std::string_view headingOf(std::string_view test) {
   return analysis::statisticalTest(test).title;
 }
 
-/// "p_Holm" and its like as print has them.
+/// Prints "p_Holm" and similar names with subscripts.
 std::string withSubscripts(std::string html) {
   const auto lower = [&](std::string_view before, std::string_view plain) {
     std::string::size_type at = 0;
@@ -159,7 +159,7 @@ class TestsWriter : HtmlWriter {
          bf10 ? escaped(evidenceInWords(*bf10)) : "–"});
   }
 
-  /// With its interval where it has one.
+  /// The effect, with its interval if it has one.
   static std::string effectOf(const analysis::TestRow& test) {
     return rounded(test.effect.value, 2) +
            (test.effectInterval ? " " + intervalInWords(test.effectInterval) : "");

@@ -5,10 +5,10 @@
 
 namespace study::report {
 
-/// Words as they may stand in a page or an attribute of it.
+/// Text escaped for an HTML element or attribute.
 std::string escaped(std::string_view text);
 
-/// A whole page that needs nothing else: @p body within the style of all our reports.
+/// A complete self-contained page: @p body with the style sheet of all our reports.
 std::string htmlPage(
     std::string_view title, std::string_view body, std::string_view language = "en");
 

@@ -10,8 +10,8 @@
 
 namespace study::report {
 
-/// Writes one part of a study's page. What is said goes through the section's words, and comes out
-/// escaped; put() takes markup.
+/// Writes one part of a study's page. say() and count() translate with the section's words and
+/// escape the text; put() takes markup.
 class HtmlWriter {
  public:
   explicit HtmlWriter(const ReportSection& section) : s_(section) {}
@@ -49,7 +49,7 @@ class HtmlWriter {
     put("<p class=\"note\">{}</p>", say(english, std::forward<Args>(args)...));
   }
 
-  /// Opens a table with a caption and its head; the first column is for names.
+  /// Opens a table with a caption and a head; the first column holds names.
   void table(const std::string& caption, const std::vector<std::string>& columns) {
     std::string heads;
     for (const auto& column : columns) heads += "<th>" + column + "</th>";
@@ -65,7 +65,7 @@ class HtmlWriter {
   }
   void endTable() { put("</tbody></table>"); }
 
-  /// @param caption  in English; what stands below the figure, or instead of it.
+  /// @param caption  in English: the text below the figure, or in its place.
   void figure(const std::string& svg, std::string_view caption) {
     if (svg.empty()) {
       put("<p class=\"note\">{} {}</p>",

@@ -10,7 +10,8 @@ namespace {
 
 using protocols::PhaseType;
 
-constexpr std::string_view kSeenKind = "anatomy";  // of a source; all others are felt
+// kind of a source that is shown; all others are rendered
+constexpr std::string_view kSeenKind = "anatomy";
 
 class MethodsWriter : HtmlWriter {
  public:
@@ -47,7 +48,7 @@ class MethodsWriter : HtmlWriter {
     return instrument;
   }
 
-  /// What a participant went through, part by part.
+  /// The procedure for a participant, part by part.
   std::string procedure() const {
     std::string text;
     for (const auto& phase : s_.protocol.phases) {
@@ -58,7 +59,7 @@ class MethodsWriter : HtmlWriter {
     return text;
   }
 
-  /// What the participants compared with.
+  /// The physical tool that participants compared with.
   std::string benchmark(const protocols::Phase& phase) const {
     std::string text = count(
         phase.minimumCuts,
@@ -126,7 +127,7 @@ class MethodsWriter : HtmlWriter {
     return text + changes();
   }
 
-  /// What later versions of the protocol did to the families.
+  /// The changes that later versions of the protocol made to the families.
   std::string changes() const {
     const auto& history = s_.history;
     if (history.versions < 2) return {};
@@ -183,7 +184,7 @@ class MethodsWriter : HtmlWriter {
         cameTo(change));
   }
 
-  /// What a change makes of its family, as the end of a sentence.
+  /// The consequence of a change for its family, as the end of a sentence.
   std::string cameTo(const FamilyChange& change) const {
     return s_.words(
         change.isHarmless ? "; it was put back as it was declared."
@@ -205,7 +206,7 @@ class MethodsWriter : HtmlWriter {
     list("What was seen came from:", true);
   }
 
-  /// Of the sources, those that are seen, or those that are felt.
+  /// The sources of scenes: those that are shown, or those that are rendered.
   void list(std::string_view words, bool isOfSeen) {
     std::string lines;
     for (const auto& source : s_.sources) {

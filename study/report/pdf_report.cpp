@@ -27,13 +27,13 @@ namespace {
 
 constexpr int kFigure = QTextFormat::UserObject + 1;
 constexpr int kNumber = QTextFormat::UserProperty + 1;
-constexpr double kPrintedWidth = 480.0;  // of a figure [pt], within A4 and its margins
+constexpr double kPrintedWidth = 480.0;  // width of a figure [pt] within the margins of A4
 
 QByteArray bytesOf(std::string_view text) {
   return {text.data(), static_cast<qsizetype>(text.size())};
 }
 
-/// Draws figures into a text as what they are, not as pixels.
+/// Draws figures in a text document as vectors, not as pixels.
 class FigureObjects : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)
@@ -70,7 +70,7 @@ class FigureObjects : public QObject, public QTextObjectInterface {
   std::vector<std::unique_ptr<QSvgRenderer>> renderers_;
 };
 
-/// Every image that stands for a figure becomes one.
+/// Replaces every image that stands for a figure by the figure.
 void placeFigures(QTextDocument& document) {
   static const QString kPrefix = QStringLiteral("figure:");
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
@@ -85,26 +85,27 @@ void placeFigures(QTextDocument& document) {
       cursor.setPosition(it.fragment().position());
       cursor.setPosition(it.fragment().position() + 1, QTextCursor::KeepAnchor);
       cursor.setCharFormat(figure);
-      break;  // the block is another now; one figure is all that a paragraph holds
+      break;  // the block has changed; a paragraph holds at most one figure
     }
   }
 }
 
-/// Where the first line of a block ends, from the top of the document.
+/// The bottom of a block's first line, from the top of the document.
 double endOfFirstLine(const QTextDocument& document, const QTextBlock& block) {
   const double top = document.documentLayout()->blockBoundingRect(block).top();
   const auto* lines = block.layout();
   return lines->lineCount() > 0 ? top + lines->lineAt(0).rect().bottom() : top;
 }
 
-/// All of it: what Qt lays out anew by itself after a change leaves some blocks undrawn (Qt 6.4).
+/// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks
+/// undrawn (Qt 6.4).
 void layOutAnew(QTextDocument& document) {
   const QSizeF size = document.pageSize();
   document.setPageSize(size + QSizeF(1.0, 1.0));
   document.setPageSize(size);
 }
 
-/// Headings stay with what they stand above.
+/// Keeps headings on the same page as the block after them.
 void keepWithNext(QTextDocument& document) {
   const double page = document.pageSize().height();
   const auto pageOf = [&](double y) { return static_cast<int>(y / page); };
@@ -126,8 +127,8 @@ void keepWithNext(QTextDocument& document) {
   }
 }
 
-/// Where the first line of @p block that stands on a later page than its first one begins, from the
-/// start of the block; nothing where all stand on one.
+/// The offset in @p block of its first line that is on a later page than its beginning;
+/// std::nullopt if all lines are on one page.
 std::optional<int> firstOnNextPage(const QTextDocument& document, const QTextBlock& block) {
   const double page = document.pageSize().height();
   const auto& lines = *block.layout();
@@ -141,8 +142,8 @@ std::optional<int> firstOnNextPage(const QTextDocument& document, const QTextBlo
   return std::nullopt;
 }
 
-/// What goes on over the page becomes two blocks. Qt draws a block's lines around a page's edge on
-/// both pages, out of sight but not out of the text that is searched and copied (Qt 6.4).
+/// Splits blocks at page breaks. Qt draws the lines of a block that crosses a page break on both
+/// pages, hidden, but still found when the text is searched and copied (Qt 6.4).
 void splitAtPages(QTextDocument& document) {
   for (auto block = document.begin(); block.isValid(); block = block.next()) {
     const auto at = firstOnNextPage(document, block);
@@ -157,7 +158,7 @@ void splitAtPages(QTextDocument& document) {
     cursor.setBlockFormat(upper);
     cursor.setPosition(block.position() + *at);
     cursor.insertBlock(lower);
-    if (list != nullptr) {  // goes on without a bullet of its own
+    if (list != nullptr) {  // the second half gets no bullet
       lower.setIndent(lower.indent() + list->format().indent());
       lower.setObjectIndex(-1);
       cursor.setBlockFormat(lower);
@@ -166,7 +167,7 @@ void splitAtPages(QTextDocument& document) {
   }
 }
 
-/// Page after page, with its number below.
+/// Paints all pages with their numbers.
 void paintPages(QTextDocument& document, QPdfWriter& writer) {
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
@@ -182,7 +183,8 @@ void paintPages(QTextDocument& document, QPdfWriter& writer) {
         Qt::AlignRight | Qt::AlignBottom,
         QString::number(number + 1));
     const QRectF seen(QPointF(0.0, number * page.height()), page);
-    context.clip = seen.adjusted(0.0, 1.0, 0.0, -1.0);  // what only touches the page is another's
+    // lines that only touch the page belong to its neighbour
+    context.clip = seen.adjusted(0.0, 1.0, 0.0, -1.0);
     painter.save();
     painter.translate(0.0, -seen.top());
     painter.setClipRect(seen);
@@ -208,7 +210,7 @@ std::string asPdf(std::string_view html, std::string_view title) {
   document.documentLayout()->setPaintDevice(&writer);
   document.setDocumentMargin(0.0);
   QTextOption wrapping = document.defaultTextOption();
-  wrapping.setWrapMode(QTextOption::WordWrap);  // else narrow columns tear words apart
+  wrapping.setWrapMode(QTextOption::WordWrap);  // otherwise words break inside narrow columns
   document.setDefaultTextOption(wrapping);
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);

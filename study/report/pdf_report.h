@@ -5,14 +5,14 @@
 
 namespace study::report {
 
-/// A page of ours (html_report.h, document.h) on A4 paper, as a PDF file's bytes: text as text,
-/// figures as vectors, pages numbered. Needs a QGuiApplication.
+/// One of our pages (html_report.h, document.h) as a PDF file on A4: text as text, figures as
+/// vectors, numbered pages. Needs a QGuiApplication.
 std::string asPdf(std::string_view html, std::string_view title);
 
-/// A figure alone, as large as it is.
+/// One figure in its own size.
 std::string figureAsPdf(std::string_view svg);
 
-/// A figure alone, at 300 dpi, as a PNG file's bytes.
+/// One figure at 300 dpi, as a PNG file.
 std::string figureAsPng(std::string_view svg);
 
 }  // namespace study::report

@@ -36,7 +36,7 @@ class PreferenceWriter : HtmlWriter {
     return options;
   }
 
-  /// Of all votes between the same renderings.
+  /// The table of all votes between the same renderings.
   void tableOf(const std::vector<std::string>& options) {
     std::vector<std::string> columns{say("Cohort"), say("After")};
     for (const auto& option : options) columns.push_back(condition(option));

@@ -23,8 +23,8 @@ void replaceAll(std::string& text, std::string_view from, std::string_view to) {
   }
 }
 
-/// From the first @p begin to the end of the next @p end, both included; both npos if there is
-/// none.
+/// The range from the first @p begin to the end of the next @p end, both included; npos for both if
+/// there is none.
 struct Span {
   std::string::size_type begin = std::string::npos;
   std::string::size_type end = std::string::npos;
@@ -50,7 +50,7 @@ void takeFigures(PrintHtml& page) {
   }
 }
 
-/// How many columns the first row of a table's head has, from @p at on.
+/// The number of columns in the first row of a table's head, searched from @p at.
 int columnsAt(const std::string& html, std::size_t at) {
   const auto end = html.find("</tr>", at);
   int columns = 0;
@@ -64,7 +64,7 @@ int columnsAt(const std::string& html, std::size_t at) {
   return columns;
 }
 
-/// A caption becomes the first row of its table's head, so that it stays with it.
+/// Moves a caption into the first row of its table's head, so that they stay on one page.
 void captionsInHead(std::string& html) {
   constexpr std::string_view kTable = "<table><caption>";
   constexpr std::string_view kEnd = "</caption><thead>";
@@ -93,7 +93,7 @@ void cells(std::string& html) {
   }
 }
 
-/// "[0.41, 2.42]": both ends of an interval on one line.
+/// Keeps both ends of an interval on one line: "[0.41, 2.42]".
 void intervals(std::string& html) {
   constexpr std::string_view kStops = ", ]";
   for (auto open = html.find('['); open != std::string::npos; open = html.find('[', open + 1)) {
@@ -105,8 +105,7 @@ void intervals(std::string& html) {
   }
 }
 
-/// What belongs together is not torn apart at the end of a line: "p = .021", "[0.41, 2.42]",
-/// "95 %". Long codes may be, anywhere.
+/// Prevents line breaks within "p = .021", "[0.41, 2.42]", "95 %". Long codes may break anywhere.
 void breaks(std::string& html) {
   for (const std::string_view sign : {"=", "&lt;", "&gt;"}) {
     replaceAll(html, " " + std::string(sign) + " ", "&nbsp;" + std::string(sign) + "&nbsp;");

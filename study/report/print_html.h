@@ -6,14 +6,14 @@
 
 namespace study::report {
 
-/// A page as a rich-text engine without HTML 5 understands it.
+/// A page in the HTML that Qt's rich-text engine understands.
 struct PrintHtml {
   std::string html;
-  std::vector<std::string> figures;  ///< SVG; in the text stand <img src="figure:0"> and so on
+  std::vector<std::string> figures;  ///< SVG; the text has <img src="figure:0">, … for them
 };
 
-/// Takes the figures out of a page of ours, and says with older marks what newer ones say: captions
-/// in the heads of their tables, names to the left and numbers to the right.
+/// Takes the figures out of one of our pages and replaces newer markup: captions become rows of
+/// table heads, names are aligned left and numbers right.
 PrintHtml forPrint(std::string_view html);
 
 }  // namespace study::report

@@ -49,7 +49,7 @@ TrialQuality qualityOf(Study& study, RunMode mode) {
   return quality;
 }
 
-/// What `palpate protocol check` says about the protocol that the study keeps.
+/// The warnings of `palpate protocol check` about the stored protocol.
 std::vector<questionnaires::Problem> warningsOf(Study& study) {
   const auto stored = study.protocols().current();
   const auto find = [&](const std::string& name) -> std::optional<std::string> {
@@ -63,8 +63,8 @@ std::vector<questionnaires::Problem> warningsOf(Study& study) {
   return problems.all();
 }
 
-/// @p words with the sentences of the devices in @p protocol. Where all are of one kind, its
-/// sentences go before those of the catalogue; where they differ, they only fill its gaps.
+/// @p words with the texts of the devices in @p protocol. If all devices are of one kind, its texts
+///     take precedence over the catalogue's; otherwise they only fill its gaps.
 words::Words withDevices(const words::Words& words, const protocols::Protocol& protocol) {
   auto catalogue = words.catalogue();
   for (const auto& device : protocol.devices) {

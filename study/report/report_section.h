@@ -13,12 +13,12 @@
 
 namespace study::report {
 
-/// Figures as SVG, ready to stand in a page; empty where nobody painted them.
+/// Figures as SVG elements; empty if they were not painted.
 struct FamilyFigures {
   std::string answers;    ///< how often each point was chosen
-  std::string people;     ///< what every participant thought
-  std::string effects;    ///< how far methods lie apart
-  std::string positions;  ///< what the order did
+  std::string people;     ///< the rating of every participant
+  std::string effects;    ///< differences between methods
+  std::string positions;  ///< the effect of order
 };
 
 struct Figures {
@@ -28,18 +28,18 @@ struct Figures {
   std::string timing;
 };
 
-/// How late the ticks of a trial were.
+/// The lateness of one trial's ticks.
 struct TrialTiming {
   std::string device;
   double p99 = 0.0;      ///< [µs]
   double largest = 0.0;  ///< [µs]
 };
 
-/// How the trials of a study were rendered, counted: those of completed sessions that were finished
-/// and not repeated, without what was felt once more before a choice.
+/// How well the trials of a study were rendered. Counts the trials of completed sessions that were
+/// finished and not repeated, without the optional ones before a preference.
 struct TrialQuality {
   int trials = 0;
-  int feltAgain = 0;  ///< besides: offered before a choice, and felt
+  int feltAgain = 0;  ///< besides: optional trials before a preference that were accepted
   int pass = 0;
   int warn = 0;
   int fail = 0;
@@ -47,9 +47,9 @@ struct TrialQuality {
   double saturated = 0.0;  ///< [s]
   double contact = 0.0;    ///< [s]
   std::optional<double>
-      worstLateness;  ///< the largest p99 of a trial [µs]; nothing in virtual time
-  std::vector<std::vector<base::Message>> reasons;  ///< of all that did not pass
-  std::vector<TrialTiming> timings;  ///< in the order of the trials; none in virtual time
+      worstLateness;  ///< largest 99th percentile of a trial [µs]; std::nullopt in simulated time
+  std::vector<std::vector<base::Message>> reasons;  ///< of all trials that did not pass
+  std::vector<TrialTiming> timings;  ///< in the order of the trials; empty in simulated time
 };
 
 /// One study in a report: everything that is printed, computed once.
@@ -63,14 +63,15 @@ struct ReportSection {
   std::string uuid;
   Results results;
   std::vector<FeltCurve> curves;
-  base::Message curvesReason;  ///< why there are none, where the traces do not tell
+  base::Message curvesReason;  ///< why there are no curves, if the traces could not be read
   TrialQuality quality;
-  std::vector<questionnaires::Problem> warnings;  ///< that the protocol's check gives
+  std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
   Figures figures;
-  words::Words words;  ///< in whose language all is written
+  words::Words words;  ///< in the language of the report
 
   const std::string& conditionTitle(const std::string& condition) const;
-  /// Among the protocol's conditions, from 0: what its colour is chosen by in every figure.
+  /// The index among the protocol's conditions, from 0; it selects the condition's colour in every
+  /// figure.
   int conditionPlace(const std::string& condition) const;
   const std::string& cohortTitle(const std::string& cohort) const;
 };

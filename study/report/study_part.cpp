@@ -5,7 +5,7 @@
 namespace study::report {
 namespace {
 
-/// What the study is, and what to know before reading on.
+/// Writes the beginning of the page: the study, and notes for the reader.
 class HeadWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;

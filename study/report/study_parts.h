@@ -11,25 +11,25 @@ namespace study::report {
 /// What the study is, and whether its participants were real or simulated.
 std::string headAsHtml(const ReportSection& section);
 
-/// Who took part, cohort by cohort.
+/// How many took part, by cohort.
 std::string participantsAsHtml(const ReportSection& section);
 
-/// What participants answered, family by family.
+/// The answers, by family.
 std::string familiesAsHtml(const ReportSection& section);
 
-/// Who preferred what, with the figure.
+/// The preferences, with their figure.
 std::string preferencesAsHtml(const ReportSection& section);
 
-/// What the questionnaires that are scored came to; empty where there are none.
+/// The summaries of scored questionnaires; empty if there are none.
 std::string instrumentsAsHtml(const ReportSection& section);
 
-/// What each alternative felt like, and how well it was rendered.
+/// The force of each alternative, and the quality of its rendering.
 std::string renderingAsHtml(const ReportSection& section);
 
-/// What the check of the protocol says about the design.
+/// The warnings of the protocol's validation about the design.
 std::string warningsAsHtml(const ReportSection& section);
 
-/// What was done, for a methods section; and with what it was computed.
+/// The methods: procedure, sources and software.
 std::string methodsAsHtml(const ReportSection& section);
 
 /// All parts, in the order of the page.

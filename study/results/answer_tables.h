@@ -11,7 +11,7 @@
 
 namespace study {
 
-/// An answer, and whose it is.
+/// An answer with its session.
 struct OwnedAnswer {
   const std::string* participant = nullptr;
   const storage::AnswerRecord* record = nullptr;
@@ -21,14 +21,14 @@ struct OwnedAnswer {
 std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family);
 
-/// Which answers a family compares, and where they belong in its table: methods are the conditions
-/// that it compares, rounds the blocks that ask its instrument, statements that instrument's Likert
-/// items. The protocol outlives it.
+/// Which answers a family compares, and their cells in its table. Methods are the conditions that
+/// it compares, rounds the blocks that ask its instrument, statements that instrument's Likert
+/// items. The protocol must outlive it.
 class FamilyLayout {
  public:
   FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
 
-  /// The table before anybody has answered.
+  /// The table without answers.
   const analysis::AnswerTable& table() const noexcept { return table_; }
 
   /// Where an answer was given.
@@ -42,10 +42,10 @@ class FamilyLayout {
     std::size_t method = 0;
     std::size_t round = 0;
     std::size_t statement = 0;
-    int score = 0;  ///< the point, keyed so that more is better
+    int score = 0;  ///< the point, reversed where the key is −1, so that more is better
   };
-  /// Nothing for an answer that the family does not compare, and for one that was given on the
-  /// scale of an earlier version of the protocol: it counts as missing.
+  /// The cell of an answer. std::nullopt if the family does not compare it, or if it was given on
+  /// the scale of an earlier version of the protocol; it then counts as missing.
   std::optional<Cell> cellOf(const Origin& origin, std::int64_t point) const;
 
  private:
@@ -53,21 +53,21 @@ class FamilyLayout {
   analysis::AnswerTable table_;
 };
 
-/// What people answered to a family's instrument in questionnaires (see FamilyLayout). Participants
-/// are those of @p people, whether or not they answered anything.
+/// The answers to a family's instrument in questionnaires (see FamilyLayout). The participants are
+/// @p people, whether or not they answered anything.
 analysis::AnswerTable answerTable(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const std::vector<std::string>& people,
     const std::vector<OwnedAnswer>& answers);
 
-/// How many answers about each of the table's methods one participant gives who leaves out none.
+/// For each method of the table, the number of answers of a participant who answers everything.
 std::vector<std::size_t> expectedAnswers(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,
     const analysis::AnswerTable& table);
 
-/// Places of the statements that compare with what was felt just before.
+/// Indices of the statements that compare with the condition before.
 std::vector<std::size_t> relativeStatements(
     const protocols::LoadedProtocol& loaded,
     const protocols::Family& family,

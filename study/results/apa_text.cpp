@@ -128,7 +128,7 @@ class ApaWriter {
     return line;
   }
 
-  /// Of a test that has no sentence of its own.
+  /// The sentence of a test without a sentence of its own.
   std::string other(const analysis::TestRow& test, const protocols::Family& family) const {
     const auto title = w_(analysis::statisticalTest(test.id).title);
     if (!test.reason.empty() && !test.p) return title + ": " + w_(test.reason);
@@ -193,7 +193,7 @@ std::string equalsInWords(const std::string& number) {
 
 std::string intervalInWords(const std::optional<analysis::Interval>& interval) {
   if (!interval) return "–";
-  // What a short line cannot hold is told by its size.
+  // Larger values are written as powers of ten.
   constexpr double kLong = 1e5;
   const auto limit = [](double value) {
     return std::abs(value) < kLong || std::isinf(value) ? rounded(value, 2)
@@ -231,7 +231,7 @@ std::vector<std::string> apaLines(
       "paired_t", "sign_flip", "signed_rank", "bayes_factor"};
   for (const auto& test : row.tests) {
     if (std::ranges::find(kTold, test.id) != kTold.end()) continue;
-    if (test.id == "tost") continue;  // comes last
+    if (test.id == "tost") continue;  // is appended last
     if (test.id == "mixed_model") {
       lines.push_back(writer.mixed(test, family));
     } else if (test.id == "ordinal_model") {

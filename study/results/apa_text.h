@@ -10,32 +10,32 @@
 
 namespace study {
 
-/// A number with so many decimals, halves to the even digit; "–" where there is none, "∞" where it
-/// has no bounds. One function
-/// for every table and figure, so that they agree.
+/// A number with @p digits decimals, halves rounded to even; "–" if there is none, "∞" if it is
+/// infinite. All tables and figures use this function, so that they agree.
 std::string rounded(const std::optional<double>& value, int digits);
 
-/// A Bayes factor to three digits; "> 1000" beyond what anybody would tell apart.
+/// A Bayes factor to three digits; "> 1000" above, where larger values are not told apart.
 std::string evidenceInWords(double bayesFactor);
 
-/// A p value as it stands in a text: ".021", "< .001"; "–" where there is none.
+/// A p value in running text: ".021", "< .001"; "–" if there is none.
 std::string pInWords(const std::optional<double>& p);
 
-/// What stands after a letter: "= .021"; "< .001" and "> 1000" as they are.
+/// The part after a letter and its equals sign: "= .021"; "< .001" and "> 1000" keep their own
+/// sign.
 std::string equalsInWords(const std::string& number);
 
-/// "[0.41, 2.42]"; "–" where there is none.
+/// "[0.41, 2.42]"; "–" if there is none.
 std::string intervalInWords(const std::optional<analysis::Interval>& interval);
 
-/// As a subscript of p: "Holm", "Bonferroni"; empty for none.
+/// The subscript of p: "Holm", "Bonferroni"; empty for none.
 std::string_view nameOf(protocols::CorrectionType correction) noexcept;
 
 /// What a family declares, in words: "paired t-test of participants' means, Holm correction".
 std::string declaredInWords(const protocols::Family& family, const words::Words& words = {});
 
-/// A comparison within people in the manner of the APA (7th edition): a line for the paired t-test,
-/// one for the exact tests, and one each for the mixed models and for equivalence where there are.
-/// What is not defined says why.
+/// A comparison within people in APA style (7th edition): a line for the paired t-test, one for the
+/// exact tests, and one each for the mixed models and for equivalence if there are any. A result
+/// that is not defined is given with its reason.
 std::vector<std::string> apaLines(
     const analysis::WithinComparison& row,
     const protocols::Family& family,

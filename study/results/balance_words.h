@@ -8,8 +8,8 @@
 
 namespace study {
 
-/// How often every condition stands at every place, and right after every other, if so many of a
-/// cohort take part: a few lines for each block of a sound protocol.
+/// How often every condition is at every position, and directly after every other, if so many of a
+/// cohort take part: a few lines for each block of a valid protocol.
 std::string balanceInWords(
     const protocols::Protocol& protocol, std::size_t participants, std::uint64_t seed);
 

@@ -8,11 +8,11 @@
 namespace study {
 namespace {
 
-constexpr int kBins = 80;            // of the device's own travel
-constexpr std::size_t kFewest = 20;  // samples in a bin that say something
-constexpr double kOwnSpeed = 0.95;   // which quantile of the closing samples is the hand's speed
-constexpr double kShareOfOwn = 0.1;  // of it, below which a hand rests
-constexpr double kSlowestStroke = 16.0;  // [s] that a closure of all the travel takes at most
+constexpr int kBins = 80;                // over the device's whole travel
+constexpr std::size_t kFewest = 20;      // samples that a bin needs to be shown
+constexpr double kOwnSpeed = 0.95;       // quantile of speeds that is taken for the hand's speed
+constexpr double kShareOfOwn = 0.1;      // of that speed: slower samples may be at rest
+constexpr double kSlowestStroke = 16.0;  // [s] over the whole travel: faster is never at rest
 
 using haptics::engine::TickSample;
 
@@ -20,15 +20,15 @@ bool isFelt(const storage::TraceSample& sample) noexcept {
   return (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0;
 }
 
-/// Where the data of a scene end, without the ramp behind them.
+/// The travel at which a scene's data end, before its final ramp.
 double endOf(const haptics::engine::SceneSpec& scene) {
   const auto parts = haptics::engine::partsOf(scene.model);
   if (parts.cut != nullptr && !parts.cut->curve.empty()) return parts.cut->curve.back().travel;
   return haptics::engine::endOfData(scene.model).value_or(0.0);
 }
 
-/// At which the hand closed against a force in these samples [unit/s]; 0 where it never did. What
-/// it does in the air does not count: it may come fast and ream slowly.
+/// The speed at which the hand closed against a force in these samples [unit/s]; 0 if it never did.
+/// Movement in air is left out, because it may be much faster than reaming.
 double ownSpeed(std::span<const storage::TraceSample> samples) {
   std::vector<float> speeds;
   for (const auto& sample : samples) {
@@ -48,7 +48,7 @@ FeltBins::FeltBins(
     const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene)
     : width_(kind.travel.most / kBins), closing_(kind.travel.most / kSlowestStroke) {
   const double most = std::max(kind.travel.most, endOf(scene));
-  // A little less, so that rounding adds no bin.
+  // The small difference keeps rounding from adding a bin.
   forces_.resize(static_cast<std::size_t>(std::ceil(most / width_ - 1e-9)));
 }
 
@@ -68,6 +68,7 @@ std::map<int, double> FeltBins::medians() {
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     auto& forces = forces_[bin];
     if (forces.empty()) continue;
+    // The lower of two middle values, so that the median is a force that was commanded.
     const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
     std::nth_element(forces.begin(), middle, forces.end());
     medians[static_cast<int>(bin)] = *middle;

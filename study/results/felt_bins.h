@@ -12,30 +12,31 @@
 
 namespace study {
 
-/// Forces of a tool that closes or advances, by bins of travel: an eightieth of the device's travel
-/// each.
+/// Forces while a tool closes or advances, in bins of travel: each an eightieth of the device's
+/// travel.
 ///
-/// What counts as closing is how the hand of that trial moved: faster than a tenth of its own
-/// closing speed (the 95th percentile of its samples that close against a force), or than a
-/// sixteenth of the device's travel in a second, whichever is slower. Reaming at 0.01 mm/s, as it
-/// was measured, counts as well as a stroke of 30 mm/s; a hand that rests does not.
+/// A sample counts as closing if the tool is faster than a threshold. The threshold is a tenth of
+/// the hand's own closing speed in that trial (the 95th percentile of its samples that close
+/// against a force), or a sixteenth of the device's travel per second, whichever is slower. Reaming
+/// at 0.01 mm/s, as in the measurements, therefore counts as well as a stroke of 30 mm/s; a hand at
+/// rest does not.
 class FeltBins {
  public:
-  /// Bins of the travel that the device has, or that the data of @p scene reach, whichever is more.
+  /// Bins over the device's travel, or over the data of @p scene if these reach farther.
   FeltBins(const haptics::devices::DeviceKind& kind, const haptics::engine::SceneSpec& scene);
 
-  /// The samples of a trial; those that were not felt are left out.
+  /// Adds the samples of a trial; those without a force are left out.
   void add(std::span<const storage::TraceSample> samples);
 
-  /// The middle sample of every bin that was felt [N].
+  /// The median force of every bin that has samples [N].
   std::map<int, double> medians();
 
-  /// Of every bin with 20 samples or more.
+  /// The bins with 20 samples or more.
   std::vector<FeltCurve::Point> points();
 
  private:
   double width_;    ///< [device's travel unit]
-  double closing_;  ///< no slower than this is ever asked for [unit/s]
+  double closing_;  ///< threshold; this is its largest value [unit/s]
   std::vector<std::vector<float>> forces_;
 };
 

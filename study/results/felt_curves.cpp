@@ -13,8 +13,8 @@
 namespace study {
 namespace {
 
-/// What a bone is meant to feel like at the travel of each point: its curve, or its spheres before
-/// any is gone, without jitter. Nothing for what depends on more than travel.
+/// The intended force of a bone at the travel of each point: its curve, or its spheres before any
+/// is removed, without jitter. Empty if the force depends on more than travel.
 std::vector<double> meantForces(
     const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
   const auto model = haptics::engine::undisturbed(felt);
@@ -31,7 +31,7 @@ std::vector<double> meantForces(
 
 std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
   const storage::Records records(study.database());
-  std::map<SessionId, std::string> counted;  // and whose they are
+  std::map<SessionId, std::string> counted;  // and whose trials these are
   for (const auto& session : records.sessions()) {
     if (session.runMode == mode && session.isCompleted())
       counted.emplace(session.id, session.participant);
@@ -74,7 +74,8 @@ std::optional<double> rmsFromMeant(const FeltCurve& curve) {
 
 namespace {
 
-/// Of two series by place, where both have a value; nothing where nowhere.
+/// The root mean square difference of two series over the places where both have a value;
+/// std::nullopt if there is none.
 template <typename Place>
 std::optional<double> rmsDifference(
     const std::map<Place, double>& a, const std::map<Place, double>& b) {

@@ -13,7 +13,7 @@ namespace {
 using questionnaires::Answer;
 using questionnaires::Instrument;
 
-/// What one person answered at one visit.
+/// The answers of one person in one visit.
 struct Form {
   std::string participant;
   std::string cohort;
@@ -21,7 +21,7 @@ struct Form {
   std::vector<Answer> answers;
 };
 
-/// One instrument's summary in the making.
+/// Collects the summary of one instrument.
 class Summarising {
  public:
   Summarising(
@@ -54,7 +54,7 @@ class Summarising {
       for (const auto& form : forms_) {
         if (form.cohort != cohort || form.condition != condition) continue;
         const auto found = computeScore(instrument_, score, form.answers);
-        if (found.answered == 0) continue;  // its items were not asked here
+        if (found.answered == 0) continue;  // this visit did not ask the items of this score
         if (found.value) byParticipant[form.participant].push_back(*found.value);
         if (!found.value) ++summary.missing;
       }
@@ -67,7 +67,7 @@ class Summarising {
     }
   }
 
-  /// That forms are about, in the protocol's order; first those about none.
+  /// The conditions that the forms are about, in the protocol's order; first those about none.
   std::vector<std::string> conditionsIn(const std::string& cohort) const {
     std::vector<std::string> all{""};
     for (const auto& condition : protocol_.conditions) all.push_back(condition.id);
@@ -79,7 +79,7 @@ class Summarising {
     return all;
   }
 
-  /// Of everybody who answered at least twice: first, last, and last − first.
+  /// For all who answered at least twice: the first and the last score, and last − first.
   void changesOf(const questionnaires::Score& score, const std::string& cohort) {
     std::map<std::string, std::vector<const Form*>> byParticipant;
     for (const auto& form : forms_) {
@@ -114,7 +114,7 @@ class Summarising {
     result_.scores.push_back(std::move(summary));
   }
 
-  /// What each participant said last about each condition.
+  /// The last answer of each participant about each condition.
   void acceptabilityIn(const std::string& cohort) {
     for (const auto& condition : conditionsIn(cohort)) {
       std::map<std::string, const Form*> last;

@@ -12,39 +12,39 @@
 
 namespace study {
 
-/// A score of an instrument in one cohort, about one condition.
+/// One score of an instrument in one cohort, about one condition.
 struct ScoreSummary {
   std::string score;  ///< its id
   std::string cohort;
-  std::string condition;       ///< empty where the instrument asks about no condition
-  std::string occasion;        ///< "before", "after", "change" where the change counts; else empty
-  std::vector<double> values;  ///< one per participant, the mean of what they gave
-  std::size_t missing = 0;     ///< forms that answered some of its items and gave no score
+  std::string condition;       ///< empty if the instrument is not about a condition
+  std::string occasion;        ///< "before", "after", "change" if the change is scored; or empty
+  std::vector<double> values;  ///< one for each participant, the mean of their forms
+  std::size_t missing = 0;     ///< forms with answers to its items but without a score
   std::optional<double> mean;
   std::optional<double> standardDeviation;     ///< with n - 1
   std::optional<analysis::Interval> interval;  ///< of the mean, at 95 %
 };
 
-/// Who found what an item asks about acceptable, in one cohort, about one condition: by what each
-/// participant said last.
+/// How many participants of one cohort answered acceptably about one condition, by the last answer
+/// of each.
 struct AcceptabilitySummary {
   std::string cohort;
-  std::string condition;  ///< empty where the instrument asks about no condition
+  std::string condition;  ///< empty if the instrument is not about a condition
   questionnaires::Acceptability item;
   std::optional<analysis::Interval> interval;  ///< Wilson's, at 95 %
 };
 
-/// What an instrument with scores, thresholds or a rule of consistency came to.
+/// The summary of an instrument that has scores, thresholds or a consistency rule.
 struct InstrumentSummary {
   std::string instrument;
   std::vector<ScoreSummary> scores;
   std::vector<AcceptabilitySummary> acceptable;
   std::size_t forms = 0;          ///< that were answered
-  std::size_t contradictory = 0;  ///< of these, whose answers contradict each other
+  std::size_t contradictory = 0;  ///< of these, with contradictory answers
 };
 
-/// Scores every form as its instrument says (questionnaires/scoring/scoring.h). A form is what one
-/// visit answered.
+/// Scores every form by the rules of its instrument (questionnaires/scoring/scoring.h). A form is
+/// the answers of one visit.
 /// @param sessions  whose answers count
 /// @param answers  of those sessions
 std::vector<InstrumentSummary> summariseInstruments(

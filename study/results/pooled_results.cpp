@@ -9,7 +9,7 @@
 namespace study {
 namespace {
 
-/// Every comparison stands for itself.
+/// Removes the adjustment of p values.
 void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   comparisons.alphaPerTest = comparisons.alpha;
   for (auto& row : comparisons.rows) {
@@ -19,7 +19,7 @@ void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   }
 }
 
-/// Those of one cohort that a family compares.
+/// The counts of one cohort, for the conditions that a family compares.
 std::vector<analysis::NamedCounts> countsIn(
     const FamilyLayout& layout,
     const std::string& cohort,

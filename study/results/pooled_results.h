@@ -12,20 +12,21 @@
 namespace study {
 
 /// The profile as published alone (docs/statistics.md): how often each point was chosen, by family,
-/// cohort and condition, all answers pooled, and the declared comparisons. Nothing that asks who
-/// gave an answer: no flags, no votes, no tests within people. Counts every answer each time.
+/// cohort and condition, over all answers, and the declared comparisons. It leaves out everything
+/// that needs to know who gave an answer: flags, votes, tests within people. Always counts all
+/// answers anew.
 /// @throws storage::StorageError
 Results pooledResults(Study& study, RunMode mode);
 
 /// How often each point was chosen, by method of a table of answers.
 std::vector<analysis::NamedCounts> pooledCounts(const analysis::AnswerTable& table);
 
-/// The comparisons that a family declares, by Welch's test, of answers that were pooled; corrected
-/// as declared where Welch's test is the declared one, and after Bonferroni otherwise.
+/// The comparisons that a family declares, by Welch's test on pooled answers. They are adjusted as
+/// declared if Welch's test is the declared one, otherwise by Bonferroni's method.
 analysis::PairwiseComparisons comparePooled(
     const protocols::Family& family, const std::vector<analysis::NamedCounts>& conditions);
 
-/// What a family's correction is called where numbers are made; nothing for none.
+/// A family's correction as the analysis room names it; std::nullopt for none.
 std::optional<analysis::Adjustment> adjustmentOf(protocols::CorrectionType correction);
 
 }  // namespace study

@@ -23,7 +23,7 @@ using storage::AnswerRecord;
 using storage::Records;
 using storage::SessionRecord;
 
-/// All that results are computed from, read once.
+/// Everything that results are computed from, read once.
 class Computation {
  public:
   Computation(Study& study, RunMode mode)
@@ -159,7 +159,7 @@ class Computation {
     return answerTable(loaded_, family, people, owned);
   }
 
-  /// The largest value that the smallest p of a family may have to be significant.
+  /// The smallest p value of a family is significant if it is not above this.
   static double thresholdOf(const protocols::Family& family) {
     using enum protocols::CorrectionType;
     const auto m = static_cast<double>(std::max<std::size_t>(family.comparisons.size(), 1));
@@ -178,7 +178,7 @@ class Computation {
       case Hochberg:
       case Hommel:
       case BenjaminiHochberg:
-        return family.alpha;  // where all of the family are as small
+        return family.alpha;  // if all p values of the family are as small
     }
     return family.alpha;
   }
@@ -200,7 +200,7 @@ class Computation {
   std::vector<analysis::Flag> flagsOf(
       const protocols::Family& family, const CohortResult& part) const {
     analysis::StudyFacts facts{
-        .isPooled = true,  // the pooled tests are always printed
+        .isPooled = true,  // the report always prints the pooled tests
         .isDeclared = history_.isDeclared(family.id),
         .alpha = family.alpha,
         .threshold = thresholdOf(family),
@@ -232,7 +232,7 @@ class Computation {
             std::find(blocks.begin(), blocks.end(), answer.step.phase) != blocks.end());
   }
 
-  /// What an alternative was in a session; empty where it was nothing.
+  /// The condition of an alternative in a session; empty if the session had none.
   std::string feltAs(SessionId session, const std::string& block, const std::string& label) const {
     int number = 0;
     std::from_chars(label.data(), label.data() + label.size(), number);

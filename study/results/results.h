@@ -19,7 +19,7 @@
 
 namespace study {
 
-/// What became of the people of a cohort.
+/// How many people of a cohort began, completed or left.
 struct CohortFlow {
   std::string cohort;
   int enrolled = 0;
@@ -30,7 +30,7 @@ struct CohortFlow {
   int rejected = 0;
   int abortedHardware = 0;
 
-  /// One more session.
+  /// Counts one more session.
   void add(SessionState state);
 };
 
@@ -44,11 +44,11 @@ struct CohortResult {
   analysis::WithinAnalysis within;                ///< with the participant as the unit
   analysis::ScaleChecks checks;                   ///< distribution and reliability
   analysis::PositionEffect position;              ///< of the order
-  std::vector<analysis::Flag> flags;              ///< what a reader has to know
+  std::vector<analysis::Flag> flags;              ///< notes that a reader needs
 };
 
-/// Two cohorts' participants' means of one condition. Probabilities and effects are for the first
-/// cohort having the larger values.
+/// The comparison of two cohorts in one condition, by their participants' means. Probabilities and
+/// effects are for larger values in the first cohort.
 struct BetweenResult {
   std::string condition;
   std::string cohort1;
@@ -65,50 +65,50 @@ std::string_view idOf(protocols::TestType test) noexcept;
 
 struct FamilyResult {
   protocols::Family family;
-  bool isDeclared = true;  ///< as it stands, before the first live participant (plan_history.h)
+  bool isDeclared = true;  ///< as it is now, before the first live participant (plan_history.h)
   std::vector<CohortResult> cohorts;
   std::vector<BetweenResult> between;
 
-  /// Whether the protocol names the test of this id, declared before there were data or not.
+  /// Whether the protocol names the test of this id, declared in time or not.
   bool isNamed(std::string_view test) const { return idOf(family.test) == test; }
-  /// Whether it is the one that was declared: confirmatory, all else is exploratory.
+  /// Whether this test was declared in time. It is then confirmatory; all others are exploratory.
   bool isConfirmatory(std::string_view test) const { return isDeclared && isNamed(test); }
 };
 
-/// How a study is computed (docs/statistics.md).
+/// A way to compute a study's results (docs/statistics.md).
 enum class Profile {
-  AsPublished,  ///< all answers pooled, Welch's t-test, as the punch paper did
+  AsPublished,  ///< all answers pooled, Welch's t-test, as in the punch paper
   Recommended,  ///< the participant is the unit
 };
 
-/// A kind of flag, and what it found by cohort.
+/// A kind of flag, and the cohorts that have it.
 struct RaisedFlag {
   const analysis::Flag* flag = nullptr;  ///< of the first cohort that has it
-  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< cohort, and what
+  std::vector<std::pair<std::string, const analysis::Flag*>> found;  ///< by cohort
 };
 
-/// The flags of all cohorts of a family, each kind once, in the order in which cohorts have them.
+/// The flags of all cohorts of a family, each kind once, in order of first occurrence.
 std::vector<RaisedFlag> flagsByKind(const FamilyResult& family);
 
-/// Who preferred what, in one cohort, after one block.
+/// The preferences of one cohort after one block.
 struct VoteResult {
   std::string cohort;
-  std::string phase;  ///< the preference's
+  std::string phase;  ///< of the preference
   std::string block;
   analysis::VoteCounts votes;  ///< by condition id
   analysis::EqualSharesResult test;
   std::vector<std::optional<analysis::Interval>> intervals;  ///< Wilson's, of each share, at 95 %
 };
 
-/// What a study says, in both profiles: as the punch paper did, and with the participant as the
-/// unit. Statements with key -1 are reversed. Only completed sessions count, and of those only
-/// steps that were finished and not repeated.
+/// The results of a study in both profiles: as in the punch paper, and with the participant as the
+/// unit. Answers to statements with key −1 are reversed. Only completed sessions count, and of
+/// those only steps that were finished and not repeated.
 struct Results {
   RunMode runMode = RunMode::Live;
   std::vector<CohortFlow> flow;
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
-  std::vector<InstrumentSummary> instruments;  ///< those with scores or thresholds
+  std::vector<InstrumentSummary> instruments;  ///< see InstrumentSummary
 
   int completed() const;
 };

@@ -10,7 +10,7 @@
 namespace study {
 namespace {
 
-/// How many columns a text takes on the screen; bytes that go on with a character take none.
+/// The number of columns that a text takes on the screen; continuation bytes of UTF-8 take none.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -93,7 +93,7 @@ class Writer {
     }
   }
 
-  /// Of the profile as published; what is not declared is exploratory.
+  /// The tables of the profile as published; tests that are not declared are exploratory.
   void asPublished(const FamilyResult& family) {
     const bool isCorrected = !correctionOf(family.family).empty();
     line(fmt::format(
@@ -112,7 +112,7 @@ class Writer {
     }
   }
 
-  /// Only what is declared corrects as declared; Bonferroni's way is the paper's.
+  /// The declared correction applies to the declared test only; the paper's is Bonferroni's.
   static std::string_view correctionOf(const protocols::Family& family) {
     return nameOf(
         family.test == protocols::TestType::Welch ? family.correction
@@ -148,7 +148,7 @@ class Writer {
     between(family);
   }
 
-  /// What the order did, and how far the scale can be trusted.
+  /// The effect of order, and the reliability of the scale.
   void checks(const CohortResult& cohort) {
     const auto& slope = cohort.position.slope;
     line(
@@ -212,7 +212,7 @@ class Writer {
     line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
-  /// Each once, with what it found in every cohort.
+  /// Each kind of flag once, with its cohorts.
   void flags(const FamilyResult& family) {
     const auto raised = flagsByKind(family);
     if (raised.empty()) return;

@@ -7,8 +7,8 @@
 
 namespace study {
 
-/// The tables of a study for a terminal: means and preferences in the shape of the punch paper's
-/// Tables 2 and 4, comparisons as @p profile has them, and what a reader has to know about them.
+/// The tables of a study for a terminal: means and preferences in the form of the punch paper's
+/// Tables 2 and 4, the comparisons of @p profile, and notes on them.
 std::string resultsAsText(Study& study, const Results& results, Profile profile);
 
 }  // namespace study

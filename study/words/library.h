@@ -5,7 +5,7 @@
 
 namespace study::words {
 
-/// A catalogue of study/words/library, as it was when the program was built.
+/// A catalogue of study/words/library, compiled into the program.
 struct LibraryFile {
   std::string_view name;  ///< "de.json"
   std::string_view content;

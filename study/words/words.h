@@ -13,19 +13,19 @@
 
 namespace study::words {
 
-/// A language's words for what reports and the participant's windows say.
+/// The texts of reports and of the participant's windows in one language.
 struct Catalogue {
   using Entries = std::map<std::string, std::string, std::less<>>;
   using Windows = std::map<std::string, Entries, std::less<>>;
 
-  Entries messages;  ///< facts from the rooms below (base::Message), by key
-  Entries texts;     ///< a report's own texts, by their English
-  Windows windows;   ///< texts of the participant's windows, by the class and their English
+  Entries messages;  ///< messages of the other rooms (base::Message), by key
+  Entries texts;     ///< texts of reports, by their English text
+  Windows windows;   ///< texts of the participant's windows, by class and English text
 };
 
-/// What reports say, in one language. Where the catalogue lacks something, the English stands.
-/// Numbers are the same in all languages: with a point, as the DGPs' and APA's rules for reporting
-/// statistics have it.
+/// Looks up the texts of reports in one language. A text that the catalogue lacks stays English.
+/// Numbers are the same in all languages: with a decimal point, as the rules of APA and DGPs for
+/// reporting statistics ask.
 class Words {
  public:
   /// English.
@@ -39,29 +39,32 @@ class Words {
   /// A text of the report.
   std::string operator()(std::string_view english) const;
 
-  /// A fact, with its arguments put in; empty for nothing.
+  /// A message with its arguments filled in; empty for no message.
   std::string operator()(const base::Message& message) const;
 
-  /// Several facts, between semicolons.
+  /// Several messages, separated by semicolons.
   std::string operator()(const std::vector<base::Message>& messages) const;
 
-  /// With {} where something is put in, in the same order in every language unless numbered.
+  /// A text with arguments for its {}. Their order is the same in every language unless they are
+  /// numbered.
   template <typename... Args>
   std::string say(std::string_view english, Args&&... args) const {
     return fmt::format(fmt::runtime((*this)(english)), std::forward<Args>(args)...);
   }
 
-  /// The same of a number of things, which is put in first: @p one of one, @p many of all others.
+  /// The same for a number of things, which is the first argument: @p one for 1, @p many for all
+  /// others.
   template <typename Number, typename... Args>
   std::string count(
       Number number, std::string_view one, std::string_view many, Args&&... args) const {
     const auto ofOne = (*this)(one);
-    const auto ofMany = (*this)(many);  // both, so that a catalogue that lacks one is found out
+    // look up both, so that a missing entry of either is reported
+    const auto ofMany = (*this)(many);
     return fmt::format(
         fmt::runtime(number == 1 ? ofOne : ofMany), number, std::forward<Args>(args)...);
   }
 
-  /// What was asked for and was not in the catalogue: texts, and keys of messages.
+  /// The texts and keys of messages that were looked up and not found.
   const std::set<std::string, std::less<>>& missing() const noexcept { return missing_; }
 
  private:
@@ -73,10 +76,10 @@ class Words {
   mutable std::set<std::string, std::less<>> missing_;
 };
 
-/// Which languages there are: "en", "de", "nb".
+/// The languages that have a catalogue: "en", "de", "nb".
 std::vector<std::string> languages();
 
-/// @throws std::invalid_argument  for a language that is not there, with those that are.
+/// @throws std::invalid_argument  for an unknown language; names the known ones.
 Words wordsIn(std::string_view language);
 
 }  // namespace study::words

@@ -8,10 +8,10 @@
 
 namespace study::report {
 
-/// An axis with its ends, and where a value lies between them.
+/// An axis with its ends, which maps values to positions.
 class AxisScale {
  public:
-  /// @param least, most  of what is shown; an end that the axis says itself holds.
+  /// @param least, most  of the data; ends that the axis has itself take precedence.
   AxisScale(const ChartAxis& axis, double least, double most);
 
   bool shows(double value) const;
@@ -22,7 +22,8 @@ class AxisScale {
     double value = 0.0;
     QString text;
   };
-  /// Steps of 1, 2 or 5 times a power of ten, about @p wanted of them; decades where logarithmic.
+  /// About @p wanted ticks in steps of 1, 2 or 5 times a power of ten; powers of ten if
+  /// logarithmic.
   std::vector<Tick> ticks(int wanted = 7) const;
 
  private:

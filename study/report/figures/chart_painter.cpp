@@ -17,7 +17,7 @@ constexpr double kWidth = 860.0;
 constexpr double kHeight = 440.0;
 constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};
 constexpr double kMarker = 4.0;
-constexpr std::size_t kColours = 7;  // that the palette has
+constexpr std::size_t kColours = 7;  // of the palette
 
 struct Range {
   double least = std::numeric_limits<double>::infinity();
@@ -163,7 +163,7 @@ class ChartPainter {
         10);
   }
 
-  /// Where colours come round again, squares tell the second round from the first.
+  /// When the colours repeat, squares distinguish the second round from the first.
   void symbol(const QPointF& where, bool isSquare) {
     if (isSquare) {
       painter_.drawRect(QRectF(where.x() - kMarker, where.y() - kMarker, 2 * kMarker, 2 * kMarker));

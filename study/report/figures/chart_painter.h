@@ -6,7 +6,7 @@
 
 namespace study::report {
 
-/// A chart as an SVG element that can stand in a page. Needs a QGuiApplication.
+/// A chart as an SVG element to embed in a page. Needs a QGuiApplication.
 std::string chartAsSvg(const Chart& chart);
 
 }  // namespace study::report

@@ -13,7 +13,7 @@ constexpr double kNames = 250.0;
 constexpr double kNumbers = 180.0;
 constexpr double kRow = 34.0;
 
-/// Wide enough for all intervals, the bounds, and none at all.
+/// A scale that covers all intervals, the equivalence bounds, and zero.
 AxisScale effectScale(const FamilyResult& family) {
   double most = family.family.equivalenceBound.value_or(0.0);
   for (const auto& cohort : family.cohorts) {

@@ -153,7 +153,7 @@ class FeltPainter {
   std::vector<const FeltCurve*> curves_;
   double mostTravel_ = 0.0;
   double mostForce_ = 0.0;
-  const haptics::devices::DeviceKind::Shown* shown_ = nullptr;  ///< how travel is read
+  const haptics::devices::DeviceKind::Shown* shown_ = nullptr;  ///< unit of travel
 };
 
 }  // namespace

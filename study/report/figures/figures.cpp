@@ -26,7 +26,7 @@ FamilyFigures figuresOf(const ReportSection& section, const FamilyResult& family
   return figures;
 }
 
-/// Trial by trial, how late 99 % and all of its ticks were at most.
+/// The 99th percentile and the largest lateness of each trial.
 std::string timingFigure(const ReportSection& section) {
   std::map<std::string, std::pair<ChartSeries, ChartSeries>> byDevice;
   int number = 0;

@@ -10,13 +10,13 @@ namespace study::report {
 /// Paints all figures of a section into it. Needs a QGuiApplication.
 void paintFigures(ReportSection& section);
 
-/// How far methods lie apart within people: mean differences with their intervals, thick at 1 − α,
-/// thin at 1 − α/m; shaded, the differences that the protocol declares to be none.
+/// Differences between methods within people: mean differences with intervals, thick at 1 − α, thin
+/// at 1 − α/m. The shaded range holds the differences that the protocol declares negligible.
 QSizeF effectFigureSize(const FamilyResult& family);
 void paintEffectFigure(QPainter& painter, const ReportSection& section, const FamilyResult& family);
 
-/// Force over travel, as it was felt on one device: a line for each condition, with the middle 80
-/// %.
+/// Force over travel on one device: a line for each condition, with the range between its 10th and
+/// 90th percentile.
 QSizeF feltFigureSize();
 void paintFeltFigure(QPainter& painter, const ReportSection& section, const std::string& device);
 
@@ -25,21 +25,21 @@ void paintFeltFigure(QPainter& painter, const ReportSection& section, const std:
 QSizeF likertFigureSize(const FamilyResult& family);
 void paintLikertFigure(QPainter& painter, const ReportSection& section, const FamilyResult& family);
 
-/// How methods were judged that came first, second …: means over participants with their 95 %
-/// intervals, as if all methods were alike.
+/// Ratings by position (first, second …): means over participants with their 95 % intervals, as if
+/// all methods were alike.
 QSizeF positionFigureSize(const FamilyResult& family);
 void paintPositionFigure(
     QPainter& painter, const ReportSection& section, const FamilyResult& family);
 
-/// What every participant thought of every method: a dot each, equal ones on top of each other;
-/// above them their density, between them the middle half and the median; a diamond is the mean.
-/// After Allen et al. 2021 (raincloud plots).
+/// The rating of every method by every participant: a dot for each, equal ones above one another;
+/// above them their density, between them the interquartile range and the median; a diamond is the
+/// mean. After Allen et al. 2021 (raincloud plots).
 QSizeF raincloudFigureSize(const FamilyResult& family);
 void paintRaincloudFigure(
     QPainter& painter, const ReportSection& section, const FamilyResult& family);
 
-/// Who preferred what, by cohort and round: a bar for each condition with its interval; dashed, the
-/// share that each would have if nobody preferred anything.
+/// Preferences by cohort and round: a bar for each condition with its interval. The dashed line is
+/// the share that each would have if all were preferred equally often.
 QSizeF voteFigureSize(const ReportSection& section);
 void paintVoteFigure(QPainter& painter, const ReportSection& section);
 

@@ -10,8 +10,8 @@ namespace study::report {
 namespace {
 
 constexpr double kWidth = 820.0;
-constexpr double kLabels = 210.0;  // room for the names on the left
-constexpr double kRight = 70.0;    // … and for the means on the right
+constexpr double kLabels = 210.0;  // width of the names on the left
+constexpr double kRight = 70.0;    // … and of the means on the right
 constexpr double kBar = 26.0;
 constexpr double kGap = 8.0;
 constexpr double kHeading = 26.0;

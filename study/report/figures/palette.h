@@ -4,7 +4,7 @@
 
 namespace study::report {
 
-/// Colours of categories that people with any colour vision tell apart (Okabe & Ito 2008).
+/// Colours of categories that can be told apart with any colour vision (Okabe & Ito 2008).
 QColor categoryColour(int index);
 
 /// Colours from disagreement to agreement for a scale of @p points, distinct also in grey at the

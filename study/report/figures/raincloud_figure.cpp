@@ -34,7 +34,7 @@ double meanOf(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Between the sorted values, as R's default (type 7).
+/// A quantile, interpolated between the sorted values as R does by default (type 7).
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -42,7 +42,8 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// Silverman's rule of thumb; something for values that are all the same.
+/// Silverman's rule of thumb, 0.9 min(s, IQR / 1.34) n^(−1/5) [points], and at least 0.08, so that
+/// equal values have a density, too.
 double bandwidthOf(const std::vector<double>& sorted) {
   const double mean = meanOf(sorted);
   double squares = 0.0;
@@ -98,7 +99,7 @@ class RaincloudPainter {
     rain(values, y + kCloud + kBox + 10, colour);
   }
 
-  /// The density within the scale, as high as its row allows.
+  /// The density within the scale's ends, scaled to the height of its row.
   void cloud(const std::vector<double>& values, double ground, QColor colour) {
     const double width = bandwidthOf(values);
     std::vector<QPointF> points;
@@ -140,7 +141,7 @@ class RaincloudPainter {
         {{mean, middle - 6}, {mean + 5, middle}, {mean, middle + 6}, {mean - 5, middle}}));
   }
 
-  /// Dots that would cover each other stand below each other, closer where there are many.
+  /// Dots that would overlap are placed below each other, closer together if there are many.
   void rain(const std::vector<double>& values, double top, const QColor& colour) {
     std::map<int, std::vector<double>> columns;
     for (const double value : values) {

@@ -7,15 +7,15 @@
 
 namespace study::report {
 
-/// A figure of rows with names on the left, a value axis along the bottom, and words on the right:
-/// the ground on which bars, dots and intervals stand.
+/// A figure of rows with names on the left, a value axis along the bottom, and texts on the right.
+/// Bars, dots and intervals are drawn on it.
 class RowsCanvas {
  public:
   static constexpr double kWidth = 820.0;
   static constexpr double kHeading = 26.0;
-  static constexpr double kAxis = 48.0;  ///< room for ticks and title
+  static constexpr double kAxis = 48.0;  ///< height of ticks and title
 
-  /// @param left, right  room for names and words [px]
+  /// @param left, right  widths of names and texts [px]
   RowsCanvas(QPainter& painter, double left, double right, AxisScale scale)
       : painter_(painter), left_(left), right_(kWidth - right), scale_(std::move(scale)) {}
 
@@ -31,7 +31,7 @@ class RowsCanvas {
   void axis(double top, double bottom, const std::string& title, const QString& suffix = {});
   /// A dark line at @p value.
   void reference(double value, double top, double bottom, Qt::PenStyle style = Qt::SolidLine);
-  /// A line between two values, with its ends marked.
+  /// A line between two values, with marks at its ends.
   void interval(double low, double high, double y, const QColor& colour, double thickness);
   void dot(double value, double y, const QColor& colour, double radius);
 

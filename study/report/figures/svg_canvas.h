@@ -8,12 +8,12 @@
 
 namespace study::report {
 
-/// Lets @p paint draw on @p size [px at 96 dpi] and returns the picture as an SVG element that can
-/// stand in a page. Needs a QGuiApplication (the offscreen platform will do).
+/// Calls @p paint with a canvas of @p size [px at 96 dpi] and returns the picture as an SVG element
+/// to embed in a page. Needs a QGuiApplication (the offscreen platform is enough).
 std::string asSvg(const QSizeF& size, const std::function<void(QPainter&)>& paint);
 
-/// Text whose place does not depend on the device: sizes of fonts are rounded to whole device
-/// pixels, so it is drawn ten times too large on a canvas ten times too small.
+/// Draws text whose position does not depend on the device. Qt rounds font sizes to whole device
+/// pixels, so the text is drawn ten times larger on a canvas that is scaled by a tenth.
 void drawText(
     QPainter& painter,
     const QRectF& where,
