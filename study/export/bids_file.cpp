@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A cell of a table with tabs, which cannot hold any: they become spaces, as do new lines.
+/// A cell of a tab-separated table. It cannot contain tabs or line breaks: they become spaces.
 std::string tsvCell(const Cell& cell) {
   std::string text;
   if (const auto* flag = std::get_if<bool>(&cell)) text = *flag ? "true" : "false";
@@ -61,7 +61,7 @@ void writeWithSidecar(const fs::path& stem, const ExportedTable& table) {
   writeWithSidecar(stem, table, sidecarOf(table));
 }
 
-/// What one participant did in one session: a folder of files that are named after both.
+/// Writes one participant's data of one session: a folder of files that are named after both.
 class BidsSession {
  public:
   BidsSession(
@@ -77,7 +77,7 @@ class BidsSession {
     fs::create_directories(folder_);
   }
 
-  /// Of @p rows those of this session; no file where there are none.
+  /// Writes the rows of this session among @p rows; no file if there are none.
   template <typename Row>
   void write(const Table<Row>& table, const std::vector<Row>& rows) const {
     if (!table.isFor(readers_)) return;
@@ -110,7 +110,7 @@ class BidsSession {
   std::string task_;
 };
 
-/// One row per person; for a person with several sessions, as in the first of them.
+/// One row per person. For a person with several sessions its values are those of the first.
 ExportedTable participantsOf(const std::vector<ExportedSession>& sessions, const Readers& readers) {
   std::vector<ExportedSession> first;
   std::set<std::string> seen;

@@ -13,7 +13,7 @@ using questionnaires::Item;
 using questionnaires::ItemType;
 using questionnaires::Option;
 
-/// 1, 2 or 5 times a power of ten, and not less than @p least.
+/// The smallest of 1, 2 and 5 times a power of ten that is at least @p least.
 double roundWidth(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double times : {1.0, 2.0, 5.0}) {
@@ -26,7 +26,8 @@ bool isBand(const Option& option) {
   return !option.id.empty() && std::isdigit(static_cast<unsigned char>(option.id.front())) != 0;
 }
 
-/// Neighbouring bands of @p options, @p together of them at a time; everything else alone.
+/// Groups of @p together neighbouring bands among @p options; every other option is a group of its
+/// own.
 std::vector<std::vector<Option>> neighbours(
     const std::vector<Option>& options, std::size_t together) {
   std::vector<std::vector<Option>> groups;

@@ -17,7 +17,7 @@ struct ExportedItem {
   std::string instrument;
   std::string version;
   std::string id;
-  int number = 1;  ///< where it stands in its questionnaire
+  int number = 1;  ///< its position in the questionnaire
   ItemType type = ItemType::Number;
   std::optional<int> key;
   std::string relativeTo;
@@ -62,7 +62,7 @@ Table<ExportedItem> itemTable() {
   return table;
 }
 
-/// "1=strongly disagree; 5=strongly agree": points and options in their order.
+/// "1=strongly disagree; 5=strongly agree": points or options in order.
 std::string scaleOf(const Item& item, const std::string& language) {
   std::string text;
   const auto add = [&](const std::string& value, const std::string& label) {
@@ -103,7 +103,7 @@ ExportedItem itemRow(
   return row;
 }
 
-/// What is counted while the physical tool is felt: no questionnaire asks for it.
+/// The number of cuts with the physical tool, which is counted and not asked by a questionnaire.
 ExportedItem benchmarkRow() {
   return {
       .id = "physical-cuts",
@@ -111,7 +111,7 @@ ExportedItem benchmarkRow() {
       .text = "Cuts that were made with the physical tool"};
 }
 
-/// A row of columns.csv: one of the values that may stand in a column.
+/// A row of columns.csv: a value that a column may have.
 struct ColumnValue {
   const ExportedTable* table = nullptr;
   const ExportedColumn* column = nullptr;

@@ -8,14 +8,14 @@
 
 namespace study {
 
-/// One row per item and language: what was asked, on which scale, with which key. The sentences of
-/// items that name a person are there, their answers are not.
+/// One row per item and language: its question, scale and key. For items that name a person the
+/// question is included, the answers are not.
 ExportedTable itemsTable(Study& study, const Readers& readers);
 
-/// The same as codebookAsJson() as a table, for scripts: one row per column and value.
+/// The content of codebookAsJson() as a table, for scripts: one row per column and value.
 ExportedTable columnsTable(const std::vector<ExportedTable>& tables);
 
-/// What every table, column and value means, as JSON.
+/// The meaning of every table, column and value, as JSON.
 std::string codebookAsJson(
     Study& study, const ExportOptions& options, const std::vector<ExportedTable>& tables);
 

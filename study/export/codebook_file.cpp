@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A line about what was felt; blinded, no names, which may tell.
+/// A line about a source of scenes; in a blinded export without names, which may identify a
+/// condition.
 std::string describe(const protocols::FeltSource& source, const ExportOptions& options) {
   if (!options.isBlinded) return "- Felt from " + protocols::describe(source) + ".\n";
   if (!source.isSynthetic) return "";
@@ -19,7 +20,7 @@ std::string describe(const protocols::FeltSource& source, const ExportOptions& o
          " that was felt is one that nobody recorded or measured.\n";
 }
 
-/// Whose sessions these are.
+/// How many sessions are in the folder, and of which kind.
 std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) {
   const std::string mode = options.runMode ? std::string(nameOf(*options.runMode)) + " " : "";
   if (sessions == 0) return "No " + mode + "session is in this folder: its tables are empty.";
@@ -32,7 +33,7 @@ std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) 
   return words;
 }
 
-/// What is particular about a layout.
+/// The particular properties of a format.
 std::string formatInWords(const ExportOptions& options) {
   const bool isR = options.format == ExportFormat::R;
   if (options.format == ExportFormat::Bids) {
@@ -49,7 +50,7 @@ std::string formatInWords(const ExportOptions& options) {
               : std::string());
 }
 
-/// With what the scripts that go with an unblinded export run.
+/// What the scripts of an unblinded export need to run.
 constexpr const char* kPythonInWords =
     "- `analysis.py` computes the rows of `statistics.csv` and `votes.csv` again from the answers. "
     "It "
@@ -72,7 +73,7 @@ std::string scriptsInWords(const ExportOptions& options) {
   return text;
 }
 
-/// What the columns of a trace hold, as a section of the README.
+/// The README's section on the columns of traces.
 std::string tracesInWords() {
   const auto table = traceTable();
   std::string text = "\n## Traces\n\n" + table.description + "\n\n| column | what |\n|---|---|\n";

@@ -17,23 +17,23 @@
 
 namespace study {
 
-/// What the cells of an exported column are.
+/// The type of a column's cells.
 enum class ColumnType { Text, Integer, Number, Boolean, DateTime };
 
-/// As codebooks name it: "date_time".
+/// The name in codebooks: "date_time".
 std::string_view nameOf(ColumnType type) noexcept;
 
-/// A value that a column may hold, and what it stands for.
+/// A value of a closed list, and its meaning.
 struct Level {
   std::string value;
   std::string label;
 };
 
-/// A closed list of values that depends on the study, or is the same in each.
+/// A closed list of values, which may depend on the study.
 enum class ValueList {
   RunModes,
   Statuses,  ///< of sessions
-  Verdicts,  ///< on trials
+  Verdicts,  ///< of trials
   ItemTypes,
   Cohorts,
   Blocks,
@@ -44,23 +44,23 @@ enum class ValueList {
 /// The values of each list in their natural order.
 using ValueLists = std::map<ValueList, std::vector<Level>>;
 
-/// Who reads a folder: it decides which columns leave, and which are described in other words.
+/// The readers of a folder. They decide which columns are exported, and how some are described.
 struct Readers {
-  bool isBlinded = true;  ///< must not learn which rendering a condition code stands for
+  bool isBlinded = true;  ///< must not learn the condition behind a condition code
   bool isPublic = false;
-  bool isToldWhose = true;  ///< false where the name of a file says whose rows are in it
-  /// What people may be told apart by in a public folder (study/export/k_anonymity.h).
+  bool isToldWhose = true;  ///< false if the file's name already says whose rows are in it
+  /// The quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
   std::set<std::string> told = {};
   ValueLists lists = {};
-  /// The kind of device of a study that has one kind alone: it may say in its own words what a
-  /// table is about.
+  /// The kind of device, if all of the study's devices are of one kind: it may have its own
+  /// descriptions of tables.
   const haptics::devices::DeviceKind* device = nullptr;
 
-  /// @p description, or what the device says instead of it.
+  /// @p description, or the device's own text for it.
   std::string inTheirWords(const std::string& description) const;
 };
 
-/// A column of an exported table, as data dictionaries describe it.
+/// A column of an exported table, as data dictionaries list it.
 struct ExportedColumn {
   ExportedColumn(
       std::string columnName,
@@ -74,25 +74,25 @@ struct ExportedColumn {
 
   std::string name;  ///< snake_case, with its unit
   ColumnType type;
-  std::string unit;  ///< "s", "N"; empty: it has none, or the device decides
+  std::string unit;  ///< "s", "N"; empty: none, or it depends on the device
   std::string description;
-  bool isFreeText = false;         ///< written by a participant or an operator
-  std::vector<Level> levels = {};  ///< the values that may stand in it, in order; empty: any
+  bool isFreeText = false;         ///< entered by a participant or an operator
+  std::vector<Level> levels = {};  ///< all allowed values in order; empty: any value
 };
 
-/// A table that leaves the program: the same columns for all rows.
+/// An exported table: the same columns for all rows.
 struct ExportedTable {
-  std::string name;  ///< of the file, without its ending
+  std::string name;  ///< of the file, without its extension
   std::string description;
   std::vector<ExportedColumn> columns;
   std::vector<std::vector<Cell>> rows;
 };
 
-/// As asCsv() of a DataTable.
+/// Like asCsv() of a DataTable.
 std::string asCsv(const ExportedTable& table);
 
-/// What a column holds. A column names one of these, and its getter has to return a value of that
-/// type, or a std::optional of it; a Cell fits all. Lines of tables read as
+/// The types of columns. A column has one of these, and its getter must return a value of that
+/// type, a std::optional of it, or a Cell. Lines of tables read as
 ///
 ///     {"contact_s", Number{"s"}, "How long something was felt", &TrialRow::contact}
 namespace holds {
@@ -101,16 +101,16 @@ namespace holds {
 struct Text {
   static constexpr ColumnType kType = ColumnType::Text;
 };
-/// Free text: a spreadsheet must not take it for a formula.
+/// Free text: spreadsheets must not read it as a formula.
 struct FreeText {
   static constexpr ColumnType kType = ColumnType::Text;
 };
-/// One of a list.
+/// One value of a list that several columns share.
 struct OneOf {
   static constexpr ColumnType kType = ColumnType::Text;
   ValueList list;
 };
-/// One of these, of which the column alone knows.
+/// One value of a list that only this column has.
 struct OneOfThese {
   static constexpr ColumnType kType = ColumnType::Text;
   std::vector<Level> levels;
@@ -145,7 +145,7 @@ concept Named = std::is_enum_v<Value> && requires(Value value) {
   { nameOf(value) } -> std::same_as<std::string_view>;
 };
 
-/// Whether @p Value may stand in a column of the type.
+/// Whether a getter of a column of this type may return @p Value.
 template <ColumnType type, typename Value>
 constexpr bool fits() {
   using V = typename WithoutOptional<std::remove_cvref_t<Value>>::Type;
@@ -179,14 +179,14 @@ Cell asCell(const std::optional<Value>& value) {
 
 }  // namespace holds
 
-/// That @p Getter gives what a column of @p Holding may hold.
+/// Whether @p Getter returns what a column of @p Holding may hold.
 template <typename Getter, typename Holding, typename Row>
 concept GetterOf = std::invocable<Getter, const Row&> &&
     holds::fits<Holding::kType, std::invoke_result_t<Getter, const Row&>>();
 
-/// One column of an exported file: everything that is said of it, and how a cell is made of a row.
-/// Files, codebooks and dictionaries are all made of these; no column is named anywhere else.
-/// There are no defaults: a column without a type or a description does not compile.
+/// One column of an exported file: its description, and how its cells are computed from a row.
+/// Files, codebooks and dictionaries are made from these; columns are named nowhere else. There are
+/// no defaults: a column without a type or a description does not compile.
 template <typename Row>
 class Column {
  public:
@@ -205,26 +205,26 @@ class Column {
     head_.isFreeText = std::same_as<Holding, holds::FreeText>;
   }
 
-  /// It says which rendering an alternative was, and is left out of blinded folders.
+  /// The column identifies the condition, and is left out of blinded folders.
   Column tellsTheCondition() && {
     tellsTheCondition_ = true;
     return std::move(*this);
   }
 
-  /// It says whose rows these are, and is left out where the name of the file says it.
+  /// The column identifies session and participant, and is left out if the file's name does so.
   Column tellsWhose() && {
     tellsWhose_ = true;
     return std::move(*this);
   }
 
-  /// It goes to the public too; without this a column does not. @param description  there, if it
-  /// is another: its cells are no free text then.
+  /// The column is part of public folders; other columns are not.
+  /// @param description  for public folders, if it differs; the cells are then no free text.
   Column inPublic(std::string description = {}) && {
     public_ = InPublic{.ifTold = {}, .description = std::move(description)};
     return std::move(*this);
   }
 
-  /// … where people may be told apart by @p respect.
+  /// … if the quasi-identifier @p respect is released.
   Column inPublicIfTold(std::string respect, std::string description = {}) && {
     public_ = InPublic{.ifTold = std::move(respect), .description = std::move(description)};
     return std::move(*this);
@@ -271,15 +271,15 @@ class Column {
 template <typename Row>
 using Columns = std::vector<Column<Row>>;
 
-/// One exported file: what it is about, and its columns.
+/// One exported file: its description and columns.
 template <typename Row>
 struct Table {
-  std::string name;  ///< of the file, without its ending
+  std::string name;  ///< of the file, without its extension
   std::string description;
   Columns<Row> columns;
-  /// As a whole: numbers in it are enough to tell renderings apart.
+  /// The whole table identifies conditions by its numbers, and is left out of blinded folders.
   bool tellsTheCondition = false;
-  /// What it is about in a public folder; nothing: it is not there.
+  /// Its description in public folders; std::nullopt: it is not part of them.
   std::optional<std::string> inPublic = std::nullopt;
 
   bool isFor(const Readers& readers) const {
@@ -287,7 +287,7 @@ struct Table {
   }
 };
 
-/// What leaves of @p rows, for these readers.
+/// The table of @p rows with the columns for these readers.
 template <typename Row>
 ExportedTable filled(
     const Table<Row>& table, const std::vector<Row>& rows, const Readers& readers) {

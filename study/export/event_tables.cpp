@@ -1,4 +1,4 @@
-// The columns of events.csv, and of what BIDS has instead.
+// The columns of events.csv, and of the file that BIDS has for events.
 #include "study/export/study_columns.h"
 
 namespace study {
@@ -18,7 +18,7 @@ Column<ExportedEvent> utcColumn() {
           }};
 }
 
-/// Answers stand in responses.csv; here it matters that and when one was given.
+/// Without the answers themselves, which are in responses.csv: here the time of answering matters.
 Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
   const Columns<ExportedEvent> what{
       {"actor",

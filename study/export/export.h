@@ -13,48 +13,49 @@
 namespace study {
 
 enum class ExportFormat {
-  Csv,      ///< a table a file
+  Csv,      ///< one file for each table
   Json,     ///< one document
   PsychDs,  ///< tables with data dictionaries, as psych-ds.github.io lays them out
   Bids,     ///< a folder a person, as bids-specification.readthedocs.io lays them out
-  R,        ///< a table a file, and a script in R that reads them with their types
-  Python,   ///< … in Python
+  R,        ///< one file for each table, and an R script that reads them with their types
+  Python,   ///< … a Python script
 };
 
 struct ExportOptions {
   ExportFormat format = ExportFormat::Csv;
-  std::optional<RunMode> runMode;  ///< nothing: all, each row says which
-  bool isBlinded = true;           ///< condition codes instead of conditions
-  bool hasTraces = false;          ///< what was felt, tick by tick, besides
-  /// For the public: of each person so many people the same is told (study/export/public_tables.h),
-  /// and what else would give somebody away stays at home. Nothing: for those who may know.
+  std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with a column that tells them apart
+  bool isBlinded = true;           ///< condition codes in place of conditions
+  bool hasTraces = false;          ///< also the samples of all trials
+  /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
+  /// (study/export/public_tables.h); everything else that could identify a person is left out.
+  /// std::nullopt: for readers who may see all.
   std::optional<std::size_t> publicClass = std::nullopt;
-  /// Told how far the writing is; whatever it throws ends it, and there is no folder.
+  /// Called while writing; an exception that it throws stops the export, and no folder is left.
   Progress progress = {};
 };
 
-/// The fewest people that a class of a public export may have, where nobody asks for more.
+/// The smallest k of a public export, and its default.
 inline constexpr std::size_t kSmallestPublicClass = 5;
 
-/// Everything an analyst needs, as tables: sessions, responses, trials, cuts, events. Blinded,
-/// nothing in them says which rendering an alternative was: a condition bears a code that is drawn
-/// from the study's seed and means the same in every row.
+/// All data for analyses, as tables: sessions, responses, trials, cuts, events. In a blinded export
+/// no table identifies the condition of an alternative: conditions have codes that are drawn from
+/// the study's seed and are the same in every row.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
-/// Writes the tables, a codebook and a README into a folder that does not exist yet, all or
-/// nothing: the folder appears when it is complete. Without blinding, @p reason is written into the
-/// audit trail, and there must be one; so is that a folder was made for the public.
-/// @return  how many sessions are in it.
-/// @throws storage::StorageError  if the folder is there already or cannot be written, or too few
-/// people took part for a public one.
+/// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
+/// If anything fails, there is no folder. An unblinded export needs a @p reason, which is written
+/// into the audit trail; a public export is noted there, too.
+/// @return  the number of exported sessions.
+/// @throws storage::StorageError  if the folder exists already or cannot be written, or if too few
+///     people took part for a public export.
 std::size_t exportStudy(
     Study& study,
     const std::string& folder,
     const ExportOptions& options,
     const std::string& reason = {});
 
-/// The codes under which conditions go in exports: "C2". Conditions that a later version of the
-/// protocol adds get new ones; no code ever changes.
+/// The codes of conditions in exports: "C2". A condition that a later version of the protocol adds
+/// gets a new code; codes never change.
 std::map<std::string, std::string> conditionCodes(Study& study);
 
 }  // namespace study

@@ -33,12 +33,12 @@ Json asJson(const ExportedTable& table) {
   return rows;
 }
 
-/// Whether a script comes with the tables that reads them with their types.
+/// Whether the export includes a script that reads its tables.
 bool hasReader(const ExportOptions& options) {
   return options.format == ExportFormat::R || options.format == ExportFormat::Python;
 }
 
-/// And says how many sessions are in them.
+/// Writes the tables. @return the number of sessions.
 std::size_t writeTables(Study& study, const fs::path& folder, const ExportOptions& options) {
   auto tables = tablesFor(study, options);
   const auto sessions = tables.front().rows.size();
@@ -59,7 +59,7 @@ std::size_t writeTables(Study& study, const fs::path& folder, const ExportOption
   return sessions;
 }
 
-/// In the layout that is asked for. @return  how many sessions are in it.
+/// Writes all files in the requested format. @return the number of sessions.
 std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& options) {
   tell(options.progress, kUnknownShare, "writing the tables");
   if (options.format == ExportFormat::PsychDs) return writePsychDs(study, folder, options);
@@ -67,9 +67,8 @@ std::size_t writeAll(Study& study, const fs::path& folder, const ExportOptions& 
   return writeTables(study, folder, options);
 }
 
-/// @throws storage::StorageError  in words, where @p options contradict each other or lack a
-/// reason.
-void refuseWhatMayNotLeave(const ExportOptions& options, const std::string& reason) {
+/// @throws storage::StorageError  in words, if @p options contradict each other or need a reason.
+void requireAllowed(const ExportOptions& options, const std::string& reason) {
   if (!options.isBlinded && reason.empty()) {
     throw storage::StorageError(
         "To say which rendering was felt needs a reason: it goes into the audit trail.");
@@ -97,7 +96,7 @@ void refuseWhatMayNotLeave(const ExportOptions& options, const std::string& reas
   }
 }
 
-/// Into the audit trail, before anything has left.
+/// Notes the export in the audit trail, before anything is written.
 void noteExport(Study& study, const ExportOptions& options, const std::string& reason) {
   if (options.publicClass) {
     const auto release = publicRelease(study, options);
@@ -133,13 +132,13 @@ std::size_t exportStudy(
   ExportOptions options = asked;
   if (options.publicClass && !options.runMode) options.runMode = RunMode::Live;
   fs::path target = fs::path(folder).lexically_normal();
-  if (!target.has_filename()) target = target.parent_path();  // "out/" means "out"
+  if (!target.has_filename()) target = target.parent_path();  // "out/" becomes "out"
   std::error_code error;
   if (fs::exists(target, error)) {
     throw storage::StorageError(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
-  refuseWhatMayNotLeave(options, reason);
+  requireAllowed(options, reason);
   tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, options, reason);
   const fs::path unfinished = newFolderBeside(target);

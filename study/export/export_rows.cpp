@@ -12,8 +12,8 @@ namespace {
 using storage::SessionRecord;
 using storage::StepRecord;
 
-/// How long after a session's first event things happened. The clock that is never set back starts
-/// again with the computer, so what lies between two runs of the program is taken from the wall.
+/// The time of events since the session's first event. The monotonic clock starts again with the
+/// computer, so the time between two runs of the program is taken from the wall clock.
 class Onsets {
  public:
   double of(const storage::Event& event) {
@@ -136,7 +136,7 @@ std::vector<ExportedEvent> StudyRows::events() const {
     if (!event.visit) continue;
     const auto session = sessions_.find(event.visit->session);
     if (session == sessions_.end()) continue;
-    // How stiff a scene is says which one it is.
+    // The stiffness of a scene identifies its condition.
     if (isBlinded_ && (event.kind == "passivity" || event.kind == "view")) continue;
     const auto visit = *event.visit;
     const double onset = onsets.of(event);

@@ -11,8 +11,8 @@
 
 namespace study {
 
-/// Whose a row is. In a public folder the participant has an id drawn for it, and a cohort that may
-/// be empty.
+/// The owner of a row. In a public folder the participant has a random id, and the cohort may be
+/// empty.
 struct RowOwner {
   SessionId session{};
   std::string_view participant;
@@ -21,29 +21,29 @@ struct RowOwner {
   RunMode runMode = RunMode::Live;
 };
 
-/// A row of sessions.csv. Rows point into what StudyRows holds.
+/// A row of sessions.csv. Rows point into data of StudyRows.
 struct ExportedSession {
   RowOwner owner;
   const storage::SessionRecord* record = nullptr;
 };
 
-/// What rows of answers and trials say of their step.
+/// The columns on the step, in rows of answers and trials.
 struct ExportedStep {
   RowOwner owner;
   VisitKey visit;
   std::string_view block;
-  std::optional<int> position;     ///< nothing where it was offered again, or nothing was felt
-  std::optional<int> alternative;  ///< nothing where nothing was felt
+  std::optional<int> position;     ///< std::nullopt if optional, or without a condition
+  std::optional<int> alternative;  ///< std::nullopt if the step has no condition
   std::string_view conditionCode;
   std::string_view condition;
 };
 
 struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
-  const questionnaires::Item* item = nullptr;  ///< nothing: the protocol does not have it
+  const questionnaires::Item* item = nullptr;  ///< nullptr: the protocol does not have it
   Cell response = {};
   std::string_view labelLanguage = {};
-  std::string_view excluded = {};  ///< why the statistics do not count it; empty: they do
+  std::string_view excluded = {};  ///< why the statistics leave it out; empty: they count it
 };
 
 struct ExportedTrial : ExportedStep {
@@ -63,8 +63,8 @@ struct ExportedEvent {
   double onset = 0.0;  ///< since the session's first event [s]
 };
 
-/// Reads a study once: what @p options choose, in the order in which it was done. The study
-/// outlives it, and it outlives its rows.
+/// Reads a study once, as far as @p options select it, in order of time. The study must outlive it,
+/// and it must outlive its rows.
 class StudyRows {
  public:
   StudyRows(Study& study, const ExportOptions& options);
@@ -73,7 +73,7 @@ class StudyRows {
   std::vector<ExportedAnswer> answers() const;
   std::vector<ExportedTrial> trials() const;
   std::vector<ExportedCut> cuts() const;
-  /// Blinded, without those that tell what an alternative is.
+  /// In blinded exports without the events that identify a condition.
   std::vector<ExportedEvent> events() const;
 
  private:

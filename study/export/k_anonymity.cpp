@@ -14,9 +14,9 @@ std::map<std::string, std::size_t> countsOf(const Values& values) {
   return counts;
 }
 
-/// How much a column tells: Shannon's entropy of what is told [nats], and the share of people of
-/// whom anything is. What is empty tells nothing.
-double told(const Values& values) {
+/// The information in a column: Σ p (1 − ln p) over the shares p of its non-empty values. That is
+/// Shannon's entropy [nats] plus the share of people with a value.
+double informationIn(const Values& values) {
   double sum = 0.0;
   for (const auto& [value, count] : countsOf(values)) {
     if (value.empty()) continue;
@@ -26,12 +26,12 @@ double told(const Values& values) {
   return sum;
 }
 
-/// What is said of one person, column by column.
+/// The values of one person, column by column.
 std::vector<std::string> valuesOf(const std::vector<ReleasedColumn>& columns, std::size_t person) {
-  std::vector<std::string> said;
-  said.reserve(columns.size());
-  for (const auto& column : columns) said.push_back(column.values[person]);
-  return said;
+  std::vector<std::string> combination;
+  combination.reserve(columns.size());
+  for (const auto& column : columns) combination.push_back(column.values[person]);
+  return combination;
 }
 
 std::map<std::vector<std::string>, std::size_t> classesOf(
@@ -59,7 +59,7 @@ void requireOnePerPerson(const Values& values, std::size_t people) {
   if (values.size() != people) throw std::invalid_argument("a column lacks somebody's value");
 }
 
-/// @p values without what too few share of whom the same is told in @p chosen.
+/// @p values after local suppression within every class of equal values in @p chosen.
 Values withoutRareIn(
     const std::vector<ReleasedColumn>& chosen, const Values& values, std::size_t k) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> classes;
@@ -67,7 +67,7 @@ Values withoutRareIn(
     classes[valuesOf(chosen, person)].push_back(person);
   }
   Values kept(values.size());
-  for (const auto& [said, members] : classes) {
+  for (const auto& [combination, members] : classes) {
     Values theirs;
     for (const auto person : members) theirs.push_back(values[person]);
     theirs = withoutRare(theirs, k);
@@ -76,7 +76,7 @@ Values withoutRareIn(
   return kept;
 }
 
-/// The level of @p identifier that tells most beside @p chosen; the finer of equals.
+/// The level of @p identifier with the most information given @p chosen; the finer one of equals.
 ReleasedColumn bestBeside(
     const std::vector<ReleasedColumn>& chosen, const QuasiIdentifier& identifier, std::size_t k) {
   const std::size_t people = identifier.exact.size();
@@ -86,9 +86,9 @@ ReleasedColumn bestBeside(
   for (std::size_t level = 0; level < identifier.levels.size(); ++level) {
     requireOnePerPerson(identifier.levels[level], people);
     auto values = withoutRareIn(chosen, identifier.levels[level], k);
-    const double news = told(values);
-    if (news <= most + 1e-9) continue;  // a rounding is no news
-    most = news;
+    const double information = informationIn(values);
+    if (information <= most + 1e-9) continue;  // equal but for rounding
+    most = information;
     best.level = level;
     best.values = std::move(values);
   }
@@ -107,32 +107,33 @@ ClassSizes classSizes(
     const std::vector<ReleasedColumn>& columns, std::size_t people, std::size_t k) {
   for (const auto& column : columns) requireOnePerPerson(column.values, people);
   ClassSizes sizes{.people = people, .causes = causesIn(columns, k)};
-  for (const auto& [said, count] : classesOf(columns, people)) {
+  for (const auto& [combination, count] : classesOf(columns, people)) {
     ++sizes.classes;
     if (count < k) sizes.inSmall += count;
     if (sizes.smallest != 0 && count >= sizes.smallest) continue;
     sizes.smallest = count;
     sizes.smallestClass.clear();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (!said[i].empty()) sizes.smallestClass.emplace_back(columns[i].name, said[i]);
+      if (!combination[i].empty())
+        sizes.smallestClass.emplace_back(columns[i].name, combination[i]);
     }
   }
   return sizes;
 }
 
 Values withoutRare(const Values& values, std::size_t k) {
-  std::vector<std::pair<std::size_t, std::string>> toldOnes;
+  std::vector<std::pair<std::size_t, std::string>> rarestFirst;
   std::size_t emptied = 0;
   for (const auto& [value, count] : countsOf(values)) {
     if (value.empty()) {
       emptied += count;
     } else {
-      toldOnes.emplace_back(count, value);
+      rarestFirst.emplace_back(count, value);
     }
   }
-  std::sort(toldOnes.begin(), toldOnes.end());
+  std::sort(rarestFirst.begin(), rarestFirst.end());
   std::map<std::string, bool> isEmptied;
-  for (const auto& [count, value] : toldOnes) {
+  for (const auto& [count, value] : rarestFirst) {
     if (count >= k && (emptied == 0 || emptied >= k)) break;
     isEmptied[value] = true;
     emptied += count;

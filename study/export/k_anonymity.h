@@ -9,43 +9,43 @@
 
 namespace study {
 
-/// What is said about each person in one respect; empty: nothing is said.
+/// One value for each person; empty: suppressed.
 using Values = std::vector<std::string>;
 
-/// Something about people that somebody who knows one of them may know as well: the age, the role,
-/// the cohort. (The field says: quasi-identifier.)
+/// A fact about people that an acquaintance may know as well: age, role, cohort.
 struct QuasiIdentifier {
   std::string name;
-  Values exact;                ///< as it was answered, a value for each person
-  std::vector<Values> levels;  ///< as it may be told, from finest to coarsest
+  Values exact;                ///< as answered, a value for each person
+  std::vector<Values> levels;  ///< generalised, from the finest to the coarsest level
 };
 
-/// People of whom the same is said, counted.
+/// The equivalence classes of people who have the same values in all columns, counted.
 struct ClassSizes {
   std::size_t people = 0;
   std::size_t classes = 0;
-  std::size_t smallest = 0;  ///< people in the smallest class; 0: there is nobody
-  std::size_t inSmall = 0;   ///< people in classes of fewer than k
+  std::size_t smallest = 0;  ///< people in the smallest class; 0: there are no people
+  std::size_t inSmall = 0;   ///< people in classes smaller than k
   std::vector<std::pair<std::string, std::string>>
-      smallestClass;  ///< what is said of them, by name
-  /// How many people each respect alone puts among fewer than k, the most first; none that puts
-  /// nobody there.
+      smallestClass;  ///< the values of the smallest class, by column
+  /// For each column alone, how many people share their value with fewer than k; the largest number
+  /// first, and no column without such people.
   std::vector<std::pair<std::string, std::size_t>> causes;
 };
 
-/// What may be told in one respect.
+/// The released values of one quasi-identifier.
 struct ReleasedColumn {
   std::string name;
-  std::optional<std::size_t> level;  ///< of QuasiIdentifier::levels; nothing: nothing is told
+  std::optional<std::size_t> level;  ///< of QuasiIdentifier::levels; std::nullopt: not released
   Values values;                     ///< a value for each person
 };
 
-/// What may be told of some people so that everybody is one of at least k of whom the same is told.
+/// The released values of all quasi-identifiers: every person has the same values as at least k − 1
+/// others.
 struct Release {
   std::size_t k = 0;
   ClassSizes before;  ///< of exact values
   ClassSizes after;
-  std::vector<ReleasedColumn> columns;  ///< as they were given
+  std::vector<ReleasedColumn> columns;  ///< in the order of the quasi-identifiers
 
   const ReleasedColumn* column(std::string_view name) const noexcept;
 };
@@ -55,18 +55,19 @@ struct Release {
 ClassSizes classSizes(
     const std::vector<ReleasedColumn>& columns, std::size_t people, std::size_t k);
 
-/// A column in which every value is shared by at least @p k: rarer ones are emptied, and if those
-/// that are empty are themselves fewer than @p k, the next rarest with them.
+/// A column in which every value has at least @p k people: rarer values are suppressed. If fewer
+/// than @p k people are then without a value, the next rarest value is suppressed as well.
 Values withoutRare(const Values& values, std::size_t k);
 
-/// k-anonymity (Sweeney 2002) by a search that gives the same result for the same people: one
-/// respect after the other in the order given. Each divides the classes that there are so far; what
-/// fewer than k in a class share is emptied there (the field says: local suppression), so that no
-/// class is ever smaller than k. Of its levels that one is taken which tells most (Shannon's
-/// entropy, and of how many people); none where none tells anything. What comes first is therefore
-/// kept best. People are never left out.
-/// @return  nothing where there are fewer people than k.
-/// @throws std::invalid_argument  if @p k is below 2, or not everybody has a value in each column.
+/// k-anonymity (Sweeney 2002) by a deterministic greedy search over the quasi-identifiers in the
+/// order given. Each of them divides the present classes further. Values that fewer than k people
+/// of a class share are suppressed there, so that no class is ever smaller than k. The level with
+/// the most information is taken (entropy, and how many people keep a value), or none if there is
+/// no information at any level. Earlier quasi-identifiers therefore lose the least. People are
+/// never left out.
+/// @return  std::nullopt if there are fewer people than k.
+/// @throws std::invalid_argument  if @p k is below 2, or a column does not have a value for each
+///     person.
 std::optional<Release> released(
     const std::vector<QuasiIdentifier>& identifiers, std::size_t people, std::size_t k);
 

@@ -5,7 +5,7 @@
 
 namespace study {
 
-/// A file of study/library, as it was when the program was built: what goes into exports as it is.
+/// A file of study/library, compiled into the program and exported unchanged.
 struct LibraryFile {
   std::string_view name;  ///< "analysis.R"
   std::string_view content;

@@ -1,5 +1,5 @@
-// The layout that Psych-DS asks for. Names of files: key-value pairs joined by underscores, keys of
-// small letters, values of letters and digits.
+// The Psych-DS layout. Names of files are key-value pairs joined by underscores; keys are
+// lower-case letters, values letters and digits.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The type as schema.org and JSON name it.
+/// The name of the type in schema.org and JSON.
 std::string_view jsonTypeOf(ColumnType type) {
   switch (type) {
     case ColumnType::Integer:
@@ -43,7 +43,7 @@ Json variableOf(const ExportedColumn& column) {
   return variable;
 }
 
-/// Every column once: columns of one name mean the same in all tables.
+/// Every column once: columns with the same name mean the same in all tables.
 Json variablesOf(const std::vector<ExportedTable>& tables) {
   Json variables = Json::array();
   std::vector<std::string> seen;
@@ -71,9 +71,9 @@ Json descriptionOf(
   return json;
 }
 
-/// Words that are somebody's published text stay at home; so does what would lead out of the
-/// folder.
-bool mayLeave(const fs::path& name) {
+/// Whether a file may be exported. Published texts of others may not, nor a path that leads out of
+/// the folder.
+bool mayBeExported(const fs::path& name) {
   return name.is_relative() && name.begin() != name.end() && *name.begin() != "wording" &&
          std::none_of(name.begin(), name.end(), [](const auto& part) { return part == ".."; });
 }
@@ -85,7 +85,7 @@ void writeMaterials(Study& study, const fs::path& folder, const ExportOptions& o
   writeNewFile((folder / "study-protocol.json").string(), stored.text);
   for (const auto& file : stored.files) {
     const fs::path name(file.name);
-    if (!mayLeave(name)) continue;
+    if (!mayBeExported(name)) continue;
     fs::create_directories((folder / name).parent_path());
     writeNewFile((folder / name).string(), file.text);
   }

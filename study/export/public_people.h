@@ -13,35 +13,34 @@
 
 namespace study {
 
-/// A question about the person that a form asks.
+/// A question of a form about the participant.
 struct BackgroundQuestion {
   std::string phase;
   const questionnaires::Item* item = nullptr;  ///< of the study's protocol
   Coarsening coarsening;
 
-  /// As a column is called: "background_age_band".
+  /// The name of its column: "background_age_band".
   std::string column() const;
 };
 
-/// Those whose answers go to strangers, and what acquaintances may know of them: the cohort, what
-/// forms ask about the person, the order in which they felt the conditions (the protocol and a
-/// place in it give it away). Somebody is there once, with the first session that they completed.
-///
-/// The study outlives it.
+/// The people of a public export, and what acquaintances may know of them: the cohort, the answers
+/// of forms about the person, and the order of conditions (which the protocol and the place in it
+/// reveal). A person is listed once, with the first session that they completed. The study must
+/// outlive it.
 class PublicPeople {
  public:
   PublicPeople(Study& study, RunMode mode);
 
   std::size_t count() const noexcept { return sessions_.size(); }
-  /// In the order in which they came: of no concern to strangers.
+  /// In the order of their participation, which is not released.
   const std::vector<storage::SessionRecord>& sessions() const noexcept { return sessions_; }
   const std::vector<storage::AnswerRecord>& answers() const noexcept { return answers_; }
   const std::vector<BackgroundQuestion>& questions() const noexcept { return questions_; }
 
-  /// Which of them a session is of; nothing where it is nobody's.
+  /// The index of the person of a session; std::nullopt if it belongs to none of them.
   std::optional<std::size_t> personOf(SessionId session) const;
 
-  /// The cohort first, then what is asked in the order in which it is asked, then the order.
+  /// The cohort first, then the questions in order, then the order of conditions.
   std::vector<QuasiIdentifier> identifiers() const;
 
  private:
@@ -52,7 +51,7 @@ class PublicPeople {
   Study& study_;
   std::vector<storage::SessionRecord> sessions_;
   std::map<SessionId, std::size_t> people_;
-  std::vector<storage::AnswerRecord> answers_;  ///< theirs, in visits that count
+  std::vector<storage::AnswerRecord> answers_;  ///< of these people, from visits that count
   std::vector<storage::TrialRow> trials_;
   std::vector<BackgroundQuestion> questions_;
 };

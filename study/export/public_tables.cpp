@@ -21,36 +21,36 @@ namespace {
 using questionnaires::Item;
 using questionnaires::ItemType;
 
-/// A number below @p bound that nobody can work out.
-std::size_t drawn(std::size_t bound) {
+/// A random number below @p bound that cannot be predicted or derived from the study.
+std::size_t randomBelow(std::size_t bound) {
   return randombytes_uniform(static_cast<std::uint32_t>(bound));
 }
 
 template <typename T>
 void shuffle(std::vector<T>& rows) {
   for (std::size_t left = rows.size(); left > 1; --left)
-    std::swap(rows[left - 1], rows[drawn(left)]);
+    std::swap(rows[left - 1], rows[randomBelow(left)]);
 }
 
-/// Ids that mean nothing: "R7K2M9QXTA", each another.
+/// Random ids without meaning, all different: "R7K2M9QXTA".
 std::vector<std::string> drawnIds(std::size_t count) {
   constexpr std::string_view kLetters = "ABCDEFGHJKMNPQRSTVWXYZ23456789";
   constexpr int kLength = 9;
   std::set<std::string> ids;
-  std::vector<std::string> drawnOnes;
-  while (drawnOnes.size() < count) {
+  std::vector<std::string> distinct;
+  while (distinct.size() < count) {
     std::string id = "R";
-    for (int i = 0; i < kLength; ++i) id += kLetters[drawn(kLetters.size())];
-    if (ids.insert(id).second) drawnOnes.push_back(id);
+    for (int i = 0; i < kLength; ++i) id += kLetters[randomBelow(kLetters.size())];
+    if (ids.insert(id).second) distinct.push_back(id);
   }
-  return drawnOnes;
+  return distinct;
 }
 
 bool isWords(const Item& item) {
   return item.type == ItemType::ShortText || item.type == ItemType::LongText;
 }
 
-/// Lays out what may be told.
+/// Makes the released tables.
 class PublicTables {
  public:
   PublicTables(Study& study, const ExportOptions& options)
@@ -77,7 +77,7 @@ class PublicTables {
   ExportedTable responses() const {
     std::vector<ExportedAnswer> rows;
     for (const auto& answer : people_.answers()) {
-      if (const auto* item = itemToTell(answer)) rows.push_back(rowOf(answer, *item));
+      if (const auto* item = releasableItem(answer)) rows.push_back(rowOf(answer, *item));
     }
     auto table = filled(responseTable(), rows, readers_);
     shuffle(table.rows);
@@ -85,7 +85,7 @@ class PublicTables {
   }
 
  private:
-  /// A row is a person, by number.
+  /// One row for each person; the row is the person's index.
   Table<std::size_t> participantTable() const {
     Table<std::size_t> table{
         .name = "participants",
@@ -128,8 +128,8 @@ class PublicTables {
     throw std::logic_error("no one knows the column " + column.name);
   }
 
-  /// Nothing where the answer stays at home.
-  const Item* itemToTell(const storage::AnswerRecord& answer) const {
+  /// The item of an answer that may be released; otherwise nullptr.
+  const Item* releasableItem(const storage::AnswerRecord& answer) const {
     const bool isForm = answer.step.kind == StepKind::Form;
     const bool isOpinion =
         answer.step.kind == StepKind::Questionnaire || answer.step.kind == StepKind::Preference;
@@ -151,7 +151,7 @@ class PublicTables {
     return code == codes_.end() ? std::string_view() : code->second;
   }
 
-  /// What was felt as the alternative that an answer names.
+  /// The condition code of the alternative that an answer names.
   std::string_view preferred(const storage::AnswerRecord& answer, const std::string& label) const {
     const auto* phase = study_.protocol().protocol.phase(answer.step.phase);
     if (phase == nullptr) return {};
@@ -171,7 +171,7 @@ class PublicTables {
     return holds::asCell(isAlternative ? preferred(answer, text) : std::string_view(text));
   }
 
-  /// What release tells of a person; empty where nothing is told.
+  /// The released value of a person; empty if none is released.
   std::string_view told(const char* respect, std::size_t person) const {
     const auto* column = release_.column(respect);
     return column == nullptr || !column->level ? std::string_view() : column->values[person];

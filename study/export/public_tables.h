@@ -8,21 +8,23 @@
 
 namespace study {
 
-/// What may be told of a study's people to strangers; without what it is for, only counted.
-/// @throws storage::StorageError  in words, if they are fewer than @p options asks a class to have.
+/// The quasi-identifiers of a study's people as they may be released. If @p options ask for no
+/// public export, they are only counted.
+/// @throws storage::StorageError  in words, if there are fewer people than the smallest class that
+///     @p options ask for.
 Release publicRelease(Study& study, const ExportOptions& options);
 
-/// The tables that go to strangers: people as far as publicRelease() lets them be told, answers
-/// without words, times, dates and what else would single somebody out. Ids are drawn from the
-/// system's random numbers and rows are in an order drawn from them: nothing leads back.
+/// The tables of a public export: people with their released quasi-identifiers, and answers without
+/// free text, times, dates or anything else that could identify a person. Ids and the order of rows
+/// come from the system's random numbers, so they cannot be linked to the study.
 /// @throws storage::StorageError  as publicRelease()
 std::vector<ExportedTable> publicTables(Study& study, const ExportOptions& options);
 
-/// What a person who opens the folder reads first.
+/// The README of a public folder.
 std::string publicReadme(Study& study, const ExportOptions& options, const Release& release);
 
-/// Who may be found among whom, in a few lines for the desk: the smallest class before and after,
-/// and what causes it.
+/// The identifiability of participants in a few lines: the smallest class before and after, and its
+/// causes.
 std::string describe(const Release& release);
 
 }  // namespace study

@@ -20,7 +20,7 @@ std::string namesOf(const Pairs& pairs) {
   return names;
 }
 
-/// Who may be found among whom, before anything was done.
+/// The classes before generalisation and suppression.
 std::string beforeInWords(const Release& release) {
   const auto& before = release.before;
   auto text = fmt::format(
@@ -55,7 +55,7 @@ std::string afterInWords(const Release& release) {
       said.empty() ? "of them nothing is told" : said);
 }
 
-/// What is told of people, and what is not.
+/// Which columns about people are released, and which are not.
 std::string columnsInWords(const Release& release) {
   std::string told;
   std::string untold;

@@ -25,13 +25,13 @@ std::string labelOfResponse(const ExportedAnswer& row) {
   return questionnaires::labelOf(*row.item, row.record->answer.response, row.labelLanguage);
 }
 
-/// A getter of what the record holds about how an answer was given.
+/// A getter of a member of the stored answer.
 template <typename Member>
 auto howGiven(Member member) {
   return [member](const ExportedAnswer& row) { return std::invoke(member, row.record->answer); };
 }
 
-/// Where the answer was given. A public folder tells of a person what enough others share.
+/// The step of the answer. Public folders contain only what enough people share.
 Columns<ExportedAnswer> columnsOfAnsweredStep() {
   return {
       participantColumn<ExportedAnswer>().inPublic("Drawn for this folder; leads nowhere"),

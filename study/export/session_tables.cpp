@@ -1,10 +1,10 @@
-// The columns of sessions.csv, and of the files that BIDS has instead.
+// The columns of sessions.csv, and of the files that BIDS has for sessions.
 #include "study/export/study_columns.h"
 
 namespace study {
 namespace {
 
-/// How a session went: everything but whose it is.
+/// The course of a session: all columns except its owner.
 Columns<ExportedSession> columnsOfSession() {
   using namespace holds;
   const auto record = [](auto member) {

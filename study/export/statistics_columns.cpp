@@ -5,7 +5,7 @@
 namespace study {
 namespace {
 
-/// Rows know their cells by the names of the columns.
+/// A getter of a cell by the column's name.
 template <typename Holding>
 Column<StatisticsRow> statisticsColumn(const char* name, Holding holding, std::string description) {
   return {name, holding, std::move(description), [name](const StatisticsRow& row) {
@@ -14,8 +14,8 @@ Column<StatisticsRow> statisticsColumn(const char* name, Holding holding, std::s
           }};
 }
 
-/// A row of every registered test that studies have, of made-up numbers: it has the names of its
-/// statistic and effect.
+/// A row of every registered test of studies, from made-up data: for the names of its statistic and
+/// effect.
 std::vector<analysis::TestRow> exampleRows() {
   std::vector<analysis::TestRow> rows;
   const analysis::TestData data{
@@ -31,7 +31,7 @@ std::vector<analysis::TestRow> exampleRows() {
   return rows;
 }
 
-/// "t, z, V" and what else @p nameOf says of the rows, each once.
+/// "t, z, V": the different names that @p nameOf has for the rows.
 template <typename NameOf>
 std::string listed(
     std::string text, const std::vector<analysis::TestRow>& rows, const NameOf& nameOf) {

@@ -7,7 +7,7 @@
 namespace study {
 namespace {
 
-/// Phases whose answers count, separated by spaces.
+/// Ids of the phases whose answers count, separated by spaces.
 std::string blocksOf(const protocols::Family& family, const protocols::Protocol& protocol) {
   std::string text;
   for (const auto& phase : protocol.phases) {

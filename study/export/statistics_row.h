@@ -20,28 +20,29 @@ using StatisticsRow = std::map<std::string, Cell>;
 
 Columns<StatisticsRow> statisticsColumns();
 
-/// What every row of a family says: whose it is, what was asked where, and at which level.
+/// The cells that all rows of a family begin with: cohort, instrument, blocks, and level of
+/// significance.
 StatisticsRow headOfRow(
     const protocols::Family& family,
     const protocols::Protocol& protocol,
     std::string_view runMode,
     const std::string& cohort);
 
-/// What a test found.
+/// Adds the results of a test.
 void addTest(StatisticsRow& row, const analysis::TestRow& test);
 
-/// Rows about a cohort as a whole, without their heads: overall tests, the order, reliability and
+/// Rows on a cohort as a whole, without their first cells: overall tests, order, reliability and
 /// distribution.
 /// @param codes  of conditions
 std::vector<StatisticsRow> overallRows(
     const CohortResult& cohort, const std::map<std::string, std::string>& codes);
 
-/// What questionnaires came to: a row for each score, and for each item with a threshold.
+/// Rows on questionnaires: one for each score, and one for each item with a threshold.
 std::vector<StatisticsRow> instrumentRows(
     const std::vector<InstrumentSummary>& instruments,
     const std::map<std::string, std::string>& codes);
 
-/// What was felt, or why that is not known: one damaged trace keeps no answers back.
+/// The forces of trials, or why they are not known: a damaged trace must not hide the answers.
 struct FeltResult {
   std::vector<FeltCurve> curves;
   base::Message reason;  ///< empty, or what is wrong with the traces; then there are no curves
@@ -49,12 +50,12 @@ struct FeltResult {
 
 FeltResult feltResult(Study& study, RunMode mode);
 
-/// How much alternatives differed at the handle: a row a pair, of all cohorts together; one row
-/// with the reason where that is not known.
+/// The differences of alternatives at the handle: a row for each pair, over all cohorts; one row
+/// with the reason if they are not known.
 std::vector<StatisticsRow> feltRows(
     const FeltResult& felt, const std::map<std::string, std::string>& codes);
 
-/// Infinite statistics have no place in a table; their reason says so.
+/// Infinite statistics become missing values; their row has the reason.
 inline Cell finite(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Cell(*value) : Cell();
 }
@@ -73,7 +74,7 @@ inline void addInterval(
   row[name + "_high" + suffix] = interval->high;
 }
 
-/// A name that may be empty; then nothing.
+/// A name; an empty one becomes a missing value.
 inline void addName(StatisticsRow& row, const std::string& column, const std::string& name) {
   if (!name.empty()) row[column] = name;
 }

@@ -52,7 +52,7 @@ StatisticsRow acceptabilityRow(
   return row;
 }
 
-/// What is wrong with the traces, without the folder of the study, which is nobody else's business.
+/// The problem of the traces without the path of the study's folder, which must not be exported.
 base::Message withoutFolder(const base::Message& error) {
   if (error.key() != "traces.damaged") return message("traces.unreadable");
   const std::filesystem::path file = std::get<std::string>(error.arguments().at(0));

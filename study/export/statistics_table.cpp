@@ -120,7 +120,7 @@ class FamilyRows {
   std::vector<Row> rows_;
 };
 
-/// One mode of a study.
+/// The rows of one run mode.
 std::vector<Row> rowsOf(
     Study& study, RunMode mode, const std::map<std::string, std::string>& codes) {
   const auto results = computeResults(study, mode);

@@ -4,10 +4,10 @@
 
 namespace study {
 
-/// Every test of a study in both profiles, one row each, with full precision: what was compared, by
-/// which method, on how many, with which result. Conditions stand under their codes, as in
-/// the answers; `declared` marks what the protocol declared. Who knows the protocol can tell from
-/// the order of comparisons which code is which, so that it has no place in a blinded export.
+/// Every test of a study in both profiles, one row each, in full precision: groups, method, numbers
+/// of people and answers, results. Conditions have their codes, as in the answers; `declared` marks
+/// the declared tests. The order of comparisons reveals the codes to a reader of the protocol, so
+/// the table is not part of blinded exports.
 ExportedTable statisticsTable(Study& study, const ExportOptions& options);
 
 }  // namespace study

@@ -55,7 +55,7 @@ Column<Row> attemptColumn() {
       [](const Row& row) { return row.visit.attempt; }};
 }
 
-// Of the step at which something was felt or asked.
+// The columns of the step in which something was rendered or asked.
 
 template <typename Row>
 Column<Row> blockColumn() {

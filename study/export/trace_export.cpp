@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using storage::StorageError;
 
-/// RFC 1952, without a name and a time, so that the same text gives the same bytes.
+/// RFC 1952, without name and time, so that the same text always gives the same bytes.
 std::string gzip(const std::string& text) {
   constexpr int kGzip = 15 + 16;  // largest window, gzip header
   constexpr int kMemory = 8;
@@ -27,7 +27,7 @@ std::string gzip(const std::string& text) {
     throw StorageError("There is not enough memory to compress a trace.");
   }
   std::string packed(deflateBound(&stream, text.size()), '\0');
-  // zlib only reads its input, whatever its type says.
+  // zlib only reads its input, although the pointer is not const.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());

@@ -4,7 +4,7 @@
 namespace study {
 namespace {
 
-/// A getter of what the row's record holds.
+/// A getter of a member of the row's record.
 template <typename Row, typename Member>
 auto recorded(Member member) {
   return [member](const Row& row) { return std::invoke(member, *row.record); };
@@ -119,7 +119,7 @@ Table<ExportedCut> cutTable() {
             of(&Cut::openingTravel)},
            {"opening_n", Number{"N"}, "… and the force there", of(&Cut::openingForce)},
            {"peak_n", Number{"N"}, "Largest force of the cut", of(&Cut::peakForce)}},
-      // One whose tissue yields at 7 N has a model.
+      // The force at yield identifies the condition.
       .tellsTheCondition = true};
 }
 

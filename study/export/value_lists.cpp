@@ -8,7 +8,7 @@
 namespace study {
 namespace {
 
-/// Values whose names are their labels.
+/// Values that are their own labels.
 template <typename Value>
 std::vector<Level> levelsNamed(
     std::initializer_list<Value> values, std::string_view (*nameOfValue)(Value) noexcept) {
@@ -36,7 +36,7 @@ std::vector<const protocols::Protocol*> versionsOf(Study& study) {
   return versions;
 }
 
-/// Only where the value is not in the list yet: of several versions the newest says what it means.
+/// Adds a value unless the list has it: the newest version of the protocol gives its label.
 void addLevel(std::vector<Level>& levels, const std::string& value, const std::string& label) {
   const bool isThere = std::any_of(
       levels.begin(), levels.end(), [&](const auto& level) { return level.value == value; });
@@ -51,7 +51,7 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
        levelsNamed({RunMode::Live, RunMode::Pilot, RunMode::Simulated}, nameOf)},
       {ValueList::Statuses,
        levelsNamed(
-           {SessionState::Consented,  // as any that is in progress
+           {SessionState::Consented,  // exported like every session in progress
             SessionState::Completed,
             SessionState::Declined,
             SessionState::Withdrawn,

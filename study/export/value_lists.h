@@ -5,9 +5,9 @@
 
 namespace study {
 
-/// What may stand in columns with closed lists, in the natural order: for dictionaries, and for
-/// ordered factors. Cohorts, blocks and conditions are those of all versions of the protocol, the
-/// newest first. Blinded, conditions are not among them, and their codes stand for themselves.
+/// The values of columns with closed lists, in their natural order: for dictionaries and ordered
+/// factors. Cohorts, blocks and conditions are those of all versions of the protocol, the newest
+/// first. In blinded exports conditions are left out, and their codes have no labels.
 ValueLists valueListsOf(Study& study, const ExportOptions& options);
 
 }  // namespace study

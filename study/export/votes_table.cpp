@@ -10,18 +10,18 @@ namespace {
 
 constexpr double kVoteLevel = 0.95;
 
-/// A row of votes.csv: how often a rendering was preferred.
+/// A row of votes.csv: how often a condition was preferred.
 struct ExportedVote {
   RunMode mode;
   const VoteResult* result = nullptr;
-  std::string items;  ///< that were asked
+  std::string items;  ///< the items of the vote
   analysis::VoteShare share;
   std::string conditionCode;
   std::optional<analysis::Interval> wilson;
   std::optional<analysis::Interval> exact;
 };
 
-/// A getter of the end of an interval, where there is one.
+/// A getter of one end of an interval, if there is one.
 auto endOf(
     std::optional<analysis::Interval> ExportedVote::*interval, double analysis::Interval::*end) {
   return [interval, end](const ExportedVote& row) {
@@ -30,7 +30,7 @@ auto endOf(
   };
 }
 
-/// A getter of what the test of a vote found.
+/// A getter of a result of the vote's test.
 template <typename Member>
 auto tested(Member member) {
   return [member](const ExportedVote& row) { return std::invoke(member, row.result->test); };
@@ -103,7 +103,7 @@ Table<ExportedVote> voteTable() {
       .tellsTheCondition = true};
 }
 
-/// The questions of a preference whose options are the alternatives of a block.
+/// The preference items whose options are the alternatives of a block.
 std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& phase) {
   std::string items;
   const auto* instrument = loaded.instrument(loaded.protocol.phase(phase)->instrument);

@@ -4,8 +4,8 @@
 
 namespace study {
 
-/// Which alternative of a block was preferred how often: one row per cohort, vote and rendering,
-/// with intervals of its share and the test that all are preferred equally often.
+/// How often each alternative of a block was preferred: one row per cohort, vote and condition,
+/// with the interval of its share and the test that all are preferred equally often.
 ExportedTable votesTable(Study& study, const ExportOptions& options);
 
 }  // namespace study
