@@ -74,7 +74,7 @@ std::string escaped(const std::string& text) {
   std::string result;
   bool isLineStart = true;
   for (const char c : text) {
-    // A dot or an apostrophe at the start of a line would be a request.
+    // At the start of a line troff takes a dot or an apostrophe for a request.
     if (isLineStart && (c == '.' || c == '\'')) result += "\\&";
     isLineStart = c == '\n';
     if (c == '\\') {
@@ -110,7 +110,7 @@ std::string heading(const OptionDescription& option) {
   return join(names, ", ") + (option.value.empty() ? "" : " " + italic(option.value));
 }
 
-/// What follows an option's text: the accepted values, its default, that it is required.
+/// The text after an option's description: the accepted values, its default, that it is required.
 std::string remarks(const OptionDescription& option) {
   std::vector<std::string> parts;
   if (option.isRequired) parts.emplace_back("required");
@@ -147,7 +147,7 @@ std::string synopsis(const CommandDescription& command) {
   return text;
 }
 
-/// Commands that have commands below are headings only: their text, and what is below.
+/// Adds a command and its subcommands. A command with subcommands is only a heading with its text.
 void addCommands(const CommandDescription& above, std::string& page) {
   for (const auto& command : above.commands) {
     page += ".SS " + escaped(command.name) + "\n" + synopsis(command) + ".PP\n" +
@@ -156,7 +156,7 @@ void addCommands(const CommandDescription& above, std::string& page) {
   }
 }
 
-/// A word of a case label or of a list in double quotes.
+/// A word for a case label or a list, in double quotes.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -167,8 +167,8 @@ std::string quoted(const std::string& text) {
 }
 
 struct CompletionCases {
-  std::vector<std::string> commands;  ///< labels of commands below the program
-  std::string values;                 ///< what may follow an option
+  std::vector<std::string> commands;  ///< patterns of commands below the program
+  std::string values;                 ///< allowed values of an option
   std::string words;                  ///< commands and options of a command
 };
 

@@ -8,15 +8,15 @@ class App;
 
 namespace study::app {
 
-/// What the call on the command line chose to do. Returns the exit status: 0, or 1 where the world
-/// says no (a protocol with errors, a study that does not verify).
+/// The command that was called. Returns the exit status: 0, or 1 for a negative result (a protocol
+/// with errors, a study that does not verify).
 using Action = std::function<int()>;
 
-// One line a noun: each adds its commands to the program; the one that was called sets the action.
+// Each function adds its commands to the program. The command that is called sets the action.
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
-void addConsentCommand(CLI::App& noun, Action& action);  // of the noun "study"
+void addConsentCommand(CLI::App& noun, Action& action);  // adds to the command "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
@@ -29,7 +29,7 @@ void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);
 
-/// Adds to a noun instead of to the program.
+/// Adds to the command "stats" instead of the program.
 void addCheckTableCommand(CLI::App& stats, Action& action);
 void addTestCommand(CLI::App& stats, Action& action);
 

@@ -34,7 +34,7 @@ std::string libraryProtocol(const std::string& name) {
   throw std::logic_error("no protocol " + name);
 }
 
-/// The punch study of the paper; with the cut of a real recording in it, if there is one.
+/// The protocol of the punch paper's study, with the cut of a real recording if one is given.
 std::string punchProtocol(const DemoArguments& options, const fs::path& folder) {
   const std::string path = (folder / "punch-face-validity.json").string();
   std::string text = libraryProtocol("punch-face-validity");

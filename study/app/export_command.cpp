@@ -34,8 +34,8 @@ const std::map<std::string, ExportFormat> kFormats{
     {"r", ExportFormat::R},
     {"python", ExportFormat::Python}};
 
-/// What was written, for whoever asked for it.
-void tellOfExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
+/// Prints what was written.
+void printExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
   const std::string what = std::string(nameOf(*how.runMode)) + " session";
   fmt::print(
       "{} holds the data of {}{}.\n",
@@ -63,7 +63,7 @@ int exportAs(const ExportArguments& options) {
     how.publicClass = options.smallestClass;
     fmt::print("{}", describe(publicRelease(study, how)));
   }
-  tellOfExport(options, how, exportStudy(study, options.out, how, options.reason));
+  printExport(options, how, exportStudy(study, options.out, how, options.reason));
   return 0;
 }
 

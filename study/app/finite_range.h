@@ -6,7 +6,8 @@
 
 namespace study::app {
 
-/// CLI::Range lets "nan" pass: it is neither below nor above anything.
+/// A range of finite numbers. CLI::Range accepts "nan", because it is neither below nor above a
+/// bound.
 inline CLI::Validator finiteRange(double least, double most) {
   const CLI::Range range(least, most);
   return CLI::Validator(

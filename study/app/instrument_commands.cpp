@@ -30,7 +30,7 @@ struct InstrumentArguments {
 
 constexpr const char* kNameHelp = "An instrument's file, or one of the library by name";
 
-/// The text of a file, or of one of the library.
+/// The text of a file, or of an instrument in the library.
 std::string textOf(const std::string& name) {
   std::error_code ignored;
   if (!fs::is_regular_file(name, ignored)) {
@@ -48,7 +48,8 @@ Instrument readOrExplain(const std::string& name) {
   return questionnaires::readSoundInstrument(textOf(name), name);
 }
 
-/// Where the wording files lie: beside a file; for one of the library, where we are.
+/// The folder of the wording files: that of the instrument's file; for the library the present
+/// folder.
 fs::path folderOf(const InstrumentArguments& options) {
   if (!options.folder.empty()) return options.folder;
   std::error_code ignored;

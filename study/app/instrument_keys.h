@@ -6,8 +6,8 @@
 
 namespace study::app {
 
-/// Which answer counts how: a line for each item that is scored, and one for each score with its
-/// formula, so that a key can be compared with the publication before anybody answers.
+/// The scoring key in words: a line for each scored item, and one for each score with its formula,
+/// to be compared with the publication before the study begins.
 std::string keysInWords(const questionnaires::Instrument& instrument);
 
 }  // namespace study::app

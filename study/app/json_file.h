@@ -13,14 +13,15 @@
 #include "study/results/results.h"
 #include "study/session/verification.h"
 
-// What --json prints: one JSON document, numbers so that they read back exactly, null with a reason
-// where something is undefined.
+// The JSON documents that --json prints. Numbers read back exactly; an undefined value is null with
+// a reason.
 namespace study::app {
 
 std::string problemsAsJson(
     const std::string& file, bool isSound, const std::vector<questionnaires::Problem>& problems);
 
-/// One object; of a test with a row for each pair of groups an object with `comparisons`.
+/// A test as one object; for a test with a row for each pair of groups an object with
+/// `comparisons`.
 std::string testAsJson(
     const analysis::StatisticalTest& test,
     const analysis::TestData& data,
@@ -34,8 +35,8 @@ std::string statusAsJson(Study& study);
 std::string verificationAsJson(const Verification& verification);
 
 /// `rows`, `sample_rate_hz`, `saturated_rows`, `max_force_n`, `cuts` …; rows are numbered from 1.
-/// `chosen` is the cut that was taken, with its samples as recorded and its curve as it would be
-/// felt; null, and `reason` says why, where none was.
+/// `chosen` is the imported cut, with its recorded samples and the curve that would be rendered;
+/// null with a `reason` if there is none.
 std::string importAsJson(
     const haptics::recordings::Recording& recording,
     const haptics::recordings::RecordingSurvey& survey,
@@ -43,10 +44,10 @@ std::string importAsJson(
     const std::optional<haptics::recordings::ImportedCut>& imported,
     const std::string& whyNot);
 
-/// The keys that a protocol's `noise` has.
+/// The keys of a protocol's `noise`.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
-/// The costs are left out where nobody measured them.
+/// The costs are left out if they were not measured.
 std::string passesAsJson(
     const std::string& condition,
     const haptics::engine::CompiledScene& scene,

@@ -9,19 +9,18 @@
 
 namespace study::app {
 
-/// Paints the figures of all sections; nothing in a program that was built without Qt.
+/// Paints the figures of all sections; does nothing if the program was built without Qt.
 void paintFigures(std::vector<report::ReportSection>& sections);
 
 /// The same for the figures of a document.
 void paintFigures(report::Document& document);
 
-/// A page of ours as a PDF file's bytes.
-/// @throws std::runtime_error  in a program that was built without Qt.
+/// One of our pages as a PDF file. @throws std::runtime_error  if the program was built without Qt.
 std::string pdfOf(const std::string& html, const std::string& title);
 
-/// Puts every figure of a section into a folder as SVG, PDF and PNG (300 dpi).
-/// @return how many figures; 0 where nobody painted them.
-/// @throws storage::StorageError  if a file is there already or cannot be written.
+/// Writes every figure of a section into a folder as SVG, PDF and PNG (300 dpi).
+/// @return the number of figures; 0 if none were painted.
+/// @throws storage::StorageError  if a file exists already or cannot be written.
 int writeFigures(const report::ReportSection& section, const std::filesystem::path& folder);
 
 }  // namespace study::app

@@ -14,13 +14,13 @@
 namespace study::app {
 namespace {
 
-/// A server has no desktop session, and Qt says so at every start; the rest is worth reading.
+/// Drops Qt's message that there is no desktop session, which it prints at every start on a server.
 void say(QtMsgType /*type*/, const QMessageLogContext& /*context*/, const QString& words) {
   if (words.contains(QLatin1String("XDG_RUNTIME_DIR"))) return;
   std::fprintf(stderr, "%s\n", words.toUtf8().constData());
 }
 
-/// Fonts need an application; a display they do not need. Nothing where there is one already.
+/// Qt needs an application for fonts, but no display. nullptr if there is an application already.
 std::unique_ptr<QGuiApplication> applicationForFonts() {
   static int argc = 1;
   static char name[] = "palpate";

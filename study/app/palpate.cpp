@@ -1,4 +1,4 @@
-// palpate: everything that can be done at all, without windows.
+// palpate: the command line, which has all functions.
 #include <CLI/CLI.hpp>
 
 #include "study/app/program.h"

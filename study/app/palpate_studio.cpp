@@ -1,4 +1,4 @@
-// palpate-studio: the windows. Does nothing that the command line cannot do.
+// palpate-studio: the windows. All their functions are also on the command line.
 #include <algorithm>
 #include <cstdio>
 #include <initializer_list>
@@ -31,7 +31,7 @@ bool isAmong(int argc, char** argv, std::initializer_list<std::string_view> word
   });
 }
 
-/// Whether there is somewhere to open a window; Qt ends the program where there is not.
+/// Whether a window can be opened; without a screen Qt would abort the program.
 bool hasScreen(int argc, char** argv) {
   for (const char* place : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
     if (!qEnvironmentVariableIsEmpty(place)) return true;
@@ -61,7 +61,7 @@ void describe(QCommandLineParser& parser) {
   }
 }
 
-/// The study that is meant: a file manager hands over the study.db in its folder.
+/// The folder of the study: file managers pass the study.db in it.
 QString folderOf(const QString& path) {
   const QFileInfo file(path);
   return file.fileName() == QLatin1String("study.db") ? file.absolutePath() : path;

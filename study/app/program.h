@@ -6,8 +6,8 @@
 
 namespace study::app {
 
-/// The whole command line of palpate. Parsing it sets the action of the command that was called.
-/// @param action  outlives the program.
+/// The command line of palpate. Parsing it sets the action of the command that was called.
+/// @param action  must outlive the program.
 std::unique_ptr<CLI::App> makeProgram(Action& action);
 
 }  // namespace study::app

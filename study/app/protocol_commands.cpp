@@ -54,7 +54,7 @@ struct OrdersOptions {
   bool csv = false;
 };
 
-/// Everybody's trials, a row each, for programs.
+/// Prints the trials of all participants, one row each, for other programs.
 void printTrials(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
   fmt::print("cohort,participant,block,position,alternative,condition\n");
@@ -76,7 +76,7 @@ void printTrials(
   }
 }
 
-/// "1, 4, 7", and not more of them than a line holds.
+/// "1, 4, 7", shortened to what fits on a line.
 std::string listed(const std::vector<std::size_t>& people) {
   constexpr std::size_t kShown = 8;
   std::string text;
@@ -86,7 +86,7 @@ std::string listed(const std::vector<std::size_t>& people) {
   return people.size() > kShown ? text + ", …" : text;
 }
 
-/// A condition, and its label where everybody who feels this order has the same.
+/// An order of conditions, with labels if they are the same for all participants with this order.
 std::string orderInWords(
     const protocols::Protocol& protocol, const protocols::PlannedBlock& block) {
   std::string text;
@@ -99,7 +99,7 @@ std::string orderInWords(
   return text;
 }
 
-/// Every order that somebody has, once, with who has it.
+/// Prints every order that occurs once, with its participants.
 void printOrders(
     const protocols::Protocol& protocol, const OrdersOptions& options, std::uint64_t seed) {
   for (const auto& cohort : protocol.cohorts) {

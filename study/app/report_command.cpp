@@ -26,8 +26,9 @@ struct ReportArguments {
   std::string reason;
 };
 
-/// A new folder with every figure as a file of its own.
-void putFigures(const std::vector<report::ReportSection>& sections, const std::string& folder) {
+/// Writes every figure as a file into a new folder.
+void writeFigureFolder(
+    const std::vector<report::ReportSection>& sections, const std::string& folder) {
   std::filesystem::create_directories(folder);
   int count = 0;
   for (const auto& section : sections) count += writeFigures(section, folder);
@@ -61,7 +62,7 @@ int report(const ReportArguments& options) {
   }
   writeReport(sections, options.out);
   fmt::print("{} holds the report.\n", options.out);
-  if (!options.figures.empty()) putFigures(sections, options.figures);
+  if (!options.figures.empty()) writeFigureFolder(sections, options.figures);
   return 0;
 }
 

@@ -14,14 +14,15 @@ namespace study::app {
 /// Adds --run-mode to @p command.
 void addRunModeOption(CLI::App& command, std::string& name);
 
-/// Adds --run-mode for a session that somebody takes part in, live or pilot, and --pilot for short.
+/// Adds --run-mode for a new session, live or pilot, and --pilot for short.
 void addRunModeOfSession(CLI::App& command, std::string& name);
 
-/// Adds --reason, for what names conditions beside results (study/session/unblinding.h).
+/// Adds --reason, for results that name conditions (study/session/unblinding.h).
 void addReasonOption(CLI::App& command, std::string& reason);
 
-/// The run mode that @p name says, or live where it says nothing.
-/// @throws UserError  in words, where that leaves no session: which ones there are.
+/// The run mode named by @p name, or live if it is empty.
+/// @throws UserError  in words, if there are no sessions of that mode; names the modes with
+///     sessions.
 RunMode chosenRunMode(Study& study, const std::string& name);
 
 }  // namespace study::app

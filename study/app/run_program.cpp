@@ -12,7 +12,7 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongCall = 2;
 
-/// The command that was called, as far as it is one: "palpate study status".
+/// The command that was called, as far as its words are valid: "palpate study status".
 const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   const CLI::App* command = &program;
   name = program.get_name();
@@ -23,7 +23,7 @@ const CLI::App& commandCalled(const CLI::App& program, std::string& name) {
   return *command;
 }
 
-/// What is wrong with a call, in words.
+/// The mistake in a call, in words.
 std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
   std::string name;
   const auto& command = commandCalled(program, name);
@@ -40,7 +40,8 @@ std::string whatIsWrong(const CLI::App& program, const CLI::ParseError& error) {
          (known.empty() ? "" : "There are: " + known + ". ") + explains;
 }
 
-/// Whether everything that was printed has been written: a table on a full disk is half a table.
+/// Whether all output was written. A table that was cut off by a full disk must not pass for
+/// complete.
 bool isPrinted(const CLI::App& program) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return true;
   std::fprintf(

@@ -74,7 +74,7 @@ std::string verdictOn(
          "bone";
 }
 
-/// K, what passivity needs with it, and whether the device has that.
+/// Prints the stiffness K, the damping that passivity needs, and whether the device has it.
 void printPassivity(
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
@@ -129,7 +129,7 @@ void print(
   printPassivity(scene, slope, device);
 }
 
-/// The protocol, or nothing, and then its problems have been told.
+/// The protocol, or std::nullopt after its problems have been printed.
 std::optional<protocols::LoadedProtocol> loaded(const std::string& file) {
   questionnaires::Problems problems;
   auto protocol = protocols::loadProtocolFile(file, problems);
@@ -145,7 +145,7 @@ const protocols::Condition& conditionOf(
   throw UserError("There is no condition '" + id + "'. There are: " + known + ".");
 }
 
-/// The simulated device of the kind that @p condition is felt on.
+/// The simulated device that @p condition uses.
 haptics::devices::Capabilities standInFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
@@ -171,8 +171,8 @@ int explain(const ExplainOptions& options) {
   return 0;
 }
 
-/// From where the device begins to where the data of the last of the scenes end; to the device's
-/// stop where a scene has no end of its own.
+/// The range from the device's first position to the end of the data of all scenes, or to the
+/// device's stop if a scene's data have no end.
 Motion motionFor(
     const PlayOptions& options,
     const haptics::devices::Capabilities& device,
@@ -197,7 +197,7 @@ Motion motionFor(
   return motion;
 }
 
-/// The curves of one condition: as it is written, or once for each noise that was asked for.
+/// The curves of one condition: as written, or one for each requested noise.
 void playCondition(
     const PlayOptions& options,
     const protocols::Condition& condition,
@@ -242,7 +242,7 @@ std::string beside(const std::string& out, const char* extension) {
   return path.string() + extension;
 }
 
-/// The conditions that are asked for, all of one device.
+/// The requested conditions, which must have the same device.
 std::vector<const protocols::Condition*> playedConditions(
     const PlayOptions& options, const protocols::Protocol& protocol) {
   std::vector<const protocols::Condition*> conditions;

@@ -13,33 +13,34 @@ namespace {
 namespace timing = haptics::timing;
 namespace engine = haptics::engine;
 
-constexpr int kTicksAPicture = 17;  // a display of 60 Hz in a loop of 1 kHz
+constexpr int kTicksPerFrame = 17;  // a display at 60 Hz, a loop at 1 kHz
 
-/// What is done besides, in every tick: a force in, anything out.
-using Besides = std::function<double(double travel, double force, int tick)>;
+/// Additional work in every tick, from travel and force; the result only keeps it from being
+/// optimised away.
+using ExtraWork = std::function<double(double travel, double force, int tick)>;
 
 timing::Contestant contestant(
-    const std::string& what, const engine::SceneSpec& spec, double middle, Besides besides) {
+    const std::string& what, const engine::SceneSpec& spec, double middle, ExtraWork extraWork) {
   auto scene = std::make_shared<engine::CompiledScene>(spec);
-  return {what, [scene, middle, besides = std::move(besides)](int steps) {
+  return {what, [scene, middle, extraWork = std::move(extraWork)](int steps) {
             double sum = 0.0;
             for (int i = 0; i < steps; ++i) {
               const double travel = middle * (1.0 - std::cos(0.004 * i));
               const double force = scene->respond({.travel = travel}).force;
               sum += force;
-              if (besides) sum += besides(travel, force, i);
+              if (extraWork) sum += extraWork(travel, force, i);
             }
             return sum;
           }};
 }
 
-Besides alsoFelt(const engine::SceneSpec& spec) {
+ExtraWork extraModel(const engine::SceneSpec& spec) {
   auto scene = std::make_shared<engine::CompiledScene>(spec);
   return [scene](double travel, double, int) { return scene->respond({.travel = travel}).force; };
 }
 
-/// The mesh, every so many ticks.
-Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
+/// The shape of the mesh, computed every @p every ticks.
+ExtraWork extraMesh(const engine::FiniteElementsSpec& spec, int every) {
   struct Mesh {
     std::vector<double> shape;
     std::vector<double> drawn;
@@ -56,37 +57,37 @@ Besides alsoDrawn(const engine::FiniteElementsSpec& spec, int every) {
   };
 }
 
-/// @param middle  of the device's travel [device's travel unit]; so below.
+/// @param middle  of the device's travel [device's travel unit]; also in the functions below.
 void addMeniscus(
     const engine::SceneSpec& spec, double middle, std::vector<timing::Contestant>& contestants) {
-  const auto add = [&](const char* what, Besides besides) {
-    contestants.push_back(contestant(what, spec, middle, std::move(besides)));
+  const auto add = [&](const char* what, ExtraWork extraWork) {
+    contestants.push_back(contestant(what, spec, middle, std::move(extraWork)));
   };
   const auto parts = engine::partsOf(spec.model);
   const auto shown = parts.elements != nullptr ? *parts.elements : engine::publishedElements(5);
   add("as it is", nullptr);
   if (parts.cut == nullptr) {
-    add("… and the recorded cut", alsoFelt({.model = engine::publishedInterpolation()}));
+    add("… and the recorded cut", extraModel({.model = engine::publishedInterpolation()}));
   }
   if (parts.elements == nullptr) {
-    add("… and finite elements", alsoFelt({.model = engine::publishedElements(5)}));
+    add("… and finite elements", extraModel({.model = engine::publishedElements(5)}));
   }
   if (parts.filter == nullptr) {
     const auto filter = engine::publishedFilter(haptics::models::KalmanScheme::SpaceDomain, 5);
-    add("… and both forces and the filter", alsoFelt({.model = filter}));
+    add("… and both forces and the filter", extraModel({.model = filter}));
   }
-  add("… and the mesh at 60 Hz", alsoDrawn(shown, kTicksAPicture));
-  add("… and the mesh in every tick", alsoDrawn(shown, 1));
+  add("… and the mesh at 60 Hz", extraMesh(shown, kTicksPerFrame));
+  add("… and the mesh in every tick", extraMesh(shown, 1));
 }
 
-/// A curve alone, and what spheres would cost besides.
+/// A curve alone, and with the additional cost of spheres.
 void addMaterial(
     const engine::SceneSpec& spec,
     const engine::MaterialSpec& material,
     double middle,
     std::vector<timing::Contestant>& contestants) {
-  const auto add = [&](const char* what, Besides besides) {
-    contestants.push_back(contestant(what, spec, middle, std::move(besides)));
+  const auto add = [&](const char* what, ExtraWork extraWork) {
+    contestants.push_back(contestant(what, spec, middle, std::move(extraWork)));
   };
   add("as it is", nullptr);
   auto lower = material;
@@ -94,16 +95,16 @@ void addMaterial(
   lower.hardness = 0.0;
   upper.hardness = 1.0;
   add("… and both curves in every tick",
-      [low = alsoFelt({.model = lower}), high = alsoFelt({.model = upper})](
+      [low = extraModel({.model = lower}), high = extraModel({.model = upper})](
           double x, double f, int i) { return low(x, f, i) + high(x, f, i); });
   for (const bool isRemoved : {false, true}) {
     const engine::PackingSpec spheres{.bone = engine::parametricBone(), .isRemoved = isRemoved};
     add(isRemoved ? "… and 20,000 spheres that are reamed away" : "… and 20,000 spheres that stay",
-        alsoFelt({.model = spheres}));
+        extraModel({.model = spheres}));
   }
 }
 
-/// Spheres, and what it would be without some of it.
+/// Spheres, and variants of them with less to compute.
 void addPacking(
     const engine::PackingSpec& packing,
     double middle,

@@ -8,15 +8,16 @@
 
 namespace study::app {
 
-/// What a tick of a scene takes, alone or with something that it leaves out.
+/// The time of a scene's tick, alone or with something that the scene does without.
 struct SceneCost {
   std::string what;
   haptics::timing::Timing time;  ///< [ns]
 };
 
-/// A tick of @p spec as it is, and then with each thing put in that this scene does without –
-/// worked out and thrown away –, all in turn on this computer. The first is the scene itself.
-/// The tool goes to and fro over the travel of a device of @p kind.
+/// Measures a tick of @p spec, and again with the additional cost of each part that this scene
+/// lacks; the result of that part is computed and not used. All are measured in turn on this
+/// computer; the first is the scene itself. The tool moves back and forth over the travel of a
+/// device of @p kind.
 std::vector<SceneCost> costsOf(
     const haptics::engine::SceneSpec& spec, const haptics::devices::DeviceKind& kind);
 

@@ -14,14 +14,14 @@ namespace {
 
 namespace engine = haptics::engine;
 
-/// From 0 to 1 as people move (Flash & Hogan 1985); its greatest speed is 1.875.
+/// Minimum-jerk movement from 0 to 1 (Flash & Hogan 1985); its largest speed is 1.875.
 double minimumJerk(double tau) {
   return tau * tau * tau * (10.0 - tau * (15.0 - 6.0 * tau));
 }
 
 constexpr double kPeakOfMinimumJerk = 1.875;
 
-/// Where a motion is that lasts from 0 to 1, from 0 to 1.
+/// The position in [0, 1] at time @p tau in [0, 1].
 double placeAt(Motion::Shape shape, double tau) {
   switch (shape) {
     case Motion::Shape::Closing:
@@ -47,12 +47,12 @@ double secondsOf(const Motion& motion) {
   return 0.0;
 }
 
-/// A bone that is reamed answers only after it has seen the tool outside of all its spheres, some
-/// in each tick: the tool waits at its first place until the scene is ready, as a hand does before
-/// a trial. Most scenes are ready at once.
+/// Repeats the first step until the scene is ready, as a hand waits before a trial. A bone that is
+/// reamed gives no force before the tool has been outside all its spheres, of which each tick
+/// checks some. Most scenes are ready at once.
 haptics::models::Response<double> firstAnswer(
     engine::CompiledScene& scene, const engine::ToolState& first) {
-  constexpr double kLongest = 10.0;  // [s]: 20 million spheres are looked at
+  constexpr double kLongest = 10.0;  // [s]: enough to check 20 million spheres
   auto response = scene.respond(first);
   for (double waited = 0.0; !scene.isReady() && waited < kLongest; waited += first.dt) {
     response = scene.respond(first);
@@ -78,7 +78,7 @@ PlayedCurve alongOne(
   return curve;
 }
 
-/// @throws UserError  where the scene answers at less than half of the steps.
+/// @throws UserError  if the scene gives a force in less than half of the steps.
 void checkNotEmpty(const PlayedCurve& curve, const TravelProfile& profile) {
   const auto answered = static_cast<std::size_t>(std::count_if(
       curve.force.begin(), curve.force.end(), [](double force) { return std::isfinite(force); }));

@@ -9,39 +9,39 @@
 
 namespace study::app {
 
-/// Where the tool is at each step, at a fixed rate.
+/// The travel of the tool at each step, at a fixed rate.
 struct TravelProfile {
   double rate = 1000.0;        ///< [Hz], > 0
   std::vector<double> travel;  ///< [device's travel unit]
 };
 
-/// How a hand moves that nobody has.
+/// A simulated movement of the hand.
 struct Motion {
   enum class Shape { Closing, Cut, Sine };
   Shape shape = Shape::Closing;
   double least = 0.0;    ///< [device's travel unit]
   double most = 10.0;    ///< [device's travel unit]
-  double speed = 57.0;   ///< Closing: all the way; Cut, Sine: at most [travel unit/s], > 0
+  double speed = 57.0;   ///< Closing: constant; Cut, Sine: largest [travel unit/s], > 0
   double rate = 1000.0;  ///< of the steps [Hz], > 0
-  double quantum = 0.0;  ///< of the encoder [travel unit]; 0: none
+  double quantum = 0.0;  ///< resolution of the encoder [travel unit]; 0: exact
 };
 
-/// Closing goes from the least to the most travel at an even speed; Cut closes and opens again as
-/// people move (minimum jerk); Sine goes to and fro twice.
+/// Closing goes from the least to the largest travel at constant speed; Cut closes and opens again
+/// with minimum jerk; Sine goes back and forth twice.
 TravelProfile profileOf(const Motion& motion);
 
 /// One curve of a played scene.
 struct PlayedCurve {
   std::string condition;          ///< its id
   std::string title;              ///< for the legend
-  std::vector<double> force;      ///< what the scene asks for at each step [N]
+  std::vector<double> force;      ///< desired by the scene at each step [N]; NaN where undefined
   std::vector<double> stiffness;  ///< [N per travel unit]
-  bool isIngredient = false;      ///< one of the forces that a filter fuses
+  bool isIngredient = false;      ///< one of the forces that a filter combines
 };
 
-/// What @p spec asks for along @p profile; of a filter also the two forces that it fuses, where
-/// @p withIngredients. The tool stays at the first travel until the scene is ready.
-/// @throws UserError  where the scene answers at less than half of the steps.
+/// The forces of @p spec along @p profile; with @p withIngredients also the two forces that a
+/// filter combines. The tool stays at the first travel until the scene is ready.
+/// @throws UserError  if the scene gives a force in less than half of the steps.
 std::vector<PlayedCurve> play(
     const std::string& condition,
     const std::string& title,

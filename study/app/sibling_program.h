@@ -5,10 +5,10 @@
 
 namespace study::app {
 
-/// The path of a program in the folder of this one: all programs are installed together.
+/// The path of another program in this program's folder, where all programs are installed.
 std::string siblingProgram(const std::string& name);
 
-/// Replaces this process by a program in the same folder. Returns only by an exception.
+/// Replaces this process by a program in the same folder; does not return.
 /// @throws UserError  if it cannot be started.
 [[noreturn]] void handOver(const std::string& name, const std::vector<std::string>& arguments);
 

@@ -15,7 +15,7 @@ bool isCompleted(const SimulatedEnding& ending) noexcept {
   return ending.state == SessionState::Completed;
 }
 
-/// Without the full stop that it may end with.
+/// The reason without its final full stop.
 std::string_view phraseOf(const SimulatedEnding& ending) noexcept {
   std::string_view reason = ending.reason;
   while (reason.ends_with('.')) reason.remove_suffix(1);

@@ -7,15 +7,15 @@
 
 namespace study::app {
 
-/// How many came to the end of their session.
+/// The number of completed sessions.
 int completedOf(const std::vector<SimulatedEnding>& endings) noexcept;
 
-/// Of one whose session ended otherwise: "SIM-001 ended as aborted_hardware at step 3 after 5
-/// attempts: the motor's driver reports a fault. Trials finished: 0 of 5."
+/// A session that was not completed: "SIM-001 ended as aborted_hardware at step 3 after 5 attempts:
+/// the motor's driver reports a fault. Trials finished: 0 of 5."
 std::string describe(const SimulatedEnding& ending);
 
-/// Behind the number of those who have finished: ", 1 ended as aborted_hardware (SIM-001 at step 3:
-/// …)"; empty where all have.
+/// Follows the number of completed sessions: ", 1 ended as aborted_hardware (SIM-001 at step 3:
+/// …)"; empty if all were completed.
 std::string othersInWords(const std::vector<SimulatedEnding>& endings);
 
 }  // namespace study::app

@@ -4,7 +4,7 @@
 
 namespace study::app {
 
-/// The command line of palpate-studio: its parser and its manual page are made from this.
+/// The command line of palpate-studio, for its parser and its manual page.
 CommandDescription describeStudio();
 
 /// An option's longest name without dashes: "devices".

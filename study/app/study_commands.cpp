@@ -96,7 +96,7 @@ int simulatedSessions(Study& study) {
       all.begin(), all.end(), [](const auto& row) { return row.runMode == RunMode::Simulated; }));
 }
 
-/// Says now and then how far a long simulation is. Whoever is enrolled follows on one who has
+/// Prints the progress of a long simulation. An enrolment means that the participant before has
 /// finished.
 void tellProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;
@@ -236,7 +236,7 @@ int verify(const StudyArguments& options) {
   return verification.isSound() ? 0 : 1;
 }
 
-/// One verb: what it says of itself, what it does.
+/// Adds one verb: its name, its description, its action.
 CLI::App* addVerb(
     CLI::App& noun,
     const char* name,

@@ -29,13 +29,13 @@ using questionnaires::Response;
 
 constexpr double kLongestTrial = 600.0;  // [s]
 
-/// The input ended.
-struct NoMoreInput {};
+/// Thrown when the input ends.
+struct InputEnded {};
 
 std::string readLine() {
   std::fflush(stdout);
   std::string line;
-  if (!std::getline(std::cin, line)) throw NoMoreInput();
+  if (!std::getline(std::cin, line)) throw InputEnded();
   return line;
 }
 
@@ -47,7 +47,7 @@ std::optional<Number> numberIn(const std::string& text) {
   return isAll ? std::optional(number) : std::nullopt;
 }
 
-/// In English, German or Norwegian, in whichever case.
+/// Whether @p word is one of the words of English, German or Norwegian, ignoring case.
 bool isAmongWords(std::string word, std::initializer_list<std::string_view> words) {
   for (auto& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -61,7 +61,7 @@ bool isNo(const std::string& word) {
   return isAmongWords(word, {"n", "no", "nein", "nei"});
 }
 
-/// One session at a terminal.
+/// Runs one session in a terminal.
 class TerminalSession {
  public:
   TerminalSession(Study& study, Session& session, const std::string& deviceFile)
@@ -98,7 +98,7 @@ class TerminalSession {
     }
     if (session_.state() == SessionState::Paused) session_.resumeAfterPause();
     if (session_.step().kind == StepKind::Trial) {
-      wantsToFeel() ? feel() : session_.declineOffer();
+      acceptsOffer() ? feel() : session_.declineOffer();
       return;
     }
     if (const auto* instrument = session_.instrument()) {
@@ -113,8 +113,8 @@ class TerminalSession {
     session_.finishStep();
   }
 
-  /// What is offered once more is felt by whoever says so.
-  bool wantsToFeel() {
+  /// Asks whether an optional trial is wanted.
+  bool acceptsOffer() {
     const auto& step = session_.step();
     if (!step.isOffered) return true;
     const auto& prefix = session_.protocol().protocol.labels.prefix;
@@ -144,7 +144,7 @@ class TerminalSession {
     }
   }
 
-  /// True when there is nothing more to do about @p item.
+  /// Asks @p item once. True if the answer is valid, or the item was left out.
   bool ask(const Item& item, int order, std::chrono::steady_clock::time_point begin) {
     print(item);
     const std::string line = readLine();
@@ -206,8 +206,8 @@ class TerminalSession {
     return options;
   }
 
-  /// The option that somebody means who says yes or no to a question of two options, one of which
-  /// consents or is called so; otherwise what was typed.
+  /// The option that "yes", "no" or their translations select. The question must have two options,
+  /// one of which gives consent or has the id "yes". Otherwise the typed text.
   static Response chosen(const Item& item, const std::string& line) {
     const bool saysYes = isYes(line);
     if (item.options.size() != 2 || (!saysYes && !isNo(line))) return line;
@@ -284,8 +284,9 @@ std::optional<SessionId> unfinished(Study& study, const Enrolment& enrolment) {
   return std::nullopt;
 }
 
-/// A participant would read what stands in double brackets: whoever enrols one says that it may be.
-bool mayEnrol(Study& study, const Enrolment& enrolment) {
+/// Asks the operator whether to enrol although a text has placeholders in double brackets, which
+/// the participant would read.
+bool confirmEnrolment(Study& study, const Enrolment& enrolment) {
   if (enrolment.runMode != RunMode::Live) return true;
   const auto blanks = protocols::placeholdersIn(study.protocol());
   if (blanks.empty()) return true;
@@ -297,7 +298,7 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
       "all the same? [y/N] ");
   try {
     return isYes(readLine());
-  } catch (const NoMoreInput&) {
+  } catch (const InputEnded&) {
     return false;
   }
 }
@@ -307,7 +308,7 @@ bool mayEnrol(Study& study, const Enrolment& enrolment) {
 int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFile) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
-  if (!open && !mayEnrol(study, enrolment)) {
+  if (!open && !confirmEnrolment(study, enrolment)) {
     fmt::print("\nNobody was enrolled.\n");
     return 1;
   }
@@ -315,7 +316,7 @@ int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFi
     auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
     TerminalSession(study, session, deviceFile).run();
     return 0;
-  } catch (const NoMoreInput&) {
+  } catch (const InputEnded&) {
     fmt::print("\nStopped. 'palpate study run' goes on from here.\n");
     return 1;
   }

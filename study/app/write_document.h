@@ -6,8 +6,9 @@
 
 namespace study::app {
 
-/// Writes @p name.html with everything, a CSV file for each table and an SVG file for each figure,
-/// into a folder that is new or empty. @throws storage::StorageError  in words.
+/// Writes the page @p name.html, a CSV file for each table and an SVG file for each figure into a
+/// new or empty folder.
+/// @throws storage::StorageError  in words.
 void writeDocument(const std::string& folder, const std::string& name, report::Document document);
 
 }  // namespace study::app

@@ -7,9 +7,9 @@
 
 namespace study::app {
 
-/// Paints the figures, where this program was built with Qt, and writes the page; as a PDF where
-/// @p path ends in .pdf.
-/// @throws storage::StorageError  if it is there already or cannot be written.
+/// Paints the figures if the program was built with Qt, and writes the page, as a PDF if @p path
+/// ends in .pdf.
+/// @throws storage::StorageError  if the file exists already or cannot be written.
 void writeReport(std::vector<report::ReportSection>& sections, const std::string& path);
 
 }  // namespace study::app

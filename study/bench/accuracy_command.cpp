@@ -33,18 +33,18 @@ struct Figure {
   const char* setting;
   const char* unit;  ///< of the error
   Shows shows = Shows::ErrorOverParameter;
-  bool isLogarithmic = false;  ///< the axis of errors
+  bool isLogarithmic = false;  ///< of the axis of errors
 };
 
 using Measured = std::vector<Repeated>;
 
 struct Family {
-  const char* option;  ///< on the command line, and of its files
-  const char* name;    ///< in measurements
+  const char* option;  ///< name on the command line and of its files
+  const char* name;    ///< name in measurements
   const char* heading;
-  const char* parameter;  ///< what is swept
+  const char* parameter;  ///< the parameter that varies
   void (*measure)(const AccuracyRun&);
-  bool isOnce;  ///< takes long, and one process is enough
+  bool isOnce;  ///< slow, so that one process has to do
   std::vector<Figure> figures;
   DataTable (*summary)(const Measured&) = nullptr;  ///< before the table of all measurements
 };
@@ -140,7 +140,7 @@ struct AccuracyOptions {
   }
 };
 
-/// The point of a measurement in a figure, where it has one.
+/// The point of a measurement in a figure, if it can be shown.
 std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& figure) {
   using enum Figure::Shows;
   const auto parameter = m.parameter >= 1000 ? fmt::format("{:g}k", m.parameter / 1000)
@@ -150,7 +150,7 @@ std::optional<report::ChartPoint> pointOf(const Measurement& m, const Figure& fi
     return report::ChartPoint{m.parameter, m.time->median};
   }
   if (!m.error) return std::nullopt;
-  // Drawn at the ends of a logarithmic axis: what is exact to the last bit, and what is no number.
+  // Exact results and undefined ones are drawn at the ends of a logarithmic axis.
   const double error = figure.isLogarithmic ? std::clamp(*m.error, 1e-18, 1e6) : *m.error;
   if (figure.shows == ErrorOverParameter) return report::ChartPoint{m.parameter, error};
   if (!m.time) return std::nullopt;
@@ -214,8 +214,8 @@ DataTable tableOf(const Measured& all, const Family& family) {
   return table;
 }
 
-/// Updates a second of the three renderings beside those of the punch paper: of its Arduino Due, of
-/// this computer, and what our instructions on a Cortex-M3 allow at the Due's clock.
+/// Updates per second of the three renderings: on the punch paper's Arduino Due, on this computer,
+/// and the limit by the number of instructions on a Cortex-M3 at the Due's clock.
 DataTable refreshTable(const Measured& all) {
   DataTable table{
       .name = "fig-12",
@@ -273,20 +273,20 @@ report::Document reportOf(const Measured& all, const AccuracyOptions& options) {
   return document;
 }
 
-/// Measures the families whose names are options of this process.
+/// Measures, in this process, the families that @p options name.
 void measureHere(const AccuracyOptions& options, const AccuracyRun& run) {
   for (const auto& family : families()) {
     if (options.wants(family)) family.measure(run);
   }
 }
 
-/// Starts this program once more, and reports what it measures.
-/// @throws UserError  if it cannot be started or ends before its time.
+/// Runs this program in a new process and adds its measurements.
+/// @throws UserError  if it cannot be started or fails.
 void measureInProcess(
     const AccuracyOptions& options,
     const std::vector<const Family*>& wanted,
     const AccuracyRun& run) {
-  // The path comes from the environment: the shell then needs no quoting of special characters.
+  // The path is passed in the environment, so that the shell needs no quoting.
   setenv("PALPATE_BENCH", std::filesystem::read_symlink("/proc/self/exe").c_str(), 1);
   std::string call = "exec \"$PALPATE_BENCH\" accuracy --worker";
   if (options.isShort) call += " --short";
@@ -360,7 +360,7 @@ int accuracy(AccuracyOptions options) {
     measureHere(options, {.report = print, .isShort = options.isShort});
     return 0;
   }
-  if (options.isShort) options.processes = 1;  // errors are the same in each
+  if (options.isShort) options.processes = 1;  // errors do not differ between processes
   const auto measured = measure(options);
   present(options.out, "accuracy", reportOf(measured, options));
   return areWithinBounds(measured) ? 0 : 1;
@@ -381,7 +381,7 @@ void addAccuracyCommand(CLI::App& program, Action& action) {
   command->add_option("--family", options->families, "Only these families (default: all)")
       ->check(CLI::IsMember(names));
   command->add_flag("--short", options->isShort, "Errors of small models only, no times");
-  command->add_flag("--worker", options->isWorker)->group("");  // for measureInProcess()
+  command->add_flag("--worker", options->isWorker)->group("");  // used by measureInProcess()
   command->callback([&action, options] { action = [options] { return accuracy(*options); }; });
 }
 

@@ -7,7 +7,7 @@
 namespace study::bench {
 
 /// The command line of palpate-bench. Parsing it sets the action of the command that was called.
-/// @param action  outlives the program.
+/// @param action  must outlive the program.
 std::unique_ptr<CLI::App> makeBenchProgram(app::Action& action);
 
 }  // namespace study::bench

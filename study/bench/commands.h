@@ -6,8 +6,8 @@ namespace study::bench {
 
 using app::Action;
 
-// Each adds its command to palpate-bench; the command that was called sets the action, which
-// returns the exit status: 1 where an error or a count exceeds its bound.
+// Each function adds its command to palpate-bench. The command that is called sets the action,
+// which returns the exit status: 1 if an error or a count exceeds its bound.
 void addAccuracyCommand(CLI::App& program, Action& action);
 void addStabilityCommand(CLI::App& program, Action& action);
 void addServoCommand(CLI::App& program, Action& action);

@@ -1,5 +1,5 @@
-// What `palpate bench devices` measures: a loop of ours against stand-ins in processes of their
-// own.
+// The measurements of `palpate-bench devices`: a loop in this program with emulators in their own
+// processes.
 #include "study/bench/devices.h"
 
 #include <sched.h>
@@ -41,8 +41,8 @@ std::uint16_t freePort() {
   return devices::DatagramSocket(devices::Endpoint{}).local().port;
 }
 
-/// Real-time priority for all threads of a process, where that is granted: a board does not wait
-/// for a processor either.
+/// Gives all threads of a process real-time priority if permitted: a real board does not wait for a
+/// processor either.
 void raisePriority(const EmulatorProcess& process) {
   const auto threads = "/proc/" + std::to_string(process.id()) + "/task";
   for (const auto& entry : std::filesystem::directory_iterator(threads)) {
@@ -51,33 +51,33 @@ void raisePriority(const EmulatorProcess& process) {
   }
 }
 
-/// This thread looks on in time, where that is granted, as long as this lives.
-class Watcher {
+/// Gives this thread real-time priority, if permitted, while the object exists.
+class RealtimePriority {
  public:
-  Watcher() { timing::raisePriority(timing::kWatcherPriority); }
-  ~Watcher() {
+  RealtimePriority() { timing::raisePriority(timing::kWatcherPriority); }
+  ~RealtimePriority() {
     const sched_param none{};
     sched_setscheduler(0, SCHED_OTHER, &none);
   }
-  Watcher(const Watcher&) = delete;
-  Watcher& operator=(const Watcher&) = delete;
+  RealtimePriority(const RealtimePriority&) = delete;
+  RealtimePriority& operator=(const RealtimePriority&) = delete;
 };
 
-/// An emulator, and the device that speaks to it.
-class Stand {
+/// An emulator and the device that is connected to it.
+class EmulatedDevice {
  public:
-  static Stand punch(int rate) {
+  static EmulatedDevice punch(int rate) {
     auto emulator = std::make_unique<EmulatorProcess>(
         std::vector<std::string>{"punch", "--rate", std::to_string(rate)});
     devices::PunchSettings settings;
     settings.port = valueIn(emulator->ready(), "port");
-    Stand stand("punch", rate, std::move(emulator));
-    stand.device_ = std::make_unique<devices::PunchDevice>(settings);
-    return stand;
+    EmulatedDevice emulated("punch", rate, std::move(emulator));
+    emulated.device_ = std::make_unique<devices::PunchDevice>(settings);
+    return emulated;
   }
 
   /// @param period  between messages [ms].
-  static Stand arm(int period, const std::string& version = "1.15") {
+  static EmulatedDevice arm(int period, const std::string& version = "1.15") {
     const haptics::emulators::FriArm::Options arm;
     devices::IiwaSettings settings;
     settings.port = freePort();
@@ -85,7 +85,7 @@ class Stand {
     settings.model = arm.model;
     settings.tool.position.z() = arm.toolLength;
     settings.zero = arm.start;
-    Stand stand(
+    EmulatedDevice emulated(
         "arm",
         1000.0 / period,
         std::make_unique<EmulatorProcess>(std::vector<std::string>{
@@ -96,8 +96,8 @@ class Stand {
             std::to_string(period),
             "--fri-version",
             version}));
-    stand.device_ = std::make_unique<devices::IiwaDevice>(settings);
-    return stand;
+    emulated.device_ = std::make_unique<devices::IiwaDevice>(settings);
+    return emulated;
   }
 
   const std::string& name() const noexcept { return name_; }
@@ -109,7 +109,7 @@ class Stand {
       throw UserError("An emulator does not obey: " + line);
   }
 
-  /// As it stands at this moment.
+  /// The state of the emulated device now.
   struct Standing {
     bool hasForce = false;
     double force = 0.0;  ///< [N]
@@ -137,12 +137,12 @@ class Stand {
   }
 
  private:
-  Stand(std::string name, double rate, std::unique_ptr<EmulatorProcess> emulator)
+  EmulatedDevice(std::string name, double rate, std::unique_ptr<EmulatorProcess> emulator)
       : name_(std::move(name)), rate_(rate), emulator_(std::move(emulator)) {
     raisePriority(*emulator_);
   }
 
-  /// Of "key=value" among words.
+  /// The value of "key=value" in a line of words.
   static std::string valueIn(const std::string& words, const std::string& key) {
     const std::string all = " " + words + " ";
     const auto at = all.find(" " + key + "=");
@@ -168,7 +168,7 @@ FrameFaults& operator+=(FrameFaults& a, const FrameFaults& b) {
   return a;
 }
 
-/// A frame that is damaged is lost as well.
+/// A damaged frame also counts as lost.
 FrameFaults foundBy(const devices::LinkReport& link) {
   const auto number = [](std::uint64_t n) { return static_cast<std::int64_t>(n); };
   return {
@@ -178,35 +178,36 @@ FrameFaults foundBy(const devices::LinkReport& link) {
        number(link.damaged)}};
 }
 
-/// Waits until samples come; those that are lost before the first do not count.
-void settle(const Stand& stand) {
-  pauseFor(20.0 / stand.rate());
+/// Waits until samples arrive; those lost before the first one do not count.
+void settle(const EmulatedDevice& emulated) {
+  pauseFor(20.0 / emulated.rate());
 }
 
-/// Ticks at a device; where it fails, connects it again, as an operator would.
-class Tended {
+/// Runs the loop on a device. If the device fails, connects it again as an operator would.
+class SupervisedLoop {
  public:
   enum class Start {
-    AsStudies,  ///< by a thread as any other, which a loaded machine may keep waiting
-    Urgent,     ///< at once, where that is granted
+    AsStudies,  ///< with normal priority: a loaded machine may delay the thread
+    Urgent,     ///< with real-time priority, if permitted
   };
 
-  explicit Tended(Stand& stand, Start start = Start::AsStudies) : stand_(stand), start_(start) {
-    series_ = {.device = stand.name(), .rate = stand.rate()};
-    stand_.device().open();
+  explicit SupervisedLoop(EmulatedDevice& emulated, Start start = Start::AsStudies)
+      : emulated_(emulated), start_(start) {
+    series_ = {.device = emulated.name(), .rate = emulated.rate()};
+    emulated_.device().open();
     begin();
   }
 
   LinkLoop& loop() noexcept { return *loop_; }
 
-  /// To be called every so often. True if it had failed.
-  bool tend() {
+  /// Call it repeatedly. True if the device had failed and was connected again.
+  bool reconnectIfOver() {
     if (!loop_->isOver()) return false;
     endRun();
     constexpr int kTries = 3;
     for (int i = 1; !loop_; ++i) {
       try {
-        stand_.device().open();
+        emulated_.device().open();
         begin();
       } catch (const devices::DeviceError&) {
         if (i == kTries) throw;
@@ -222,141 +223,144 @@ class Tended {
 
  private:
   void begin() {
-    std::optional<Watcher> urgent;
+    std::optional<RealtimePriority> urgent;
     if (start_ == Start::Urgent) urgent.emplace();
-    loop_.emplace(stand_.device());
+    loop_.emplace(emulated_.device());
     urgent.reset();
-    sentBefore_ = stand_.ask().sent;
-    settle(stand_);
+    sentBefore_ = emulated_.ask().sent;
+    settle(emulated_);
   }
 
   void endRun() {
-    series_.sent += stand_.ask().sent - sentBefore_;
+    series_.sent += emulated_.ask().sent - sentBefore_;
     series_.runs.push_back(loop_->finish());
     loop_.reset();
   }
 
-  Stand& stand_;
+  EmulatedDevice& emulated_;
   Start start_;
   LinkSeries series_;
   std::uint64_t sentBefore_ = 0;
   std::optional<LinkLoop> loop_;
 };
 
-constexpr double kLook = 0.005;  // how often what ticks is looked after [s]
+constexpr double kSupervisionPeriod = 0.005;  // [s] between two calls of reconnectIfOver()
 
-/// For so long, while tending.
-void tendFor(double seconds, const std::vector<Tended*>& all) {
+/// Lets all loops run for @p seconds.
+void superviseFor(double seconds, const std::vector<SupervisedLoop*>& all) {
   const std::int64_t until = timing::now() + static_cast<std::int64_t>(1e9 * seconds);
   while (timing::now() < until) {
-    pauseFor(kLook);
-    for (auto* one : all) one->tend();
+    pauseFor(kSupervisionPeriod);
+    for (auto* one : all) one->reconnectIfOver();
   }
 }
 
 std::vector<LinkSeries> runTogether(double seconds) {
   std::fprintf(stderr, "both devices at once, %g s\n", seconds);
-  auto punch = Stand::punch(1000);
-  auto arm = Stand::arm(5);
-  Tended slow(arm);  // it takes its time until it takes forces
-  Tended fast(punch);
-  tendFor(seconds, {&fast, &slow});
+  auto punch = EmulatedDevice::punch(1000);
+  auto arm = EmulatedDevice::arm(5);
+  SupervisedLoop slow(arm);  // first, because it needs longer until it accepts forces
+  SupervisedLoop fast(punch);
+  superviseFor(seconds, {&fast, &slow});
   auto first = fast.finish();
   return {std::move(first), slow.finish()};
 }
 
-/// Waits for the stall that was ordered, and watches what the device does meanwhile.
-void watchStall(Stand& stand, LinkLoop& loop, StallSeries& series) {
-  constexpr double kClosely = 0.0003;  // [s]
-  const Watcher watcher;
-  while (loop.stoodAt() == 0 && !loop.isOver()) pauseFor(kClosely);
+/// Waits for the requested standstill of the loop, and measures when the device switches its force
+/// off.
+void watchStall(EmulatedDevice& emulated, LinkLoop& loop, StallSeries& series) {
+  constexpr double kPollPeriod = 0.0003;  // [s]
+  const RealtimePriority priority;
+  while (loop.stoodAt() == 0 && !loop.isOver()) pauseFor(kPollPeriod);
   const std::int64_t begin = loop.stoodAt();
   if (begin == 0) return;
   ++series.stalls;
-  const auto standing = stand.ask();
+  const auto standing = emulated.ask();
   bool hadForce = standing.hasForce;
   if (hadForce) series.forces.push_back(standing.force);
   const std::int64_t end = begin + static_cast<std::int64_t>(1e6 * series.duration);
   while (timing::now() < end) {
-    pauseFor(kClosely);
-    const bool hasForce = stand.ask().hasForce;
+    pauseFor(kPollPeriod);
+    const bool hasForce = emulated.ask().hasForce;
     const std::int64_t at = timing::now();
     if (!hadForce || hasForce || at >= end) continue;
     series.letGoAfter.push_back(1e-6 * static_cast<double>(at - begin));
-    hadForce = false;  // once is enough
+    hadForce = false;  // only the first time counts
   }
   pauseFor(0.05);
 }
 
-StallSeries stallAt(Stand stand, double milliseconds, int stalls) {
-  std::fprintf(stderr, "%s, stalls of %g ms\n", stand.name().c_str(), milliseconds);
+StallSeries stallAt(EmulatedDevice emulated, double milliseconds, int stalls) {
+  std::fprintf(stderr, "%s, stalls of %g ms\n", emulated.name().c_str(), milliseconds);
   StallSeries series{.duration = milliseconds};
-  Tended tended(stand, Tended::Start::Urgent);
+  SupervisedLoop supervised(emulated, SupervisedLoop::Start::Urgent);
   for (int i = 0; i < stalls; ++i) {
-    tendFor(0.8, {&tended});
-    tended.loop().standStill(static_cast<std::int64_t>(1e6 * milliseconds));
-    watchStall(stand, tended.loop(), series);
-    if (!stand.ask().isArmed || tended.loop().isOver()) ++series.disarmed;
+    superviseFor(0.8, {&supervised});
+    supervised.loop().standStill(static_cast<std::int64_t>(1e6 * milliseconds));
+    watchStall(emulated, supervised.loop(), series);
+    if (!emulated.ask().isArmed || supervised.loop().isOver()) ++series.disarmed;
   }
-  series.link = tended.finish();
+  series.link = supervised.finish();
   return series;
 }
 
-LinkSeries runAlone(Stand stand, double seconds) {
-  std::fprintf(stderr, "%s at %g Hz\n", stand.name().c_str(), stand.rate());
-  Tended tended(stand);
-  tendFor(seconds, {&tended});
-  return tended.finish();
+LinkSeries runAlone(EmulatedDevice emulated, double seconds) {
+  std::fprintf(stderr, "%s at %g Hz\n", emulated.name().c_str(), emulated.rate());
+  SupervisedLoop supervised(emulated);
+  superviseFor(seconds, {&supervised});
+  return supervised.finish();
 }
 
-/// @p perRound of each fault at a time, which the link must survive, with room between rounds.
-void injectInRounds(Stand& stand, LinkLoop& loop, int wanted, int perRound) {
-  constexpr double kRoom = 40.0;  // frames: the arm's controller wants 90 of 100 answered
-  const auto begin = stand.ask().injected;
+/// Injects @p wanted faults of each kind, @p perRound at a time, which the link must survive, with
+/// a pause after each round.
+void injectInRounds(EmulatedDevice& emulated, LinkLoop& loop, int wanted, int perRound) {
+  constexpr double kPause = 40.0;  // frames: the arm's controller needs 90 of 100 answered
+  const auto begin = emulated.ask().injected;
   for (int done = 0; done < wanted && !loop.isOver();) {
     const int now = std::min(perRound, wanted - done);
-    for (const auto& name : FrameFaults::kNames) stand.order(fmt::format("{} {}", name, now));
+    for (const auto& name : FrameFaults::kNames) emulated.order(fmt::format("{} {}", name, now));
     done += now;
     const auto isDone = [&] {
-      const auto of = (stand.ask().injected - begin).of;
+      const auto of = (emulated.ask().injected - begin).of;
       return std::all_of(of.begin(), of.end(), [&](std::int64_t n) { return n >= done; });
     };
     const std::int64_t until = timing::now() + 10 * timing::kSecond;
     while (!isDone() && !loop.isOver()) {
       if (timing::now() > until)
         throw UserError("An emulator does not inject the faults it was told to.");
-      pauseFor(1.0 / stand.rate());
+      pauseFor(1.0 / emulated.rate());
     }
-    pauseFor(kRoom / stand.rate());
+    pauseFor(kPause / emulated.rate());
   }
 }
 
-/// A hundred of each at a time; where the device fails meanwhile, these are done again.
-FaultCounts countFaults(Stand stand, int faults, int perRound) {
-  constexpr int kAtOnce = 100;
+/// Injects a hundred faults of each kind at a time. If the device fails meanwhile, that hundred is
+/// repeated.
+FaultCounts countFaults(EmulatedDevice emulated, int faults, int perRound) {
+  constexpr int kPerCount = 100;
   constexpr int kMostRepeated = 20;
-  FaultCounts counts{.device = stand.name()};
-  stand.device().open();
+  FaultCounts counts{.device = emulated.name()};
+  emulated.device().open();
   for (int done = 0; done < faults;) {
-    std::fprintf(stderr, "%s, counting: %d of %d\n", stand.name().c_str(), done, faults);
-    const int now = std::min(kAtOnce, faults - done);
-    std::optional<Watcher> urgent(std::in_place);
-    LinkLoop loop(stand.device());
+    std::fprintf(stderr, "%s, counting: %d of %d\n", emulated.name().c_str(), done, faults);
+    const int now = std::min(kPerCount, faults - done);
+    std::optional<RealtimePriority> urgent(std::in_place);
+    LinkLoop loop(emulated.device());
     urgent.reset();
-    settle(stand);
-    const auto before = stand.ask().injected;
-    injectInRounds(stand, loop, now, perRound);
+    settle(emulated);
+    const auto before = emulated.ask().injected;
+    injectInRounds(emulated, loop, now, perRound);
     const bool isWhole = !loop.isOver();
     const auto run = loop.finish();
     if (isWhole) {
-      counts.injected += stand.ask().injected - before;
+      counts.injected += emulated.ask().injected - before;
       counts.found += foundBy(run.link);
       done += now;
     } else if (++counts.repeated > kMostRepeated) {
       throw UserError("The link fails too often to count on it. " + run.fault);
     } else {
-      pauseFor(0.5);  // until the ordered faults are over
-      stand.device().open();
+      pauseFor(0.5);  // until the remaining faults are over
+      emulated.device().open();
     }
   }
   return counts;
@@ -402,23 +406,23 @@ DeviceMeasurement measureDevices(const DeviceBenchOptions& options) {
   if (isWanted("stalls")) {
     const int stalls = static_cast<int>(std::clamp(options.seconds / 4.0, 1.0, 10.0));
     for (const double duration : {5.0, 20.0, 50.0, 100.0}) {
-      measured.stalls.push_back(stallAt(Stand::punch(1000), duration, stalls));
-      measured.stalls.push_back(stallAt(Stand::arm(5), duration, stalls));
+      measured.stalls.push_back(stallAt(EmulatedDevice::punch(1000), duration, stalls));
+      measured.stalls.push_back(stallAt(EmulatedDevice::arm(5), duration, stalls));
     }
   }
   if (isWanted("rates")) {
     const double seconds = std::min(3.0, options.seconds);
     for (const int rate : {200, 500, 1000, 2000, 4000}) {
-      measured.sweep.push_back(runAlone(Stand::punch(rate), seconds));
+      measured.sweep.push_back(runAlone(EmulatedDevice::punch(rate), seconds));
     }
     for (const int period : {5, 3, 2, 1}) {
-      measured.sweep.push_back(runAlone(Stand::arm(period), seconds));
+      measured.sweep.push_back(runAlone(EmulatedDevice::arm(period), seconds));
     }
   }
   if (isWanted("counts")) {
-    measured.counts.push_back(countFaults(Stand::punch(1000), options.faults, 5));
+    measured.counts.push_back(countFaults(EmulatedDevice::punch(1000), options.faults, 5));
     // FRI before 2.7 has no checksum: a damaged byte may go unnoticed.
-    measured.counts.push_back(countFaults(Stand::arm(2, "2.7"), options.faults, 1));
+    measured.counts.push_back(countFaults(EmulatedDevice::arm(2, "2.7"), options.faults, 1));
   }
   return measured;
 }

@@ -10,41 +10,41 @@
 
 namespace study::bench {
 
-/// A device on its wire over a while: a run for each time that it was armed; more than one where it
-/// failed and was connected again.
+/// Measurements of a device on its wire: one run for each time it was armed. There is more than one
+/// if it failed and was connected again.
 struct LinkSeries {
   std::string device;  ///< "punch", "arm"
-  double rate = 0.0;   ///< of its samples [Hz]
+  double rate = 0.0;   ///< rate of its samples [Hz]
   std::vector<haptics::bench::LinkRun> runs;
-  std::uint64_t sent = 0;  ///< samples that the emulator has made meanwhile
+  std::uint64_t sent = 0;  ///< samples that the emulator sent meanwhile
 
-  double seconds() const;                          ///< of ticking
-  const haptics::bench::LinkRun& longest() const;  ///< there is one
+  double seconds() const;                          ///< total duration of the runs
+  const haptics::bench::LinkRun& longest() const;  ///< there is at least one
   std::uint64_t sum(std::uint64_t haptics::devices::LinkReport::*of) const;
-  std::int64_t faults() const;  ///< how often it failed
+  std::int64_t faults() const;  ///< number of failures
 };
 
-/// Faults on the wire: injected by an emulator, or found by the device.
+/// Numbers of faults on the wire: injected by an emulator, or detected by the device.
 struct FrameFaults {
   static constexpr std::array<std::string_view, 4> kNames{"drop", "double", "reorder", "damage"};
   std::array<std::int64_t, kNames.size()> of{};
 };
 
-/// The loop stood still, several times.
+/// Standstills of the loop of one duration.
 struct StallSeries {
   LinkSeries link;
   double duration = 0.0;  ///< of each [ms]
   int stalls = 0;
-  std::vector<double> forces;      ///< at its beginning, where there was one [N]
-  std::vector<double> letGoAfter;  ///< when the device let go, from its beginning [ms]
-  int disarmed = 0;                ///< stalls after which the device took no more forces
+  std::vector<double> forces;      ///< at its beginning, if there was one [N]
+  std::vector<double> letGoAfter;  ///< until the device switched its force off [ms]
+  int disarmed = 0;                ///< standstills after which the device was disarmed
 };
 
 struct FaultCounts {
   std::string device;
   FrameFaults injected;
   FrameFaults found;
-  int repeated = 0;  ///< hundreds that were done again, because the device failed in them
+  int repeated = 0;  ///< hundreds that were repeated, because the device failed
 };
 
 struct DeviceMeasurement {
@@ -56,15 +56,15 @@ struct DeviceMeasurement {
 };
 
 struct DeviceBenchOptions {
-  double seconds = 20.0;           ///< of both devices at once; the other parts take less
+  double seconds = 20.0;           ///< of both devices together; the other parts take less [s]
   int faults = 1000;               ///< of each kind
-  std::vector<std::string> parts;  ///< none: all
+  std::vector<std::string> parts;  ///< empty: all
 };
 
 inline constexpr std::array<const char*, 4> kDeviceBenchParts{
     "together", "stalls", "rates", "counts"};
 
-/// Starts emulators as processes of their own, and measures a loop of this program with them.
+/// Starts emulators in their own processes, and measures a loop of this program with them.
 /// @throws UserError, haptics::devices::DeviceError  if no emulator can be started.
 DeviceMeasurement measureDevices(const DeviceBenchOptions& options);
 

@@ -1,4 +1,4 @@
-// palpate-bench devices: both devices on their wires, by their emulators.
+// palpate-bench devices: both devices on their wires, emulated.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -33,7 +33,7 @@ std::uint64_t ticksOf(const LinkSeries& series) {
   return all;
 }
 
-/// Of the longest run; both loops of this program share it.
+/// The processor share of the longest run, in which both loops of this program ran.
 double processorShare(const LinkSeries& series) {
   const auto& run = series.longest();
   return run.processor / std::max(run.seconds, 1e-9);
@@ -71,7 +71,7 @@ DataTable timeTable(const std::vector<LinkSeries>& together) {
   return table;
 }
 
-/// What came over the wire, of several series.
+/// The statistics of the wire for several series.
 DataTable sampleTable(
     const std::string& name, const std::string& caption, const std::vector<LinkSeries>& all) {
   DataTable table{

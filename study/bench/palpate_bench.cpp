@@ -1,4 +1,4 @@
-// palpate-bench: measurements of Palpate. No study needs it.
+// palpate-bench: measurements of Palpate. Studies do not need it.
 #include <CLI/CLI.hpp>
 
 #include "study/app/run_program.h"

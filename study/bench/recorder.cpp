@@ -29,7 +29,7 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A folder in another one that is removed with this.
+/// A folder inside another one; the destructor removes it.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::string& folder)
@@ -64,7 +64,7 @@ std::vector<TraceSample> chunkOfACut() {
   return chunk;
 }
 
-/// A file that is only appended to: the fastest way to keep bytes safe.
+/// A file that is only appended to: the fastest way to store bytes safely.
 class RawFile {
  public:
   explicit RawFile(const std::string& path)

@@ -8,7 +8,7 @@
 
 namespace study::bench {
 
-/// How fast a way of keeping samples is.
+/// The speed of one way of storing samples.
 struct RecorderRun {
   std::string way;
   double samplesPerSecond = 0.0;
@@ -16,20 +16,20 @@ struct RecorderRun {
   double worstCall = 0.0;  ///< for a thousand samples [ms]
 };
 
-/// A thousand samples at a time, each time safe on the disk: as studies keep them, and as a raw
-/// file, in turn. Leaves nothing in @p folder.
-/// @throws UserError, storage::StorageError  if the folder takes no files.
+/// Stores a thousand samples at a time, each time synchronised to the disk: as studies do, and in a
+/// raw file, in turn. Leaves nothing in @p folder.
+/// @throws UserError, storage::StorageError  if the folder cannot be written.
 std::vector<RecorderRun> compareRecorders(const std::string& folder, double seconds);
 
-/// What recording costs in the loop.
+/// The cost of recording in the force loop.
 struct RecorderLoop {
-  haptics::timing::LatenessHistogram push;  ///< time of handing a sample over [µs]
+  haptics::timing::LatenessHistogram push;  ///< time to pass a sample to the recorder [µs]
   std::uint64_t ticks = 0;
   std::uint64_t kept = 0;
   double seconds = 0.0;
 };
 
-/// A loop of @p rate [Hz] hands its samples to a recorder's thread, which keeps them in @p folder.
+/// A loop of @p rate [Hz] passes its samples to a recorder thread, which stores them in @p folder.
 RecorderLoop recordInLoop(const std::string& folder, double rate, double seconds);
 
 }  // namespace study::bench

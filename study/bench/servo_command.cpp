@@ -74,7 +74,7 @@ DataTable runTable(const std::vector<ServoRun>& runs) {
   return table;
 }
 
-/// The share of ticks that is later than so much, at 1 kHz or else the first rate.
+/// The share of ticks that are later than x, at 1 kHz or else the first rate.
 Chart latenessChart(const std::vector<ServoRun>& runs, double rate) {
   constexpr std::array kQuantiles{0.5, 0.8, 0.9, 0.95, 0.99, 0.995, 0.999, 0.9999};
   Chart chart{

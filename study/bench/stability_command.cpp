@@ -1,4 +1,4 @@
-// palpate-bench stability: stiff and extreme cases, each against a bound.
+// palpate-bench stability: stiff and extreme cases, each compared with a bound.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -99,7 +99,7 @@ DataTable wallTable(const StabilityResult& result) {
   return table;
 }
 
-/// Of the walls with an ideal encoder and no delay.
+/// The walls with an ideal encoder and no delay.
 DataTable wallSummary(const StabilityResult& result) {
   DataTable table{
       .name = "walls-summary",

@@ -1,4 +1,4 @@
-// palpate-bench stats: from the database of a study to its table of comparisons.
+// palpate-bench stats: the time from a study's database to its table of comparisons.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct StatsOptions {
   std::string out;
-  std::string disk;  ///< a folder for the database; empty: where temporary files go
+  std::string disk;  ///< a folder for the database; empty: the folder of temporary files
   std::int64_t answers = 1'000'000;
   int repetitions = 20;
 };
@@ -34,7 +34,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A folder that is removed with this.
+/// A folder that the destructor removes.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const fs::path& inside) : path_(inside / "palpate-bench-XXXXXX") {
@@ -59,8 +59,8 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// The most memory that this process has held since it began, or since forgetMostMemory() [MB].
-double mostMemory() {
+/// The largest memory use of this process since its start, or since resetPeakMemory() [MB].
+double peakMemory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
     constexpr std::string_view kMost = "VmHWM:";
@@ -70,21 +70,21 @@ double mostMemory() {
 }
 
 /// See proc(5), clear_refs: 5 resets the peak.
-void forgetMostMemory() {
+void resetPeakMemory() {
   std::ofstream("/proc/self/clear_refs") << "5";
 }
 
 struct StatsMeasurement {
   std::int64_t sessions = 0;
   double databaseSize = 0.0;    ///< [MB]
-  std::vector<double> seconds;  ///< from opening the study to its table
-  double memoryBefore = 0.0;    ///< before the first [MB]
-  double memory = 0.0;          ///< at most [MB]
-  std::uint64_t counted = 0;    ///< answers that the table holds
+  std::vector<double> seconds;  ///< from opening the study to its table [s]
+  double memoryBefore = 0.0;    ///< before the first run [MB]
+  double memory = 0.0;          ///< largest [MB]
+  std::uint64_t counted = 0;    ///< answers in the table
 };
 
-/// From a closed study to the comparisons of all its families and cohorts.
-/// @return how many answers they compare.
+/// Opens a study and computes the comparisons of all its families and cohorts.
+/// @return the number of compared answers.
 std::uint64_t compareAll(const fs::path& folder) {
   SystemClock clock;
   auto study = Study::open(folder, clock, storage::Database::Access::ReadOnly);
@@ -107,14 +107,14 @@ StatsMeasurement measure(const StatsOptions& options) {
   const auto made = makeSyntheticStudy(folder.path(), options.answers);
   StatsMeasurement measured{.sessions = made.sessions};
   measured.databaseSize = static_cast<double>(fs::file_size(made.folder / "study.db")) / 1e6;
-  forgetMostMemory();
-  measured.memoryBefore = mostMemory();
+  resetPeakMemory();
+  measured.memoryBefore = peakMemory();
   for (int i = 0; i < options.repetitions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     measured.counted = compareAll(made.folder);
     measured.seconds.push_back(secondsSince(start));
   }
-  measured.memory = mostMemory();
+  measured.memory = peakMemory();
   return measured;
 }
 

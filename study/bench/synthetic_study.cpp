@@ -20,8 +20,8 @@ constexpr const char* kProtocol = "punch-face-validity";
 constexpr std::uint64_t kSeed = 20'261'121;
 constexpr std::int64_t kSessionsATime = 10'000;  // in one transaction
 
-/// An item that is asked in every session of a cohort.
-struct Asked {
+/// An item that every session of a cohort asks.
+struct AskedItem {
   int step = 0;
   int order = 0;
   const Step* where = nullptr;
@@ -31,10 +31,10 @@ struct Asked {
 struct Cohort {
   std::string id;
   std::vector<Step> plan;
-  std::vector<Asked> asked;
+  std::vector<AskedItem> asked;
 };
 
-/// Writes one session after the other.
+/// Writes the sessions one after another.
 class Writer {
  public:
   explicit Writer(Study& study) : study_(study), loaded_(study.protocol()), random_(kSeed) {
@@ -96,7 +96,7 @@ class Writer {
     visit_.run();
   }
 
-  void addAnswer(std::int64_t session, const Asked& asked) {
+  void addAnswer(std::int64_t session, const AskedItem& asked) {
     answer_.bind(1, session)
         .bind(2, std::int64_t{asked.step})
         .bind(3, asked.item->id)
@@ -105,7 +105,8 @@ class Writer {
     answer_.run();
   }
 
-  /// Of a hundred people so many choose each of the five points; conditions differ a little.
+  /// A random point of the scale. The probabilities of the five points are fixed, and differ a
+  /// little between conditions.
   std::int64_t drawn(const std::string& condition) {
     constexpr std::array<int, 5> kOfOne{8, 20, 45, 78, 100};
     constexpr std::array<int, 5> kOfAnother{12, 27, 54, 83, 100};

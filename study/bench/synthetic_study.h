@@ -5,16 +5,16 @@
 
 namespace study::bench {
 
-/// A synthetic study, made for a measurement.
+/// A synthetic study for a measurement.
 struct SyntheticStudy {
   std::filesystem::path folder;
   std::int64_t sessions = 0;
 };
 
-/// A study of the published protocol with @p answers made-up answers of simulated participants, in
-/// the folder @p inside, which exists. Its audit trail says only that a program made it: `study
-/// verify` would not call it sound. Written as fast as the database allows; the same numbers each
-/// time.
+/// A study of the published protocol with @p answers artificial answers of simulated participants,
+/// in the existing folder @p inside. Its audit trail has one event of a program only, so `study
+/// verify` would report problems. Written as fast as the database allows, with the same numbers
+/// each time.
 /// @throws storage::StorageError
 SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int64_t answers);
 

@@ -36,9 +36,9 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-/// Lines of the input, each answered by one, until somebody ends this program, its seconds have
-/// passed, or "quit" comes. Without any input it goes on, unless it was asked not to.
-void obeyInput(
+/// Answers each line of the input by one line, until a signal, the end of the requested seconds, or
+/// "quit". If the input ends, goes on, unless it was asked to end with it.
+void executeInput(
     const EmulateArguments& arguments,
     const std::string& help,
     const std::function<std::string(const std::string&)>& obey) {
@@ -52,8 +52,8 @@ void obeyInput(
       seconds > 0.0 ? timing::now() + static_cast<std::int64_t>(1e9 * seconds) : INT64_MAX;
   while (isEnded == 0 && timing::now() < until) {
     pollfd watched{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-    constexpr int kLook = 50;  // [ms]
-    if (poll(&watched, hasInput ? 1 : 0, kLook) <= 0) continue;
+    constexpr int kPollPeriod = 50;  // [ms]: how soon a signal or the end of the time is noticed
+    if (poll(&watched, hasInput ? 1 : 0, kPollPeriod) <= 0) continue;
     std::array<char, 512> bytes{};
     const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
     if (count <= 0) hasInput = false;
@@ -68,9 +68,9 @@ void obeyInput(
   }
 }
 
-/// This thread, and those that it starts, go before other programs where that is granted: who gives
-/// an order holds what the stand-in's loop waits for.
-void beLikeHardware() {
+/// Gives this thread and those that it starts a high priority, if permitted: this thread holds the
+/// lock that the emulator's loop needs.
+void raiseOwnPriority() {
   timing::raisePriority(timing::kStandInPriority);
 }
 
@@ -80,17 +80,17 @@ int emulateSerial(const EmulateArguments& arguments) {
   if (!arguments.firmware.empty()) {
     QemuPunch board(arguments.firmware, arguments.link);
     say("ready port=" + board.port() + " qemu_pid=" + std::to_string(board.id()));
-    obeyInput(
+    executeInput(
         arguments, QemuPunch::help(), [&](const std::string& line) { return board.command(line); });
     return 0;
   }
-  beLikeHardware();
+  raiseOwnPriority();
   emulators::PunchEmulator::Options options{.kind = arguments.kind, .link = {}};
   options.link = arguments.link;
   options.clockDrift = arguments.clockDrift;
   options.seed = arguments.seed;
   options.limits.rate = static_cast<std::uint16_t>(arguments.rate);
-  // The same speed in counts a step, however long a step is.
+  // Keeps the largest speed in counts per second when the rate differs from 1 kHz.
   options.limits.mostCountsAStep = options.limits.mostCountsAStep * 1000 / arguments.rate;
   const auto& hand = arguments.kind->hand;
   options.person.closed = hand.ordinaryReach;
@@ -109,13 +109,13 @@ int emulateSerial(const EmulateArguments& arguments) {
         punch.step();
       }
       due += period;
-      if (timing::now() - due > 100 * period) due = timing::now();  // lost time is not chased
+      if (timing::now() - due > 100 * period) due = timing::now();  // do not catch up on lost time
       timing::sleepUntil(due);
     }
   });
   say("ready port=" + punch.port());
   const std::string help(emulators::PunchEmulator::help());
-  obeyInput(arguments, help, [&](const std::string& line) {
+  executeInput(arguments, help, [&](const std::string& line) {
     const std::lock_guard lock(gate);
     if (line == "status") return punch.status();
     const std::string wrong = punch.command(line);
@@ -125,7 +125,7 @@ int emulateSerial(const EmulateArguments& arguments) {
 }
 
 int emulateIiwa(const EmulateArguments& arguments) {
-  beLikeHardware();
+  raiseOwnPriority();
   namespace fri = haptics::wire::fri;
   emulators::FriController::Options options;
   const auto client = haptics::devices::endpointFrom(arguments.client, 30200);
@@ -144,7 +144,7 @@ int emulateIiwa(const EmulateArguments& arguments) {
   emulators::FriController controller(options);
   std::jthread loop([&](const std::stop_token& stop) { controller.run(stop); });
   say("ready client=" + arguments.client + " local=" + controller.local().text());
-  obeyInput(arguments, emulators::FriOrders::help(), [&](const std::string& line) {
+  executeInput(arguments, emulators::FriOrders::help(), [&](const std::string& line) {
     const auto reply = controller.command(line);
     if (!reply.isTaken) return "error " + reply.text;
     return reply.text.empty() ? "ok " + line : reply.text;

@@ -6,25 +6,26 @@
 
 namespace study::app {
 
-/// What `palpate device emulate` was asked for.
+/// The options of `palpate device emulate`.
 struct EmulateArguments {
-  const haptics::devices::DeviceKind* kind = nullptr;  ///< on a serial line: which
-  std::string link;                                    ///< punch: a name for its port that stays
-  std::string client = "127.0.0.1:30200";              ///< iiwa: where messages go
+  const haptics::devices::DeviceKind* kind = nullptr;  ///< on a serial line: the kind of device
+  std::string link;                                    ///< punch: a fixed name for its port
+  std::string client = "127.0.0.1:30200";              ///< iiwa: destination of messages
   std::string version = "1.15";
   std::string model = "iiwa14";
   std::string overlay = "wrench";
-  std::string firmware;     ///< punch: a program for the board, to be run under QEMU
-  int rate = 1000;          ///< punch: of its loop [Hz]
-  int period = 5;           ///< iiwa: between messages [ms]
-  double clockDrift = 0.0;  ///< punch: of its clock [ppm]
-  double seconds = 0.0;     ///< how long; 0: until it is ended
+  std::string firmware;     ///< punch: firmware for the board, run under QEMU
+  int rate = 1000;          ///< punch: rate of its loop [Hz]
+  int period = 5;           ///< iiwa: period of messages [ms]
+  double clockDrift = 0.0;  ///< punch: drift of its clock [ppm]
+  double seconds = 0.0;     ///< duration [s]; 0: until it is stopped
   bool endsWithInput = false;
-  unsigned seed = 1;  ///< of hand and faults
+  unsigned seed = 1;  ///< of the hand's movement and of faults
 };
 
-/// A stand-in for a device on a pseudo-terminal, or for the arm's controller on UDP. Says "ready
-/// …" in a line, then obeys lines of its input ("drop 3", "status") until it is ended. Exit status.
+/// Emulates a device on a pseudo-terminal, or the arm's controller on UDP. Prints a line "ready …",
+/// then executes the lines of its input ("drop 3", "status") until it is stopped. Returns the exit
+/// status.
 int emulateSerial(const EmulateArguments& arguments);
 int emulateIiwa(const EmulateArguments& arguments);
 

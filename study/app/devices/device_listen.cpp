@@ -29,7 +29,7 @@ void enough(int) {
   isEnough = 1;
 }
 
-/// A row: time, then what the line has; the other cells stay empty.
+/// A row: the time, then the values of the line; missing cells are empty.
 struct Row {
   double time;  // [s]
 
@@ -85,7 +85,7 @@ int listen(const ListenArguments& arguments) {
       ++(read ? understood : others);
       if (read) out << std::visit(Row{time}, *read);
     }
-    if (count > 0) out.flush();  // what has been heard is kept, however this ends
+    if (count > 0) out.flush();  // keep what has been received, however this ends
   }
   out.flush();
   if (understood == 0 && !arguments.out.empty()) std::filesystem::remove(arguments.out);

@@ -6,13 +6,13 @@ namespace study::app {
 
 struct ListenArguments {
   std::string port;
-  std::string out;  ///< a CSV file to make; empty: the terminal
+  std::string out;  ///< a new CSV file; empty: the terminal
   int baud = 115'200;
-  double seconds = 0.0;  ///< how long; 0: until it is ended
+  double seconds = 0.0;  ///< duration [s]; 0: until it is stopped
 };
 
-/// Writes down what a punch prints that runs the published sketch: one row a line, with the time of
-/// its arrival. Nothing is sent to it. Exit status: 1 where no line of its kind has come.
+/// Records what a punch with the published sketch prints: one row a line, with the time of its
+/// arrival. Sends nothing to it. Returns the exit status: 1 if no valid line has arrived.
 int listen(const ListenArguments& arguments);
 
 }  // namespace study::app

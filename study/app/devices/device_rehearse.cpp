@@ -31,14 +31,15 @@ std::uint16_t freePort() {
   return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
 }
 
-/// The emulators that a protocol's devices need, and how they are reached.
-struct Stand {
+/// The emulators for a protocol's devices, and the device entries to connect to them.
+struct EmulatedDevices {
   std::vector<std::unique_ptr<EmulatorProcess>> emulators;
   std::vector<DeviceEntry> entries;
 };
 
-Stand standFor(const protocols::Protocol& protocol, const RehearseArguments& arguments) {
-  Stand stand;
+EmulatedDevices emulatedDevicesFor(
+    const protocols::Protocol& protocol, const RehearseArguments& arguments) {
+  EmulatedDevices emulated;
   for (const auto& need : protocol.devices) {
     const std::string seed = std::to_string(arguments.seed);
     if (need.kind->wire == haptics::devices::Wire::Serial) {
@@ -49,8 +50,8 @@ Stand standFor(const protocols::Protocol& protocol, const RehearseArguments& arg
       if (!arguments.firmware.empty()) {
         words.insert(words.end(), {"--firmware", arguments.firmware});
       }
-      stand.emulators.push_back(std::make_unique<EmulatorProcess>(words));
-      stand.entries.push_back({need.id, settings});
+      emulated.emulators.push_back(std::make_unique<EmulatorProcess>(words));
+      emulated.entries.push_back({need.id, settings});
     } else {
       haptics::devices::IiwaSettings settings;
       const haptics::emulators::FriArm::Options arm;
@@ -58,16 +59,16 @@ Stand standFor(const protocols::Protocol& protocol, const RehearseArguments& arg
       settings.model = arm.model;
       settings.tool.position.z() = arm.toolLength;
       settings.zero = arm.start;
-      stand.emulators.push_back(std::make_unique<EmulatorProcess>(std::vector<std::string>{
+      emulated.emulators.push_back(std::make_unique<EmulatorProcess>(std::vector<std::string>{
           "iiwa", "--seed", seed, "--client", "127.0.0.1:" + std::to_string(settings.port)}));
-      stand.entries.push_back({need.id, settings});
+      emulated.entries.push_back({need.id, settings});
     }
-    fmt::print("Started a stand-in for '{}': {}\n", need.id, stand.emulators.back()->ready());
+    fmt::print("Started a stand-in for '{}': {}\n", need.id, emulated.emulators.back()->ready());
   }
-  return stand;
+  return emulated;
 }
 
-/// The new folder of a rehearsal; gone again unless something has been recorded in it.
+/// The new folder of a rehearsal; removed again unless something has been recorded in it.
 class RehearsalFolder {
  public:
   explicit RehearsalFolder(const std::string& path) : path_(path) {
@@ -89,9 +90,9 @@ class RehearsalFolder {
   bool isKept_ = false;
 };
 
-/// Whether the stand-ins are fit for use; what was found is printed. Checked again where the
-/// machine stood still meanwhile.
-bool areFit(
+/// Checks the emulated devices and prints the findings. Repeats the check if the machine stood
+/// still meanwhile. Returns whether all passed.
+bool passCheck(
     const std::string& deviceFile,
     const protocols::Protocol& protocol,
     const RehearseArguments& arguments,
@@ -112,7 +113,7 @@ bool areFit(
   }
 }
 
-/// Exit status of a rehearsal that did not succeed, after its last sentence.
+/// Prints the last sentence of a failed rehearsal. Returns its exit status.
 int failed(const haptics::timing::StandstillWatch& watch, const std::string& what) {
   const auto verdict = verdictOf(false, watch.longest());
   if (verdict == RehearsalVerdict::NotJudged) {
@@ -129,7 +130,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
   return static_cast<int>(verdict);
 }
 
-/// For the screen: a link without the clock that only the record needs.
+/// For the terminal: without the clock offset of a link, which only the record needs.
 std::string shownOf(const storage::Event& event) {
   if (event.kind != "device_link") return storage::describe(event);
   constexpr std::string_view kLink =
@@ -155,9 +156,8 @@ void printLinks(Study& study) {
   }
 }
 
-/// How it went for those who do not exist. @throws DeviceError  where a device could not be had
-/// again.
-std::vector<SimulatedEnding> felt(
+/// Runs the simulated participants. @throws DeviceError  if a device could not be connected again.
+std::vector<SimulatedEnding> runParticipants(
     Study& study,
     SimulatedClock& clock,
     const RehearseArguments& arguments,
@@ -175,8 +175,8 @@ std::vector<SimulatedEnding> felt(
   return endings;
 }
 
-/// The last sentence. @return the exit status.
-int sayHowItEnded(
+/// Prints the last sentence. @return the exit status.
+int printVerdict(
     Study& study,
     const RehearseArguments& arguments,
     const std::vector<SimulatedEnding>& endings,
@@ -222,11 +222,11 @@ int rehearse(const RehearseArguments& arguments) {
         arguments.protocol + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
   }
   RehearsalFolder folder(arguments.out);
-  const auto stand = standFor(protocol->protocol, arguments);
+  const auto emulated = emulatedDevicesFor(protocol->protocol, arguments);
   const auto deviceFile = fs::path(arguments.out) / kDeviceFileName;
-  std::ofstream(deviceFile) << devicesAsJson(stand.entries);
+  std::ofstream(deviceFile) << devicesAsJson(emulated.entries);
   haptics::timing::StandstillWatch watch;
-  if (!areFit(deviceFile.string(), protocol->protocol, arguments, watch)) {
+  if (!passCheck(deviceFile.string(), protocol->protocol, arguments, watch)) {
     return failed(
         watch,
         "the stand-ins for the devices did not pass their check. Nothing was recorded, and " +
@@ -237,8 +237,8 @@ int rehearse(const RehearseArguments& arguments) {
   auto study = Study::create(fs::path(arguments.out) / "study", *protocol, clock, arguments.seed);
   folder.keep();
   try {
-    const auto endings = felt(study, clock, arguments, deviceFile.string(), watch);
-    return sayHowItEnded(study, arguments, endings, watch);
+    const auto endings = runParticipants(study, clock, arguments, deviceFile.string(), watch);
+    return printVerdict(study, arguments, endings, watch);
   } catch (const haptics::devices::DeviceError& error) {
     return failed(watch, error.what());
   }

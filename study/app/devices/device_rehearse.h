@@ -9,23 +9,24 @@ namespace study::app {
 struct RehearseArguments {
   std::string out;
   std::string protocol = "two-devices";
-  std::string firmware;  ///< for QEMU; empty: native
+  std::string firmware;  ///< for QEMU; empty: the built-in emulator
   int participants = 1;
   std::uint64_t seed = 1;
 };
 
-/// How a rehearsal ended; its exit status.
+/// The result of a rehearsal, which is its exit status.
 enum class RehearsalVerdict {
   Passed = 0,
   Failed = 1,
-  NotJudged = 3,  ///< the machine stood still for longer than a device waits: try again
+  NotJudged = 3,  ///< the machine stood still for longer than a device waits
 };
 
-/// What a rehearsal that went well or not says, on a machine that stood still for so long at most.
+/// The verdict of a rehearsal that passed or not, on a machine that stood still for at most @p
+/// stoodStill.
 RehearsalVerdict verdictOf(bool isPassed, std::chrono::milliseconds stoodStill) noexcept;
 
-/// Both emulators as processes of their own, a device file for them, the check of `device check`,
-/// and participants who do not exist, on real wires and in real time.
+/// Starts both emulators as processes, writes a device file for them, runs the checks of `device
+/// check`, and lets simulated participants take part over real wires in real time.
 /// @return the exit status: a RehearsalVerdict.
 int rehearse(const RehearseArguments& arguments);
 

@@ -56,7 +56,7 @@ void EmulatorProcess::start(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
   std::vector<std::string> texts{"palpate", "device", "emulate"};
   texts.insert(texts.end(), arguments.begin(), arguments.end());
-  texts.emplace_back("--until-input-ends");  // however this program ends, its pipes do
+  texts.emplace_back("--until-input-ends");  // the pipes close however this program ends
   std::vector<char*> words;
   for (auto& text : texts) words.push_back(text.data());
   words.push_back(nullptr);

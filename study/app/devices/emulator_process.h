@@ -7,22 +7,23 @@
 
 namespace study::app {
 
-/// An emulator as a process of its own: `palpate device emulate …`, of the palpate beside this
-/// program. It ends with this object, and with this process, however that ends.
+/// An emulator in its own process: `palpate device emulate …`, with the palpate of this program's
+/// folder. It ends with this object, or when this process ends.
 class EmulatorProcess {
  public:
-  /// @param arguments  after "device emulate". Waits until it says that it is ready.
-  /// @throws UserError  if it does not, with what it said instead.
+  /// Starts the emulator and waits until it is ready.
+  /// @param arguments  after "device emulate".
+  /// @throws UserError  with the emulator's output, if it does not start.
   explicit EmulatorProcess(const std::vector<std::string>& arguments);
   ~EmulatorProcess();
   EmulatorProcess(const EmulatorProcess&) = delete;
   EmulatorProcess& operator=(const EmulatorProcess&) = delete;
 
   pid_t id() const noexcept { return id_; }
-  /// What it said of itself: "port=/dev/pts/3".
+  /// The rest of its line "ready …": "port=/dev/pts/3".
   const std::string& ready() const noexcept { return ready_; }
 
-  /// A line for it ("drop 3"), and its answer.
+  /// Sends a line ("drop 3") and returns the answer; empty if there is none.
   std::string ask(const std::string& line);
 
  private:

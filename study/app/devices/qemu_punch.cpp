@@ -50,8 +50,7 @@ pid_t start(const std::string& firmware, int out) {
       "--firmware out: then the same program runs natively.");
 }
 
-/// The pseudo-terminal that QEMU says it has: "char device redirected to /dev/pts/0 (label
-/// serial0)".
+/// The pseudo-terminal in QEMU's output: "char device redirected to /dev/pts/0 (label serial0)".
 std::string portSaid(int from) {
   std::string said;
   pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
@@ -77,7 +76,7 @@ QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
         " is no firmware. It is built where arm-none-eabi-g++ is installed (./setup "
         "--firmware), as haptics/firmware/punch.elf in the build folder.");
   }
-  refuseNameOfAnother();
+  requireFreeLink();
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw UserError("No pipe can be had from the system.");
   try {
@@ -99,8 +98,8 @@ QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
   std::filesystem::create_symlink(port_, link_);
 }
 
-/// A name that leads to a port that is there belongs to whoever has that port.
-void QemuPunch::refuseNameOfAnother() const {
+/// Refuses a link whose port exists: another program uses it.
+void QemuPunch::requireFreeLink() const {
   std::error_code ignored;
   if (!std::filesystem::is_symlink(link_, ignored)) return;
   if (!std::filesystem::exists(link_, ignored)) return;

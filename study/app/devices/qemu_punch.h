@@ -6,12 +6,12 @@
 
 namespace study::app {
 
-/// The punch's firmware as it is compiled for a Cortex-M3, run by QEMU (mps2-an385) behind a
-/// pseudo-terminal, with a handle that is simulated on the board. QEMU keeps neither the
-/// processor's speed nor its timing.
+/// The punch's firmware, compiled for a Cortex-M3 and run by QEMU (mps2-an385) on a
+/// pseudo-terminal; the board itself simulates the handle. QEMU reproduces neither the processor's
+/// speed nor its timing.
 class QemuPunch {
  public:
-  /// @param link  a name for its port that stays; empty: the one that QEMU gets.
+  /// @param link  a fixed name for its port; empty: the one that QEMU chooses.
   /// @throws UserError  if QEMU or the firmware is missing, in words.
   QemuPunch(const std::string& firmware, const std::string& link);
   ~QemuPunch();
@@ -21,12 +21,12 @@ class QemuPunch {
   const std::string& port() const noexcept { return link_.empty() ? port_ : link_; }
   pid_t id() const noexcept { return id_; }
 
-  /// "kill", "stop", "continue" or "status"; the answer.
+  /// Executes "kill", "stop", "continue" or "status"; returns the answer.
   std::string command(const std::string& line);
   static std::string help() { return "kill, stop, continue, status, help, quit"; }
 
  private:
-  void refuseNameOfAnother() const;
+  void requireFreeLink() const;
 
   std::string firmware_;
   std::string link_;

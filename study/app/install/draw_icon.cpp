@@ -1,5 +1,5 @@
-// draw_icon: the icon as a picture of a given size, for desktops that do not draw SVG. Part of the
-// build; it is not installed.
+// draw_icon: writes the icon as a picture of a given size, for desktops without SVG. Used by the
+// build only; it is not installed.
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,5 +1,5 @@
-// write_reference: the manual pages and bash completions of all programs, for the package. Part of
-// the build; it is not installed.
+// write_reference: writes the manual pages and bash completions of all programs for the package.
+// Used by the build only; it is not installed.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -17,7 +17,7 @@ namespace {
 
 using study::app::ManPageSections;
 
-/// @throws std::ios_base::failure where the file cannot be written.
+/// @throws std::ios_base::failure if the file cannot be written.
 void write(const std::string& path, const std::string& text) {
   std::ofstream file;
   file.exceptions(std::ios::failbit | std::ios::badbit);

@@ -24,7 +24,7 @@ reaming::TriangleMesh trianglesOf(const std::vector<protocols::NamedSurface>& su
   return mesh;
 }
 
-/// @throws UserError  with what the reader says.
+/// @throws UserError  with the reader's message.
 std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   try {
     return protocols::readMeshFile(path);
@@ -33,7 +33,7 @@ std::vector<protocols::NamedSurface> surfacesIn(const std::string& path) {
   }
 }
 
-/// How many metres one unit of the mesh is.
+/// Metres per unit of the mesh.
 double unitOf(const reaming::TriangleMesh& mesh, const std::string& unit, BodyMesh& body) {
   if (unit == "m") return 1.0;
   if (unit == "mm") return 0.001;

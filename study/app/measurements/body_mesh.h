@@ -7,14 +7,14 @@
 
 namespace study::app {
 
-/// A body from an STL, OBJ or PLY file, ready to be filled.
+/// A body from an STL, OBJ or PLY file, ready to be packed with spheres.
 struct BodyMesh {
   haptics::reaming::TriangleMesh mesh;  ///< [m]
-  std::vector<std::string> said;        ///< what was mended and taken for granted
+  std::vector<std::string> said;        ///< repairs and assumptions, in words
 };
 
-/// @param unit  "m", "mm", or empty: from the size of the mesh.
-/// @throws UserError  in words, where there is no such file, or it has no inside.
+/// @param unit  "m", "mm", or empty: derived from the size of the mesh.
+/// @throws UserError  in words, if the file is missing or its surface encloses no volume.
 BodyMesh readBody(const std::string& path, const std::string& unit);
 
 }  // namespace study::app

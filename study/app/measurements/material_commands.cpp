@@ -31,8 +31,8 @@ struct FitCommand {
   std::string title = "A reaming material";
 };
 
-/// Says where a harder bone would feel softer by more than @p felt [N, N·m], and what keeps the
-/// order.
+/// Warns if a harder bone would be softer by more than @p felt [N, N·m] at some depth, and says
+/// which option prevents it.
 void warnOfCrossings(
     const reaming::FittedEnvelope& envelope,
     const char* quantity,
@@ -53,7 +53,7 @@ void warnOfCrossings(
       fmt::join(reaming::whatKeepsTheOrder(options), " and "));
 }
 
-/// How far all specimens are measured, and how many are left at the end.
+/// The depth that all specimens reach, and how many remain at the end.
 std::string specimensLeft(const reaming::TestSetFit& set) {
   const auto stretches = reaming::specimensLeftOf(set.force);
   const auto& last = stretches.back();
@@ -91,8 +91,8 @@ void print(const reaming::MaterialFit& fit, const reaming::FitOptions& options) 
   }
 }
 
-/// @throws UserError  where a spline does not have the error that was wanted.
-void checkErrors(const reaming::MaterialFit& fit, const reaming::FitOptions& options) {
+/// @throws UserError  if a spline's error exceeds the requested one.
+void requireSmallErrors(const reaming::MaterialFit& fit, const reaming::FitOptions& options) {
   const bool isPublished = options.nodes == reaming::NodeRule::PaperLiteral;
   for (const auto& curve : curvesOf(fit, options)) {
     if (curve.curve->isMet) continue;
@@ -110,8 +110,8 @@ void checkErrors(const reaming::MaterialFit& fit, const reaming::FitOptions& opt
   }
 }
 
-/// What cannot be felt is not written as a material.
-void checkCanBeFelt(const FitCommand& command, const reaming::FitOptions& options) {
+/// Refuses to write a material that the engine cannot render.
+void requireRenderable(const FitCommand& command, const reaming::FitOptions& options) {
   if (command.out.empty()) return;
   if (options.axis != reaming::DepthAxis::Depth) {
     throw UserError(
@@ -128,7 +128,7 @@ void checkCanBeFelt(const FitCommand& command, const reaming::FitOptions& option
 
 int fit(FitCommand& command, const CLI::App& verb) {
   const auto options = command.inputs.chosen(verb);
-  checkCanBeFelt(command, options);
+  requireRenderable(command, options);
   const auto read = readAll(command.inputs);
   const auto result = reaming::fitMaterial(read.series, options);
   print(result, options);
@@ -136,7 +136,7 @@ int fit(FitCommand& command, const CLI::App& verb) {
     fmt::print("SYNTHETIC: nobody measured these series, and what comes of them says so.\n");
   }
   if (result.sets.empty()) throw UserError("Every series was left out; there is nothing to fit.");
-  if (!options.nodesOf) checkErrors(result, options);
+  if (!options.nodesOf) requireSmallErrors(result, options);
   if (!command.out.empty()) {
     writeNewFile(
         command.out,
@@ -175,7 +175,7 @@ struct CompareCommand {
   std::string report;
 };
 
-/// Every curve that there is, as --curve wants it.
+/// The names of all curves, as --curve takes them.
 std::string namesOf(const std::vector<NamedCurve>& curves) {
   std::string names;
   for (const auto& curve : curves) names += (names.empty() ? "" : ", ") + pathOf(curve);

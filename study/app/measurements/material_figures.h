@@ -10,8 +10,8 @@ namespace study::app {
 
 inline constexpr double kMillimetres = 1000.0;  ///< in a metre
 
-/// Every so many of @p count points, at most about @p most, so that a figure of 200,000 samples
-/// stays one that opens.
+/// A regular selection of at most about @p most of @p count points, so that a figure of 200,000
+/// samples can be opened.
 template <typename X, typename Y>
 report::ChartSeries thinned(
     const std::string& title, std::size_t count, X x, Y y, std::size_t most = 3000) {
@@ -21,7 +21,7 @@ report::ChartSeries thinned(
   return series;
 }
 
-/// A curve with its x times @p scale.
+/// A curve with x multiplied by @p scale.
 inline report::ChartSeries lineOf(
     const std::string& title,
     const haptics::reaming::SampledCurve& curve,

@@ -10,7 +10,7 @@
 
 namespace study::app {
 
-/// The series and the choices that the commands of `material` share, as they were typed.
+/// The options that the `material` commands share, as they were typed.
 struct MaterialInputs {
   std::vector<std::string> files[3];  ///< by test set
   std::vector<std::string> columns;
@@ -24,10 +24,10 @@ struct MaterialInputs {
   bool isSynthetic = false;
   haptics::reaming::FitOptions options;
 
-  /// Adds the options to @p verb; this outlives it.
+  /// Adds the options to @p verb; this object must outlive it.
   void addTo(CLI::App& verb);
 
-  /// What was chosen. @throws UserError  where two choices exclude each other.
+  /// The chosen options. @throws UserError  if two options exclude each other.
   haptics::reaming::FitOptions chosen(const CLI::App& verb) const;
 };
 
@@ -35,10 +35,11 @@ struct MaterialInputs {
 struct ReadSeries {
   std::vector<haptics::reaming::Series> series;
   std::vector<protocols::MaterialSource> sources;  ///< of each
-  bool isSynthetic = false;                        ///< one of them is
+  bool isSynthetic = false;                        ///< whether one of them is synthetic
 };
 
-/// @throws UserError  where no file was named; haptics::recordings::Error where one is no series.
+/// @throws UserError  if no file was named; haptics::recordings::Error if a file is no valid
+///     series.
 ReadSeries readAll(const MaterialInputs& inputs);
 
 }  // namespace study::app

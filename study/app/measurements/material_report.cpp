@@ -16,10 +16,10 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-/// What a figure of a test set has on its x axis.
+/// The x axis of a test set's figures.
 struct DepthScale {
   std::string title;
-  double factor;  ///< of depths in metres
+  double factor;  ///< multiplied by depths [m]
 };
 
 DepthScale depthScaleOf(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
@@ -138,7 +138,7 @@ DataTable errorTable(const std::vector<NamedCurve>& curves) {
   return table;
 }
 
-/// Of which specimens the curves of a test set are made.
+/// The number of specimens that a test set's curves are made from, over depth.
 DataTable leftTable(const reaming::TestSetFit& set) {
   DataTable table{
       .name = "specimens-" + std::string(nameOf(set.set)),
@@ -152,7 +152,7 @@ DataTable leftTable(const reaming::TestSetFit& set) {
   return table;
 }
 
-/// An envelope and its splines, place by place, for a CSV file.
+/// An envelope and its splines at all depths, for a CSV file.
 DataTable envelopeTable(
     const reaming::TestSetFit& set,
     const char* quantity,
@@ -311,7 +311,8 @@ report::DocumentPart splineComparisonPart(
     line.style = ChartSeries::Style::Dashed;
     chart.series.push_back(std::move(line));
     const auto& first = comparison.splines.front();
-    // The paper's "at the same reamer displacement": that of the first spline's largest error.
+    // The paper's "at the same reamer displacement" is the depth of the first spline's largest
+    // error.
     const auto there = [&](double share, double depth) {
       return &spline == &first ? std::string()
                                : fmt::format(

@@ -8,33 +8,34 @@
 
 namespace study::app {
 
-/// As many nodes as Fig. 7 of the reaming paper has.
+/// The number of nodes in Fig. 7 of the reaming paper.
 inline constexpr std::size_t kPaperNodes = 12;
 
-/// A curve of a fit, and what it is called.
+/// A curve of a fit with its names.
 struct NamedCurve {
   std::string setName;
   std::string quantity;   ///< "force" or "torque"
   std::string curveName;  ///< "minimum", "average" or "middle-specimen", "maximum"
   const haptics::reaming::FittedCurve* curve = nullptr;
-  double floor = 0.0;  ///< of its errors [N, N·m]
+  double floor = 0.0;  ///< least denominator of its relative errors [N, N·m]
 };
 
-/// Every curve of @p fit, which outlives them.
+/// Every curve of @p fit, which must outlive them.
 std::vector<NamedCurve> curvesOf(
     const haptics::reaming::MaterialFit& fit, const haptics::reaming::FitOptions& options);
 
 /// "dynamic-1/force/maximum"
 std::string pathOf(const NamedCurve& curve);
 
-/// What the curve between minimum and maximum is called.
+/// The name of the curve between minimum and maximum.
 std::string middleNameOf(haptics::reaming::EnvelopeRule rule);
 
-/// Figures 3 to 7 of the reaming paper for any data: all series; of each series, force and torque,
-/// measured and filtered, their spectra, and normalised; envelopes; the cubic against the Hermite
-/// spline on the same nodes; tables of every series and every curve; and all data as CSV files.
+/// Figures 3 to 7 of the reaming paper for any data: all series; for each series force and torque,
+/// measured, filtered and normalised, and their spectra; envelopes; the cubic and the Hermite
+/// spline on the same nodes. Also tables of every series and every curve, and all data as CSV
+/// files.
 ///
-/// @param series  as the fit was made of, in the same order.
+/// @param series  of the fit, in the same order.
 report::Document materialReport(
     const std::vector<haptics::reaming::Series>& series,
     const haptics::reaming::MaterialFit& fit,
@@ -51,8 +52,8 @@ report::DocumentPart seriesPart(
     double scale,
     const haptics::reaming::FitOptions& options);
 
-/// What a fit chose, with the nodes of Fig. 7 of the paper where nothing else was said: 12, placed
-/// for the natural cubic.
+/// The options of a fit. If no nodes were chosen, those of the paper's Fig. 7: 12, placed for the
+/// natural cubic.
 haptics::reaming::FitOptions forFigure7(haptics::reaming::FitOptions options);
 
 /// Fig. 7 of the paper for a curve: the natural cubic and the Hermite spline through the nodes that

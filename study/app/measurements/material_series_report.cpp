@@ -1,4 +1,4 @@
-// One series of a material's report: what was measured, filtered and normalised.
+// The report on one series of a material: measured, filtered and normalised.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,8 @@ namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
 
-constexpr std::size_t kPoints = 700;  // of a line: there are six figures for each of 72 series
+// of a line; with 72 series of six figures each, more would make the file too large
+constexpr std::size_t kPoints = 700;
 
 /// Force or torque of a series.
 struct Quantity {

@@ -66,7 +66,7 @@ void printMark(const reaming::PackedBone& bone) {
   if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
 }
 
-/// Tells of every pass once.
+/// Prints each pass once.
 bool tell(const reaming::PackingProgress& progress, double& lastRadius) {
   if (progress.radius == lastRadius) return true;
   lastRadius = progress.radius;
@@ -169,14 +169,14 @@ struct DensityCommand {
   std::string report;
   std::size_t depths = 400;
   std::string method = "exact";
-  std::size_t layers = 12;  ///< of a swarm
+  std::size_t layers = 12;  ///< of swarm optimisation
   reaming::SwarmOptions swarm;
 };
 
 /// The options of --method swarm.
 constexpr const char* kSwarmOptions[]{"--layers", "--particles", "--iterations", "--seed"};
 
-/// How densities are found; empty for the exact way.
+/// How densities are found; empty for the exact method.
 reaming::DensityMethod methodOf(const DensityCommand& command) {
   if (command.method == "exact") return {};
   return [&command](const reaming::ContactMatrix& matrix, std::span<const double> forces) {
@@ -209,7 +209,7 @@ void printFit(const reaming::CurveFit& curve, bool isSwarm) {
       spheres.iterations);
 }
 
-/// Reams what was fitted, as the machine of the paper would.
+/// Reams the fitted bone as the machine in the paper does.
 void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitReport& report) {
   double h = 0.0;
   for (const auto& curve : report.curves) {

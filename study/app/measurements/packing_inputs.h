@@ -11,23 +11,23 @@ class App;
 
 namespace study::app {
 
-/// Which curves a bone is to feel like.
+/// The curves that a bone is fitted to.
 struct MaterialChoice {
   std::string file;  ///< or "parametric"
   std::string set = "dynamic-1";
 };
 void addMaterialOptions(CLI::App& verb, MaterialChoice& choice);
 
-/// @throws UserError  in words, where the file is missing or no packing.
+/// @throws UserError  in words, if the file is missing or is no packing.
 haptics::reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& origin);
 
 struct ChosenCurves {
   haptics::reaming::HardnessCurves curves;
-  bool isSynthetic = false;  ///< nobody measured them
+  bool isSynthetic = false;  ///< not measured
 };
 
-/// The curves, and into @p origin what they are called.
-/// @throws UserError  in words, where the file is missing, no material, or has no such test set.
+/// The curves; writes their names into @p origin.
+/// @throws UserError  in words, if the file is missing, is no material, or has no such test set.
 ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin);
 
 }  // namespace study::app

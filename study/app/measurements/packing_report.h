@@ -8,14 +8,14 @@
 
 namespace study::app {
 
-/// What @p bone says of itself where nobody measured it; empty where somebody did.
+/// A note that @p bone was not measured; empty if it was.
 std::string syntheticMark(const haptics::reaming::PackedBone& bone);
 
-/// Each curve whose optimum was not reached, in a sentence: its densities are not what the curve
-/// asks for.
+/// A sentence for each curve whose fit did not reach its optimum: its densities do not give the
+/// force of the curve.
 std::vector<std::string> warningsOf(const haptics::reaming::BoneFitReport& fit);
 
-/// How the spheres of a bone feel against the curves they were fitted to.
+/// Compares the forces of a bone's spheres with the curves they were fitted to.
 report::Document packingReport(
     const haptics::reaming::PackedBone& bone, const haptics::reaming::BoneFitReport& fit);
 

@@ -23,7 +23,7 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-/// How readings become forces, and the travel smooth.
+/// How readings are converted to forces, and how travel is filtered.
 struct Reading {
   std::string calibration = "paper-eq1";
   std::string filter = "authors-fir";
@@ -53,7 +53,7 @@ struct ImportCommand {
   bool json = false;
 };
 
-/// "5900:5975", numbered from 1, both ends included.
+/// "5900:5975": rows numbered from 1, the last one included.
 recordings::RowRange rowRange(const std::string& text) {
   recordings::RowRange range;
   char colon = '\0';
@@ -111,8 +111,8 @@ void printSurvey(
   }
 }
 
-/// The cut that was asked for. Where nothing was asked for and none can be chosen, nothing, and why
-/// not: a recording may be looked at all the same.
+/// The requested cut. If none was requested and none can be chosen automatically, std::nullopt with
+/// the reason: the recording can still be shown.
 std::optional<recordings::ImportedCut> cutFrom(
     const recordings::Recording& recording, const ImportCommand& command, std::string& whyNot) {
   const bool isLookingOnly =

@@ -15,7 +15,7 @@ using analysis::PublishedTable;
 
 constexpr std::uint64_t kMostSizes = 100;
 
-/// Nothing where one of them is not stated.
+/// std::nullopt if one of them is not stated.
 std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
   GroupSizes sizes;
   for (const auto& group : table.groups) {
@@ -25,7 +25,7 @@ std::optional<GroupSizes> statedSizes(const PublishedTable& table) {
   return sizes;
 }
 
-/// For every group the sizes to be tried.
+/// The sizes to try for every group.
 std::vector<GroupSizes> sizesToTry(const PublishedTable& table, const PublishedQuestion& question) {
   std::vector<GroupSizes> all;
   for (const auto& group : table.groups) {

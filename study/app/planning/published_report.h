@@ -12,29 +12,29 @@
 
 namespace study::app {
 
-/// What is asked of a published table beside its own numbers.
+/// The options for checking a published table.
 struct PublishedQuestion {
-  /// Sizes of the groups to be tried, from … to; without them those that the table states.
+  /// Sizes to try, the same for all groups; without them the sizes stated by the table.
   std::optional<std::uint64_t> fewest;
   std::optional<std::uint64_t> most;
-  /// What the answers were given on; without it whole answers are not looked for.
+  /// The scale of the answers; without it no sets of whole answers are searched for.
   std::optional<analysis::AnswerScale> scale;
 };
 
-/// Everything that was found about a published table.
+/// All findings on a published table.
 struct PublishedReport {
   analysis::PublishedTable table;
   PublishedQuestion question;
-  /// At the sizes that the table states, by every convention; empty where it states none.
+  /// With the stated sizes, for every convention; empty if the table states none.
   std::vector<analysis::ConventionCheck> atStated;
-  /// At sizes that are the same in every group, by every convention; empty where none were asked
-  /// for.
+  /// With equal sizes of all groups, for every convention; empty if none were requested.
   std::vector<analysis::ConventionCheck> atEqual;
-  /// Whole answers, by every convention; empty without a scale.
+  /// Sets of whole answers that give the table's values, for every convention; empty without a
+  /// scale.
   std::vector<analysis::FittingSizes> wholeAnswers;
 };
 
-/// @throws analysis::Error  in words, where sizes are missing or there is too much to try.
+/// @throws analysis::Error  in words, if sizes are missing or there are too many combinations.
 PublishedReport examine(const analysis::PublishedTable& table, const PublishedQuestion& question);
 
 std::string publishedReportAsText(const PublishedReport& report);

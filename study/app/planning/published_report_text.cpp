@@ -24,7 +24,7 @@ std::string namesAndSizes(const PublishedTable& table, const analysis::GroupSize
   return words;
 }
 
-/// 24–27, 30
+/// Numbers as ranges: "24–27, 30".
 std::string inRanges(const std::vector<std::uint64_t>& numbers) {
   std::string words;
   for (std::size_t i = 0; i < numbers.size();) {
@@ -73,7 +73,7 @@ std::string comparisonTable(const PublishedTable& table, const ConventionCheck& 
   return text + "\n";
 }
 
-/// Which conventions explain the whole row.
+/// The conventions that reproduce the whole row.
 std::string statedPart(const PublishedReport& report) {
   std::string text = comparisonTable(report.table, report.atStated.front());
   std::vector<std::string> fitting;

@@ -60,7 +60,7 @@ std::set<std::string> conditionsOf(const protocols::Family& family) {
   return conditions;
 }
 
-/// How many Likert statements somebody answers about @p condition for @p family.
+/// The number of Likert statements that a participant answers about @p condition for @p family.
 std::size_t answersTo(
     const std::string& condition, const protocols::Family& family, const LoadedProtocol& loaded) {
   const auto& instrument = *loaded.instrument(family.instrument);

@@ -13,38 +13,38 @@
 
 namespace study::app {
 
-/// What is asked of a plan.
+/// The options of a plan.
 struct PlanQuestion {
-  std::optional<std::uint64_t> participants;  ///< of every cohort, instead of what is planned
-  double dz = 1.0;               ///< the difference that is to be found, in its own deviations
-  std::optional<double> alpha;   ///< of a family, instead of what it declares
-  double power = 0.8;            ///< that is wanted
-  std::uint64_t studies = 2000;  ///< to be simulated; 0: none
-  std::uint64_t seed = 1;        ///< of the simulation
-  /// How answers vary: see analysis::LikertModel. Points, conditions, answers and the effect are
-  /// taken from the protocol and from above.
+  std::optional<std::uint64_t> participants;  ///< of every cohort, in place of the planned number
+  double dz = 1.0;                            ///< the effect to detect: Cohen's d_z
+  std::optional<double> alpha;                ///< of a family, in place of the declared level
+  double power = 0.8;                         ///< the required power
+  std::uint64_t studies = 2000;               ///< number of simulated studies; 0: no simulation
+  std::uint64_t seed = 1;                     ///< of the simulation
+  /// How answers vary: see analysis::LikertModel. Points, conditions, answers and effect come from
+  /// the protocol and from the options above.
   analysis::LikertModel model;
   Pace pace;
 };
 
-/// A block, and how many participants balance its orders.
+/// A block, and the number of participants that balances its orders.
 struct BlockPlan {
   std::string phase;
   std::size_t conditions = 0;
   protocols::OrderType order = protocols::OrderType::Fixed;
   std::size_t multipleOf = 1;  ///< as protocols::Balance::multipleOf
-  bool hasOneOrder = false;    ///< the same for everybody
+  bool hasOneOrder = false;    ///< the same order for all participants
 };
 
-/// What a family of comparisons can find with so many participants.
+/// What a family of comparisons can detect with a number of participants.
 struct Prospect {
   std::uint64_t participants = 0;
-  analysis::AttainableP pair;  ///< the smallest p of an exact paired test (sign flip, signed rank)
-  bool canFindPairs = false;   ///< that p is not above alpha per comparison
-  std::optional<analysis::AttainableP> friedman;  ///< of all conditions at once; from three on
-  std::optional<double> power;  ///< of a paired t-test for the effect asked for; from two people on
-  std::optional<analysis::SimulatedPower> found;     ///< with that effect
-  std::optional<analysis::SimulatedPower> invented;  ///< without any effect: errors
+  analysis::AttainableP pair;  ///< smallest p of an exact paired test (sign flip, signed rank)
+  bool canFindPairs = false;   ///< whether that p reaches alpha per comparison
+  std::optional<analysis::AttainableP> friedman;  ///< of three or more conditions together
+  std::optional<double> power;  ///< of a paired t-test for the requested effect; needs two people
+  std::optional<analysis::SimulatedPower> found;     ///< simulated with that effect
+  std::optional<analysis::SimulatedPower> invented;  ///< simulated without an effect
 };
 
 /// A family of comparisons as the protocol declares it.
@@ -53,29 +53,29 @@ struct FamilyPlan {
   std::string title;
   std::size_t comparisons = 0;
   std::size_t conditions = 0;
-  std::size_t answers = 0;  ///< of one person to one condition; the fewest of all conditions
+  std::size_t answers = 0;  ///< of one person to one condition; the smallest number over conditions
   int points = 5;           ///< of the scale
   double alpha = 0.05;
   double alphaPerTest = 0.05;
-  bool isCorrected = true;                ///< alphaPerTest is that of the strictest step
-  std::string correction;                 ///< "Holm"
-  std::uint64_t fewestForAnyP = 0;        ///< with fewer no exact paired test can find anything
-  std::optional<std::uint64_t> forPower;  ///< participants for the effect and the power asked for
-  std::optional<std::uint64_t> recommended;  ///< the same, as a number that balances the orders
+  bool isCorrected = true;                   ///< alphaPerTest is that of the strictest step
+  std::string correction;                    ///< "Holm"
+  std::uint64_t fewestForAnyP = 0;           ///< participants that an exact paired test needs
+  std::optional<std::uint64_t> forPower;     ///< participants for the requested effect and power
+  std::optional<std::uint64_t> recommended;  ///< the next number that balances the orders
   std::vector<Prospect> prospects;           ///< for every cohort, in the protocol's order
 };
 
-/// A vote on the alternatives of a block, in one cohort.
+/// A vote between the alternatives of a block, in one cohort.
 struct VotePlan {
   std::string phase;
   std::string cohort;
   int alternatives = 0;
   std::uint64_t votes = 0;
-  std::optional<std::uint64_t> toWin;  ///< for one alternative, to be more than chance
-  bool canDecide = false;              ///< all votes for one alternative would be more than chance
+  std::optional<std::uint64_t> toWin;  ///< fewest votes for one alternative to be significant
+  bool canDecide = false;              ///< whether a unanimous vote would be significant
 };
 
-/// Two cohorts beside each other, in one condition.
+/// Two cohorts compared in one condition.
 struct CohortPairPlan {
   std::string first;
   std::string second;
@@ -85,22 +85,22 @@ struct CohortPairPlan {
 struct CohortPlan {
   std::string id;
   std::string title;
-  std::uint64_t participants = 0;  ///< 0: nobody has said how many
-  bool isBalanced = false;         ///< in every block whose orders can be
+  std::uint64_t participants = 0;  ///< 0: the protocol does not say
+  bool isBalanced = false;         ///< in every block whose orders can be balanced
 };
 
-/// Everything that a protocol tells before anybody comes.
+/// What can be computed from a protocol before the study begins.
 struct StudyPlan {
   std::string title;
   PlanQuestion question;
   std::vector<BlockPlan> blocks;
-  std::size_t balancedBy = 1;  ///< a multiple of it balances every block; 1: nothing to balance
+  std::size_t balancedBy = 1;  ///< a multiple of it balances every block; 1: none to balance
   std::vector<CohortPlan> cohorts;
-  std::vector<CohortPairPlan> cohortPairs;  ///< of those whose participants are known
+  std::vector<CohortPairPlan> cohortPairs;  ///< for pairs of cohorts of known size
   std::vector<FamilyPlan> families;
   std::vector<VotePlan> votes;
   SessionLength length;
-  double mostForce = 0.0;  ///< of all devices that the study needs [N]
+  double mostForce = 0.0;  ///< largest force of all devices of the study [N]
 };
 
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const PlanQuestion& question);
@@ -108,7 +108,7 @@ StudyPlan planOf(const protocols::LoadedProtocol& loaded, const PlanQuestion& qu
 std::string studyPlanAsText(const StudyPlan& plan);
 std::string studyPlanAsJson(const StudyPlan& plan);
 
-/// What an application to an ethics committee asks about numbers and duration: a paragraph.
+/// A paragraph on numbers and duration for an application to an ethics committee.
 std::string ethicsParagraph(const StudyPlan& plan);
 
 }  // namespace study::app

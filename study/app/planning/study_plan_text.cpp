@@ -334,8 +334,8 @@ std::string findableInWords(const StudyPlan& plan, const FamilyPlan& family) {
   return words + ".";
 }
 
-/// "all 3 conditions"; of several blocks "3 conditions in “a” and 2 conditions in “b”". Nothing
-/// where no block has two.
+/// "all 3 conditions"; for several blocks "3 conditions in “a” and 2 conditions in “b”". Empty if
+/// no block has two conditions.
 std::string feltInWords(const StudyPlan& plan) {
   std::string words;
   std::size_t most = 0;

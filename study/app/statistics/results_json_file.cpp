@@ -12,7 +12,7 @@ namespace {
 
 using ResultJson = nlohmann::ordered_json;
 
-/// JSON has no infinity: a t beyond every number is null, and the reason says so.
+/// JSON has no infinity: an infinite statistic is null, with the reason in its row.
 ResultJson nullable(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ResultJson(*value) : ResultJson(nullptr);
 }
@@ -56,7 +56,8 @@ void addSizes(ResultJson& json, const analysis::TestRow& row) {
   json["variance2"] = nullable((*row.moments)[1].variance);
 }
 
-/// Numbers that the test does not have are left out; those that are not defined are null.
+/// Adds the numbers of a row. Those that the test does not have are left out; undefined ones are
+/// null.
 void addRow(ResultJson& json, const analysis::TestRow& row) {
   addSizes(json, row);
   addNumber(json, row.estimate);
@@ -94,7 +95,7 @@ ResultJson pooledAsJson(const analysis::PairwiseComparison& comparison) {
   return json;
 }
 
-/// What every test of a family says.
+/// The keys that all tests of a family share.
 ResultJson testedAsJson(const analysis::TestRow& test) {
   return {
       {"p", nullable(test.p)},
@@ -103,7 +104,7 @@ ResultJson testedAsJson(const analysis::TestRow& test) {
       {"reason", reasonOf(test.reason)}};
 }
 
-/// All that a test says, for those that have no layout of their own.
+/// All results of a test without a layout of its own.
 ResultJson rowAsJson(const analysis::TestRow& test) {
   ResultJson json;
   addRow(json, test);
@@ -139,8 +140,7 @@ ResultJson equivalenceAsJson(const analysis::TestRow& test) {
       {"reason", reasonOf(test.reason)}};
 }
 
-/// Those that have a place of their own, in the order in which they were introduced; then all
-/// others by their id.
+/// Tests that have fixed keys, in the order of their introduction; then all others by id.
 ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
   const auto& paired = comparison.test("paired_t");
   const auto& rank = comparison.test("signed_rank");
@@ -180,7 +180,7 @@ ResultJson withinAsJson(const analysis::WithinComparison& comparison) {
 }
 
 ResultJson friedmanAsJson(const analysis::TestRow& test) {
-  // A whole number, also where there are too few participants for χ².
+  // An integer also if there are too few participants for χ².
   const auto conditions = static_cast<std::int64_t>(test.also("conditions").value_or(0.0));
   return {
       {"chi2", nullable(test.statistic.value)},
@@ -426,7 +426,7 @@ ResultJson feltAsJson(const FeltDifference& felt) {
       {"conf", limits(felt.interval)}};
 }
 
-/// Null with its reason where the traces do not tell.
+/// Null with a reason if the traces could not be read.
 void addFelt(ResultJson& json, const FeltResult& felt) {
   auto& differences = json["felt_differences"];
   if (felt.reason.empty()) differences = ResultJson::array();

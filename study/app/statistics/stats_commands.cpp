@@ -26,11 +26,12 @@ struct RunOptions {
   bool isWatched = false;
 };
 
-/// Prints the pooled tables, and prints them again after each new event, until it is interrupted.
+/// Prints the pooled tables, and again after each new event, until it is interrupted.
 [[noreturn]] void watch(Study& study, RunMode mode) {
   constexpr std::chrono::milliseconds kBetweenLooks{500};
   while (true) {
-    const auto seen = study.events().last();  // before counting: what is written meanwhile is newer
+    // read before counting, so that later events are not missed
+    const auto seen = study.events().last();
     fmt::print(
         "{}\nINTERIM, {}: whoever stops because of what is seen here, or goes on until p is small, "
         "has no p.\n\n",

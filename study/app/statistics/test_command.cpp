@@ -31,14 +31,14 @@ std::string orMissing(const std::optional<double>& value) {
   return value ? fmt::format("{:.10g}", *value) : "–";
 }
 
-/// "log_odds_ratio" as a reader has it: "log odds ratio".
+/// "log_odds_ratio" in words: "log odds ratio".
 std::string spelled(std::string_view name) {
   std::string text(name);
   for (char& c : text) c = c == '_' ? ' ' : c;
   return text;
 }
 
-/// "--group and --value"; those that may be left out in brackets.
+/// "--group and --value"; optional ones in brackets.
 std::string columnsOf(const analysis::StatisticalTest& test) {
   std::string text;
   for (const auto& column : analysis::columnsOf(test.shape)) {
@@ -57,7 +57,7 @@ int list() {
   return 0;
 }
 
-/// What the groups or columns are like.
+/// Prints size, mean and variance of the groups or columns.
 void printGroups(const analysis::TestData& data) {
   if (data.values.empty()) return;
   fmt::print("{:<12} {:>8} {:>16} {:>16}\n", "group", "n", "mean", "variance");

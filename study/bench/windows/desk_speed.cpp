@@ -22,14 +22,14 @@ namespace {
 
 constexpr int kSessions = 20;
 
-/// Of this thread [s].
+/// Processor time of this thread [s].
 double processorTimeOfThread() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// A hand that closes and opens once a second.
+/// A sample of a hand that closes and opens once a second.
 haptics::engine::TickSample strokeAt(std::uint64_t tick) {
   const double phase = 0.00628 * static_cast<double>(tick);
   haptics::engine::TickSample sample;
@@ -59,8 +59,8 @@ void answerAll(gui::SessionController& controller, const SimulatedParticipant& p
   }
 }
 
-/// Adds the waits of every page of one session [ms]. Trials are skipped.
-void goThroughASession(gui::OperatorWindow& window, std::vector<double>& waits) {
+/// Adds the waiting times of every page of one session [ms]. Trials are skipped.
+void measureSession(gui::OperatorWindow& window, std::vector<double>& waits) {
   auto& controller = *window.controller();
   const auto& session = controller.session();
   const auto& truth = session.protocol().protocol.simulation;
@@ -76,7 +76,7 @@ void goThroughASession(gui::OperatorWindow& window, std::vector<double>& waits) 
     QCoreApplication::sendPostedEvents();
     window.participantWindow()->repaint();
     waits.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
-    QCoreApplication::processEvents();  // the rest: what goes on by timers
+    QCoreApplication::processEvents();  // everything else that timers do
   }
   window.close();
 }
@@ -126,7 +126,7 @@ std::vector<double> measurePageChanges(const std::string& folder) {
          .runMode = RunMode::Pilot,
          .language = "en",
          .code = {}});
-    goThroughASession(window, waits);
+    measureSession(window, waits);
   }
   return waits;
 }

@@ -28,16 +28,16 @@ using haptics::devices::SimulatedDevice;
 using haptics::devices::SimulatedHand;
 
 constexpr QSize kPictureSize(1280, 800);
-/// A simulation and the hand that works in it.
+/// A scene, and the hand that moves in it.
 struct Subject {
   std::string name;
-  std::string picture;  ///< what the files of its pictures are called
+  std::string picture;  ///< for the names of picture files
   const haptics::devices::DeviceKind* device = nullptr;
   haptics::engine::SceneSpec spec;
   haptics::engine::SafetyLimits limits;
   SimulatedHand::Person person;
   std::unique_ptr<scene::SimulatedScene> scene;
-  double making = 0.0;  ///< of the scene [ms]
+  double making = 0.0;  ///< time to build the scene [ms]
 };
 
 Subject kneeSubject(const SimulationOptions& options) {
@@ -52,7 +52,7 @@ Subject kneeSubject(const SimulationOptions& options) {
   return subject;
 }
 
-/// The built-in cup in so many spheres, with densities of the built-in curves.
+/// The built-in cup with that many spheres, with densities fitted to the built-in curves.
 std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
   auto bone = std::make_shared<haptics::reaming::PackedBone>();
   std::fprintf(stderr, "packing %zu spheres\n", spheres);
@@ -129,7 +129,7 @@ SimulationSpeed measure(Subject subject, const SimulationOptions& options) {
   measured.remark = view.remark().toStdString();
   view.resize(kPictureSize);
   view.show();
-  wait(0.5);  // until the window is shown and all spheres have been handed on once
+  wait(0.5);  // until the window is shown and all spheres have been sent once
   const auto bytesBefore = view.renderer().sphereBytes();
   LiveTrial live(trial);
   view.follow([&] { return lookAt(live, trial); });

@@ -17,25 +17,25 @@ struct SimulationOptions {
   gui::scene::RendererChoice renderer = gui::scene::RendererChoice::Best;
   gui::scene::SphereColours colours = gui::scene::SphereColours::Neutral;
   std::optional<protocols::Anatomy> knee;  ///< in place of the built-in one
-  std::string folder;                      ///< for pictures; empty: none
+  std::string folder;                      ///< folder for pictures; empty: none
 };
 
-/// How fast a simulation was drawn, and how well the hand was served meanwhile.
+/// The frame rate of a scene, and the lateness of the force loop meanwhile.
 struct SimulationSpeed {
   std::string name;
-  std::string remark;  ///< of who draws, where there is one
+  std::string remark;  ///< of the renderer, if there is one
   ViewReport view;
   TrialRecord felt;
-  double making = 0.0;         ///< of the scene, before the trial [ms]
-  double bytesPerFrame = 0.0;  ///< about spheres, handed to who draws
-  double allBytes = 0.0;       ///< of all spheres; 0 where there are none
+  double making = 0.0;         ///< time to build the scene before the trial [ms]
+  double bytesPerFrame = 0.0;  ///< on spheres, sent to the renderer
+  double allBytes = 0.0;       ///< for all spheres; 0 without spheres
 
-  /// A picture hands on what has changed, not all: at most 5 % of the bytes.
+  /// Whether a frame sends only the changes: at most 5 % of the bytes.
   bool handsOnChangesOnly() const { return bytesPerFrame <= 0.05 * allBytes; }
 };
 
-/// A simulated hand at work with the punch in a knee; or with the reamer in a cup. Pictures of
-/// 1280 × 800 are drawn as fast as possible. Needs a QApplication.
+/// A simulated hand uses the punch in a knee, or the reamer in a cup. Frames of 1280 × 800 are
+/// drawn as fast as possible. Needs a QApplication.
 SimulationSpeed measureKnee(const SimulationOptions& options);
 SimulationSpeed measureCup(const SimulationOptions& options);
 

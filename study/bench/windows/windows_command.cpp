@@ -1,4 +1,4 @@
-// palpate-bench windows: how fast simulations, plots and pages are drawn on this computer.
+// palpate-bench windows: the speed of scenes, plots and pages on this computer.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -31,7 +31,7 @@ struct WindowsOptions {
   SimulationOptions simulation;
 };
 
-/// @throws UserError  with all that is wrong with the file.
+/// @throws UserError  with all problems of the file.
 protocols::Anatomy anatomyIn(const std::string& file) {
   questionnaires::Problems problems;
   std::optional<protocols::Anatomy> anatomy;
