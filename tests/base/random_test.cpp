@@ -16,9 +16,9 @@
 namespace base {
 namespace random_test {
 
-/// What a stream of version 1 begins with. The values come from the description in the header,
-/// written out in another language (Python 3, whole numbers of any size) by somebody who had not
-/// run ours. They never change: studies have been drawn from them.
+/// The first numbers of a stream of version 1. They were computed from the description in the
+/// header by an independent implementation (Python 3, integers of any size). They never change,
+/// because orders of studies have been drawn from these streams.
 struct Golden {
   std::uint64_t seed;
   std::uint64_t index;
@@ -112,7 +112,7 @@ TEST(RandomStream, DrawsAndShufflesForEverAsVersionOneDoes) {
     streamOf(golden).shuffle(values);
     EXPECT_EQ(values, golden.shuffled) << golden.purpose;
     EXPECT_EQ(streamOf(golden).uniform(), golden.uniform) << golden.purpose;
-    // The logarithm is the machine's; its last digit may differ.
+    // The last digit of the logarithm depends on the machine.
     EXPECT_NEAR(streamOf(golden).normal(), golden.normal, 1e-14) << golden.purpose;
   }
 }
@@ -163,7 +163,7 @@ TEST(SplitMix64, GivesTheNumbersOfItsDescription) {
   for (const double expected : {0.3500795420214081, 0.17364409667091263, 0.5322073040624192})
     EXPECT_EQ(uniform.uniform(), expected);
   SplitMix64 normal(1234567);
-  // The logarithm and the cosine are the machine's; their last digits may differ.
+  // The last digits of logarithm and cosine depend on the machine.
   for (const double expected : {0.4284879007349292, 0.007685698515048663, -1.858684499989007})
     EXPECT_NEAR(normal.normal(), expected, 1e-14);
 }

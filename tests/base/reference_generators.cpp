@@ -1,4 +1,4 @@
-// Another hand wrote these than the ones they check: plain shifts, no library.
+// Independent implementations of the generators: plain shifts, no library.
 #include "tests/base/reference_generators.h"
 
 namespace tests {

@@ -21,7 +21,7 @@ Order orderOf(const Session& session) {
   return order;
 }
 
-/// How far the largest of some counts lies above the smallest.
+/// The difference between the largest and the smallest count.
 template <typename Key>
 int spread(const std::map<Key, int>& counts) {
   int least = counts.begin()->second;
@@ -33,7 +33,7 @@ int spread(const std::map<Key, int>& counts) {
   return most - least;
 }
 
-/// Somebody who finishes, or is rejected after the first trial.
+/// A participant who finishes, or is rejected after the first trial.
 void takePart(Session& session, bool isRejected) {
   if (!isRejected) {
     tests::walkToTheEnd(session);
@@ -66,7 +66,7 @@ TEST(Balance, SurvivesSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
   }
   EXPECT_NEAR(rejected, 90, 27);  // 600 · 0.15, three standard deviations of 8.7
   EXPECT_EQ(orders.size(), 6U);   // all orders of three conditions
-  EXPECT_LE(spread(orders), 1);   // equally often, but for the cycle that was not finished
+  EXPECT_LE(spread(orders), 1);   // equally often, except for the unfinished cycle
   EXPECT_EQ(carryOver.size(), 6U);
   EXPECT_LE(spread(carryOver), 2);  // a pair is in two of the six orders
 }

@@ -1,4 +1,4 @@
-// Who takes part, in which place of the design, under which protocol.
+// Enrolment: participants, places of the design, versions of the protocol.
 #include <gtest/gtest.h>
 
 #include "study/storage/records.h"
@@ -46,7 +46,7 @@ TEST(Enrolment, KeepsAPlaceThatSomebodyHasCompleted) {
   EXPECT_EQ(Session::enrol(*study, {.cohort = "surgeons"}).slot(), 1);
 }
 
-/// Every way of leaving that gives the place back, by its name.
+/// An event that ends a session and frees its place.
 struct Leaving {
   const char* name;
   void (*leave)(Session&);
@@ -126,7 +126,7 @@ TEST(Enrolment, AmendsFreelyBeforeAndOnlyWithAReasonAfterTheFirstParticipant) {
   EXPECT_EQ(study->protocols().all().size(), 2U);
   study->amend(changed, "two cuts are too few");
   EXPECT_EQ(study->protocols().all().size(), 3U);
-  EXPECT_FALSE(isFrozen(*study));  // the new version: nobody has begun with it
+  EXPECT_FALSE(isFrozen(*study));  // a new version with which no participant has begun
   EXPECT_EQ(study->protocols().current().reason, "two cuts are too few");
 }
 

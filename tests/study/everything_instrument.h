@@ -4,10 +4,10 @@
 
 namespace tests {
 
-/// An instrument with an item of every type, one of them identifying and required.
+/// An instrument with an item of every type; one of them names a person and is required.
 std::string everythingInstrument();
 
-/// A short protocol that asks it in the step after the consent, with the files it needs.
+/// A short protocol with that instrument after the consent, and its files.
 std::string protocolWithEverything();
 
 }  // namespace tests

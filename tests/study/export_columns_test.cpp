@@ -1,5 +1,5 @@
-// Every column of every exported table, by name: what it holds, and which tables and columns a
-// blinded export has.
+// The content of every column of every exported table, and the tables and columns of blinded
+// exports.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
 
-/// The rows of an exported table, as its CSV file has them, each by the names of its columns.
+/// The rows of an exported table as in its CSV file, each by column name.
 std::vector<Row> rowsOf(const ExportedTable& table) {
   const auto csv = analysis::readCsv(asCsv(table));
   std::vector<Row> rows;
@@ -46,7 +46,7 @@ std::vector<Row> rowsOf(Study& study, const std::string& table, bool isBlinded =
   throw std::logic_error("no table " + table);
 }
 
-/// A trial with another number in every field, so that two that are exchanged are noticed.
+/// A trial with a different number in every field, so that exchanged fields are detected.
 TrialRecord numberedTrial() {
   using Cut = TrialRecord::Cut;
   TrialRecord trial{
@@ -243,8 +243,8 @@ Names codedConditions(Study& study) {
   return conditions;
 }
 
-// Computed in Python, independently of base/random.cpp: the sorted ids, shuffled as Fisher and
-// Yates do by xoshiro256**, its state filled by SplitMix64 from the seed, 0 and FNV-1a("blinding").
+// Computed in Python independently of base/random.cpp: the sorted ids, shuffled by Fisher–Yates
+// with xoshiro256**; its state is filled by SplitMix64 from the seed, 0 and FNV-1a("blinding").
 TEST(ConditionCodes, AreShuffledByTheSeedOfTheStudy) {
   const auto codes = [](std::uint64_t seed) {
     tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol()), seed);
@@ -327,12 +327,12 @@ const Tables& blindedTables() {
   return kTables;
 }
 
-/// What the head of a JSON export says of each source of what was felt.
+/// The keys of each source of scenes in the head of a JSON export.
 const Names kSources{"kind", "synthetic"};
 
 const Names kColumnsTable{"table", "column", "type", "description", "value", "label"};
 
-/// Between @p begin and the next @p end.
+/// The text from @p begin to the next @p end.
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
   const auto from = text.find(begin);
   if (from == std::string::npos) return {};
@@ -340,7 +340,7 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(start, text.find(end, start) - start);
 }
 
-/// What a folder holds: its tables, and the names of all other files.
+/// The content of a folder: its tables, and the names of all other files.
 struct Content {
   Tables tables;
   std::set<std::string> others;
@@ -443,7 +443,7 @@ TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsPsychDs) {
   EXPECT_EQ(content.others, expected);
 }
 
-/// Without the columns that the path of a BIDS file has instead.
+/// Without the columns that are part of a BIDS file's path.
 Names withoutWhose(const Names& columns) {
   return {columns.begin() + 2, columns.end()};
 }
@@ -485,7 +485,8 @@ TEST_F(BlindedExport, OfThePublicHasPeopleResponsesAndItemsOnly) {
     EXPECT_EQ(names, (Names{"items", "participants", "responses"})) << static_cast<int>(format);
     auto& responses = tables["responses"];
     std::erase_if(responses, [](const auto& column) {
-      return column == "cohort" || column == "position";  // told where enough people share them
+      // released if enough people share the value
+      return column == "cohort" || column == "position";
     });
     EXPECT_EQ(
         responses,

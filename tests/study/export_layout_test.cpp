@@ -1,4 +1,4 @@
-// What leaves the program: layouts, dictionaries, traces, and that blinded folders tell nothing.
+// Layouts, dictionaries and traces of exports; blinded folders reveal no condition.
 #include <zlib.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::set<std::string> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// Whether a cell is what the dictionary says.
+/// Whether a cell has the type in the dictionary.
 bool isA(const std::string& type, const std::string& cell) {
   const auto number = analysis::decimalNumber(cell);
   if (type == "number") return number.has_value();
@@ -85,14 +85,14 @@ std::string unzipped(const fs::path& file) {
   return text;
 }
 
-/// Two simulated people in the shipped study.
+/// Two simulated participants in the shipped study.
 class ExportLayoutTest : public testing::Test {
  protected:
   void SetUp() override {
     simulateCohorts(*study_, study_.clock, 2, 3, [](const auto&) {});
   }
 
-  /// Everything that there is.
+  /// Options for a complete, unblinded export.
   static ExportOptions open(ExportFormat format) {
     return {.format = format, .isBlinded = false, .hasTraces = true};
   }
@@ -148,7 +148,7 @@ TEST_F(ExportLayoutTest, HasADictionaryForEveryColumnOfEveryTable) {
       }
       const bool isEmpty = std::all_of(
           csv.rows.begin(), csv.rows.end(), [&](const auto& row) { return row.cells[i].empty(); });
-      // The version of an instrument is a name, even where it is "1".
+      // The version of an instrument is text, also if it is "1".
       const bool mayLookLikeNumbers = csv.columns[i] == "instrument_version";
       EXPECT_FALSE(type == "text" && isAllNumbers && !isEmpty && !mayLookLikeNumbers)
           << name << " " << csv.columns[i];
@@ -245,7 +245,7 @@ TEST_F(ExportLayoutTest, GivesTheSameBytesTwice) {
     EXPECT_EQ(contentOf(first / file), contentOf(second / file));
 }
 
-/// As whatever desktop starts the program sets it.
+/// Sets the locale as the desktop does that starts the program.
 class OtherLocale {
  public:
   explicit OtherLocale(const std::string& name) : before_(std::locale()) {
@@ -259,7 +259,8 @@ class OtherLocale {
   std::locale before_;
 };
 
-/// Makes the locales that this test needs in a folder of its own, as nobody has all installed.
+/// Compiles the locales of this test into its own folder, since few systems have all of them
+/// installed.
 bool areMade(const fs::path& folder, const std::vector<std::string>& names) {
   for (const auto& name : names) {
     try {
@@ -323,8 +324,8 @@ TEST_F(ExportLayoutTest, TellsBlindedNothingAndOtherwiseEverything) {
       exported("traces", {.format = ExportFormat::Csv, .hasTraces = true}), storage::StorageError);
 }
 
-/// "sub-SIM001/ses-1/beh/sub-SIM001_ses-1_task-punchfacevalidity_acq-trials_beh.tsv" begins as its
-/// folders say and ends as BIDS lets files in beh/ end.
+/// "sub-SIM001/ses-1/beh/sub-SIM001_ses-1_task-punchfacevalidity_acq-trials_beh.tsv" begins with
+/// the names of its folders and ends with a suffix that BIDS allows in beh/.
 bool isBidsName(const fs::path& file) {
   std::vector<std::string> parts;
   for (const auto& part : file) parts.push_back(part.string());
@@ -386,7 +387,7 @@ TEST_F(ExportLayoutTest, HasNoBidsFolderForThePublic) {
       storage::StorageError);
 }
 
-/// Runs a script of the export with @p program. @return  what it said.
+/// Runs a script of the export with @p program. @return  its output.
 std::string expectToComputeAgain(
     const std::vector<std::string>& program, const fs::path& script, const fs::path& folder) {
   auto call = program;
@@ -413,7 +414,8 @@ bool isInstalled(const std::vector<std::string>& call) {
   }
 }
 
-/// Says what the reading script of @p folder found; skips where @p program is not installed.
+/// Checks the output of the script that reads @p folder; skips the test if @p program is not
+/// installed.
 void expectToRead(
     const std::vector<std::string>& program, const fs::path& script, const fs::path& folder) {
   auto call = program;
@@ -450,7 +452,7 @@ TEST_F(ExportLayoutTest, IsReadByItsScriptInPython) {
   expectToRead({python}, unblinded / "read_tables.py", unblinded);
 }
 
-/// Eleven people, as in the published study, and a bound below which differences are none.
+/// Eleven participants, as in the published study, and an equivalence bound.
 class ComputedAgainTest : public ExportLayoutTest {
  protected:
   void SetUp() override {
@@ -490,7 +492,7 @@ TEST_F(ComputedAgainTest, InRFindsAnOrdinalEstimateThatIsAHundredthOff) {
 }
 
 TEST_F(ComputedAgainTest, InPython) {
-  const std::string python = "/usr/bin/python3";  // Debian's, which has Debian's SciPy
+  const std::string python = "/usr/bin/python3";  // Debian's Python, with Debian's SciPy
   if (!isInstalled({python, "-c", "import scipy"})) GTEST_SKIP() << "needs SciPy: ./setup --check";
   const auto folder = exported("out", open(ExportFormat::PsychDs), "for a test");
   expectToComputeAgain({python}, folder / "analysis" / "analysis.py", folder);

@@ -7,7 +7,7 @@
 
 namespace tests {
 
-/// A punch that stands still, and says that it is faulty once it is told to.
+/// A punch that stands still and reports a fault after fail().
 class FaultingDevice final : public haptics::devices::Device {
  public:
   const haptics::devices::Capabilities& capabilities() const noexcept override {
@@ -22,7 +22,7 @@ class FaultingDevice final : public haptics::devices::Device {
     return isFaulty_.load(std::memory_order_relaxed) ? "The encoder has failed." : "";
   }
 
-  /// Any thread.
+  /// May be called by any thread.
   void fail() noexcept { isFaulty_.store(true, std::memory_order_relaxed); }
 
  private:

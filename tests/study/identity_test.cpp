@@ -1,4 +1,4 @@
-// What names a person lies in identity.db and nowhere else.
+// Answers that name a person are stored in identity.db only.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace identity_test {
 
 const std::string kName = "Zaphod Beeblebrox-Sentinel";
 
-/// The files under @p folder that hold @p text, by their names.
+/// The names of the files under @p folder that contain @p text.
 std::vector<std::string> filesWith(const std::string& folder, const std::string& text) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -40,11 +40,11 @@ class IdentityTest : public testing::Test {
 TEST_F(IdentityTest, LiesInItsOwnFileAndInNoOther) {
   EXPECT_TRUE(session_.missing().empty());
   for (const auto& name : filesWith(study_.folder(), kName)) {
-    EXPECT_EQ(name.substr(0, 11), "identity.db");  // and its -wal
+    EXPECT_EQ(name.substr(0, 11), "identity.db");  // or its -wal
   }
   EXPECT_FALSE(filesWith(study_.folder(), kName).empty());
   { const Session gone = std::move(session_); }
-  study_.close();  // what was in a write-ahead log is in its database now
+  study_.close();  // moves the content of the write-ahead log into the database
   EXPECT_EQ(filesWith(study_.folder(), kName), std::vector<std::string>{"identity.db"});
 }
 
@@ -56,7 +56,8 @@ TEST_F(IdentityTest, IsNeitherAnsweredNorExported) {
     const std::string out = study_.file(format == ExportFormat::Csv ? "csv" : "json");
     exportStudy(*study_, out, {.format = format, .isBlinded = false}, "a test");
     EXPECT_TRUE(filesWith(out, kName).empty());
-    EXPECT_FALSE(filesWith(out, "name").empty());  // that it was given is known
+    // the audit trail still has the event without the answer
+    EXPECT_FALSE(filesWith(out, "name").empty());
   }
 }
 
@@ -72,7 +73,7 @@ TEST_F(IdentityTest, IsGoneWhenItIsTakenBack) {
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"name"});
   { const Session gone = std::move(session_); }
   study_.close();
-  EXPECT_TRUE(filesWith(study_.folder(), kName).empty());  // SQLite overwrites what it deletes
+  EXPECT_TRUE(filesWith(study_.folder(), kName).empty());  // SQLite overwrites deleted content
 }
 
 TEST_F(IdentityTest, IsForItsOwnerAlone) {

@@ -1,4 +1,4 @@
-// Every answer that is text is kept byte for byte.
+// Every free-text answer is stored byte for byte.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace study {
 namespace long_answers_test {
 
-constexpr std::size_t kMost = 100'000;  // characters of a long text
+constexpr std::size_t kMost = 100'000;  // characters in a long text
 
 std::string encoded(char32_t c) {
   const auto byte = [](char32_t bits) { return static_cast<char>(bits); };
@@ -29,13 +29,13 @@ std::string encoded(char32_t c) {
       byte(0x80 | (c & 0x3F))};
 }
 
-/// @p count characters of all planes: letters, signs that nobody has named, the last one.
+/// @p count characters of all Unicode planes: letters, unassigned code points, the last one.
 std::string anyCharacters(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::string text;
   for (std::size_t i = 0; i < count;) {
     const auto c = static_cast<char32_t>(1 + random() % 0x10FFFF);
-    if (c >= 0xD800 && c <= 0xDFFF) continue;  // half a pair is no character
+    if (c >= 0xD800 && c <= 0xDFFF) continue;  // a single surrogate is not a character
     text += encoded(c);
     ++i;
   }
@@ -55,8 +55,8 @@ std::vector<Text> texts() {
   return {
       {"Emoji", "\xF0\x9F\x91\xA9\xF0\x9F\x8F\xBD\xE2\x80\x8D\xE2\x9A\x95\xEF\xB8\x8F cut"},
       {"RightToLeft", "\xD7\xA9\xD7\x9C\xD7\x95\xD7\x9D \xE2\x80\xAE \xD9\x85\xD8\xB1"},
-      {"Composed", "\xC3\xA5"},     // å as one character
-      {"Decomposed", "a\xCC\x8A"},  // å as two: not the same bytes, and never made so
+      {"Composed", "\xC3\xA5"},     // å as one code point
+      {"Decomposed", "a\xCC\x8A"},  // å as two: other bytes, which must not be normalised
       {"ByteOrderMark", "\xEF\xBB\xBFx"},
       {"LastCharacter", "\xF4\x8F\xBF\xBF"},
       {"ControlCharacters", "\x01\x02\x1B[31m\x7F\t\r\n \n"},

@@ -9,8 +9,8 @@
 namespace tests {
 namespace {
 
-// Thousands of commits are no test of the disk: where there is room in memory, studies lie there.
-// Set TMPDIR to have them elsewhere.
+// Thousands of commits do not need a disk: if there is enough memory, studies are stored there.
+// TMPDIR names another place.
 [[maybe_unused]] const bool kIsInMemory = [] {
   constexpr std::uintmax_t kEnough = std::uintmax_t{2} << 30;  // [bytes]
   std::error_code error;

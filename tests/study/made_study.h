@@ -15,12 +15,12 @@ namespace tests {
 /// A protocol of protocols/library/ by name.
 protocols::LoadedProtocol libraryProtocol(const std::string& name);
 
-/// A protocol as its JSON says; what it names is found among @p files.
+/// The protocol of a JSON text; the files that it names are in @p files.
 /// @throws std::runtime_error  with all problems in words, if it has errors.
 protocols::LoadedProtocol protocolFrom(
     const std::string& json, const std::vector<protocols::SourceFile>& files = {});
 
-/// What is different about a short protocol.
+/// Options of a short protocol.
 struct ShortProtocol {
   std::string order = "balancedLatinSquare";
   std::string labels = "random";
@@ -33,11 +33,11 @@ struct ShortProtocol {
   int minimumCuts = 1;
 };
 
-/// Consent, a form perhaps, a block of conditions on a punch, a preference perhaps, a debriefing;
-/// two cohorts, `surgeons` and `students`; in English, German and Norwegian.
+/// Consent, an optional form, a block of conditions on a punch, an optional preference, a
+/// debriefing; two cohorts, `surgeons` and `students`; in English, German and Norwegian.
 std::string shortProtocol(const ShortProtocol& options = {});
 
-/// A study in a folder of its own, with a clock that goes on when it is told to.
+/// A study in its own folder, with a clock that the test advances.
 class MadeStudy {
  public:
   explicit MadeStudy(
@@ -50,7 +50,7 @@ class MadeStudy {
   std::string file(const std::string& name) const { return folder() + "/" + name; }
   const ScratchFolder& scratch() const noexcept { return scratch_; }
 
-  /// As when the program has ended; reopen() starts it again.
+  /// Closes the study as at the end of the program; reopen() opens it again.
   void close() { study_.reset(); }
   void reopen();
 

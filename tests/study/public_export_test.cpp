@@ -1,4 +1,4 @@
-// What goes to strangers: nobody stands out in it, and nothing leads back.
+// Public exports: every person is like others in them, and cannot be linked to the study.
 #include <filesystem>
 #include <map>
 #include <set>
@@ -57,7 +57,7 @@ class PublicExportTest : public testing::Test {
   tests::MadeStudy study_{tests::libraryProtocol("punch-counterbalanced.json"), 1};
 };
 
-/// How many people there are of whom a table says the same.
+/// The number of people in the smallest class of a table.
 std::size_t smallestClassIn(const analysis::CsvTable& participants) {
   std::map<std::vector<std::string>, std::size_t> classes;
   for (const auto& row : participants.rows) {
@@ -74,7 +74,7 @@ TEST_F(PublicExportTest, LeavesNobodyAlone) {
     auto files = exported("out" + std::to_string(k), ExportFormat::Csv, k);
     const auto participants = analysis::readCsv(files.at("participants.csv"));
     EXPECT_EQ(participants.rows.size(), 20U);
-    EXPECT_GT(participants.columns.size(), 2U);  // something is told
+    EXPECT_GT(participants.columns.size(), 2U);  // at least one quasi-identifier is released
     EXPECT_GE(smallestClassIn(participants), k);
     EXPECT_NE(files.at("README.md").find("k = " + std::to_string(k)), std::string::npos);
   }
@@ -100,7 +100,7 @@ TEST_F(PublicExportTest, HoldsNoIdAndNoDate) {
   }
 }
 
-/// Live people who write, and say a number that is theirs alone.
+/// Live participants with unique texts and numbers.
 TEST(PublicExport, HoldsNoWordsAndNoNumbersOfAPerson) {
   tests::MadeStudy study(tests::protocolFrom(
       tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}}));

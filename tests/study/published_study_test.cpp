@@ -1,5 +1,5 @@
 // The synthetic study of tests/data/stats/study, answered step by step in the shipped protocol of
-// the published study: what comes out rounds to the paper's Table 2 and equals its Table 4.
+// the published study. The results round to the paper's Table 2 and equal its Table 4.
 #include <cmath>
 #include <map>
 #include <memory>
@@ -30,7 +30,7 @@ std::string conditionOf(const std::string& method) {
   return method == "fem" ? "finite-elements" : method;
 }
 
-/// What everybody answered: by participant, and then by phase, condition and item.
+/// All answers, by participant, then by phase, condition and item.
 struct Synthetic {
   std::map<std::string, std::string> cohorts;
   std::map<std::string, std::map<std::string, std::int64_t>> points;
@@ -54,7 +54,7 @@ struct Synthetic {
   }
 };
 
-/// "2": the label under which a condition is known in the session.
+/// "2": the label of a condition in the session.
 std::string labelOf(const Session& session, const std::string& condition) {
   for (const auto& step : session.plan()) {
     if (step.condition == condition) return std::to_string(step.label);
@@ -191,7 +191,7 @@ TEST_F(PublishedStudyTest, ExportsEveryAnswerAsItWasGivenAndAsItIsScored) {
   EXPECT_EQ(found, 198U);
 }
 
-/// The published pairs in the order in which R compared them, whichever way round.
+/// The comparison of a published pair, in either order.
 const analysis::WithinComparison& rowFor(
     const CohortResult& cohort, const std::string& first, const std::string& second) {
   for (const auto& row : cohort.within.rows) {
@@ -293,7 +293,7 @@ TEST_F(PublishedStudyTest, IsFlaggedForWhatIsSaidAgainstIt) {
         "relative_item_without_referent",
         "order_not_counterbalanced",
         "n_below_minimum_for_alpha"};
-    // Among professionals finite elements and the Kalman filter have two camps.
+    // Among professionals the answers on finite elements and on the Kalman filter are bimodal.
     if (cohort.cohort == "professional") said.insert(said.end() - 1, "bimodal");
     EXPECT_EQ(ids, said) << cohort.cohort;
   }

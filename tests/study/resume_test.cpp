@@ -1,4 +1,4 @@
-// A session goes on at the step it was in, whenever the program ended.
+// A session is resumed at its present step, whenever the program ended.
 #include <gtest/gtest.h>
 
 #include "study/session/verification.h"
@@ -14,7 +14,7 @@ using tests::MadeStudy;
 
 class ResumeTest : public testing::Test {
  protected:
-  /// As when the program has ended and was started again.
+  /// The session after an end and restart of the program.
   Session& again() {
     const auto id = session_->id();
     session_.reset();

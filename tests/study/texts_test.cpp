@@ -1,4 +1,4 @@
-// Every text comes back byte for byte.
+// Every text is read back byte for byte.
 #include <gtest/gtest.h>
 
 #include "study/session/verification.h"

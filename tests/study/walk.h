@@ -7,28 +7,28 @@
 
 namespace tests {
 
-/// What a participant of a test answers: the first thing that is allowed, and text where it may be.
+/// An answer of a test's participant: the first allowed one, and a text in text items.
 study::GivenAnswer answerTo(
     const study::Session& session, const questionnaires::Item& item, int order = 1);
 
-/// Answers the present step's items: those that must be, or all of them.
+/// Answers the items of the present step: the required ones, or all.
 void answerStep(study::Session& session, bool all = false);
 
-/// A trial that was felt and kept, with nothing to complain about.
+/// The record of a trial without problems.
 study::TrialRecord feltTrial(int cuts = 1);
 
-/// Gets through the present step, whatever it is; a trial is felt as feltTrial() says.
+/// Completes the present step of any kind; trials get feltTrial() as their record.
 void passStep(study::Session& session);
 
-/// … until @p isThere, or the session is over.
+/// … until @p isThere holds, or the session is over.
 void walkUntil(study::Session& session, const std::function<bool(const study::Step&)>& isThere);
 void walkTo(study::Session& session, study::StepKind kind);
 void walkToTheEnd(study::Session& session);
 
-/// Enrols somebody who then gives consent.
+/// Enrols a participant who gives consent.
 study::Session consenting(study::Study& study, const study::Enrolment& enrolment);
 
-/// The events of a session by kind, one after the other, with spaces between them.
+/// The kinds of a session's events in order, separated by spaces.
 std::string eventsOf(study::Study& study, study::SessionId session);
 
 }  // namespace tests

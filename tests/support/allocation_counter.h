@@ -4,7 +4,7 @@
 
 namespace tests {
 
-/// Counts what operator new hands out on this thread while it lives. A program that uses it links
+/// Counts calls of operator new on this thread during its lifetime. A program that uses it links
 /// tests/support/allocation_counter.cpp, which replaces operator new.
 class AllocationCounter {
  public:

@@ -37,7 +37,7 @@ std::vector<std::string> withOurs(const std::vector<std::string>& environment) {
   return all;
 }
 
-/// What can be read now; false at the end.
+/// Appends what can be read now; false at the end.
 bool readSome(int file, std::string& text) {
   std::array<char, 65536> some{};
   const auto count = read(file, some.data(), some.size());

@@ -7,20 +7,21 @@
 
 namespace tests {
 
-/// What a program came to.
+/// The result of a program.
 struct Finished {
-  int status = 0;  ///< its exit status; −signal where one ended it
+  int status = 0;  ///< exit status; −signal if a signal ended it
   std::string out;
   std::string error;
 };
 
-/// A program that a test runs; gone with it.
+/// A program started by a test; the destructor ends it.
 class ChildProcess {
  public:
   enum class Input { None, Pipe };
 
-  /// @param arguments  the program first. @param environment  "NAME=value", besides our own.
-  /// @param input  with a pipe, say() reaches it.
+  /// @param arguments  the program first.
+  /// @param environment  "NAME=value", in addition to ours.
+  /// @param input  with a pipe for say().
   explicit ChildProcess(
       const std::vector<std::string>& arguments,
       const std::vector<std::string>& environment = {},
@@ -30,15 +31,15 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t id() const noexcept { return id_; }
-  /// Whether it has come to its end by itself; what it wrote can still be read.
+  /// Whether it has ended by itself; its output can still be read.
   bool hasEnded() const;
 
-  /// The next line of its output, without its end; false where there is none any more.
+  /// The next line of its output, without line feed; false if there is none left.
   bool readLine(std::string& line);
-  /// A line for its input.
+  /// Writes a line to its input.
   void say(const std::string& line) const;
   void kill(int signal) const;
-  /// Reads everything that is left, and waits for its end.
+  /// Reads the remaining output and waits for the end.
   Finished finish();
 
  private:

@@ -4,7 +4,8 @@
 
 #include "tests/support/standstill.h"
 
-/// The C library keeps the words of LOCPATH for good; the leak sanitizer asks here whether it may.
+/// The C library never frees memory for LOCPATH; the leak sanitizer asks this function what to
+/// suppress.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
   return "leak:__argz_add_sep\n";

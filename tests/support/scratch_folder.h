@@ -6,7 +6,7 @@
 
 namespace tests {
 
-/// An empty folder for one test; gone with it.
+/// An empty folder for one test; the destructor removes it.
 class ScratchFolder {
  public:
   ScratchFolder();

@@ -11,7 +11,7 @@
 namespace tests {
 namespace {
 
-/// A quarter of what a device waits for the next sample (20 ms).
+/// A quarter of the time that a device waits for the next sample (20 ms).
 constexpr std::chrono::milliseconds kTooLong{5};
 
 }  // namespace

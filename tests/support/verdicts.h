@@ -7,10 +7,10 @@
 
 namespace tests {
 
-/// Whether a file is accepted, with everything that was found in it.
+/// Whether a file is accepted, with all problems that were found in it.
 using Reader = std::function<bool(const std::string& file, questionnaires::Problems& problems)>;
 
-/// Says about each file that @p argv names, in a line of JSON, what @p isAccepted says: for
+/// Prints for each file of @p argv a line of JSON with the result of @p isAccepted, for
 /// tests/support/schema_verdicts.mjs, which compares it with a schema.
 void printVerdicts(int argc, char** argv, const Reader& isAccepted);
 

@@ -1,5 +1,5 @@
-// An answer is acknowledged when it is on the disk, and not before: what the program asks of the
-// system, in its order, as strace sees it.
+// An answer is acknowledged only when it is on the disk: checked by the order of the program's
+// system calls under strace.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -19,13 +19,13 @@ namespace acknowledgement_test {
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
-/// The leak sanitizer cannot look at a program that strace looks at.
+/// The leak sanitizer does not work under strace.
 const Lines kEnvironment{"ASAN_OPTIONS=detect_leaks=0"};
 
-/// What came of looking through a list of system calls.
+/// The findings in a list of system calls.
 struct Seen {
   std::size_t acknowledged = 0;
-  Lines tooEarly;  ///< acknowledged with something not on the disk, or with nothing new on it
+  Lines tooEarly;  ///< acknowledged with data not on the disk, or without new data
 };
 
 /// "study.db-wal" in "fdatasync(4</…/study.db-wal>) = 0".
@@ -108,7 +108,7 @@ TEST_F(AcknowledgementTest, FollowsTheFlushOfEverythingThatWasWrittenForIt) {
 }
 
 TEST_F(AcknowledgementTest, IsFoundByThisTestWhereItComesTooEarly) {
-  // The positive control: the same calls, with the flushes left out, or each after its line.
+  // The positive control: the same calls with the flushes removed, or each moved behind its line.
   ASSERT_EQ(traced(study_.folder(), {}).status, 0);
   Lines without;
   Lines late;
@@ -126,14 +126,14 @@ TEST_F(AcknowledgementTest, IsFoundByThisTestWhereItComesTooEarly) {
   EXPECT_GE(lookThrough(late).tooEarly.size(), 30U);
 }
 
-/// What happens at the n-th call of a kind.
+/// A failure of the n-th call of a kind.
 struct Mishap {
   const char* name;
   const char* calls;
-  const char* effect;  ///< as strace injects it
-  const char* when;    ///< "" for the n-th alone, "+" for all from there on
-  int stride;          ///< of the long form
-  int fewest;  ///< endings that there must be in the long form, lest nothing was tried at all
+  const char* effect;  ///< in strace's syntax
+  const char* when;    ///< "" for the n-th only, "+" for all from there on
+  int stride;          ///< in the long form
+  int fewest;          ///< endings that the long form must reach to pass
 };
 
 void PrintTo(const Mishap& mishap, std::ostream* out) {
@@ -173,7 +173,7 @@ TEST_P(MishapTest, LosesNothingThatWasAcknowledged) {
     const auto acknowledged = tests::acknowledgedIn(finished.out);
     EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "");
     EXPECT_LE(tests::keptBeyond(folder, acknowledged), 1U);
-    ASSERT_EQ(tests::run(tests::simulation(folder, 1)).status, 0);  // somebody starts it again
+    ASSERT_EQ(tests::run(tests::simulation(folder, 1)).status, 0);  // start the program again
     EXPECT_EQ(tests::whatIsLost(folder, acknowledged), "");
     if (HasFailure()) return;
   }

@@ -1,4 +1,4 @@
-// Every command from outside, as somebody at a desk meets it.
+// All commands of the program, called as a user does.
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -51,7 +51,7 @@ Words subcommandsIn(const std::string& help) {
   return verbs;
 }
 
-/// Everything that @p help must have to be of use.
+/// Checks that @p help has all parts of a help text.
 void expectHelpful(const std::string& help, const std::string& command) {
   constexpr std::size_t kWhereWordsBegin = 34;
   const auto lines = linesOf(help);
@@ -76,7 +76,7 @@ void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
   const auto finished = palpate(call);
   EXPECT_EQ(finished.status, 0);
   EXPECT_EQ(finished.error, "");
-  // 'palpate bench' starts a program of its own, which says its own name.
+  // 'palpate bench' starts another program, which prints its own name.
   const bool isBench = !path.empty() && path[0] == "bench";
   auto command = describe(path);
   if (isBench) command.replace(0, std::string("palpate bench").size(), "palpate-bench");
@@ -372,7 +372,7 @@ TEST_F(CommandLineTest, PlaysASceneToTheEndOfItsData) {
   // The parametric cut ends at 11 travel units; its force fades over another 1.5.
   const std::string cut = folder_ / "cut";
   palpate({"scene", "play", "punch-counterbalanced", "--condition", "interpolation", "--out", cut});
-  // Elements have no end of their own: the punch stops at 11.
+  // Finite elements have no end of their own: the device's stop is at 11.
   const std::string elements = folder_ / "elements";
   palpate(
       {"scene",
@@ -425,7 +425,7 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
   ASSERT_EQ(played.status, 0) << played.error;
   const auto lines = linesOf(tests::contentOf(out + ".csv"));
   EXPECT_EQ(lines.front(), "condition,curve,time_s,travel,force_n,stiffness");
-  // Both forces that are fused, and two filters; 11 travel units at 57 a second and 1 kHz.
+  // The two forces that are combined, and two filters; 11 travel units at 57 units/s and 1 kHz.
   constexpr std::size_t kSteps = 194;
   ASSERT_EQ(lines.size(), 1 + 4 * kSteps);
   const auto lastForceOf = [&](std::size_t curve) {
@@ -434,10 +434,10 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
     for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
     return std::stod(cell);
   };
-  EXPECT_NEAR(lastForceOf(0), 4.29, 1e-9);           // the recording, as the authors let it through
+  EXPECT_NEAR(lastForceOf(0), 4.29, 1e-9);           // the recording, after the authors' filter
   EXPECT_NEAR(lastForceOf(1), 7.0, 1e-9);            // the finite elements, yielding
-  EXPECT_NEAR(lastForceOf(2), 4.29, 0.1);            // trusts the recording
-  EXPECT_NEAR(lastForceOf(3), 7.0, 0.4);             // does not
+  EXPECT_NEAR(lastForceOf(2), 4.29, 0.1);            // the filter that trusts the recording
+  EXPECT_NEAR(lastForceOf(3), 7.0, 0.4);             // the filter that does not
   EXPECT_EQ(palpate(call).status, kTheWorldSaidNo);  // nothing is overwritten
 }
 
@@ -490,7 +490,7 @@ TEST_F(CommandLineTest, MeasuresTheClockAndTheRecorder) {
        folder_.path().string()});
   ASSERT_EQ(servo.status, 0) << servo.error;
   EXPECT_NE(servo.out.find("palpate: chunks of a second"), std::string::npos) << servo.out;
-  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // nothing is left behind
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // no file is left
 }
 
 TEST_F(CommandLineTest, TellsWhatAConditionCostsWithMoreInIt) {

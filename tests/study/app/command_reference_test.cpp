@@ -34,7 +34,7 @@ CommandDescription benchmarks() {
   return study::app::describe(*study::bench::makeBenchProgram(action));
 }
 
-/// The page as a reader sees it: requests and escapes of troff undone.
+/// The page as a reader sees it, without requests and escapes of troff.
 std::string readable(std::string page) {
   const std::pair<std::string, std::string> escapes[]{
       {"\\fB", ""},
@@ -60,7 +60,7 @@ std::string palpatePage() {
       {.version = "palpate 1", .summary = "studies", .files = ".dot\n'quote", .seeAlso = {"a(1)"}});
 }
 
-/// Calls @p visit with every command that help pages show, and its name from the program on.
+/// Calls @p visit for every command on help pages, with its full name.
 template <typename Visit>
 void forEachCommand(const CLI::App& command, const std::string& above, const Visit& visit) {
   const auto name = above + command.get_name();
@@ -127,7 +127,7 @@ TEST(CommandReference, ManualPagesHaveNoWarnings) {
   }
 }
 
-/// What bash offers after a command line whose last word is being typed.
+/// The completions that bash offers for the last word of a command line.
 std::vector<std::string> offered(
     const CommandDescription& described, const std::vector<std::string>& words) {
   const tests::ScratchFolder folder;

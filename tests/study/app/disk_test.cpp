@@ -1,4 +1,4 @@
-// What happens when the disk is full or read-only.
+// A disk that is full or read-only.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class DiskTest : public testing::Test {
     }
   }
 
-  /// Runs @p script where it may mount disks that nobody else sees.
+  /// Runs @p script in its own namespace, in which it may mount disks.
   static tests::Finished onItsOwn(const std::string& script) {
     return tests::run({"unshare", geteuid() == 0 ? "-m" : "-rm", "sh", "-c", script});
   }

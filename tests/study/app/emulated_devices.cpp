@@ -25,12 +25,12 @@ std::vector<std::string> emulate(std::vector<std::string> arguments) {
   return arguments;
 }
 
-/// A port of UDP that nobody has.
+/// A free UDP port.
 std::uint16_t freePort() {
   return haptics::devices::DatagramSocket(haptics::devices::Endpoint{}).local().port;
 }
 
-/// The shipped protocol for both devices, with so many cuts each.
+/// The shipped protocol for both devices, with so many cuts and strokes in each trial.
 std::string shortProtocol(int cuts, int strokes) {
   std::ifstream file((tests::repository() / "protocols/library/two-devices.json").string());
   auto json = ordered_json::parse(file);

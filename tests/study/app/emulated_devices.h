@@ -12,16 +12,16 @@
 
 namespace tests {
 
-/// An emulator as a process of its own, and its control line.
+/// An emulator in its own process, with its control line.
 class Emulator {
  public:
   explicit Emulator(std::vector<std::string> arguments);
 
-  /// What it says of itself when it is ready.
+  /// The line that it prints when it is ready.
   const std::string& ready() const noexcept { return ready_; }
-  /// An order ("drop 3"), and its answer.
+  /// Sends a command ("drop 3") and returns the answer.
   std::string ask(const std::string& line);
-  /// Its status by keys.
+  /// Its status, by key.
   std::map<std::string, std::string> status();
   double number(const std::string& key) { return std::stod(status().at(key)); }
 
@@ -30,8 +30,8 @@ class Emulator {
   std::string ready_;
 };
 
-/// Both emulators, a device file that leads to them, and a study in which both devices are felt, as
-/// few times as can be.
+/// Both emulators, a device file for them, and a study that uses both devices in as few trials as
+/// possible.
 class EmulatedLaboratory {
  public:
   /// Cuts and strokes in every trial.
@@ -47,15 +47,15 @@ class EmulatedLaboratory {
 
   /// Runs the program.
   Finished palpate(std::vector<std::string> call) const;
-  /// One simulated participant on the devices, under way.
+  /// Starts one simulated participant on the devices.
   std::unique_ptr<ChildProcess> participant() const;
-  /// Waits until @p emulator feels a force of more than @p newtons; false if it does not come
-  /// within a minute, or as long as it @p isWorthWaiting.
+  /// Waits until @p emulator gets a force of more than @p newtons; false if that takes longer than
+  /// a minute, or when @p isWorthWaiting no longer holds.
   static bool waitForForce(
       Emulator& emulator, double newtons, const std::function<bool()>& isWorthWaiting);
-  /// The detail of every event of this kind, in order.
+  /// The details of all events of this kind, in order.
   std::vector<std::string> events(const std::string& kind) const;
-  /// Endings of all trials, in order.
+  /// The endings of all trials, in order.
   std::vector<std::string> endings() const;
 
  private:
@@ -70,7 +70,7 @@ class EmulatedLaboratory {
   std::unique_ptr<Emulator> iiwa_;
 };
 
-/// CLOCK_MONOTONIC [ns], as emulators have it.
+/// CLOCK_MONOTONIC [ns], which the emulators use, too.
 std::int64_t monotonic();
 
 }  // namespace tests

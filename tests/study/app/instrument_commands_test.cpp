@@ -1,4 +1,4 @@
-// The command for questionnaires from outside: what ships, its keys, and the files for its words.
+// The command for questionnaires: the library, scoring keys, and wording files.
 #include <string>
 #include <vector>
 

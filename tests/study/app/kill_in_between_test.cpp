@@ -1,5 +1,5 @@
-// Killed while a study is made, brought up to date or exported: what is half done is never taken
-// for the whole.
+// The program is killed while it creates, converts or exports a study: unfinished results never
+// pass for finished ones.
 #include <filesystem>
 #include <iostream>
 
@@ -36,9 +36,8 @@ class KilledInBetweenTest : public testing::Test {
     return tests::run(call);
   }
 
-  /// Kills the program in every call that changes a file, one after the other, from a fresh start
-  /// each time; in the short form in the first three of a kind, and then in every fifth. How often
-  /// it was killed.
+  /// Kills the program at every call that changes a file, each time in a fresh folder. The short
+  /// form tries the first three calls of a kind, then every fifth. Returns how often it was killed.
   static int killEverywhere(
       const Words& command,
       const std::function<void()>& prepare,
@@ -77,7 +76,7 @@ class KilledInBetweenTest : public testing::Test {
     return finished.status == kKilled;
   }
 
-  /// Whether a study is there and sound; what is half made is refused in words.
+  /// Whether the study is complete and verifies; an unfinished one must be refused in words.
   static bool isThere(const std::string& folder) {
     SimulatedClock clock;
     try {
@@ -103,7 +102,7 @@ TEST_F(KilledInBetweenTest, HasMadeAWholeStudyOrNoneThatOpens) {
       [&] { whole += isThere(made) ? 1 : 0; });
   std::cout << points << " points; " << whole << " times with a whole study\n";
   EXPECT_GE(points, tests::inLongForm(80, 16));
-  EXPECT_GT(whole, 5);  // once for each kind of call it came to its end
+  EXPECT_GT(whole, 5);  // each kind of call was also tried until the program finished
   EXPECT_LT(whole, points / tests::inLongForm(2, 1));
 }
 
@@ -119,7 +118,7 @@ TEST_F(KilledInBetweenTest, LosesNothingOfAnOlderFormat) {
   const auto identities = storage::identitySchema();
   storage::Database::create(
       old + "/identity.db", {identities.applicationId, identities.name, identities.steps.first(1)});
-  constexpr int kMost = 40;  // after the first few somebody takes part: that is tried elsewhere
+  constexpr int kMost = 40;  // later calls belong to sessions, which another test kills
   const int points = killEverywhere(
       {"study", "simulate", copy, "--participants", "1"},
       [&] {

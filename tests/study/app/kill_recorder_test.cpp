@@ -1,4 +1,4 @@
-// The program is killed while it records at 1 kHz: at most the second under way is gone.
+// The program is killed while it records at 1 kHz: at most the last second is lost.
 #include <signal.h>
 
 #include <chrono>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using storage::Database;
 
-/// The recorder's file, once it is there.
+/// The recorder's file, when it exists.
 std::optional<fs::path> traceIn(const fs::path& folder) {
   for (const auto& corner : fs::directory_iterator(folder)) {
     const auto file = corner.path() / "loop.db";
@@ -60,8 +60,8 @@ TEST(KilledRecorder, LosesAtMostTheSecondUnderWay) {
   storage::TraceStore store(
       Database::open(file->string(), storage::traceSchema(), Database::Access::ReadWrite));
   const VisitKey visit{SessionId{1}, 0, 1};
-  const auto samples = store.read(visit);  // refuses a chunk that is not what was written
-  // The second under way; and half a one for starting up and for a busy machine.
+  const auto samples = store.read(visit);  // throws if a chunk is not what was written
+  // One second in progress, and half a second for the start and a busy machine.
   EXPECT_GE(static_cast<double>(samples.size()), 1000.0 * (elapsed - 1.5));
   EXPECT_EQ(samples.size() % 1000, 0U);
   EXPECT_EQ(static_cast<std::int64_t>(samples.size()), store.sampleCount(visit));

@@ -1,5 +1,5 @@
-// The program is killed, at any moment: nothing that it has acknowledged is lost, and the session
-// goes on.
+// The program is killed at any moment: no acknowledged answer is lost, and the session can be
+// resumed.
 #include <signal.h>
 #include <unistd.h>
 
@@ -45,7 +45,8 @@ class KillTest : public testing::Test {
     return folder;
   }
 
-  /// Kills it @p pause microseconds after line @p count; everything that it has acknowledged.
+  /// Kills the program @p pause microseconds after line @p count; returns everything it
+  /// acknowledged.
   std::vector<std::string> killedAfter(const std::string& folder, std::size_t count, int pause) {
     tests::ChildProcess child(tests::simulation(folder, kParticipants));
     std::vector<std::string> acknowledged;
@@ -61,7 +62,7 @@ class KillTest : public testing::Test {
     EXPECT_LE(tests::keptBeyond(folder, acknowledged), 1U);
   }
 
-  /// Somebody starts it again.
+  /// Starts the program again.
   void expectToGoOn(const std::string& folder) {
     const auto finished = tests::run(tests::simulation(folder, kParticipants));
     ASSERT_EQ(finished.status, 0) << finished.error;
@@ -73,7 +74,7 @@ class KillTest : public testing::Test {
   }
 
   tests::MadeStudy study_{tests::protocolFrom(tests::shortProtocol()), 2026};
-  std::vector<std::string> all_;  ///< what is acknowledged when nothing happens
+  std::vector<std::string> all_;  ///< all acknowledgements of an undisturbed run
   std::map<std::string, questionnaires::Response> undisturbed_;
   std::string line_;
 };
@@ -101,7 +102,7 @@ TEST_F(KillTest, LosesNothingThatWasAcknowledgedWheneverItIsKilled) {
 }
 
 TEST_F(KillTest, NoticesWhatIsLost) {
-  // The control: an acknowledgement of what was never saved is a loss.
+  // The control: an acknowledgement of something that was never saved is found.
   const auto folder = copy("killed");
   auto acknowledged = killedAfter(folder, 20, 0);
   ASSERT_EQ(tests::whatIsLost(folder, acknowledged), "");

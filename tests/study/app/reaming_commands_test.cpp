@@ -1,4 +1,4 @@
-// From measured series to a bone that a protocol names, by the commands that people use.
+// The commands from measured series to a bone that a protocol can name.
 #include <algorithm>
 #include <filesystem>
 
@@ -32,7 +32,7 @@ class ReamingCommands : public testing::Test {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 
-  /// A box of 60 × 60 × 20 in whatever unit, +z into it, as an OBJ file; perhaps with a hole.
+  /// An OBJ file of a box of 60 × 60 × 20 units that extends in +z; with a hole if @p isOpen.
   std::string box(const std::string& name, double scale, bool isOpen) const {
     std::string text;
     for (int i = 0; i < 8; ++i) {
@@ -203,7 +203,8 @@ TEST_F(ReamingCommands, FitABoneOfRealShapeToASyntheticMaterialAndSaySo) {
 }
 
 TEST_F(ReamingCommands, FitACornerToEveryCurve) {
-  // Of 12,000 spheres the first steps of the solver led astray, and it gave up without a word.
+  // With 12,000 spheres the first steps of the solver once went wrong, and it gave up without a
+  // message.
   const std::string series = folder_ / "series";
   output({"material", "synthesise", series});
   const std::string material = folder_ / "bone.json";
@@ -267,7 +268,7 @@ TEST_F(ReamingCommands, GiveABoneTheDensitiesOfASwarm) {
   const auto first = tests::contentOf(folder_ / "swarm.packing");
   expectIn(first, "\"fitted\":true");
   expectIn(first, "by a particle swarm");
-  // The same seed, the same bone; and it can be felt as any other.
+  // The same seed gives the same bone, and a scene can use it.
   output(fit("again.packing", swarm));
   EXPECT_EQ(tests::contentOf(folder_ / "again.packing"), first);
   expectIn(refusal(fit("x.packing", {"--layers", "6"})), "add --method swarm");

@@ -1,5 +1,5 @@
-// The same seed, the same bytes: whoever runs it, wherever, in whatever language. And what is
-// blinded stays so.
+// The same seed gives the same bytes for every user, folder and language. Blinded exports reveal no
+// condition.
 #include <filesystem>
 #include <map>
 

@@ -19,8 +19,8 @@ std::vector<PlayedCurve> playReamed(double from, double speed) {
 }
 
 TEST(ScenePlay, ABoneThatIsReamedAnswersAtEveryStepHoweverFastTheToolStarts) {
-  // The bone looks at 16,384 spheres a tick to see that the tool is outside; it has 20,000. At
-  // 0.05 m/s the second tick is already inside.
+  // In every tick the bone checks 16,384 of its 20,000 spheres for the tool being outside. At 0.05
+  // m/s the second tick is already inside.
   for (const double speed : {0.001, 0.005, 0.05}) {
     const auto curves = playReamed(0.0, speed);
     ASSERT_EQ(curves.size(), 1U);

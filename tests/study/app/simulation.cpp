@@ -44,7 +44,7 @@ std::map<std::string, questionnaires::Response> answersIn(study::Study& study) {
             record.answer.item,
         record.answer.response);
   }
-  // What names a person lies apart.
+  // Answers that name a person are in a separate database.
   study::storage::Statement named(
       study.identities().database(),
       "SELECT participant, item, text FROM identifying_answer WHERE step = 0");

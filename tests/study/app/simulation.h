@@ -9,23 +9,24 @@
 
 namespace tests {
 
-/// The call of the program that simulates @p participants, and says what it has saved.
+/// The command that simulates @p participants and prints what it has saved.
 std::vector<std::string> simulation(const std::string& folder, int participants);
 
-/// Of "saved P001 felt/kalman presence" and "saved P001 felt done": whether it is the first kind.
+/// Whether a line is about an answer, "saved P001 felt/kalman presence", and not about a step,
+/// "saved P001 felt done".
 bool isAnswer(const std::string& line);
 
-/// The acknowledgements in all that a program printed.
+/// The acknowledgements in a program's output.
 std::vector<std::string> acknowledgedIn(const std::string& out);
 
-/// What is kept, named as the program acknowledges it, and what was answered.
+/// The stored answers, by the names of their acknowledgements.
 std::map<std::string, questionnaires::Response> answersIn(study::Study& study);
 
-/// Answers of @p acknowledged that are not kept, and whatever does not verify; empty where all is
-/// well.
+/// The answers in @p acknowledged that are not stored, and the problems that verification finds;
+/// empty if there are none.
 std::string whatIsLost(const std::string& folder, const std::vector<std::string>& acknowledged);
 
-/// How many answers are kept that nobody was told about: one at most, however the program ended.
+/// The number of stored answers that were not acknowledged: at most one, however the program ended.
 std::size_t keptBeyond(const std::string& folder, const std::vector<std::string>& acknowledged);
 
 }  // namespace tests

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 using TableRow = std::map<std::string, Cell>;
 
-/// Six simulated people, a bound of equivalence, scores, and items with a threshold.
+/// Six simulated participants, an equivalence bound, scores, and items with a threshold.
 class StatisticsJson : public testing::Test {
  protected:
   StatisticsJson() {
@@ -30,7 +30,7 @@ class StatisticsJson : public testing::Test {
     for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
   }
 
-  /// What both say about the study as it is.
+  /// Computes the results of the present study in both forms.
   void compute() {
     rows_.clear();
     json_ = json::parse(app::resultsAsJson(**study_, computeResults(**study_, RunMode::Simulated)));
@@ -42,7 +42,7 @@ class StatisticsJson : public testing::Test {
     }
   }
 
-  /// The one row of a method that has all that @p with asks for.
+  /// The only row of a method that has all values in @p with.
   TableRow row(const std::string& method, const std::map<std::string, std::string>& with) const {
     std::vector<TableRow> found;
     for (const auto& one : rows_) {
@@ -56,7 +56,7 @@ class StatisticsJson : public testing::Test {
     return found.empty() ? TableRow{} : found.front();
   }
 
-  /// The same double, or nothing in both.
+  /// Expects the same double, or a missing value in both.
   void expectSame(const Cell& cell, const json& number, const std::string& what) {
     if (number.is_null()) {
       EXPECT_EQ(cell, Cell()) << what;

@@ -1,4 +1,4 @@
-// `palpate study run`: a session at the terminal, with what somebody types.
+// `palpate study run`: a session in the terminal with typed input.
 #include <gtest/gtest.h>
 
 #include "study/storage/records.h"
@@ -11,7 +11,7 @@ namespace terminal_session_test {
 
 class TerminalSessionTest : public testing::Test {
  protected:
-  /// Runs a session that is told @p typed and then nothing more.
+  /// Runs a session with @p typed as its whole input.
   tests::Finished run(const std::string& typed, const std::string& options = "") {
     study_.close();
     const std::string call = "printf '" + typed + "' | '" + tests::program() + "' study run '" +
@@ -21,7 +21,7 @@ class TerminalSessionTest : public testing::Test {
     return finished;
   }
 
-  /// What was answered to the consent's question in the last session.
+  /// The response to the consent question in the last session.
   std::string consented() {
     std::string said;
     for (const auto& answer : storage::Records(study_->database()).answers()) {

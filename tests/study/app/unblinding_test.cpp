@@ -1,4 +1,4 @@
-// What names conditions beside real people's answers asks why, and writes it down.
+// Results of real participants that name conditions need a reason, which is recorded.
 #include "study/session/unblinding.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace study {
 namespace unblinding_test {
 
-/// One live participant who finished.
+/// A live participant who has finished.
 class UnblindingTest : public testing::Test {
  protected:
   UnblindingTest() {
@@ -30,7 +30,7 @@ class UnblindingTest : public testing::Test {
     return finished;
   }
 
-  /// The reasons that were given for @p kind.
+  /// The recorded reasons of events of kind @p kind.
   std::vector<std::string> reasonsOf(const std::string& kind) {
     std::vector<std::string> reasons;
     for (const auto& event : study_->events().read()) {

@@ -1,4 +1,4 @@
-// `palpate stats run --watch`: the tables follow what another process writes.
+// `palpate stats run --watch`: the tables follow the changes of another process.
 #include <csignal>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace watch_test {
 
-/// The lines up to and with the next one that warns of looking at interim numbers.
+/// The lines up to the next warning about looking at interim results.
 std::string nextTables(tests::ChildProcess& watching) {
   std::string tables;
   for (std::string line; watching.readLine(line);) {
@@ -37,7 +37,7 @@ TEST(StatsWatch, FollowsWhatAnotherProcessWrites) {
   const auto before = nextTables(watching);
   simulate("5");
   auto after = nextTables(watching);
-  // A look may come after each of the five, and between what is written of one.
+  // The tables may be printed after each of the five, and between the changes of one.
   const auto everybody = tests::run(
       {tests::program(),
        "stats",

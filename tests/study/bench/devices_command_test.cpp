@@ -13,7 +13,7 @@ namespace devices_command_test {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// Without quotes in it, and without its heading.
+/// The rows of a CSV file without quoted cells, without the heading.
 Rows rowsOf(const std::string& file) {
   std::ifstream stream(file);
   Rows rows;

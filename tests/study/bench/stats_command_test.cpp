@@ -1,4 +1,4 @@
-// palpate-bench stats: it times the table that a study gets.
+// palpate-bench stats: times the computation of a study's table.
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -19,12 +19,12 @@ class WindowsCommand : public testing::Test {
         how.end(),
         {tests::releaseProgram(), "bench", "windows", "--seconds", "0.5", "--spheres", "2000"});
     how.insert(how.end(), {"--out", folder_ / "pictures"});
-    std::filesystem::remove_all(folder_ / "pictures");  // of the run before
+    std::filesystem::remove_all(folder_ / "pictures");  // from the previous run
     how.insert(how.end(), more.begin(), more.end());
     return tests::run(how);
   }
 
-  /// The share of a picture that is not as dark as its ground [%].
+  /// The share of a picture that is brighter than its background [%].
   int bright(const std::string& name) const {
     const QImage picture(QString::fromStdString(folder_ / "pictures/" + name));
     EXPECT_EQ(picture.size(), QSize(1280, 800));
@@ -40,7 +40,7 @@ class WindowsCommand : public testing::Test {
 
 TEST_F(WindowsCommand, DrawsOnTheProcessorWithoutADisplay) {
   const auto finished = run({"env", "QT_QPA_PLATFORM=offscreen"});
-  EXPECT_LE(finished.status, 1) << finished.error;  // a small cup may be handed on as a whole
+  EXPECT_LE(finished.status, 1) << finished.error;  // with a small cup all bytes may change
   EXPECT_NE(finished.out.find("software rasteriser"), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("this display has no OpenGL"), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("three channels at 1 kHz"), std::string::npos) << finished.out;

@@ -1,4 +1,5 @@
-// Columns of exported files: what compiles, who is shown them, and what their cells are.
+// Columns of exported files: which declarations compile, which readers get them, and the types of
+// their cells.
 #include "study/export/column.h"
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Everybody is one of at least k of whom the same is told.
+// Every person shares the released values with at least k − 1 others.
 #include "study/export/k_anonymity.h"
 
 #include <map>
@@ -17,7 +17,7 @@ QuasiIdentifier asIs(const std::string& name, const Values& values) {
   return {.name = name, .exact = values, .levels = {values}};
 }
 
-/// Counted here once more, by other means than those of the program.
+/// The smallest class, counted independently of the program.
 std::size_t smallestClass(const Release& release, std::size_t people) {
   std::map<std::string, std::size_t> classes;
   for (std::size_t person = 0; person < people; ++person) {
@@ -30,7 +30,7 @@ std::size_t smallestClass(const Release& release, std::size_t people) {
   return smallest;
 }
 
-/// People of whom chance decides everything.
+/// People with random values.
 std::vector<QuasiIdentifier> someCohort(std::mt19937& random, std::size_t people) {
   std::vector<QuasiIdentifier> identifiers;
   const int respects = 1 + static_cast<int>(random() % 5);
@@ -66,7 +66,7 @@ TEST(KAnonymity, HoldsForWhoeverTakesPart) {
     EXPECT_EQ(release->after.inSmall, 0U);
     for (const auto& column : release->columns) toldCells += column.level ? people : 0;
   }
-  EXPECT_GT(toldCells, 10'000U);  // nothing told would be easy
+  EXPECT_GT(toldCells, 10'000U);  // releasing nothing would pass the test
 }
 
 TEST(KAnonymity, TellsTheSameOfTheSamePeople) {

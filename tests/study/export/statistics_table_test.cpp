@@ -1,4 +1,4 @@
-// The table of statistics against means that are computed from the table of responses.
+// Compares the table of statistics with means computed from the table of responses.
 #include "study/export/statistics_table.h"
 
 #include <cmath>
@@ -39,7 +39,7 @@ double deviation(const Values& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-/// Eight simulated participants of two cohorts, and what they answered.
+/// Eight simulated participants of two cohorts with their answers.
 class StatisticsTableTest : public testing::Test {
  protected:
   StatisticsTableTest() {
@@ -51,7 +51,7 @@ class StatisticsTableTest : public testing::Test {
     }
   }
 
-  /// Keyed points of a cohort about a condition, by participant.
+  /// The scores of a cohort for a condition, by participant.
   std::map<std::string, Values> points(const Row& row, const std::string& code) const {
     std::map<std::string, Values> points;
     for (const auto& answer : responses_) {

@@ -71,7 +71,7 @@ class LeakSearch : public testing::TestWithParam<std::string> {
       json["conditions"][i]["scene"] = original[(i + shift) % original.size()]["scene"];
     }
     for (auto& phase : json["phases"]) {
-      // The short form feels everything once: the words are the same.
+      // In the short form each condition is rendered once: the texts are the same.
       if (phase.contains("minimum_cuts") && !tests::isLong()) phase["minimum_cuts"] = 1;
     }
     return json;

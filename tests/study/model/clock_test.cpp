@@ -50,7 +50,7 @@ class SteppedClockTest : public testing::Test {
 TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   answerAfter(10.0);
   study_.clock.advance(5.0);
-  study_.clock.setWall(study_.clock.now().wall - 3'600'000);  // an hour back
+  study_.clock.setWall(study_.clock.now().wall - 3'600'000);  // one hour back
   session_.finishStep();
   const auto stepped = stepsOf(*study_);
   ASSERT_EQ(stepped.size(), 1U);
@@ -60,7 +60,8 @@ TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   for (std::size_t i = 1; i < events.size(); ++i) {
     EXPECT_GE(events[i].when.monotonic, events[i - 1].when.monotonic);
   }
-  EXPECT_LT(events.back().when.wall, events.front().when.wall);  // the wall says what it says
+  // times of the wall clock are stored unchanged
+  EXPECT_LT(events.back().when.wall, events.front().when.wall);
   EXPECT_EQ(events.back().kind, "gave_consent");
   EXPECT_TRUE(verify(*study_).isSound());
 
@@ -89,7 +90,7 @@ TEST_F(SteppedClockTest, BridgesTheTimeBetweenTwoRunsOfTheProgram) {
   const auto id = session_.id();
   { const Session gone = std::move(session_); }
   study_.reopen();
-  // A computer that was started again: its monotonic clock begins anew, half an hour has passed.
+  // The computer was restarted after half an hour: its monotonic clock begins at 0 again.
   SimulatedClock later(study_.clock.now().wall + 1'800'000);
   auto study = Study::open(study_.folder(), later);
   auto resumed = Session::resume(study, id);

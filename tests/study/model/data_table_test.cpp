@@ -1,4 +1,4 @@
-// CSV files, read back by another reader than ours.
+// CSV files, read back by an independent reader.
 #include "study/model/data_table.h"
 
 #include <stdexcept>
@@ -10,12 +10,12 @@ namespace data_table_test {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-/// A reader that takes nothing but what RFC 4180 allows, with LF at the ends of lines.
+/// A reader that accepts only RFC 4180 with LF as line ending.
 class StrictReader {
  public:
   explicit StrictReader(std::string text) : text_(std::move(text)) {}
 
-  /// @throws std::runtime_error  where the text is no CSV.
+  /// @throws std::runtime_error  if the text is not valid CSV.
   Lines read() {
     Lines lines;
     while (at_ < text_.size()) {

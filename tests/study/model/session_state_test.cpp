@@ -42,7 +42,7 @@ constexpr std::array kTerminal{
     SessionState::Rejected,
     SessionState::AbortedHardware};
 
-/// All states that can be come to from @p start without @p forbidden happening.
+/// All states that can be reached from @p start without the event @p forbidden.
 std::set<SessionState> reachableFrom(
     SessionState start, std::optional<SessionEvent> forbidden = std::nullopt) {
   std::set<SessionState> seen{start};

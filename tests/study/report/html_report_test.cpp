@@ -15,7 +15,7 @@ bool has(const std::string& page, const std::string& words) {
 
 TEST(HtmlReport, HasTheMeansAndVariancesOfThePapersTable) {
   const auto page = asHtml({tests::madeUpSection()});
-  // The counts are those of the synthetic study, which round to the paper's Table 2.
+  // The counts of the synthetic study, which round to the paper's Table 2.
   EXPECT_TRUE(has(page, "<td>4.1</td><td>1.3</td><td>36</td>"));
   EXPECT_TRUE(has(page, "<td>2.6</td><td>2.6</td><td>36</td>"));
   EXPECT_TRUE(has(page, "<td>3.2</td><td>2.4</td><td>36</td>"));

@@ -254,7 +254,8 @@ study::InstrumentSummary instrumentSummary() {
   return summary;
 }
 
-/// Two curves that are 3 N apart on the whole, and 1 N, 2 N and 4.5 N for three participants.
+/// Two curves that differ by 3 N over all samples, and by 1 N, 2 N and 4.5 N for three
+/// participants.
 std::vector<study::FeltCurve> feltCurves() {
   const auto curve = [](const char* condition, double force, const std::vector<double>& own) {
     study::FeltCurve made{.condition = condition, .device = "punch", .trials = 4, .points = {}};

@@ -4,9 +4,9 @@
 
 namespace tests {
 
-/// A report of the punch study whose results are made up: every number that a report may print is
-/// another one, so that a test notices two that are exchanged. One comparison, declared as signed
-/// rank test with Holm's correction at alpha = 0.01.
+/// A report of the punch study with invented results. Every number that a report may print is
+/// different, so that exchanged numbers are detected. One comparison, declared as signed-rank test
+/// with Holm's correction at alpha = 0.01.
 study::report::ReportSection numberedSection();
 
 }  // namespace tests

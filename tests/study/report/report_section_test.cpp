@@ -48,7 +48,7 @@ TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
   EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }
 
-/// "1 cuts", "1 participants": one of what there are several of.
+/// Finds wrong plurals: "1 cuts", "1 participants".
 std::string oneOfMany(const std::string& text) {
   static const std::regex kWrong(
       "[^0-9.]1 (participants|people|cuts|trials|answers|comparisons|alternatives|forms|times|"

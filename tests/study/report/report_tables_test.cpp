@@ -1,5 +1,4 @@
-// Every table of a report, by its caption and the headings of its columns: which number stands
-// where.
+// Every table of a report, by caption and column headings: each number is in its place.
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -18,7 +17,7 @@ namespace report_tables_test {
 using Cells = std::vector<std::string>;
 using Row = std::map<std::string, std::string>;
 
-/// Markup as it reads: without elements, and with characters for entities.
+/// Text as it is displayed: without elements, and with characters for entities.
 std::string asRead(const std::string& html) {
   std::string text;
   bool isElement = false;
@@ -37,7 +36,7 @@ std::string asRead(const std::string& html) {
   return text;
 }
 
-/// What stands in each element of a kind within @p html.
+/// The content of each element of a kind within @p html.
 Cells elements(const std::string& html, const std::string& kind) {
   Cells found;
   std::size_t at = 0;
@@ -68,7 +67,7 @@ struct Table {
   }
 };
 
-/// The one table of @p page whose caption begins with @p caption.
+/// The only table of @p page whose caption begins with @p caption.
 Table tableOf(const std::string& page, const std::string& caption) {
   std::vector<Table> found;
   for (const auto& html : elements(page, "table")) {
@@ -87,7 +86,7 @@ Table tableOf(const std::string& page, const std::string& caption) {
   return found.front();
 }
 
-/// A page whose results are another number in every place.
+/// A page with a different number in every place.
 class ReportTables : public testing::Test {
  protected:
   /// The only row of the table with that caption.
@@ -283,7 +282,7 @@ TEST_F(ReportTables, HaveTheConfidenceThatGoesWithTheAlphaOfTheFamily) {
   }
 }
 
-/// What the terminal shows of the same results.
+/// The terminal's output of the same results.
 class ResultsText : public testing::Test {
  protected:
   void expectSaid(Profile profile, const std::string& words) {

@@ -11,8 +11,8 @@ using study::CohortResult;
 
 namespace {
 
-/// Answers with these counts, dealt out to @p people one after the other; of six people the orders
-/// are balanced, of fewer there is one order and every method has statements of its own.
+/// Answers with these counts, assigned to @p people in turn. With six people the orders are
+/// balanced; with fewer there is one order, and every method has its own statements.
 analysis::AnswerTable dealt(
     std::size_t people,
     const std::vector<std::pair<std::string, std::vector<std::uint64_t>>>& counts) {

@@ -4,7 +4,7 @@
 
 namespace tests {
 
-/// A report of the punch study as it might be: three conditions, two cohorts, hostile texts, one
+/// A report of the punch study: three conditions, two cohorts, texts that need escaping, one
 /// comparison that is not defined.
 study::report::ReportSection madeUpSection();
 

@@ -19,7 +19,7 @@
 namespace study::words {
 namespace words_test {
 
-/// The places in a sentence where something is put in: "{}", "{:.2f}".
+/// The placeholders in a sentence: "{}", "{:.2f}".
 std::multiset<std::string> placesIn(const std::string& text) {
   std::multiset<std::string> places;
   for (auto at = text.find('{'); at != std::string::npos; at = text.find('{', at + 1)) {
@@ -106,7 +106,7 @@ TEST_P(WordsTest, PutNumbersAndNamesIntoMessages) {
   EXPECT_TRUE(words.missing().empty());
 }
 
-/// What is read in a page: without its marks, its style and what stands in code.
+/// The visible text of a page: without markup, style and code.
 std::string readIn(std::string page) {
   for (const auto* hidden : {"<style>[^]*?</style>", "<code>[^]*?</code>", "<[^>]*>"}) {
     page = std::regex_replace(page, std::regex(hidden), " ");
@@ -114,7 +114,7 @@ std::string readIn(std::string page) {
   return page;
 }
 
-/// Sentences of a page that have words in them which only English has.
+/// Sentences of a page with words that exist in English only.
 std::string englishIn(const std::string& page) {
   const std::regex english(
       R"re(\b(the|of|is|and|not|with|there|that|this|are|which|every|only|they|what|were|has)\b)re",
@@ -137,7 +137,7 @@ TEST_P(WordsTest, LeaveNoEnglishInAReport) {
   for (auto& family : section.protocol.analysis.families) family.title = "x";
   for (auto& instrument : section.instruments) instrument.source.citation.clear();
   std::erase_if(section.warnings, [](const auto& warning) {
-    return base::describe(warning.what).find("[[") != std::string::npos;  // to be filled in
+    return base::describe(warning.what).find("[[") != std::string::npos;  // a placeholder
   });
   EXPECT_FALSE(section.warnings.empty());
   section.quality.reasons = {
@@ -147,8 +147,8 @@ TEST_P(WordsTest, LeaveNoEnglishInAReport) {
   EXPECT_NE(englishIn(report::asHtml(sections)), "") << "or this test sees nothing";
 }
 
-/// The short protocol, whose first condition alone has a knee of its own.
-/// @param normal  of one of its surfaces, as OBJ; empty: neither has any
+/// The short protocol, whose first condition has its own knee.
+/// @param normal  of one of its surfaces, as OBJ; empty: no surface has any
 /// @param show  "true" or "false", of all conditions
 protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string& show) {
   auto json = tests::shortProtocol();

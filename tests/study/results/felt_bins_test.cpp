@@ -1,4 +1,4 @@
-// Which samples of a trial say what was felt while the tool advanced.
+// The samples of a trial that count as force while the tool advanced.
 #include "study/results/felt_bins.h"
 
 #include <vector>
@@ -46,7 +46,7 @@ TEST(FeltBins, CountReamingAsSlowAsItWasMeasured) {
 TEST(FeltBins, CountNoHandThatRestsInAStroke) {
   FeltBins bins(reamerKind(), bone());
   auto samples = advancing(0.0, 0.03, 100);            // 3 mm, fast
-  const auto resting = advancing(0.0105, 1e-5, 5000);  // trembles
+  const auto resting = advancing(0.0105, 1e-5, 5000);  // a trembling hand at rest
   samples.insert(samples.end(), resting.begin(), resting.begin() + 4);
   bins.add(samples);
   const auto medians = bins.medians();
@@ -55,7 +55,7 @@ TEST(FeltBins, CountNoHandThatRestsInAStroke) {
 }
 
 TEST(FeltBins, CountAsBeforeWhereTheHandIsFast) {
-  // A punch: an eightieth of 11 travel units a bin; slower than 0.6875 units/s is rest.
+  // A punch: bins of an eightieth of 11 travel units; below 0.6875 units/s it is at rest.
   FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
   std::vector<TraceSample> samples;
   for (int i = 0; i < 100; ++i)
@@ -75,7 +75,7 @@ TEST(FeltBins, ReachAsDeepAsTheDataOfTheScene) {
   bins.add(advancing(0.0290, 0.002, 100));
   EXPECT_FALSE(bins.points().empty());
   FeltBins ordinary(reamerKind(), bone());
-  ordinary.add(advancing(0.0290, 0.002, 100));  // behind the device's stop at 20 mm
+  ordinary.add(advancing(0.0290, 0.002, 100));  // beyond the device's stop at 20 mm
   EXPECT_TRUE(ordinary.points().empty());
 }
 

@@ -9,7 +9,7 @@
 namespace study {
 namespace instrument_scores_test {
 
-/// Two people of one cohort who answer forms about two conditions.
+/// Two participants of one cohort who fill in forms about two conditions.
 class InstrumentScoresTest : public testing::Test {
  protected:
   InstrumentScoresTest() {
@@ -64,9 +64,9 @@ class InstrumentScoresTest : public testing::Test {
 };
 
 TEST_F(InstrumentScoresTest, AreOfParticipantsByConditionInTheProtocolsOrder) {
-  answer(1, 1, "hardness-100", 5, 1);  // b is turned round: (5 + 5) / 2
+  answer(1, 1, "hardness-100", 5, 1);  // b is reversed: (5 + 5) / 2
   answer(1, 2, "hardness-33", 4, 4);   // (4 + 2) / 2
-  answer(1, 3, "hardness-33", 2, 4);   // (2 + 2) / 2: 2.5 for the person
+  answer(1, 3, "hardness-33", 2, 4);   // (2 + 2) / 2; the participant's mean is 2.5
   answer(2, 1, "hardness-33", 4, 1);   // 4.5
   const auto found = summary();
   ASSERT_EQ(found.scores.size(), 2U);
@@ -93,7 +93,7 @@ TEST_F(InstrumentScoresTest, AreChangesWhereTheInstrumentSaysSo) {
   instrument().occasions = questionnaires::Occasions::BeforeAndAfter;
   answer(1, 1, "", 2, 4);  // 2
   answer(1, 9, "", 4, 2);  // 4
-  answer(2, 1, "", 3, 3);  // 3, and never again
+  answer(2, 1, "", 3, 3);  // 3, answered once only
   const auto found = summary();
   ASSERT_EQ(found.scores.size(), 3U);
   EXPECT_EQ(found.scores[0].occasion, "before");

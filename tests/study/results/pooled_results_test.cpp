@@ -17,7 +17,7 @@ using Counts = std::vector<std::vector<analysis::LikertCounts>>;
 
 class PooledResultsTest : public testing::Test {
  protected:
-  /// A participant who is at the first questionnaire.
+  /// A participant at the first questionnaire.
   Session begun(const std::string& cohort) {
     auto session = Session::enrol(*study_, {.cohort = cohort});
     tests::walkTo(session, StepKind::Questionnaire);
@@ -56,7 +56,7 @@ class PooledResultsTest : public testing::Test {
 
   Counts counted(RunMode mode = RunMode::Live) { return countsOf(pooledResults(*study_, mode)); }
 
-  /// By the full results, which read one answer after the other.
+  /// The counts of the full results, which are computed from single answers.
   Counts countedOneByOne() { return countsOf(computeResults(*study_, RunMode::Live)); }
 
   std::uint64_t total(const Counts& counts) {
@@ -67,7 +67,8 @@ class PooledResultsTest : public testing::Test {
     return sum;
   }
 
-  /// Its first answer to item 2.2 becomes the next higher point, or the lowest.
+  /// Changes the first answer to item 2.2 to the next higher point, or from the highest to the
+  /// lowest.
   VisitKey correctAnAnswerOf(std::int64_t session) {
     storage::Statement one(
         study_->database(),
@@ -108,7 +109,7 @@ TEST_F(PooledResultsTest, LeaveOutRepeatedStepsAndSessionsThatWereNotCompleted) 
   auto withdrawn = begun("professional");
   answerStep(withdrawn);
   withdrawn.withdraw("had to go");
-  begun("non-professional");  // is still answering
+  begun("non-professional");  // has not finished answering
   const auto counts = counted();
   EXPECT_EQ(total(counts), 2U * 18U);
   EXPECT_EQ(counts, countedOneByOne());

@@ -18,7 +18,7 @@ class BackupTest : public testing::Test {
  protected:
   std::string target() const { return study_.scratch() / "copy"; }
 
-  /// How many files or folders lie beside the study.
+  /// The number of files and folders beside the study.
   std::ptrdiff_t neighbours() const {
     using Entries = std::filesystem::directory_iterator;
     return std::distance(Entries(study_.scratch().path()), Entries());
@@ -68,7 +68,7 @@ TEST_F(BackupTest, IsSoundInTheMiddleOfATrial) {
   const auto copy = backUp(study_.folder(), target());
   EXPECT_TRUE(copy.verification.isSound());
   const auto id = session->id();
-  session.reset();  // the computer that the copy is taken to runs no session
+  session.reset();  // a lease is not copied to another computer
   SystemClock clock;
   auto again = Study::open(target(), clock);
   const auto resumed = Session::resume(again, id);

@@ -13,7 +13,7 @@ namespace plan_history_test {
 
 using tests::MadeStudy;
 
-/// The short protocol with one text for another.
+/// The short protocol with one text replaced.
 protocols::LoadedProtocol with(const std::string& text, const std::string& other) {
   auto json = tests::shortProtocol();
   json.replace(json.find(text), text.size(), other);

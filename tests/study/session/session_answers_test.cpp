@@ -1,4 +1,4 @@
-// What is asked in a step, and what becomes of an answer.
+// The items of a step, and how answers are stored.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -77,7 +77,8 @@ TEST_F(SessionAnswersTest, ChangesAnAnswerInPlace) {
     return base::NamedArguments{{"item", std::string("agree")}, {"point", point}};
   };
   EXPECT_EQ(events.back().values, said(4));
-  EXPECT_EQ(events[events.size() - 2].values, said(2));  // nothing is forgotten
+  // the first answer stays in the audit trail
+  EXPECT_EQ(events[events.size() - 2].values, said(2));
 }
 
 TEST_F(SessionAnswersTest, KeepsTheChangesTimeAndLanguageOfACorrectedAnswer) {
@@ -151,7 +152,7 @@ TEST_F(SessionAnswersTest, RefusesWhatCannotBeAnAnswer) {
 TEST_F(SessionAnswersTest, RefusesTimesThatCannotBe) {
   auto answer = tests::answerTo(session_, session_.items().front());
   answer.firstTouch = 3.0;
-  answer.responseTime = 2.0;  // before it was touched
+  answer.responseTime = 2.0;  // earlier than the first touch
   EXPECT_THROW(session_.record(answer), StorageError);
   answer.firstTouch = -1.0;
   EXPECT_THROW(session_.record(answer), StorageError);
@@ -189,7 +190,7 @@ TEST_F(SessionAnswersTest, KeepsAnswersWhenTheLanguageIsSwitched) {
   session_.setLanguage("de");
   EXPECT_EQ(session_.language(), "de");
   EXPECT_EQ(kept("agree")->response, Response(std::int64_t{2}));
-  EXPECT_EQ(kept("agree")->language, "en");  // in which it was read
+  EXPECT_EQ(kept("agree")->language, "en");  // the language in which it was read
   EXPECT_THROW(session_.setLanguage("fr"), UserError);
   EXPECT_EQ(session_.language(), "de");
 }

@@ -1,4 +1,4 @@
-// How a session goes on: steps, trials, and what the operator may decide.
+// The course of a session: steps, trials, and the operator's decisions.
 #include <map>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ using tests::MadeStudy;
 
 class SessionStepsTest : public testing::Test {
  protected:
-  /// How the visits of a step ended, one after the other: "repeated finished".
+  /// The statuses of a step's visits in order: "repeated finished".
   std::string visitsOf(int step) {
     std::string all;
     for (int attempt = 1; attempt <= study_->sessions().attempts(session_.id(), step); ++attempt) {
@@ -85,8 +85,9 @@ TEST_F(SessionStepsTest, GoesBackFromTheQuestionsToTheirTrial) {
   EXPECT_EQ(visitsOf(trial), "repeated open");
   EXPECT_EQ(visitsOf(trial + 1), "repeated");
   tests::passStep(session_);
-  EXPECT_TRUE(session_.answers().empty());                               // of the new attempt …
-  EXPECT_FALSE(storage::Records(study_->database()).answers().empty());  // … the old ones stay
+  // those of the new attempt …
+  EXPECT_TRUE(session_.answers().empty());
+  EXPECT_FALSE(storage::Records(study_->database()).answers().empty());  // … the old ones are kept
   EXPECT_NE(session_.visit(), before);
   tests::walkToTheEnd(session_);
   EXPECT_EQ(visitsOf(trial), "repeated finished");
@@ -155,7 +156,7 @@ TEST_F(SessionStepsTest, NeitherSkipsNorRepeatsConsent) {
   EXPECT_THROW(session_.repeatStep("again, please"), UserError);
 }
 
-/// A consent form with two questions that have to be answered with yes, and one that need not be.
+/// A consent form with two questions that need a yes, and one that does not.
 std::string twoConsents() {
   const std::string asksForConsent = R"("required": true, "consent_option": "yes")";
   const auto question = [](const std::string& id, const std::string& about) {
@@ -238,7 +239,7 @@ TEST_F(SessionStepsTest, LetsAParticipantLeaveInTheMiddleOfATrial) {
   EXPECT_EQ(trials[0].verdict, Verdict::Fail);
   EXPECT_EQ(trials[0].traceSamples, 1000);
   EXPECT_EQ(trials[0].step.visitStatus, storage::VisitStatus::BrokenOff);
-  EXPECT_TRUE(isSound());  // the trace has its trial
+  EXPECT_TRUE(isSound());  // every trace has its trial
 }
 
 TEST_F(SessionStepsTest, RemembersWhyATrialBrokeOffWhenItsParticipantLeaves) {
@@ -257,7 +258,7 @@ TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {
   tests::walkTo(session, StepKind::Benchmark);
   EXPECT_EQ(session.benchmarkCuts(), 0);
   session.recordBenchmarkCuts(2);
-  EXPECT_THROW(session.finishStep(), UserError);  // at least 3, says the protocol
+  EXPECT_THROW(session.finishStep(), UserError);  // the protocol asks for at least 3
   EXPECT_THROW(session.recordBenchmarkCuts(-1), UserError);
   EXPECT_EQ(session.benchmarkCuts(), 2);
   session.recordBenchmarkCuts(3);

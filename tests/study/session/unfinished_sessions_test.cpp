@@ -13,7 +13,7 @@ namespace unfinished_sessions_test {
 
 class UnfinishedSessionsTest : public testing::Test {
  protected:
-  /// Of the only session.
+  /// The only unfinished session.
   UnfinishedSession look() {
     const auto all = unfinishedSessions(*study_);
     return all.size() == 1 ? all.front() : UnfinishedSession{};

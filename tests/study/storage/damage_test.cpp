@@ -1,5 +1,4 @@
-// A bit that turns over by itself, a page of zeros, a file that was cut off: found, or without any
-// consequence for what is kept.
+// A flipped bit, a page of zeros, a truncated file: damage is detected, or changes no stored value.
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -83,16 +82,16 @@ class DamageTest : public testing::Test {
     stream << std::string(kPage, '\0');
   }
 
-  /// What came of looking at damaged copies.
+  /// The number of damaged copies by outcome.
   struct Outcome {
-    int refused = 0;   ///< not opened, with words for the person at the desk
-    int reported = 0;  ///< by the verification
-    int harmless = 0;  ///< every value of every table is what it was
+    int refused = 0;   ///< not opened, with a message for the operator
+    int reported = 0;  ///< found by the verification
+    int harmless = 0;  ///< every value of every table is unchanged
     int missed = 0;
     int found() const { return refused + reported; }
   };
 
-  /// Damages the file @p name of a fresh copy, and looks what becomes of it.
+  /// Damages the file @p name of a fresh copy, and counts the outcome.
   void lookAfter(
       const std::string& name, const std::function<void(const std::string& file)>& damage) {
     const auto folder = copy();
@@ -160,7 +159,7 @@ TEST_F(DamageTest, OfAWholePageIsFoundOrChangesNothing) {
   }
   report("pages");
   EXPECT_GE(outcome_.found(), 60);
-  EXPECT_LE(outcome_.harmless, 5);  // pages of nothing but room
+  EXPECT_LE(outcome_.harmless, 5);  // pages that contain free space only
 }
 
 TEST_F(DamageTest, ByCuttingOffIsAlwaysFound) {
@@ -183,14 +182,14 @@ TEST_F(DamageTest, IsNothingWhereNothingWasDone) {
 }
 
 TEST_F(DamageTest, IsSeenByThisTestWhereTheProgramDoesNotLook) {
-  // The control: a row that no check asks about makes a difference.
+  // The control: a row that no check reads makes the copy different.
   const std::string lease =
       "INSERT INTO lease (session_id, station, pid, taken_utc, process) VALUES (1, 'x', 1, '', '')";
   const auto folder = copy();
   tests::Sql(folder + "/study.db").run(lease);
   SimulatedClock clock;
   auto study = Study::open(folder, clock);
-  EXPECT_TRUE(verify(study).isSound());  // who holds a session is no result of a study
+  EXPECT_TRUE(verify(study).isSound());  // leases are not part of a study's results
   EXPECT_NE(everythingIn(study), whole_);
 }
 

@@ -29,7 +29,7 @@ std::string pragma(Database& database, const std::string& name) {
 
 TEST(Database, IsReallySetUpToKeepWhatItAcknowledges) {
   tests::MadeStudy study;
-  auto recorder = study->openTraces();  // the connection of the recorder's thread
+  auto recorder = study->openTraces();  // the recorder thread's connection
   for (auto* database :
        {&study->database(),
         &study->traces().database(),
@@ -66,7 +66,7 @@ class OpeningTest : public testing::Test {
     return refusalOf([&] { Study::open(study_.folder(), study_.clock, access); });
   }
 
-  /// A study.db with something in it, whole, without a log.
+  /// A study.db with content, complete, without a log.
   void SetUp() override {
     {
       auto session = Session::enrol(*study_, {.cohort = "surgeons"});

@@ -1,4 +1,4 @@
-// A commit that fails: nothing has changed, on the disk and in the session.
+// A commit that fails changes nothing on the disk or in the session.
 #include <functional>
 #include <tuple>
 
@@ -14,7 +14,7 @@ namespace failed_commit_test {
 
 class FailedCommitTest : public testing::Test {
  protected:
-  /// Everything that a session says about where it is.
+  /// All functions of a session that tell its state.
   auto situation() {
     return std::tuple(
         session_.state(),
@@ -25,13 +25,13 @@ class FailedCommitTest : public testing::Test {
         tests::eventsOf(*study_, session_.id()));
   }
 
-  /// SQLite asks the hook before each commit, and rolls back where it answers other than 0.
+  /// SQLite calls the hook before each commit, and rolls back if it returns anything but 0.
   void letCommits(bool succeed) {
     sqlite3_commit_hook(
         study_->database().handle(), succeed ? nullptr : +[](void*) { return 1; }, nullptr);
   }
 
-  /// Does what @p action does, but only after its first commit has failed without a trace.
+  /// Runs @p action twice; its first commit must fail and leave no change.
   void failFirst(const char* name, const std::function<void()>& action) {
     SCOPED_TRACE(name);
     const auto before = situation();

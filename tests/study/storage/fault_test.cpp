@@ -1,6 +1,5 @@
-// The n-th call of the disk, and the n-th need of memory, fail.
-// The long form tries all points of both kinds (many minutes); the short one each of the first 12,
-// and then a sample.
+// The n-th disk operation or memory allocation fails. The long form tries all of both (many
+// minutes); the short one the first 12, and then a sample.
 #include <iostream>
 
 #include <gtest/gtest.h>
@@ -24,8 +23,8 @@ struct Kind {
   Arm when;
   bool isPersistent;
   int error;
-  std::int64_t stride;  ///< between the points that are tried, after the first ones
-  std::size_t fewest;   ///< points that there must be in the long form; an eighth in the short one
+  std::int64_t stride;  ///< step between the points that are tried after the first ones
+  std::size_t fewest;   ///< points that the long form must reach; the short one an eighth
 };
 
 constexpr int kIoError = 5;  // EIO
@@ -119,7 +118,7 @@ TEST(Faults, AreNoneWhereNothingFails) {
 }
 
 TEST(Faults, AreFoundByThisTestWhereSomethingIsLost) {
-  // The positive control: an acknowledgement too many is a loss.
+  // The positive control: one acknowledgement too many is found as a loss.
   tests::ScriptedStudy study;
   const auto folder = study.copy();
   auto outcome = tests::runScript(folder, Arm::BeforeTheFirstCall, [] {

@@ -14,7 +14,7 @@
 namespace tests {
 namespace {
 
-/// Counts calls, and says which of them fail.
+/// Counts calls, and decides which of them fail.
 struct Trigger {
   Fault fault;
   std::int64_t calls = 0;
@@ -38,7 +38,7 @@ struct Trigger {
 Trigger disk;
 Trigger memory;
 
-/// One of the calls in SQLite's own table of them, put between it and the system.
+/// A function of SQLite's table of system calls, wrapped so that it can fail.
 template <int kWhich, typename Result, typename... Arguments>
 struct Wrapped {
   using Call = Result (*)(Arguments...);
@@ -108,7 +108,7 @@ void install() {
   methods.xMalloc = faultyMalloc;
   methods.xRealloc = faultyRealloc;
   sqlite3_config(SQLITE_CONFIG_MALLOC, &methods);
-  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 0, 0);  // every need of memory is a need of malloc
+  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 0, 0);  // every allocation then calls malloc
   sqlite3_initialize();
 }
 void arm(const Fault& fault) {
@@ -124,7 +124,8 @@ bool hasFired() {
 
 }  // namespace tests
 
-// SQLite's table of system calls has no entry for flushing a file. Its library finds ours first.
+// SQLite's table of system calls has no entry for flushing files. The linker finds these functions
+// before the C library's.
 extern "C" {
 int fdatasync(int file) {
   if (tests::disk.fails()) {

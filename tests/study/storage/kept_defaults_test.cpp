@@ -1,5 +1,5 @@
-// A study keeps the defaults of the release under which its protocol came into it: an update of the
-// program changes no rendering of a study under way.
+// A study keeps the defaults of the release under which its protocol was added: an update of the
+// program does not change the rendering of a running study.
 #include <gtest/gtest.h>
 
 #include "tests/study/made_study.h"
@@ -10,7 +10,7 @@ namespace kept_defaults_test {
 
 using haptics::engine::SeenTissue;
 
-/// A condition that does not say what the seen tissue follows.
+/// How the visible tissue follows in a condition whose protocol does not say so.
 SeenTissue seenIn(const protocols::LoadedProtocol& loaded) {
   return loaded.protocol.conditions.front().seenTissue;
 }

@@ -24,7 +24,7 @@ class LeaseTest : public testing::Test {
     return tests::refusalOf([&] { Session::resume(*study_, id_); });
   }
 
-  /// Writes a lease as somebody else may have left it.
+  /// Writes a lease's row as another program may have left it.
   void leave(const std::string& station, std::int64_t pid, const std::string& process) {
     tests::Sql(study_.file("study.db"))
         .run(
@@ -47,7 +47,7 @@ TEST_F(LeaseTest, IsForOneWindowAtATime) {
   const auto refusal = resuming();
   EXPECT_EQ(refusal.kind, Kind::Busy);
   tests::expectClear(refusal, "process " + std::to_string(getpid()));
-  tests::passStep(*first);  // who was first goes on
+  tests::passStep(*first);  // the first holder continues
   first.reset();
   EXPECT_FALSE(resuming().happened);
 }
@@ -112,12 +112,12 @@ TEST_F(LeaseTest, IsHeldByAnotherProgramUntilThatIsGone) {
   const auto refusal = resuming();
   EXPECT_EQ(refusal.kind, Kind::Busy);
   tests::expectClear(refusal, "process " + std::to_string(other.pid()));
-  other.die();  // kill -9: it gives nothing back
+  other.die();  // kill -9: the lease is not given back
   EXPECT_FALSE(resuming().happened);
 }
 
 TEST_F(LeaseTest, IsTakenOverFromAProcessOfTheSameNumberThatBeganAtAnotherTime) {
-  leave(thisStation(), 1, "another-boot/12345#1");  // there is always a process 1
+  leave(thisStation(), 1, "another-boot/12345#1");  // process 1 always exists
   EXPECT_FALSE(resuming().happened);
 }
 
@@ -143,7 +143,7 @@ TEST_F(LeaseTest, ThatCouldNotBeGivenBackDoesNotLockItsOwnProgramOut) {
   {
     tests::Sql other(study_.file("study.db"));
     other.run("BEGIN IMMEDIATE");
-    session.reset();  // waits in vain for the right to write
+    session.reset();  // waits in vain for the write lock
     other.run("ROLLBACK");
   }
   EXPECT_EQ(tests::Sql(study_.file("study.db")).number("SELECT count(*) FROM lease"), 1);

@@ -42,7 +42,7 @@ TEST_P(LockedTest, SaysSoInTimeChangesNothingAndGoesOnAfterwards) {
   EXPECT_GE(took_, 2.5);  // the busy timeout is 3 s
   EXPECT_LT(took_, 6.0);
   EXPECT_EQ(session_.state(), SessionState::Enrolled);
-  EXPECT_EQ(session_.answers(), answers);  // reading goes on all the while
+  EXPECT_EQ(session_.answers(), answers);  // reading works meanwhile
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()), events);
 
   other.run("ROLLBACK");

@@ -1,4 +1,4 @@
-// Studies of older formats go on: somebody's study is at each of them.
+// Studies of older formats can be continued.
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace migration_test {
 
 using Access = Database::Access;
 
-/// A study of format 1 as palpate 0.1.0 left it on 2026-11-21, with a live session under way.
+/// A study of format 1, made by palpate 0.1.0 on 2026-11-21, with an unfinished live session.
 class FormatOneTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -100,7 +100,7 @@ TEST_F(FormatOneTest, IsProtectedByTheRulesOfTheNewOne) {
 }
 
 TEST_F(FormatOneTest, StaysWhatItWasWhenBringingItUpToDateFails) {
-  // Somebody has made a thing of the same name as one that the new format makes.
+  // A table of the same name as one that the new format adds.
   tests::Sql(folder_ + "/study.db")
       .run(
           "CREATE TRIGGER a_frozen_protocol_is_not_removed BEFORE DELETE ON protocol BEGIN SELECT "
@@ -114,7 +114,7 @@ TEST_F(FormatOneTest, StaysWhatItWasWhenBringingItUpToDateFails) {
       before);
 }
 
-/// What a study of the present format says, as one of format 2.
+/// Writes a copy of a study in format 2, made from the present format.
 void writeAsFormatTwo(const std::string& from, const std::string& to) {
   const Schema now = studySchema();
   Database::create(to, {now.applicationId, now.name, now.steps.first(2)});

@@ -9,7 +9,7 @@
 
 namespace tests {
 
-/// What somebody was told who could not have what they wanted.
+/// The error that a caller got.
 struct Refusal {
   bool happened = false;
   study::storage::StorageError::Kind kind = study::storage::StorageError::Kind::Other;
@@ -25,8 +25,8 @@ inline Refusal refusalOf(const std::function<void()>& action) {
   return {};
 }
 
-/// A sentence for the person at the desk: long enough to say what, to what, and what to do; no code
-/// of a library alone.
+/// Checks that a message is for an operator: long enough to say what failed, where, and what to do,
+/// and not only a library's code.
 inline void expectClear(const Refusal& refusal, const std::string& mentions) {
   EXPECT_TRUE(refusal.happened);
   EXPECT_NE(refusal.words.find(mentions), std::string::npos) << refusal.words;

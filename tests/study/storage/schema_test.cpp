@@ -1,4 +1,4 @@
-// What the tables themselves refuse, whoever writes: the last line against our own mistakes.
+// What the tables themselves refuse, as the last check against our own mistakes.
 #include <gtest/gtest.h>
 
 #include "tests/study/made_study.h"
@@ -21,7 +21,7 @@ class SchemaTest : public testing::Test {
   }
 
   void expectRefused(const std::string& refused) { EXPECT_TRUE(sql_->refuses(refused)) << refused; }
-  /// The control of a refusal: it is not something else that was refused.
+  /// The control of a refusal: without the mistake the statement is accepted.
   void expectAllowed(const std::string& allowed) {
     EXPECT_FALSE(sql_->refuses("SAVEPOINT s; " + allowed + "; ROLLBACK TO s; RELEASE s"))
         << allowed;

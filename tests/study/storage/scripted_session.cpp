@@ -37,7 +37,7 @@ study::TrialRecord recordOf(int samples, study::TrialEnding ending) {
   return record;
 }
 
-/// Whatever state a session is in: on to its end.
+/// Continues a session to its end from any state.
 void goOn(Session& session) {
   while (!session.isOver()) {
     if (session.state() == study::SessionState::Interrupted) {
@@ -102,7 +102,7 @@ ScriptedStudy::ScriptedStudy() {
     auto study = Study::create(original, protocol, clock, 3);
     Session::enrol(study, {.cohort = "surgeons"});
   }
-  fs::remove(original + "/ballast");  // is taken again when a copy is opened
+  fs::remove(original + "/ballast");  // reserved again when a copy is opened
   const std::string folder = copy();
   auto study = Study::open(folder, clock);
   auto session = Session::resume(study, kSession);

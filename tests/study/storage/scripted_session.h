@@ -10,26 +10,26 @@
 
 namespace tests {
 
-/// What one call of a scripted session does.
+/// One call of a scripted session.
 struct ScriptedCall {
   std::string name;
   std::function<void(study::Study&, study::Session&)> run;
 };
 
-/// A session with everything in it: answers, changed and taken back, a name, trials that end well
-/// and badly, a pause, a note, another language. Each call that returns has been acknowledged.
+/// A session with all features: answers, changed and removed ones, a name, trials that finish and
+/// fail, a pause, a note, a change of language. Each call that returns is acknowledged.
 const std::vector<ScriptedCall>& scriptedCalls();
 
-/// A study in which that session is about to begin, as files to be copied, and what the tables say
+/// A study in which that session is about to begin, as files to be copied, and the tables' content
 /// after each of its calls.
 class ScriptedStudy {
  public:
   ScriptedStudy();
 
-  /// A fresh copy; the last one is gone.
+  /// A fresh copy; removes the last one.
   std::string copy();
 
-  /// What the tables say of the session after @p calls of them.
+  /// The hash of the tables' content about the session after @p calls calls.
   const study::storage::Hash& after(std::size_t calls) const { return after_.at(calls); }
 
  private:
@@ -37,21 +37,21 @@ class ScriptedStudy {
   std::vector<study::storage::Hash> after_;
 };
 
-/// How far a session came before something failed.
+/// How far a session came before a call failed.
 struct Outcome {
   std::size_t acknowledged = 0;
   bool isComplete = false;
   std::string error;  ///< in words
 };
 
-/// Opens the study in @p folder and runs the scripted session until a call throws. With @p arm
-/// something is made to fail: before the study is opened, or when the session is about to begin.
+/// Opens the study in @p folder and runs the scripted session until a call throws. The fault is
+/// armed by @p arm, before the study is opened or before the first call.
 enum class Arm { BeforeOpening, BeforeTheFirstCall };
 Outcome runScript(const std::string& folder, Arm when, const std::function<void()>& arm);
 
-/// Everything that must hold after whatever happened, nothing failing any more: what was
-/// acknowledged is there, at most the call that was not is there as well, everything verifies, and
-/// the session goes on to its end. Empty where it holds.
+/// Checks, without faults, everything that must hold after any failure: acknowledged calls are
+/// stored, at most the failed one in addition, everything verifies, and the session can be
+/// continued to its end. Empty if all of this holds.
 std::string whatIsWrongAfter(
     const ScriptedStudy& study,
     const std::string& folder,

@@ -1,5 +1,4 @@
-// A study in an archive, that nobody may write to: it is still read, and never less of it than
-// there is.
+// A study in an archive without permission to write can be read completely.
 #include <unistd.h>
 
 #include <filesystem>
@@ -23,7 +22,7 @@ class SealedTest : public testing::Test {
   void SetUp() override { Session::enrol(*study_, {.cohort = "surgeons"}); }
   void TearDown() override { mayWrite(fs::perm_options::add); }
 
-  /// Copies the study as it lies on the disk now, and takes everybody's right to write away.
+  /// Copies the study as it is on the disk now, and removes all permissions to write.
   std::string seal() {
     fs::create_directory(archive_);
     for (const auto& entry : fs::directory_iterator(study_.folder())) {
@@ -65,18 +64,19 @@ TEST_F(SealedTest, IsReadAndVerifiedAndNothingIsAddedToIt) {
     auto study = Study::open(archive_, study_.clock, Access::ReadOnly);
     EXPECT_TRUE(verify(study).isSound());
     EXPECT_EQ(study.events().read().size(), events);
-    EXPECT_EQ(names(), before);  // no log, no index, no ballast
+    EXPECT_EQ(names(), before);  // no log, no index, no reserved space
   }
   EXPECT_EQ(names(), before);
 }
 
 TEST_F(SealedTest, NeverHasLessInItThanItsLogSays) {
   const auto events = study_->events().read().size();
-  seal();  // while the study is open: the latest is in the log
+  seal();  // while the study is open: its latest changes are in the log
   ASSERT_EQ(names().count("study.db-wal"), 1U);
   const auto refusal = tests::refusalOf([&] {
     auto study = Study::open(archive_, study_.clock, Access::ReadOnly);
-    EXPECT_EQ(study.events().read().size(), events);  // who may do anything may read the log
+    // with permission to write the log can be read
+    EXPECT_EQ(study.events().read().size(), events);
   });
   if (refusal.happened) tests::expectClear(refusal, "may not be written");
 }

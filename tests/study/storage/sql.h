@@ -7,8 +7,8 @@ struct sqlite3;
 
 namespace tests {
 
-/// A connection of somebody else: no schema is asked for, nothing is set, whatever SQLite lets
-/// happen happens. For looking behind the program's back, and for mischief.
+/// A plain SQLite connection without our schema and settings. Tests use it to look at files and to
+/// damage them.
 class Sql {
  public:
   explicit Sql(const std::string& file);
@@ -16,9 +16,9 @@ class Sql {
   Sql(const Sql&) = delete;
   Sql& operator=(const Sql&) = delete;
 
-  /// @throws std::runtime_error  with SQLite's own words.
+  /// @throws std::runtime_error  with SQLite's message.
   void run(const std::string& statements);
-  /// The first value of the first row; empty where there is none.
+  /// The first value of the first row; empty if there is none.
   std::string text(const std::string& query);
   std::int64_t number(const std::string& query);
   /// Whether SQLite refuses @p statement.

@@ -1,4 +1,4 @@
-// Several stations write into one study at the same time.
+// Several stations write to one study at the same time.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,9 +16,9 @@ namespace study {
 namespace stations_test {
 
 constexpr int kStations = 3;
-constexpr int kSessions = 12;  // at each of them
+constexpr int kSessions = 12;  // for each of them
 
-/// A process of its own that runs sessions one after the other; ends with 0 where all went well.
+/// Starts a process that runs sessions one after another; it ends with 0 if all succeeded.
 pid_t startStation(const std::string& folder) {
   const pid_t id = fork();
   if (id != 0) return id;
@@ -38,7 +38,7 @@ pid_t startStation(const std::string& folder) {
 
 TEST(Stations, ShareAStudyAndTakeNobodysPlaceOrName) {
   tests::MadeStudy study;
-  study.close();  // no connection may be taken along into another process
+  study.close();  // SQLite connections must not be used across fork()
   std::vector<pid_t> stations;
   for (int i = 0; i < kStations; ++i) stations.push_back(startStation(study.folder()));
   for (const pid_t id : stations) {
@@ -60,7 +60,7 @@ TEST(Stations, ShareAStudyAndTakeNobodysPlaceOrName) {
   EXPECT_EQ(names.size(), all);
   EXPECT_EQ(places.size(), all);
   EXPECT_LT(
-      std::get<1>(*places.rbegin()), static_cast<std::int64_t>(all) / 2);  // and none is left out
+      std::get<1>(*places.rbegin()), static_cast<std::int64_t>(all) / 2);  // no place is left out
   EXPECT_TRUE(verify(*study).isSound());
 }
 

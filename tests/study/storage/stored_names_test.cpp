@@ -9,7 +9,7 @@
 namespace study {
 namespace stored_names_test {
 
-/// Whether each name of the first @p count values is read back as the value that it stands for.
+/// Whether the names of the first @p count values are read back as those values.
 template <typename Value>
 void expectNamesToBeReadBack(
     int count, std::optional<Value> (*valueNamed)(std::string_view) noexcept) {

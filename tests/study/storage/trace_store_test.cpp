@@ -1,4 +1,4 @@
-// What was felt, a thousand times a second, comes back as it was; what is missing shows.
+// Samples of a trial are read back unchanged; missing ones are detected.
 #include "study/storage/trace_store.h"
 
 #include <cstring>
@@ -20,7 +20,7 @@ namespace trace_store_test {
 
 using Samples = std::vector<TraceSample>;
 
-/// Samples of any bits at all: no number, infinities, −0.
+/// Samples with random bits: not-a-number, infinities, −0.
 Samples anySamples(std::size_t count, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<std::uint32_t> words(count * sizeof(TraceSample) / sizeof(std::uint32_t));
@@ -70,12 +70,12 @@ TEST(TraceStore, WritesNoChunkOverAnother) {
   TraceStore store(Database::inMemory(traceSchema()));
   const auto first = anySamples(10, 1);
   store.add(kVisit, 0, first);
-  store.add(kVisit, 0, first);  // arrived already: a commit of which nobody knew
+  store.add(kVisit, 0, first);  // written already, by a commit of unknown outcome
   EXPECT_THROW(store.add(kVisit, 0, anySamples(10, 2)), StorageError);
   EXPECT_TRUE(areSameBits(store.read(kVisit), first));
 }
 
-/// A session with a trial of several seconds, felt by a simulated hand and kept.
+/// A session with a trial of several seconds, made by a simulated hand and stored.
 class KeptTrialTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -92,7 +92,7 @@ class KeptTrialTest : public testing::Test {
 
   Trial::Setup setup() { return setupFor(session_, study_->traces()); }
 
-  /// What the verification says about traces, after somebody did @p mischief.
+  /// The verification's findings on traces after the statement @p mischief.
   std::string problemsAfter(const std::string& mischief) {
     tests::Sql(study_.file("traces.db")).run(mischief);
     const auto traces = verify(*study_).checks.back();
@@ -162,7 +162,7 @@ TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
   EXPECT_EQ(study_->traces().read(first).size(), 1501U);
   session_.breakOffTrial(record);
 
-  EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));  // the operator decides first
+  EXPECT_FALSE(session_.allows(SessionEvent::BeganTrial));  // only the operator can continue
   EXPECT_TRUE(session_.allows(SessionEvent::RepeatedStep));
   deviceSet_.plugIn(deviceFor(session_).id);
   session_.repeatStep("the plug is in again");

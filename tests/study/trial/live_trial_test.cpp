@@ -1,5 +1,4 @@
-// A trial at the pace of a clock, with its three threads: short, and under the thread sanitizer
-// too.
+// A trial in real time with its three threads. Short, so that the thread sanitizer can run it.
 #include "study/trial/live_trial.h"
 
 #include <chrono>
@@ -34,7 +33,7 @@ class LiveTrialTest : public testing::Test {
     kept_.insert(kept_.end(), samples.begin(), samples.end());
   }
 
-  /// Looks on until @p isThere, five seconds at most.
+  /// Waits until @p isThere holds, at most five seconds.
   static bool wait(const std::function<bool()>& isThere) {
     const auto end = std::chrono::steady_clock::now() + 5s;
     while (!isThere() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
@@ -77,7 +76,7 @@ TEST_F(LiveTrialTest, LetsGoAtOnceWhenSomebodyPressesStop) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
   live.stop();
-  std::this_thread::sleep_for(5ms);  // one tick may have been under way
+  std::this_thread::sleep_for(5ms);  // one tick may have been in progress
   const auto record = live.finish(TrialEnding::Stopped);
   EXPECT_EQ(record.ending, TrialEnding::Stopped);
   EXPECT_EQ(device_.commandedForce(), 0.0);
@@ -120,11 +119,11 @@ TEST_F(LiveTrialTest, LetsGoWhereNothingCanBeKept) {
 TEST_F(LiveTrialTest, HasNoForceFromTheMomentOnWhereNothingCanBeKept) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
-  isDiskFull_ = true;  // for the next chunk, which is due within a second
+  isDiskFull_ = true;  // before the next chunk, which is due within a second
   ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
 
   EXPECT_TRUE(trial_.isStopped()) << "before anybody finishes the trial";
-  const auto stopped = live.status().ticks + 1;  // one may have been under way
+  const auto stopped = live.status().ticks + 1;  // one tick may have been in progress
   ASSERT_TRUE(wait([&] { return live.status().ticks >= stopped + 200; }));
   haptics::engine::TickSample sample;
   int seen = 0;

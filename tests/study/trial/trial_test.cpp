@@ -1,4 +1,4 @@
-// What a trial keeps, counts and says of itself.
+// What a trial stores and counts, and its verdict.
 #include "study/trial/trial.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool says(const TrialRecord::Judgement& judgement, std::string_view key) {
       reasons.begin(), reasons.end(), [&](const auto& reason) { return reason.key() == key; });
 }
 
-/// A punch in a simulated hand, and a trial on it that keeps everything in memory.
+/// A punch with a simulated hand, and a trial on it that is stored in memory.
 class TrialTest : public testing::Test {
  protected:
   TrialTest()
@@ -88,7 +88,8 @@ TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
   EXPECT_EQ(timesOf(SafetyKind::Released).times, 1);
   EXPECT_NEAR(timesOf(SafetyKind::Released).duration, 0.1, 1e-9);
   EXPECT_EQ(timesOf(SafetyKind::MissedPeriods).times, 1);
-  EXPECT_GE(timesOf(SafetyKind::SoftStart).times, 2);  // at the beginning, and after the release
+  // at the beginning, and after the dead-man switch
+  EXPECT_GE(timesOf(SafetyKind::SoftStart).times, 2);
   EXPECT_EQ(timesOf(SafetyKind::TooFast).times, 0);
   const auto judgement = record.judgement();
   EXPECT_EQ(judgement.verdict, Verdict::Warn);
@@ -176,7 +177,7 @@ TEST_F(TrialTest, EndsWhereNobodyCuts) {
   EXPECT_EQ(runOffline(trial, 1000, 2.0).ending, TrialEnding::TimedOut);
 }
 
-// Either side of every limit that judges a trial.
+// Both sides of every limit of the verdict.
 TrialRecord sound() {
   return {
       .ticks = 10'000,
@@ -199,7 +200,7 @@ TEST(TrialJudgement, PassesWarnsAndFailsByTheRate) {
   EXPECT_EQ(judged([](auto& r) { r.achievedRate = 949.0; }), Verdict::Warn);
   EXPECT_EQ(judged([](auto& r) { r.achievedRate = 900.0; }), Verdict::Warn);
   EXPECT_EQ(judged([](auto& r) { r.achievedRate = 899.0; }), Verdict::Fail);
-  EXPECT_EQ(judged([](auto& r) { r.achievedRate.reset(); }), Verdict::Pass);  // no clock
+  EXPECT_EQ(judged([](auto& r) { r.achievedRate.reset(); }), Verdict::Pass);  // simulated time
 }
 
 TEST(TrialJudgement, WarnsOfLateTicksSaturationAndForcesThatAreNone) {

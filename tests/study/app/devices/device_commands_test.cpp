@@ -1,5 +1,5 @@
-// A study on both devices at once, on their real wires, with stand-ins that are processes of their
-// own: that it works, and what happens when something breaks in the middle of a trial.
+// A study with both devices at once on real wires, emulated by other processes: a normal session,
+// and failures during a trial.
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ std::uint64_t numberAfter(const std::string& text, const std::string& name) {
   return std::stoull(text.substr(at + key.size()));
 }
 
-/// Over all trials on one device, which is told by what its round trip cannot be.
+/// The sum over all trials on one device, which is recognised by its round trip.
 std::uint64_t sumOver(const std::vector<std::string>& links, const std::string& word) {
   std::uint64_t sum = 0;
   for (const auto& link : links) sum += numberAfter(link, word);
@@ -46,7 +46,7 @@ bool readUntil(tests::ChildProcess& process, const std::string& part) {
   return false;
 }
 
-/// How much processor a process has had [s].
+/// Processor time of a process [s].
 double processorTime(pid_t id) {
   std::ifstream file("/proc/" + std::to_string(id) + "/stat");
   std::string line;
@@ -62,7 +62,7 @@ double processorTime(pid_t id) {
 
 class DeviceCommands : public testing::Test {
  protected:
-  /// The study has come to its end, with every trial felt once, and nothing is wrong with it.
+  /// Checks that the study is complete, every trial was finished once, and the study verifies.
   void expectWholeStudy(std::size_t trials) {
     const auto endings = laboratory_.endings();
     EXPECT_EQ(
@@ -78,7 +78,7 @@ class DeviceCommands : public testing::Test {
   EmulatedLaboratory laboratory_;
 };
 
-/// Asks until @p isSo of its status, three seconds long; the status.
+/// Waits up to three seconds until @p isSo holds for its status; returns the status.
 template <typename Predicate>
 std::map<std::string, std::string> statusWhen(Emulator& emulator, Predicate isSo) {
   const auto until = tests::monotonic() + 3'000'000'000;
@@ -87,8 +87,8 @@ std::map<std::string, std::string> statusWhen(Emulator& emulator, Predicate isSo
   return status;
 }
 
-/// Why the hand on @p emulator does not come to feel more than @p newtons: what became of the
-/// participant. Empty where it does.
+/// Why the hand on @p emulator does not get more than @p newtons: the output of the participant's
+/// program. Empty if it does.
 std::string whyNotFelt(Emulator& emulator, double newtons, tests::ChildProcess& participant) {
   const auto isWorthWaiting = [&] { return !participant.hasEnded(); };
   if (EmulatedLaboratory::waitForForce(emulator, newtons, isWorthWaiting)) return {};
@@ -98,7 +98,7 @@ std::string whyNotFelt(Emulator& emulator, double newtons, tests::ChildProcess& 
   return status + "\n" + ended.out + ended.error;
 }
 
-/// Trials that last long enough for something to break in the middle.
+/// Trials that are long enough for a failure during one.
 class PunchFaults : public DeviceCommands {
  protected:
   PunchFaults() : DeviceCommands(4, 1) {}
@@ -136,7 +136,7 @@ TEST_F(DeviceCommands, LetAWholeParticipantFeelBoth) {
   ASSERT_EQ(finished.status, 0) << finished.error;
   expectWholeStudy(kTrials);
   const auto links = laboratory_.events("device_link");
-  ASSERT_GE(links.size(), kTrials);  // a computer that stood still for a while repeats a trial
+  ASSERT_GE(links.size(), kTrials);  // a trial is repeated if the computer stood still
   for (const auto& link : links) {
     EXPECT_EQ(numberAfter(link, "lost") + numberAfter(link, "damaged"), 0U) << link;
   }
@@ -168,7 +168,7 @@ TEST_F(PunchFaults, LetGoWhenThePunchFailsAndGoOnAfterwards) {
     ASSERT_EQ(why, "") << fault;
     ASSERT_EQ(punch.ask(fault), "ok " + fault);
     ASSERT_TRUE(readUntil(*participant, "broken off")) << fault;
-    // A line of an earlier fault may have been the one that was read.
+    // The line that was read may belong to an earlier fault.
     const auto status =
         statusWhen(punch, [](auto& told) { return std::stod(told.at("let_go_ms")) >= 0.0; });
     EXPECT_GE(std::stod(status.at("let_go_ms")), 0.0) << fault;
@@ -253,7 +253,7 @@ TEST_F(DeviceCommands, CountWhatHappensToMessagesExactly) {
   }
   const auto finished = participant->finish();
   ASSERT_EQ(finished.status, 0) << finished.error;
-  // Damage counts as damaged, and the frame that it hit as lost besides.
+  // A damaged frame counts as damaged and as lost.
   const auto links = laboratory_.events("device_link");
   EXPECT_EQ(sumOver(links, "lost"), 7U + 3U + 3U);
   EXPECT_EQ(sumOver(links, "doubled"), 5U + 6U);
@@ -277,7 +277,7 @@ TEST(DeviceFirmware, UnderQemuFeelsLikeTheNativeOneAndItsEndIsNoticed) {
     return tests::run({tests::program(), "device", "check", file, "--seconds", "1", "--json"});
   };
   auto checked = check();
-  // A computer that shares its processors may keep QEMU from them for longer than a punch waits.
+  // On a computer that shares its processors QEMU may stand still for longer than a punch waits.
   for (int i = 0; i < 9 && checked.status != 0; ++i) checked = check();
   ASSERT_EQ(checked.status, 0) << checked.out << checked.error;
 
@@ -351,7 +351,7 @@ TEST(DeviceRehearsal, TakesItsStandInsWithItHoweverItEnds) {
       }
       return isSo();
     };
-    // The device file is written when both emulators are there.
+    // The device file is written when both emulators have started.
     ASSERT_TRUE(
         becomesTrue([&] { return std::filesystem::exists(folder / "rehearsal/devices.json"); }));
     ASSERT_TRUE(std::filesystem::is_symlink(port));

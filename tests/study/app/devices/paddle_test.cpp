@@ -1,4 +1,4 @@
-// A study on the paddle: with its emulator, and in its own words and units.
+// A study with the emulated paddle, and its own words and units.
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -10,7 +10,7 @@ namespace rehearsal_verdict_test {
 using std::chrono::milliseconds;
 
 TEST(RehearsalVerdict, FailsOnlyOnAMachineThatWasThere) {
-  // The punch lets go 10 ms after the last order (docs/punch-protocol.md).
+  // The punch switches its force off 10 ms after the last command (docs/punch-protocol.md).
   EXPECT_EQ(verdictOf(false, milliseconds(0)), RehearsalVerdict::Failed);
   EXPECT_EQ(verdictOf(false, milliseconds(9)), RehearsalVerdict::Failed);
   EXPECT_EQ(verdictOf(false, milliseconds(10)), RehearsalVerdict::NotJudged);

@@ -1,4 +1,4 @@
-// 'palpate stats check-table' from outside.
+// The command 'palpate stats check-table'.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-// 'palpate plan' from outside.
+// The command 'palpate plan'.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -112,7 +112,7 @@ TEST(PlanCommand, AddsUpASession) {
       planned({"punch-counterbalanced", "--studies", "0", "--seconds-per-cut", "18"});
   EXPECT_NEAR(
       slower["session"]["seconds"].get<double>() - session["seconds"].get<double>(),
-      (18 + 3) * 10.0,  // with those on the real tool
+      (18 + 3) * 10.0,  // including those with the real tool
       1e-9);
 }
 

@@ -105,7 +105,7 @@ TEST(Figures, BecomePdfAndPngOfTheirSize) {
   QImage image;
   ASSERT_TRUE(
       image.loadFromData(reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size())));
-  EXPECT_EQ(image.width(), 2563);  // 820 px at 96 dpi are so many at 300
+  EXPECT_EQ(image.width(), 2563);  // 820 px at 96 dpi, converted to 300 dpi
 }
 
 TEST(PdfReport, HasPagesWithTheFiguresInThem) {
@@ -125,7 +125,7 @@ TEST(PdfReport, HasPagesWithTheFiguresInThem) {
   EXPECT_GE(pagesOf(pdf), 4U);
 }
 
-/// What a PDF says, as one who searches or copies finds it; nothing where that cannot be told.
+/// The text of a PDF as it is searched or copied; std::nullopt if no tool can read it.
 std::optional<std::string> textOf(const std::string& pdf) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("page.pdf", pdf);
