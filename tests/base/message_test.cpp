@@ -23,14 +23,14 @@ TEST(Message, IsDescribedInEnglishWithItsArguments) {
       "group 1 has no values; group 2 has no values");
 }
 
-TEST(Message, IsEqualWhereKindAndArgumentsAre) {
+TEST(Message, IsEqualIfKindAndArgumentsAreEqual) {
   EXPECT_EQ(message("empty_group", 2), message("empty_group", 2));
   EXPECT_NE(message("empty_group", 2), message("empty_group", 1));
   EXPECT_NE(message("empty_group", 2), Message::verbatim("group 2 has no values"));
   EXPECT_EQ(message("empty_group", 2).key(), "empty_group");
 }
 
-TEST(Message, MayBeNothingOrWordsFromElsewhere) {
+TEST(Message, MayBeEmptyOrVerbatim) {
   EXPECT_TRUE(Message().empty());
   EXPECT_EQ(describe(Message()), "");
   EXPECT_TRUE(Message::verbatim("").empty());

@@ -93,7 +93,7 @@ RandomStream streamOf(const Golden& golden) {
   return {golden.seed, golden.index, golden.purpose};
 }
 
-TEST(RandomStream, BeginsForEverAsVersionOneDoes) {
+TEST(RandomStream, StartsLikeVersionOneInEveryRelease) {
   EXPECT_EQ(kRandomVersion, 1);
   for (const auto& golden : kGolden) {
     auto stream = streamOf(golden);
@@ -101,7 +101,7 @@ TEST(RandomStream, BeginsForEverAsVersionOneDoes) {
   }
 }
 
-TEST(RandomStream, DrawsAndShufflesForEverAsVersionOneDoes) {
+TEST(RandomStream, DrawsAndShufflesLikeVersionOneInEveryRelease) {
   for (const auto& golden : kGolden) {
     auto dice = streamOf(golden);
     for (const int expected : golden.dice) {
@@ -180,7 +180,7 @@ TEST(RandomStream, IsTheGeneratorItsHeaderNames) {
   }
 }
 
-TEST(RandomStream, IsAnotherForEverySeedIndexAndPurpose) {
+TEST(RandomStream, DiffersForEverySeedIndexAndPurpose) {
   std::set<std::uint64_t> first;
   std::size_t streams = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -195,7 +195,7 @@ TEST(RandomStream, IsAnotherForEverySeedIndexAndPurpose) {
   EXPECT_NE(RandomStream(1, 2, "x").bits(), RandomStream(2, 1, "x").bits());
 }
 
-TEST(RandomStream, IsNotAlikeForNeighbours) {
+TEST(RandomStream, DiffersInHalfOfItsBitsForNeighbouringIndices) {
   int bits = 0;
   constexpr int kPairs = 1000;
   for (std::uint64_t i = 0; i < kPairs; ++i) {
@@ -226,7 +226,7 @@ TEST(RandomStream, DrawsEveryNumberBelowABoundEquallyOften) {
   }
 }
 
-TEST(RandomStream, FavoursNoNumberBelowABoundThatDividesNothing) {
+TEST(RandomStream, IsUniformBelowABoundThatDoesNotDivideItsRange) {
   // Of 64 bits taken modulo 3·2⁶², the lower third would come twice as often as the others.
   constexpr std::uint64_t kThird = std::uint64_t{1} << 62;
   RandomStream stream(2026, 0, "thirds");
@@ -236,7 +236,7 @@ TEST(RandomStream, FavoursNoNumberBelowABoundThatDividesNothing) {
   EXPECT_LT(chiSquare(counts, kDraws / 3.0), 13.82);  // R: qchisq(0.999, 2)
 }
 
-TEST(RandomStream, HasNoChoiceBelowOne) {
+TEST(RandomStream, ReturnsZeroBelowOne) {
   RandomStream stream(1, 1, "one");
   for (int i = 0; i < 100; ++i) EXPECT_EQ(stream.below(1), 0U);
 }
@@ -301,7 +301,7 @@ TEST(RandomStream, ShufflesIntoEveryOrderEquallyOften) {
   EXPECT_LT(chiSquare(numbers, kShuffles / 24.0), 49.73);  // R: qchisq(0.999, 23)
 }
 
-TEST(RandomStream, ShufflesNothingAndOneThingToo) {
+TEST(RandomStream, ShufflesListsOfNoneAndOneElement) {
   RandomStream stream(1, 1, "few");
   std::vector<int> none;
   stream.shuffle(none);

@@ -44,7 +44,7 @@ void takePart(Session& session, bool isRejected) {
   session.reject("did not look at the screen");
 }
 
-TEST(Balance, SurvivesSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
+TEST(Balance, HoldsForSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
   const auto protocol =
       tests::protocolFrom(tests::shortProtocol({.questionnaire = "", .hasPreference = false}));
   tests::MadeStudy study(protocol, 2026);
@@ -90,7 +90,7 @@ TEST(Balance, HoldsExactlyWhenTheLastCycleIsFull) {
   EXPECT_EQ(spread(carryOver), 0);
 }
 
-TEST(Balance, FillsTheHolesFirstWhenSeveralAreInTheRoomAtOnce) {
+TEST(Balance, FillsFreedPlacesFirstWithConcurrentSessions) {
   tests::MadeStudy study;
   std::vector<Session> sessions;
   for (int i = 0; i < 8; ++i) sessions.push_back(Session::enrol(*study, {.cohort = "surgeons"}));

@@ -38,7 +38,7 @@ TEST(Enrolment, ReservesTheLowestFreePlaceOfItsCohort) {
   EXPECT_EQ(other.participant(), "P003");
 }
 
-TEST(Enrolment, KeepsAPlaceThatSomebodyHasCompleted) {
+TEST(Enrolment, KeepsThePlaceOfACompletedSession) {
   MadeStudy study;
   auto first = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkToTheEnd(first);
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         Leaving{"LosingTheDevice", giveUp}),
     [](const auto& leaving) { return leaving.param.name; });
 
-TEST(Enrolment, LetsPilotsAndSimulationsTakeNoPlaceFromAParticipant) {
+TEST(Enrolment, GivesPilotsAndSimulationsTheirOwnPlaces) {
   MadeStudy study;
   const auto pilot = Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Pilot});
   const auto nobody = Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Simulated});
@@ -103,7 +103,7 @@ TEST(Enrolment, LetsPilotsAndSimulationsTakeNoPlaceFromAParticipant) {
   EXPECT_EQ(nobody.participant(), "SIM-001");
 }
 
-TEST(Enrolment, FreezesTheProtocolForTheFirstLiveParticipantAndForNobodyElse) {
+TEST(Enrolment, FreezesTheProtocolForTheFirstLiveParticipantOnly) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Pilot});
   Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Simulated});
@@ -130,7 +130,7 @@ TEST(Enrolment, AmendsFreelyBeforeAndOnlyWithAReasonAfterTheFirstParticipant) {
   EXPECT_EQ(study->protocols().current().reason, "two cuts are too few");
 }
 
-TEST(Enrolment, GoesOnUnderTheProtocolThatASessionBeganWith) {
+TEST(Enrolment, ResumesASessionUnderItsOwnProtocol) {
   MadeStudy study;
   auto before = Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(tests::protocolFrom(tests::shortProtocol({.minimumCuts = 7})), "more cuts");
@@ -168,7 +168,7 @@ TEST(Enrolment, RefusesACodeOfAnotherCohortOrRunModeAndKeepsThePlaceFree) {
   EXPECT_EQ(Session::enrol(*study, {.cohort = "students"}).slot(), 0);
 }
 
-TEST(Enrolment, RefusesWhatTheProtocolDoesNotKnow) {
+TEST(Enrolment, RefusesUnknownCohortsAndLanguages) {
   MadeStudy study;
   EXPECT_THROW(Session::enrol(*study, {.cohort = "nurses"}), UserError);
   EXPECT_THROW(Session::enrol(*study, {.cohort = "surgeons", .language = "fr"}), UserError);
@@ -179,7 +179,7 @@ TEST(Enrolment, RefusesWhatTheProtocolDoesNotKnow) {
   EXPECT_FALSE(isFrozen(*study));
 }
 
-TEST(Enrolment, MakesUpNoCodeThatSomebodyHas) {
+TEST(Enrolment, ChoosesUnusedCodes) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons", .code = "P002"});
   Session::enrol(*study, {.cohort = "students", .code = "SIM-001"});

@@ -176,7 +176,7 @@ TEST_F(ExportedTrial, IsReadBackFromTheDatabaseAsItWasRecorded) {
   EXPECT_EQ(rows[1].largestForce, 16.5);
 }
 
-TEST(Export, SaysOfEveryAnswerWhetherItCountsAndWhyNot) {
+TEST(Export, MarksAnswersThatDoNotCountWithTheReason) {
   tests::MadeStudy study;
   auto completed = Session::enrol(*study, {.cohort = "surgeons", .code = "A1"});
   tests::walkTo(completed, StepKind::Questionnaire);
@@ -208,7 +208,7 @@ TEST(Export, SaysOfEveryAnswerWhetherItCountsAndWhyNot) {
   EXPECT_EQ(said, expected);
 }
 
-TEST(Export, KeepsTheEventsThatTellWhatAnAlternativeIsOutOfABlindedTable) {
+TEST(Export, LeavesEventsThatIdentifyAConditionOutOfABlindedTable) {
   tests::MadeStudy study;
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkTo(session, StepKind::Trial);
@@ -466,7 +466,7 @@ TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsBids) {
   }
 }
 
-TEST_F(BlindedExport, OfThePublicHasPeopleResponsesAndItemsOnly) {
+TEST_F(BlindedExport, ThatIsPublicHasParticipantsResponsesAndItemsOnly) {
   take(12);
   for (const auto format :
        {ExportFormat::Csv,

@@ -108,7 +108,7 @@ class ExportLayoutTest : public testing::Test {
   tests::MadeStudy study_{tests::libraryProtocol("punch-face-validity.json"), 1};
 };
 
-TEST_F(ExportLayoutTest, LeavesNothingBehindWhenItIsCancelled) {
+TEST_F(ExportLayoutTest, LeavesNoFolderWhenItIsCancelled) {
   for (const auto format : {ExportFormat::Csv, ExportFormat::PsychDs, ExportFormat::Bids}) {
     auto options = open(format);
     double last = 0.0;
@@ -172,7 +172,7 @@ TEST_F(ExportLayoutTest, GivesEveryNameOneMeaning) {
   EXPECT_GT(meanings.size(), 90U);
 }
 
-TEST_F(ExportLayoutTest, SaysWhatWasAskedInEveryLanguage) {
+TEST_F(ExportLayoutTest, ListsTheItemsInEveryLanguage) {
   const auto folder = exported("out", {.format = ExportFormat::Csv});
   const auto items = analysis::readCsv(contentOf(folder / "items.csv"));
   std::set<std::string> known;
@@ -190,7 +190,7 @@ TEST_F(ExportLayoutTest, SaysWhatWasAskedInEveryLanguage) {
   }
 }
 
-TEST_F(ExportLayoutTest, IsLaidOutAsPsychDsWants) {
+TEST_F(ExportLayoutTest, FollowsThePsychDsLayout) {
   const auto folder = exported("out", open(ExportFormat::PsychDs), "for a test");
   const auto description = nlohmann::json::parse(contentOf(folder / "dataset_description.json"));
   EXPECT_EQ(description["@context"], "https://schema.org/");
@@ -308,7 +308,7 @@ TEST_F(ExportLayoutTest, GivesTheSameBytesInEveryLocale) {
   }
 }
 
-TEST_F(ExportLayoutTest, TellsBlindedNothingAndOtherwiseEverything) {
+TEST_F(ExportLayoutTest, RevealsConditionsOnlyIfUnblinded) {
   const auto blinded = exported("blinded", {.format = ExportFormat::PsychDs});
   for (const auto& file : filesIn(blinded)) {
     const auto text = file.ends_with(".gz") ? unzipped(blinded / file) : contentOf(blinded / file);
@@ -347,7 +347,7 @@ std::vector<std::vector<std::string>> linesOf(const fs::path& tsv) {
   return lines;
 }
 
-TEST_F(ExportLayoutTest, IsLaidOutAsBidsWants) {
+TEST_F(ExportLayoutTest, FollowsTheBidsLayout) {
   const auto folder = exported("out", open(ExportFormat::Bids), "for a test");
   const auto description = nlohmann::json::parse(contentOf(folder / "dataset_description.json"));
   EXPECT_EQ(description["BIDSVersion"], "1.8.0");
@@ -381,7 +381,7 @@ TEST_F(ExportLayoutTest, IsLaidOutAsBidsWants) {
   EXPECT_EQ(answers, storage::Records(study_->database()).answers().size());
 }
 
-TEST_F(ExportLayoutTest, HasNoBidsFolderForThePublic) {
+TEST_F(ExportLayoutTest, HasNoPublicBidsFolder) {
   EXPECT_THROW(
       exported("out", {.format = ExportFormat::Bids, .publicClass = kSmallestPublicClass}),
       storage::StorageError);
@@ -475,7 +475,7 @@ TEST_F(ComputedAgainTest, InR) {
   EXPECT_EQ(said.find("apt install r-cran-lmertest") == std::string::npos, hasModels) << said;
 }
 
-TEST_F(ComputedAgainTest, InRFindsAnOrdinalEstimateThatIsAHundredthOff) {
+TEST_F(ComputedAgainTest, InRDetectsAnOrdinalEstimateThatIsAHundredthOff) {
   if (!isInstalled({"Rscript", "-e", "library(lmerTest); library(ordinal)"})) {
     GTEST_SKIP() << "needs R with ordinal: ./setup --check";
   }
@@ -498,7 +498,7 @@ TEST_F(ComputedAgainTest, InPython) {
   expectToComputeAgain({python}, folder / "analysis" / "analysis.py", folder);
 }
 
-TEST_F(ComputedAgainTest, SaysHowToGetSciPyWhereItIsMissing) {
+TEST_F(ComputedAgainTest, ReportsHowToInstallSciPyIfItIsMissing) {
   const std::string python = "/usr/bin/python3";
   if (!isInstalled({python, "-c", "0"})) GTEST_SKIP() << "needs Python: ./setup --check";
   const auto folder =

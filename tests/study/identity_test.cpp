@@ -37,7 +37,7 @@ class IdentityTest : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(IdentityTest, LiesInItsOwnFileAndInNoOther) {
+TEST_F(IdentityTest, IsStoredInItsOwnDatabaseOnly) {
   EXPECT_TRUE(session_.missing().empty());
   for (const auto& name : filesWith(study_.folder(), kName)) {
     EXPECT_EQ(name.substr(0, 11), "identity.db");  // or its -wal
@@ -48,7 +48,7 @@ TEST_F(IdentityTest, LiesInItsOwnFileAndInNoOther) {
   EXPECT_EQ(filesWith(study_.folder(), kName), std::vector<std::string>{"identity.db"});
 }
 
-TEST_F(IdentityTest, IsNeitherAnsweredNorExported) {
+TEST_F(IdentityTest, IsNeitherInTheAnswersNorInAnExport) {
   session_.finishStep();
   tests::walkToTheEnd(session_);
   EXPECT_TRUE(session_.answers().empty());
@@ -61,14 +61,14 @@ TEST_F(IdentityTest, IsNeitherAnsweredNorExported) {
   }
 }
 
-TEST_F(IdentityTest, CountsAsGivenAfterTheProgramHasEnded) {
+TEST_F(IdentityTest, CountsAsAnsweredAfterARestart) {
   const auto id = session_.id();
   { const Session gone = std::move(session_); }
   study_.reopen();
   EXPECT_TRUE(Session::resume(*study_, id).missing().empty());
 }
 
-TEST_F(IdentityTest, IsGoneWhenItIsTakenBack) {
+TEST_F(IdentityTest, IsDeletedWhenItIsRetracted) {
   session_.retract("name");
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"name"});
   { const Session gone = std::move(session_); }
@@ -76,7 +76,7 @@ TEST_F(IdentityTest, IsGoneWhenItIsTakenBack) {
   EXPECT_TRUE(filesWith(study_.folder(), kName).empty());  // SQLite overwrites deleted content
 }
 
-TEST_F(IdentityTest, IsForItsOwnerAlone) {
+TEST_F(IdentityTest, IsReadableByItsOwnerOnly) {
   const auto permissions = std::filesystem::status(study_.file("identity.db")).permissions();
   EXPECT_EQ(
       permissions & std::filesystem::perms::all,

@@ -91,7 +91,7 @@ class LongAnswersTest : public testing::TestWithParam<Text> {
   std::optional<Session> session_{Session::enrol(*study_, {.cohort = "surgeons"})};
 };
 
-TEST_P(LongAnswersTest, AreKeptByteForByte) {
+TEST_P(LongAnswersTest, AreStoredByteForByte) {
   const auto& words = GetParam().words;
   write(words);
   session_.reset();
@@ -100,7 +100,7 @@ TEST_P(LongAnswersTest, AreKeptByteForByte) {
   EXPECT_TRUE(verify(*study_).isSound());
 }
 
-TEST_P(LongAnswersTest, AreNotTakenWithOneCharacterTooMany) {
+TEST_P(LongAnswersTest, AreRefusedWithOneCharacterTooMany) {
   const auto& words = GetParam().words;
   const auto missing = kMost - *questionnaires::charactersIn(words);
   EXPECT_THROW(write(words + std::string(missing + 1, 'x')), UserError);

@@ -68,7 +68,7 @@ std::size_t smallestClassIn(const analysis::CsvTable& participants) {
   return smallest;
 }
 
-TEST_F(PublicExportTest, LeavesNobodyAlone) {
+TEST_F(PublicExportTest, HasNoClassSmallerThanK) {
   take(20);
   for (const std::size_t k : {5U, 8U}) {
     auto files = exported("out" + std::to_string(k), ExportFormat::Csv, k);
@@ -101,7 +101,7 @@ TEST_F(PublicExportTest, HoldsNoIdAndNoDate) {
 }
 
 /// Live participants with unique texts and numbers.
-TEST(PublicExport, HoldsNoWordsAndNoNumbersOfAPerson) {
+TEST(PublicExport, HasNoFreeTextAndNoUniqueNumbers) {
   tests::MadeStudy study(tests::protocolFrom(
       tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}}));
   for (int person = 0; person < 6; ++person) {
@@ -126,7 +126,7 @@ TEST(PublicExport, HoldsNoWordsAndNoNumbersOfAPerson) {
   EXPECT_NE(files.at("responses.csv").find("agree"), std::string::npos);
 }
 
-TEST_F(PublicExportTest, HasOtherIdsAndAnotherOrderEachTime) {
+TEST_F(PublicExportTest, HasNewIdsAndANewOrderEachTime) {
   take(12);
   const auto first = analysis::readCsv(exported("first").at("participants.csv"));
   const auto second = analysis::readCsv(exported("second").at("participants.csv"));
@@ -139,7 +139,7 @@ TEST_F(PublicExportTest, HasOtherIdsAndAnotherOrderEachTime) {
   EXPECT_NE(columnOf(one, "item_id"), columnOf(two, "item_id"));
 }
 
-TEST_F(PublicExportTest, TellsEveryOpinionAsItWasGiven) {
+TEST_F(PublicExportTest, ReleasesOpinionsUnchanged) {
   take(12);
   const auto responses = analysis::readCsv(exported("out").at("responses.csv"));
   std::map<std::string, int> told;
@@ -210,7 +210,7 @@ TEST_F(PublicExportTest, IsWrittenIntoTheAuditTrail) {
   EXPECT_EQ(storage::describe(last).substr(0, 15), "k = 5, 6 people");
 }
 
-TEST_F(PublicExportTest, SaysWhoMayBeFoundAmongWhom) {
+TEST_F(PublicExportTest, ReportsTheSizesOfClasses) {
   take(12);
   const auto words = describe(
       publicRelease(*study_, {.runMode = RunMode::Simulated, .publicClass = kSmallestPublicClass}));

@@ -132,7 +132,7 @@ TEST_F(PublishedStudyTest, RoundsToThePapersTable2) {
   }
 }
 
-TEST_F(PublishedStudyTest, ComparesAsThePipelineInRDoes) {
+TEST_F(PublishedStudyTest, HasTheComparisonsOfThePipelineInR) {
   const auto golden = nlohmann::json::parse(
       tests::contentOf(tests::testData("stats/study/study_golden.json")))["paper_welch"];
   const auto results = computeResults(*study_, RunMode::Live);
@@ -158,7 +158,7 @@ TEST_F(PublishedStudyTest, ComparesAsThePipelineInRDoes) {
   EXPECT_EQ(i, 6U);
 }
 
-TEST_F(PublishedStudyTest, VotesAsInThePapersTable4) {
+TEST_F(PublishedStudyTest, HasTheVotesOfThePapersTable4) {
   std::map<std::string, std::vector<std::uint64_t>> counts;
   for (const auto& result : computeResults(*study_, RunMode::Live).votes) {
     for (const auto& share : result.votes.shares()) {
@@ -205,7 +205,7 @@ double numberIn(const nlohmann::json& value) {
   return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
 }
 
-TEST_F(PublishedStudyTest, ComparesWithinPeopleAsRDoes) {
+TEST_F(PublishedStudyTest, HasTheWithinPeopleComparisonsOfR) {
   const auto golden =
       nlohmann::json::parse(tests::contentOf(tests::testData("stats/study/study_golden.json")));
   const auto results = computeResults(*study_, RunMode::Live);
@@ -281,7 +281,7 @@ TEST_F(PublishedStudyTest, IsPrintedInBothProfiles) {
   }
 }
 
-TEST_F(PublishedStudyTest, IsFlaggedForWhatIsSaidAgainstIt) {
+TEST_F(PublishedStudyTest, HasAFlagForEveryKnownWeakness) {
   const auto results = computeResults(*study_, RunMode::Live);
   for (const auto& cohort : results.families.at(0).cohorts) {
     std::vector<std::string> ids;

@@ -27,7 +27,7 @@ class ResumeTest : public testing::Test {
   std::optional<Session> session_{Session::enrol(*study_, {.cohort = "surgeons"})};
 };
 
-TEST_F(ResumeTest, StandsAtEveryStepWhereItStood) {
+TEST_F(ResumeTest, ContinuesAtEveryStep) {
   while (!session_->isOver()) {
     const auto visit = session_->visit();
     const auto state = session_->state();
@@ -50,7 +50,7 @@ TEST_F(ResumeTest, HasTheAnswersThatWereGivenBefore) {
   EXPECT_EQ(resumed.missing().size(), items.size() - 1);
 }
 
-TEST_F(ResumeTest, CountsATrialUnderWayAsBrokenOff) {
+TEST_F(ResumeTest, CountsARunningTrialAsBrokenOff) {
   tests::walkTo(*session_, StepKind::Trial);
   const auto visit = session_->visit();
   session_->beginTrial();
@@ -90,7 +90,7 @@ TEST_F(ResumeTest, StaysPausedAndInItsLanguage) {
   EXPECT_EQ(resumed.step().kind, StepKind::Questionnaire);
 }
 
-TEST_F(ResumeTest, FeelsTheSameAlternativesInTheSameOrder) {
+TEST_F(ResumeTest, HasTheSameAlternativesInTheSameOrder) {
   const auto labels = [](const Session& session) {
     std::string all;
     for (const auto& step : session.plan()) all += step.condition + std::to_string(step.label);
@@ -101,7 +101,7 @@ TEST_F(ResumeTest, FeelsTheSameAlternativesInTheSameOrder) {
   EXPECT_EQ(labels(again()), before);
 }
 
-TEST_F(ResumeTest, SaysThatItWasResumedUnlessItIsOver) {
+TEST_F(ResumeTest, RecordsThatItWasResumedUnlessItIsOver) {
   tests::walkTo(*session_, StepKind::Trial);
   again();
   EXPECT_NE(tests::eventsOf(*study_, session_->id()).find("resumed"), std::string::npos);

@@ -25,7 +25,7 @@ struct OddText {
 
 class OddTextsTest : public TextsTest, public testing::WithParamInterface<OddText> {};
 
-TEST_P(OddTextsTest, ComeBackByteForByteAfterTheProgramHasEnded) {
+TEST_P(OddTextsTest, AreReadBackByteForByteAfterARestart) {
   const auto id = session_.id();
   session_.record({.item = "story", .response = GetParam().text, .itemOrder = 1, .language = "en"});
   { const Session gone = std::move(session_); }
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         OddText{"WordsLikeAHash", "sha256:0000"}),
     [](const auto& odd) { return odd.param.name; });
 
-TEST_F(TextsTest, DifferThoughTheyLookAlike) {
+TEST_F(TextsTest, AreDistinguishedIfTheyLookAlike) {
   const std::string composed = "\xC3\xA9";     // é in one code point
   const std::string decomposed = "e\xCC\x81";  // and in two
   session_.record({.item = "story", .response = composed, .itemOrder = 1, .language = "en"});
@@ -72,7 +72,7 @@ TEST_F(TextsTest, DifferThoughTheyLookAlike) {
   EXPECT_EQ(std::get<std::string>(session_.answers()[1].response), decomposed);
 }
 
-TEST_F(TextsTest, AreRefusedAsNotesWhereTheyAreNone) {
+TEST_F(TextsTest, AreRefusedAsNotesIfTheyAreInvalid) {
   const std::string before = tests::eventsOf(*study_, session_.id());
   EXPECT_THROW(session_.note("\xff"), storage::StorageError);
   EXPECT_THROW(session_.note(std::string("a\0b", 3)), storage::StorageError);
@@ -83,7 +83,7 @@ TEST_F(TextsTest, AreRefusedAsNotesWhereTheyAreNone) {
   session_.pause("caf\xC3\xA9");
 }
 
-TEST_F(TextsTest, AreKeptUpToAMillionCharactersByTheTableItself) {
+TEST_F(TextsTest, AreLimitedToAMillionCharactersByTheTable) {
   const auto keep = [&](const std::string& length) {
     study_->database().execute(
         "INSERT OR REPLACE INTO answer VALUES (1, 1, 1, 'story', 1, 'text', NULL, NULL, "

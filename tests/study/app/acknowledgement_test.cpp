@@ -97,7 +97,7 @@ class AcknowledgementTest : public testing::Test {
   std::string trace_ = study_.scratch() / "trace";
 };
 
-TEST_F(AcknowledgementTest, FollowsTheFlushOfEverythingThatWasWrittenForIt) {
+TEST_F(AcknowledgementTest, FollowsTheFlushOfAllWrittenData) {
   const auto finished = traced(study_.folder(), {});
   ASSERT_EQ(finished.status, 0) << finished.error;
   const auto seen = lookThrough(calls());
@@ -107,7 +107,7 @@ TEST_F(AcknowledgementTest, FollowsTheFlushOfEverythingThatWasWrittenForIt) {
   RecordProperty("acknowledgements", static_cast<int>(seen.acknowledged));
 }
 
-TEST_F(AcknowledgementTest, IsFoundByThisTestWhereItComesTooEarly) {
+TEST_F(AcknowledgementTest, IsDetectedIfItComesTooEarly) {
   // The positive control: the same calls with the flushes removed, or each moved behind its line.
   ASSERT_EQ(traced(study_.folder(), {}).status, 0);
   Lines without;
@@ -153,7 +153,7 @@ class MishapTest : public AcknowledgementTest, public testing::WithParamInterfac
   }
 };
 
-TEST_P(MishapTest, LosesNothingThatWasAcknowledged) {
+TEST_P(MishapTest, LosesNoAcknowledgedAnswer) {
   const Mishap mishap = GetParam();
   const int coarser = tests::inLongForm(1, kCoarser);
   int ended = 0;

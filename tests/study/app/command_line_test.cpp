@@ -107,7 +107,7 @@ void expectRefused(const Words& arguments, int status, const Words& phrases) {
   }
 }
 
-TEST(CommandLine, SaysWhatIsWrongWithACall) {
+TEST(CommandLine, ReportsMistakesInACall) {
   expectRefused({}, kTheCallIsWrong, {"palpate --help"});
   expectRefused({"frobnicate"}, kTheCallIsWrong, {"'frobnicate'", "There are: demo, protocol"});
   expectRefused({"study", "frob"}, kTheCallIsWrong, {"'frob'", "create, run, simulate"});
@@ -148,7 +148,7 @@ class CommandLineTest : public testing::Test {
   tests::ScratchFolder folder_;
 };
 
-TEST_F(CommandLineTest, SaysWhatIsNotThereOrCannotBeUsed) {
+TEST_F(CommandLineTest, ReportsMissingAndUnusableFiles) {
   const std::string nowhere = folder_ / "nowhere";
   for (const Words& call :
        {Words{"study", "status", nowhere},
@@ -167,7 +167,7 @@ TEST_F(CommandLineTest, SaysWhatIsNotThereOrCannotBeUsed) {
       {"'z'", "interpolation, finite-elements, kalman"});
 }
 
-TEST_F(CommandLineTest, TellsEveryProblemOfAProtocolAtOnceAndWhere) {
+TEST_F(CommandLineTest, ReportsAllProblemsOfAProtocolWithTheirPlaces) {
   const auto file = folder_.write("bad.json", R"({"$schema": "protocol-1.schema.json",
       "study": {"id": "a b", "title": "", "versoin": "1"}})");
   const auto finished = palpate({"protocol", "check", file});
@@ -177,7 +177,7 @@ TEST_F(CommandLineTest, TellsEveryProblemOfAProtocolAtOnceAndWhere) {
   }
 }
 
-TEST_F(CommandLineTest, ExportsNobodyWhoWasNotAskedFor) {
+TEST_F(CommandLineTest, ExportsOnlyTheRequestedRunMode) {
   const auto study = made("punch-face-validity", 2);
   const std::string out = folder_ / "data";
   expectRefused(
@@ -203,7 +203,7 @@ TEST_F(CommandLineTest, ExportsNobodyWhoWasNotAskedFor) {
       std::string::npos);
 }
 
-TEST_F(CommandLineTest, SaysHowManySimulatedParticipantsThereWereBefore) {
+TEST_F(CommandLineTest, ReportsEarlierSimulatedParticipants) {
   const auto study = made("punch-face-validity", 2);
   const Words fewer{"study", "simulate", study, "--participants", "1"};
   EXPECT_NE(
@@ -216,7 +216,7 @@ TEST_F(CommandLineTest, SaysHowManySimulatedParticipantsThereWereBefore) {
   EXPECT_NE(finished.error.find("10 of 11 simulated participants"), std::string::npos);
 }
 
-TEST_F(CommandLineTest, SaysThatAnAmendmentChangesNothing) {
+TEST_F(CommandLineTest, ReportsAnAmendmentWithoutChanges) {
   const auto study = made("punch-face-validity");
   const auto same = palpate({"study", "amend", study, "--protocol", "punch-face-validity"});
   EXPECT_EQ(same.status, 0) << same.error;
@@ -259,7 +259,7 @@ TEST_F(CommandLineTest, BacksUpAStudyThatVerifiesAfterwards) {
   expectRefused({"study", "backup", study, "--out", copy}, kTheWorldSaidNo, {"is there already"});
 }
 
-TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
+TEST_F(CommandLineTest, PrintsOneJsonDocumentWithTheOptionJson) {
   const auto study = made("punch-face-validity", 2);
   for (const Words& call :
        {Words{"study", "status", study, "--json"},
@@ -271,7 +271,7 @@ TEST_F(CommandLineTest, PrintsOneJsonDocumentWhereAProgramReads) {
   }
 }
 
-TEST_F(CommandLineTest, PrintsEveryTestOfAStudyForPrograms) {
+TEST_F(CommandLineTest, PrintsEveryTestOfAStudyAsJson) {
   const auto study = made("punch-face-validity", 12);
   const auto finished = palpate({"stats", "run", study, "--run-mode", "simulated", "--json"});
   const auto results = json::parse(finished.out);
@@ -288,7 +288,7 @@ TEST_F(CommandLineTest, PrintsEveryTestOfAStudyForPrograms) {
   EXPECT_TRUE(results["votes"].at(0)["p_exact"].is_number());
 }
 
-TEST_F(CommandLineTest, SaysThatItCouldNotPrint) {
+TEST_F(CommandLineTest, ReportsThatOutputWasNotWritten) {
   const std::string call = tests::program() + " protocol check punch-face-validity";
   EXPECT_EQ(tests::run({"sh", "-c", call}).status, 0);
   const auto finished = tests::run({"sh", "-c", call + " > /dev/full"});
@@ -317,7 +317,7 @@ TEST_F(CommandLineTest, TestsAnyTableOfTwoGroups) {
   EXPECT_TRUE(result["reason"].is_null());
 }
 
-TEST_F(CommandLineTest, SaysWhyATestIsNotDefined) {
+TEST_F(CommandLineTest, ReportsWhyATestIsUndefined) {
   const auto finished = palpate(welchOf("g,x\na,1\na,2\nb,5\n"));
   ASSERT_EQ(finished.status, 0) << finished.error;
   const auto result = json::parse(finished.out);
@@ -335,7 +335,7 @@ TEST_F(CommandLineTest, ReadsTablesAsSpreadsheetsWriteThem) {
   EXPECT_EQ(palpate(welchOf("g;x\na;1,5\na;2\nb;5\nb;3\n")).out, plain);
 }
 
-TEST_F(CommandLineTest, SaysWhatIsWrongWithATable) {
+TEST_F(CommandLineTest, ReportsMistakesInATable) {
   expectRefused(
       welchOf("g,x\na,1\na,2\nb,zwei\nb,3\n"), kTheWorldSaidNo, {"table.csv", "line 4", "'zwei'"});
   expectRefused(welchOf("g,x\na,1\nb,2\nc,3\n"), kTheWorldSaidNo, {"3 groups", "two are compared"});
@@ -406,7 +406,7 @@ TEST_F(CommandLineTest, PlaysASceneToTheEndOfItsData) {
   EXPECT_NE(backwards.error.find("from 5 to 4"), std::string::npos) << backwards.error;
 }
 
-TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
+TEST_F(CommandLineTest, DrawsForceCurvesOfConditions) {
   const std::string out = folder_ / "fused";
   const Words call{
       "scene",
@@ -441,7 +441,7 @@ TEST_F(CommandLineTest, DrawsWhatConditionsFeelLike) {
   EXPECT_EQ(palpate(call).status, kTheWorldSaidNo);  // nothing is overwritten
 }
 
-TEST_F(CommandLineTest, HandsBenchmarksOverWithAllOptions) {
+TEST_F(CommandLineTest, PassesAllOptionsOnToTheBenchmarks) {
   const auto help = palpate({"bench", "accuracy", "--help"});
   EXPECT_EQ(help.status, 0) << help.error;
   EXPECT_NE(help.out.find("--family"), std::string::npos) << help.out;
@@ -493,7 +493,7 @@ TEST_F(CommandLineTest, MeasuresTheClockAndTheRecorder) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // no file is left
 }
 
-TEST_F(CommandLineTest, TellsWhatAConditionCostsWithMoreInIt) {
+TEST_F(CommandLineTest, TimesAConditionWithAdditionalParts) {
   const auto explained = palpate(
       {"scene",
        "explain",
@@ -508,7 +508,7 @@ TEST_F(CommandLineTest, TellsWhatAConditionCostsWithMoreInIt) {
   for (const auto& cost : costs) EXPECT_GT(cost["median_ns"].get<double>(), 0.0);
 }
 
-TEST_F(CommandLineTest, WorksOutTheProcessNoiseOfARecording) {
+TEST_F(CommandLineTest, EstimatesTheProcessNoiseOfARecording) {
   constexpr const char* kRecording = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
   SKIP_WITHOUT_FETCHED_DATA(kRecording);
   const std::string path = tests::fetchedData(kRecording).string();
@@ -529,7 +529,7 @@ TEST_F(CommandLineTest, WorksOutTheProcessNoiseOfARecording) {
   EXPECT_EQ(palpate({"recording", "noise", path, "--rows", "1:999999"}).status, kTheWorldSaidNo);
 }
 
-TEST_F(CommandLineTest, ShowsEverybodysOrder) {
+TEST_F(CommandLineTest, ShowsTheOrderOfEveryParticipant) {
   const auto finished =
       palpate({"protocol", "orders", "reaming-hardness", "--participants", "4", "--csv"});
   EXPECT_EQ(finished.status, 0);
@@ -546,7 +546,7 @@ TEST_F(CommandLineTest, ShowsEverybodysOrder) {
   EXPECT_NE(words.out.find("do NOT balance it"), std::string::npos);
 }
 
-TEST_F(CommandLineTest, WritesAReportThatNeedsNothingElse) {
+TEST_F(CommandLineTest, WritesASelfContainedReport) {
   const auto study = made("punch-face-validity", 3);
   const std::string page = folder_ / "page.html";
   const auto finished = palpate({"report", study, "--run-mode", "simulated", "--out", page});

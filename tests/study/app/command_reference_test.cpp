@@ -98,7 +98,7 @@ TEST(CommandReference, ManualPageHasEveryCommandAndOption) {
   EXPECT_GT(options, 100);
 }
 
-TEST(CommandReference, SaysWhichValuesAnOptionTakes) {
+TEST(CommandReference, ListsTheValuesOfAnOption) {
   const auto page = readable(palpatePage());
   const auto part = partOf(page, ".SS palpate export");
   EXPECT_NE(
@@ -106,7 +106,7 @@ TEST(CommandReference, SaysWhichValuesAnOptionTakes) {
       << part;
 }
 
-TEST(CommandReference, EscapesWhatTroffWouldTakeForARequest) {
+TEST(CommandReference, EscapesTroffRequests) {
   const auto page = palpatePage();
   EXPECT_NE(page.find("\n\\&.dot\n"), std::string::npos);
   EXPECT_NE(page.find("\n\\&\\(aqquote\n"), std::string::npos);

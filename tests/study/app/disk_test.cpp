@@ -57,7 +57,7 @@ class DiskTest : public testing::Test {
 
 class FullDiskTest : public DiskTest, public testing::WithParamInterface<const char*> {};
 
-TEST_P(FullDiskTest, LosesNothingThatWasAcknowledgedAndGoesOnWhenThereIsRoomAgain) {
+TEST_P(FullDiskTest, LosesNoAcknowledgedAnswerAndContinuesWhenThereIsSpaceAgain) {
   const std::string after = study_.scratch() / "after";
   const auto finished = onASmallDisk(
       GetParam(),
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(size.param);
     });
 
-TEST_F(DiskTest, ThatIsFullHoldsNoHalfOfAnExport) {
+TEST_F(DiskTest, ThatIsFullHoldsNoUnfinishedExport) {
   simulateOne();
   const auto exported = [&](const std::string& size) {
     return onASmallDisk(
@@ -104,7 +104,7 @@ TEST_F(DiskTest, ThatIsFullHoldsNoHalfOfAnExport) {
   EXPECT_EQ(done.error, "out\n");
 }
 
-TEST_F(DiskTest, ThatIsOnlyReadIsEnoughToVerifyAndExport) {
+TEST_F(DiskTest, ThatIsReadOnlyAllowsToVerifyAndExport) {
   simulateOne();
   const std::string out = study_.scratch() / "out";
   EXPECT_EQ(onAReadOnlyDisk({"study", "verify", disk_}).status, 0);
@@ -113,7 +113,7 @@ TEST_F(DiskTest, ThatIsOnlyReadIsEnoughToVerifyAndExport) {
   EXPECT_TRUE(fs::exists(out));
 }
 
-TEST_F(DiskTest, ThatIsOnlyReadIsRefusedBeforeAnybodyTakesPart) {
+TEST_F(DiskTest, ThatIsReadOnlyIsRefusedBeforeASession) {
   const auto refused = onAReadOnlyDisk({"study", "simulate", disk_, "--verbose"});
   EXPECT_EQ(refused.status, 1);
   EXPECT_EQ(refused.out, "");

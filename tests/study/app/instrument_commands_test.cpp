@@ -29,7 +29,7 @@ std::string filledIn(std::string json) {
   return json;
 }
 
-TEST(InstrumentCommands, ListWhatShipsAndWhatLacksItsWords) {
+TEST(InstrumentCommands, ListTheLibraryAndMissingWordings) {
   const auto finished = instrument({"list"});
   EXPECT_EQ(finished.status, 0);
   EXPECT_TRUE(says(finished.out, "nasa-tlx-weighted"));
@@ -37,7 +37,7 @@ TEST(InstrumentCommands, ListWhatShipsAndWhatLacksItsWords) {
   EXPECT_FALSE(says(finished.out, ".schema"));
 }
 
-TEST(InstrumentCommands, ShowWhichAnswerCountsHow) {
+TEST(InstrumentCommands, ShowTheScoringKey) {
   const auto sus = instrument({"keys", "sus"});
   EXPECT_EQ(sus.status, 0);
   EXPECT_TRUE(says(sus.out, "reversed: x counts 6 - x"));
@@ -52,7 +52,7 @@ TEST(InstrumentCommands, ShowWhichAnswerCountsHow) {
   EXPECT_EQ(instrument({"keys", "debrief"}).out, "Nothing is scored here.\n");
 }
 
-TEST(InstrumentCommands, RefuseWhatLacksItsWordsUntilTheyAreThere) {
+TEST(InstrumentCommands, RefuseAnInstrumentWithoutItsWording) {
   const tests::ScratchFolder folder;
   const Words check{"check", "sus", "--folder", folder.path().string()};
   const auto before = instrument(check);
@@ -71,7 +71,7 @@ TEST(InstrumentCommands, RefuseWhatLacksItsWordsUntilTheyAreThere) {
   EXPECT_EQ(after.out, "sus can be asked in: en.\n");
 }
 
-TEST(InstrumentCommands, OverwriteNoWords) {
+TEST(InstrumentCommands, NeverOverwriteAWordingFile) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("en.json", "mine");
   const auto finished = instrument({"wording", "ipq", "--out", file});
@@ -80,7 +80,7 @@ TEST(InstrumentCommands, OverwriteNoWords) {
   EXPECT_EQ(tests::contentOf(file), "mine");
 }
 
-TEST(InstrumentCommands, PrintATemplateOrSayThatThereIsNothingToWrite) {
+TEST(InstrumentCommands, PrintAWordingTemplateOrReportThatNoneIsNeeded) {
   EXPECT_EQ(instrument({"wording", "ipq", "--language", "de"}).out.rfind("{\n", 0), 0U);
   EXPECT_EQ(instrument({"wording", "ueq-s"}).out, "ueq-s has all its words in 'en' already.\n");
   EXPECT_EQ(instrument({"wording", "ipq", "--language", "English"}).status, 2);

@@ -93,7 +93,7 @@ class KilledInBetweenTest : public testing::Test {
   tests::ScratchFolder folder_;
 };
 
-TEST_F(KilledInBetweenTest, HasMadeAWholeStudyOrNoneThatOpens) {
+TEST_F(KilledInBetweenTest, HasCreatedACompleteStudyOrNoneThatOpens) {
   const std::string made = folder_ / "study";
   int whole = 0;
   const int points = killEverywhere(
@@ -106,7 +106,7 @@ TEST_F(KilledInBetweenTest, HasMadeAWholeStudyOrNoneThatOpens) {
   EXPECT_LT(whole, points / tests::inLongForm(2, 1));
 }
 
-TEST_F(KilledInBetweenTest, LosesNothingOfAnOlderFormat) {
+TEST_F(KilledInBetweenTest, LosesNoDataOfAnOlderFormat) {
   const std::string old = folder_ / "old";
   const std::string copy = folder_ / "copy";
   fs::create_directory(old);
@@ -136,7 +136,7 @@ TEST_F(KilledInBetweenTest, LosesNothingOfAnOlderFormat) {
   EXPECT_GE(points, kMost / tests::inLongForm(1, 5));
 }
 
-TEST_F(KilledInBetweenTest, LeavesNoHalfExportUnderItsName) {
+TEST_F(KilledInBetweenTest, LeavesNoUnfinishedExportUnderItsName) {
   const std::string made = folder_ / "study";
   const std::string out = folder_ / "out";
   ASSERT_EQ(palpate({"study", "create", made, "--protocol", "punch-face-validity"}).status, 0);

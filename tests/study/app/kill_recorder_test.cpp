@@ -30,7 +30,7 @@ std::optional<fs::path> traceIn(const fs::path& folder) {
   return std::nullopt;
 }
 
-TEST(KilledRecorder, LosesAtMostTheSecondUnderWay) {
+TEST(KilledRecorder, LosesAtMostTheLastSecond) {
   const tests::ScratchFolder folder;
   tests::ChildProcess child(
       {tests::releaseProgram(),

@@ -79,7 +79,7 @@ class KillTest : public testing::Test {
   std::string line_;
 };
 
-TEST_F(KillTest, LosesNothingThatWasAcknowledgedWheneverItIsKilled) {
+TEST_F(KillTest, LosesNoAcknowledgedAnswerWheneverItIsKilled) {
   ASSERT_GE(all_.size(), 40U);
   std::mt19937 random(20261121);
   std::set<std::size_t> stoppedAt;
@@ -101,7 +101,7 @@ TEST_F(KillTest, LosesNothingThatWasAcknowledgedWheneverItIsKilled) {
   RecordProperty("points", kPoints);
 }
 
-TEST_F(KillTest, NoticesWhatIsLost) {
+TEST_F(KillTest, DetectsALostAnswer) {
   // The control: an acknowledgement of something that was never saved is found.
   const auto folder = copy("killed");
   auto acknowledged = killedAfter(folder, 20, 0);

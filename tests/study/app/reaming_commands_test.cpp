@@ -62,7 +62,7 @@ class ReamingCommands : public testing::Test {
   tests::ScratchFolder folder_;
 };
 
-TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
+TEST_F(ReamingCommands, MakeABoneForAProtocolFromSeries) {
   const std::string series = folder_ / "series";
   expectIn(output({"material", "synthesise", series}), "synthetic");
   const std::string material = folder_ / "bone.json";
@@ -146,7 +146,7 @@ TEST_F(ReamingCommands, GoFromSeriesToABoneInAProtocol) {
   expectIn(page, "bone.packing");
 }
 
-TEST_F(ReamingCommands, FitOnlyWhatCanBeFeltAndWithTheErrorThatWasAsked) {
+TEST_F(ReamingCommands, WriteOnlyRenderableMaterialsWithinTheRequestedError) {
   std::vector<std::string> call{"material", "fit", "--static"};
   for (const double hardness : {0.1, 0.5, 0.9}) call.push_back(staticTest(hardness));
   const auto with = [&](const std::vector<std::string>& more) {
@@ -192,7 +192,7 @@ TEST_F(ReamingCommands, CompareTwoSplinesOnTwelveNodes) {
       std::filesystem::exists(folder_ / "figure/figure-7-splines-static-force-maximum.svg"));
 }
 
-TEST_F(ReamingCommands, FitABoneOfRealShapeToASyntheticMaterialAndSaySo) {
+TEST_F(ReamingCommands, MarkARealShapeOfSyntheticMaterialAsSynthetic) {
   const std::string built = folder_ / "box.packing";
   output({"packing", "build", box("box.obj", 1.0, false), "--count", "500", "--out", built});
   EXPECT_EQ(tests::contentOf(built).find("\"synthetic\":true"), std::string::npos);
@@ -226,7 +226,7 @@ TEST_F(ReamingCommands, FitACornerToEveryCurve) {
   EXPECT_EQ(said.find("; 0 steps"), std::string::npos) << said;
 }
 
-TEST_F(ReamingCommands, FillAMeshOrSayWhyNot) {
+TEST_F(ReamingCommands, FillAMeshOrReportWhyNot) {
   const std::string out = folder_ / "box.packing";
   expectIn(
       output({"packing", "build", box("box.obj", 1.0, false), "--count", "500", "--out", out}),
@@ -252,7 +252,7 @@ TEST_F(ReamingCommands, FillAMeshOrSayWhyNot) {
       "no mesh");
 }
 
-TEST_F(ReamingCommands, GiveABoneTheDensitiesOfASwarm) {
+TEST_F(ReamingCommands, FitDensitiesBySwarmOptimisation) {
   const std::string built = folder_ / "cup.packing";
   output({"packing", "build", "--count", "800", "--out", built});
   const auto fit = [&](const std::string& out, const std::vector<std::string>& more) {

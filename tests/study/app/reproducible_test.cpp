@@ -65,7 +65,7 @@ TEST_F(ReproducibleTest, GivesTheSameBytesForTheSameSeed) {
   }
 }
 
-TEST_F(ReproducibleTest, TellsNobodyWhichRenderingItWas) {
+TEST_F(ReproducibleTest, RevealsNoConditionInABlindedExport) {
   const auto protocol = tests::libraryProtocol("punch-counterbalanced.json").protocol;
   ASSERT_FALSE(protocol.conditions.empty());
   for (const std::string format : {"csv", "json"}) {
@@ -80,7 +80,7 @@ TEST_F(ReproducibleTest, TellsNobodyWhichRenderingItWas) {
   }
 }
 
-TEST_F(ReproducibleTest, TellsItOnRequestAndRemembersThatItDid) {
+TEST_F(ReproducibleTest, RevealsConditionsOnRequestAndRecordsIt) {
   exported("study", "42", "csv");
   const std::string study = folder_ / "study";
   const std::string out = folder_ / "unblinded";

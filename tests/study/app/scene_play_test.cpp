@@ -18,7 +18,7 @@ std::vector<PlayedCurve> playReamed(double from, double speed) {
   return play("reamed", "Reamed", {.model = reamed}, profile, false);
 }
 
-TEST(ScenePlay, ABoneThatIsReamedAnswersAtEveryStepHoweverFastTheToolStarts) {
+TEST(ScenePlay, AReamedBoneGivesAForceInEveryStepAtAnySpeed) {
   // In every tick the bone checks 16,384 of its 20,000 spheres for the tool being outside. At 0.05
   // m/s the second tick is already inside.
   for (const double speed : {0.001, 0.005, 0.05}) {

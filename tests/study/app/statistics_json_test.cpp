@@ -164,7 +164,7 @@ TEST_F(StatisticsJson, AgreesAboutTheManipulationCheck) {
   EXPECT_EQ(compared_, 3 * 5);
 }
 
-TEST_F(StatisticsJson, GoesOnWithoutADamagedTraceAndSaysWhy) {
+TEST_F(StatisticsJson, LeavesADamagedTraceOutWithAReason) {
   (*study_)->traces().database().execute(
       "UPDATE chunk SET data = zeroblob(8) WHERE rowid = (SELECT min(rowid) FROM chunk)");
   compute();

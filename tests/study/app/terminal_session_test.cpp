@@ -34,7 +34,7 @@ class TerminalSessionTest : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(TerminalSessionTest, TakesYesAndNoInItsLanguages) {
+TEST_F(TerminalSessionTest, AcceptsYesAndNoInItsLanguages) {
   for (const std::string yes : {"yes", "Y", "Ja", "j"}) {
     const auto finished = run("y\\n" + yes + "\\n\\n\\n");
     EXPECT_EQ(consented(), "yes") << yes << "\n" << finished.out;
@@ -50,7 +50,7 @@ TEST_F(TerminalSessionTest, TakesYesAndNoInItsLanguages) {
   EXPECT_FALSE(isOver(last().state)) << "neither yes nor no";
 }
 
-TEST_F(TerminalSessionTest, AsksBeforeSomebodyReadsWhatIsStillToBeFilledIn) {
+TEST_F(TerminalSessionTest, AsksBeforeAParticipantReadsPlaceholders) {
   const auto refused = run("\\n");
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.out.find("[[institution]]"), std::string::npos) << refused.out;
@@ -59,7 +59,7 @@ TEST_F(TerminalSessionTest, AsksBeforeSomebodyReadsWhatIsStillToBeFilledIn) {
   EXPECT_EQ(pilot.out.find("all the same"), std::string::npos) << "a pilot does not count";
 }
 
-TEST_F(TerminalSessionTest, IsForWhatTheRunModeSays) {
+TEST_F(TerminalSessionTest, HasTheRequestedRunMode) {
   run("", "--run-mode pilot");
   EXPECT_EQ(last().runMode, RunMode::Pilot);
   run("y\\n", "--cohort students");

@@ -53,7 +53,7 @@ TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
 }
 
-TEST_F(UnblindingTest, ReportsAndStatisticsAskForOneAsExportsDo) {
+TEST_F(UnblindingTest, ReportsAndStatisticsNeedAReasonAsExportsDo) {
   const std::string page = study_.scratch() / "page.html";
   const auto folder = study_.folder();
   const auto refused = palpate({"report", folder, "--out", page});

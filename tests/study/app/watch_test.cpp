@@ -19,7 +19,7 @@ std::string nextTables(tests::ChildProcess& watching) {
   return tables;
 }
 
-TEST(StatsWatch, FollowsWhatAnotherProcessWrites) {
+TEST(StatsWatch, FollowsTheChangesOfAnotherProcess) {
   tests::ScratchFolder folder;
   const std::string study = folder / "study";
   const auto simulate = [&](const char* participants) {

@@ -36,7 +36,7 @@ TEST(SyntheticStudy, HasItsCountsInItsResults) {
   EXPECT_EQ(study.database().integrityProblems(), "");
 }
 
-TEST(StatsCommand, CountsEveryAnswerAndLeavesNothingOnTheDisk) {
+TEST(StatsCommand, CountsEveryAnswerAndLeavesNoFiles) {
   tests::ScratchFolder folder;
   const auto finished = tests::run(
       {tests::program(),

@@ -69,7 +69,7 @@ TEST_F(WindowsCommand, DrawsWithOpenGlOnADisplay) {
   }
 }
 
-TEST_F(WindowsCommand, DrawsAKneeThatItWroteItself) {
+TEST_F(WindowsCommand, DrawsAKneeFromAFile) {
   const auto written = tests::run({tests::releaseStudio(), "--write-knee", folder_ / "knee.obj"});
   ASSERT_EQ(written.status, 0) << written.error;
   EXPECT_EQ(tests::run({tests::releaseStudio(), "--write-knee", folder_ / "knee.obj"}).status, 1)

@@ -27,7 +27,7 @@ constexpr bool compiles() {
   return std::is_constructible_v<Column<Row>, const char*, Arguments...>;
 }
 
-TEST(Column, CompilesWithAllThatIsSaidOfIt) {
+TEST(Column, CompilesWithTypeDescriptionAndGetter) {
   EXPECT_TRUE((compiles<Text, const char*, decltype(&Row::code)>()));
   EXPECT_TRUE((compiles<Integer, const char*, decltype(&Row::count)>()));
   EXPECT_TRUE((compiles<Number, const char*, decltype(&Row::seconds)>()));
@@ -42,7 +42,7 @@ TEST(Column, DoesNotCompileWithoutATypeADescriptionOrAGetter) {
   EXPECT_FALSE((std::is_constructible_v<ExportedColumn, const char*, const char*>));
 }
 
-TEST(Column, DoesNotCompileWhereItsGetterGivesAnotherType) {
+TEST(Column, DoesNotCompileIfItsGetterReturnsAnotherType) {
   EXPECT_FALSE((compiles<Text, const char*, decltype(&Row::count)>()));
   EXPECT_FALSE((compiles<Integer, const char*, decltype(&Row::seconds)>()));
   EXPECT_FALSE((compiles<Integer, const char*, decltype(&Row::isCounted)>()));
@@ -75,7 +75,7 @@ std::vector<std::string> namesFor(const Readers& readers) {
 
 using Names = std::vector<std::string>;
 
-TEST(Column, SaysItselfWhoIsShownIt) {
+TEST(Column, DeclaresItsReaders) {
   EXPECT_EQ(namesFor({.isBlinded = false}), (Names{"code", "count", "secret", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = true}), (Names{"code", "count", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = true, .isToldWhose = false}), (Names{"count", "seconds_s"}));
@@ -84,7 +84,7 @@ TEST(Column, SaysItselfWhoIsShownIt) {
       namesFor({.isBlinded = true, .isPublic = true, .told = {"haste"}}), (Names{"seconds_s"}));
 }
 
-TEST(Column, IsDescribedForThoseWhoReadIt) {
+TEST(Column, IsDescribedForItsReaders) {
   const auto secret = table().columns[2];
   EXPECT_EQ(secret.headFor({}).description, "Which rendering it was");
   EXPECT_TRUE(secret.headFor({}).isFreeText);
@@ -97,7 +97,7 @@ TEST(Column, IsDescribedForThoseWhoReadIt) {
   EXPECT_EQ(table().columns[3].headFor(readers).unit, "s");
 }
 
-TEST(ExportedTable, HasACellForEachColumnAndNoneWhereAValueIsMissing) {
+TEST(ExportedTable, HasACellForEachColumnAndAnEmptyOneForAMissingValue) {
   const std::vector<Row> rows{{"a,b", 3, 0.25, true}, {"", -1, std::nullopt, false}};
   const auto exported = filled(table(), rows, {.isBlinded = false});
   EXPECT_EQ(asCsv(exported), "code,count,secret,seconds_s\n\"a,b\",3,\"a,b\",0.25\n,-1,,\n");

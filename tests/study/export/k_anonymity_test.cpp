@@ -52,7 +52,7 @@ std::vector<QuasiIdentifier> someCohort(std::mt19937& random, std::size_t people
   return identifiers;
 }
 
-TEST(KAnonymity, HoldsForWhoeverTakesPart) {
+TEST(KAnonymity, HoldsForRandomParticipants) {
   std::mt19937 random(20261121);
   std::size_t toldCells = 0;
   for (int study = 0; study < 2000; ++study) {
@@ -69,7 +69,7 @@ TEST(KAnonymity, HoldsForWhoeverTakesPart) {
   EXPECT_GT(toldCells, 10'000U);  // releasing nothing would pass the test
 }
 
-TEST(KAnonymity, TellsTheSameOfTheSamePeople) {
+TEST(KAnonymity, IsDeterministic) {
   std::mt19937 random(7);
   const auto people = someCohort(random, 40);
   const auto first = released(people, 40, 5);
@@ -79,7 +79,7 @@ TEST(KAnonymity, TellsTheSameOfTheSamePeople) {
   }
 }
 
-TEST(KAnonymity, TellsEverythingWhereNobodyStandsOut) {
+TEST(KAnonymity, ReleasesEverythingIfAllClassesAreLargeEnough) {
   const Values cohort{"a", "a", "a", "a", "a", "b", "b", "b", "b", "b"};
   const auto release = released({asIs("cohort", cohort), asIs("one", Values(10, "x"))}, 10, 5);
   EXPECT_EQ(release->columns[0].values, cohort);
@@ -87,7 +87,7 @@ TEST(KAnonymity, TellsEverythingWhereNobodyStandsOut) {
   EXPECT_EQ(release->before.smallest, 5U);
 }
 
-TEST(KAnonymity, KeepsWhatComesFirst) {
+TEST(KAnonymity, PrefersTheFirstQuasiIdentifiers) {
   const Values cohort{"a", "a", "a", "a", "a", "b", "b", "b", "b", "b"};
   const Values hand{"r", "l", "r", "l", "r", "l", "r", "l", "r", "l"};
   const auto release = released({asIs("cohort", cohort), asIs("hand", hand)}, 10, 5);
@@ -96,7 +96,7 @@ TEST(KAnonymity, KeepsWhatComesFirst) {
   EXPECT_EQ(release->columns[1].values, Values(10, ""));
 }
 
-TEST(KAnonymity, EmptiesWhatIsRareAndWhoeverWouldBeAloneAmongTheEmpty) {
+TEST(KAnonymity, SuppressesRareValuesAndKeepsTheSuppressedClassLargeEnough) {
   EXPECT_EQ(withoutRare({"a", "a", "a", "b"}, 2), Values(4, ""));
   EXPECT_EQ(
       withoutRare({"a", "a", "a", "b", "c", "d", "d"}, 2),
@@ -104,7 +104,7 @@ TEST(KAnonymity, EmptiesWhatIsRareAndWhoeverWouldBeAloneAmongTheEmpty) {
   EXPECT_EQ(withoutRare({"", "a", "a", "b", "b", "b"}, 2), (Values{"", "", "", "b", "b", "b"}));
 }
 
-TEST(KAnonymity, SaysWhatSinglesPeopleOut) {
+TEST(KAnonymity, ListsTheCausesOfSmallClasses) {
   const Values age{"30", "31", "32", "33", "34", "35"};
   const Values hand{"r", "r", "r", "r", "r", "l"};
   const auto release = released({asIs("hand", hand), asIs("age", age)}, 6, 5);
@@ -115,7 +115,7 @@ TEST(KAnonymity, SaysWhatSinglesPeopleOut) {
   EXPECT_EQ(release->after.smallest, 6U);
 }
 
-TEST(KAnonymity, CannotHideFourAmongFive) {
+TEST(KAnonymity, RefusesTooFewPeople) {
   EXPECT_FALSE(released({asIs("hand", Values(4, "r"))}, 4, 5));
   EXPECT_THROW(released({asIs("hand", Values(4, "r"))}, 4, 1), std::invalid_argument);
   EXPECT_THROW(released({asIs("hand", Values(4, "r"))}, 6, 5), std::invalid_argument);
@@ -130,7 +130,7 @@ questionnaires::Item years() {
   return item;
 }
 
-TEST(Coarsening, NeverTellsAnAge) {
+TEST(Coarsening, NeverReleasesAnExactAge) {
   const Coarsening coarsening(years(), "en");
   ASSERT_EQ(coarsening.grains(), 4U);
   EXPECT_EQ(coarsening.told(0, 37.0), "35 to 39");
@@ -142,7 +142,7 @@ TEST(Coarsening, NeverTellsAnAge) {
   EXPECT_EQ(coarsening.values(0).size(), 15U);
 }
 
-TEST(Coarsening, TellsFractionsAsHalfOpenBands) {
+TEST(Coarsening, ReleasesFractionsAsHalfOpenBands) {
   auto item = years();
   item.step = 0.1;
   EXPECT_EQ(Coarsening(item, "en").told(0, 4.9), "0 to <5");

@@ -97,7 +97,7 @@ class StatisticsTableTest : public testing::Test {
   std::vector<Row> responses_;
 };
 
-TEST_F(StatisticsTableTest, HasTheMeansAndDeviationsOfTheGroupsThatItNames) {
+TEST_F(StatisticsTableTest, HasTheMeansAndDeviationsOfItsGroups) {
   const auto rows = rowsOfMethod("welch");
   ASSERT_EQ(rows.size(), 6U);  // three comparisons in two cohorts
   for (const auto& row : rows) {
@@ -121,7 +121,7 @@ TEST_F(StatisticsTableTest, HasTheMeansAndDeviationsOfTheGroupsThatItNames) {
   }
 }
 
-TEST_F(StatisticsTableTest, TakesTheSecondGroupFromTheFirstWithinPeople) {
+TEST_F(StatisticsTableTest, SubtractsTheSecondGroupFromTheFirstWithinPeople) {
   const auto rows = rowsOfMethod("paired_t");
   ASSERT_EQ(rows.size(), 6U);
   for (const auto& row : rows) {

@@ -20,7 +20,7 @@ TEST(Clock, WritesTimesOfTheWholeCalendar) {
   EXPECT_EQ(asUtc(-1), "1969-12-31T23:59:59.999Z");
 }
 
-TEST(Clock, OfThisComputerGoesOn) {
+TEST(Clock, OfThisComputerAdvances) {
   SystemClock clock;
   const auto first = clock.now();
   const auto second = clock.now();
@@ -77,7 +77,7 @@ TEST_F(SteppedClockTest, IsNotNotedForDrift) {
   EXPECT_TRUE(stepsOf(*study_).empty());
 }
 
-TEST_F(SteppedClockTest, LeavesThePlaceOfEveryEventToItsNumber) {
+TEST_F(SteppedClockTest, NumbersEventsInOrder) {
   answerAfter(1.0);
   study_.clock.setWall(0);
   session_.finishStep();

@@ -73,7 +73,7 @@ DataTable tableOf(const std::vector<std::vector<std::string>>& rows) {
   return table;
 }
 
-TEST(DataTable, IsReadBackByAnotherReaderWhateverItsCellsHold) {
+TEST(DataTable, IsReadBackByAnIndependentReaderWithAnyCells) {
   const Lines cells{
       {"plain", "two words", "æøå → 🦴"},
       {"one, two", "a \"quoted\" word", "\""},
@@ -88,7 +88,7 @@ TEST(DataTable, IsReadBackByAnotherReaderWhateverItsCellsHold) {
   EXPECT_EQ(StrictReader(asCsv(tableOf(cells))).read(), expected);
 }
 
-TEST(DataTable, PutsAnApostropheBeforeFreeTextThatASpreadsheetWouldTakeForAFormula) {
+TEST(DataTable, PutsAnApostropheBeforeFreeTextThatLooksLikeAFormula) {
   for (const auto* begin : {"=", "+", "-", "@", "\t", "\r"}) {
     for (const auto* rest : {"", "1+1", "cmd|' /C calc'!A0", "HYPERLINK(\"x\", \"y\")"}) {
       const std::string text = std::string(begin) + rest;
@@ -100,7 +100,7 @@ TEST(DataTable, PutsAnApostropheBeforeFreeTextThatASpreadsheetWouldTakeForAFormu
   }
 }
 
-TEST(DataTable, KeepsEveryTypeOfCellApart) {
+TEST(DataTable, DistinguishesTheTypesOfCells) {
   DataTable table = tableOf({});
   table.rows = {
       {std::int64_t{-7}, 0.1, true},

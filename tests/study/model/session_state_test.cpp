@@ -56,18 +56,18 @@ std::set<SessionState> reachableFrom(
   return seen;
 }
 
-TEST(SessionState, ComesToEveryStateFromTheFirst) {
+TEST(SessionState, ReachesEveryStateFromTheFirst) {
   const auto reached = reachableFrom(SessionState::Enrolled);
   for (const auto state : kStates) EXPECT_EQ(reached.count(state), 1U) << nameOf(state);
 }
 
-TEST(SessionState, BeginsNoTrialBeforeConsentWhateverHappens) {
+TEST(SessionState, BeginsNoTrialBeforeConsent) {
   const auto reached = reachableFrom(SessionState::Enrolled, SessionEvent::GaveConsent);
   EXPECT_EQ(reached.count(SessionState::InTrial), 0U);
   for (const auto state : reached) EXPECT_FALSE(next(state, SessionEvent::BeganTrial));
 }
 
-TEST(SessionState, LetsEverybodyLeaveAtAnyTimeAndToTheEnd) {
+TEST(SessionState, AllowsWithdrawalAtAnyTime) {
   for (const auto state : kStates) {
     if (isOver(state)) continue;
     EXPECT_EQ(next(state, SessionEvent::Withdrew), SessionState::Withdrawn) << nameOf(state);
@@ -92,7 +92,7 @@ TEST(SessionState, HasOneOutcomeForEveryStateAndEvent) {
   }
 }
 
-TEST(SessionState, LeavesATrialOnlyAsATrialEndsOrTheParticipantLeaves) {
+TEST(SessionState, LeavesATrialOnlyByItsEndOrAWithdrawal) {
   const std::set allowed{
       SessionEvent::FinishedTrial, SessionEvent::BrokeOffTrial, SessionEvent::Withdrew};
   for (const auto event : kEvents) {
@@ -101,7 +101,7 @@ TEST(SessionState, LeavesATrialOnlyAsATrialEndsOrTheParticipantLeaves) {
   }
 }
 
-TEST(SessionState, IsCalledByOneNameInEveryFile) {
+TEST(SessionState, HasOneNameInEveryFile) {
   std::set<std::string_view> names;
   for (const auto state : kStates) {
     EXPECT_FALSE(nameOf(state).empty());
@@ -116,7 +116,7 @@ TEST(SessionState, IsCalledByOneNameInEveryFile) {
   EXPECT_EQ(events.count(""), 0U);
 }
 
-TEST(SessionState, SaysHowASessionEndedOrThatItHasNot) {
+TEST(SessionState, IsInProgressInTablesUntilItIsOver) {
   for (const auto state : kStates) {
     EXPECT_EQ(statusOf(state), isOver(state) ? nameOf(state) : "in_progress");
   }

@@ -24,7 +24,7 @@ class ConsentCopy : public testing::Test {
       Study::create(folder_ / "study", tests::libraryProtocol("punch-face-validity"), clock_, 7);
 };
 
-TEST_F(ConsentCopy, HoldsInformationTermsAndChoiceInTheirLanguage) {
+TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {
   const auto session = participant("de");
   const auto page = consentCopy(study_, session.participant());
   const auto& protocol = session.protocol();
@@ -40,7 +40,7 @@ TEST_F(ConsentCopy, HoldsInformationTermsAndChoiceInTheirLanguage) {
   EXPECT_TRUE(has(page, protocol.instrument(information)->title.in("de")));
 }
 
-TEST_F(ConsentCopy, NamesNobody) {
+TEST_F(ConsentCopy, NamesNoPerson) {
   auto session = Session::enrol(study_, {.cohort = "professional"});
   tests::walkTo(session, StepKind::Consent);
   auto signature = session.items().back();
@@ -53,7 +53,7 @@ TEST_F(ConsentCopy, NamesNobody) {
   EXPECT_TRUE(has(page, "Signature, if one is asked for"));
 }
 
-TEST_F(ConsentCopy, IsRefusedForWhoeverHasNotDecidedYet) {
+TEST_F(ConsentCopy, IsRefusedBeforeTheDecision) {
   const auto session = Session::enrol(study_, {.cohort = "professional"});
   try {
     consentCopy(study_, session.participant());

@@ -30,14 +30,14 @@ TEST(HtmlReport, HasWelchsTestsWithTheirAdjustedP) {
   EXPECT_TRUE(has(page, "<td>1.50</td><td>69.90</td><td>.139</td><td>.418</td>"));
 }
 
-TEST(HtmlReport, SaysWhyATestIsNotDefinedAndPrintsNoNan) {
+TEST(HtmlReport, GivesTheReasonOfAnUndefinedTestAndPrintsNoNan) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "not defined: "));
   EXPECT_FALSE(has(page, "nan"));
   EXPECT_FALSE(has(page, ">inf"));
 }
 
-TEST(HtmlReport, KeepsVotesBetweenOtherRenderingsApart) {
+TEST(HtmlReport, SeparatesVotesBetweenDifferentRenderings) {
   auto section = tests::madeUpSection();
   analysis::VoteCounts others({"kalman", "interpolation"});
   others.add("interpolation", 3);
@@ -48,7 +48,7 @@ TEST(HtmlReport, KeepsVotesBetweenOtherRenderingsApart) {
   EXPECT_TRUE(has(page, "<td>round-2</td><td>0</td><td>3</td>"));
 }
 
-TEST(HtmlReport, NamesNobody) {
+TEST(HtmlReport, NamesNoPerson) {
   const auto section = tests::madeUpSection();
   const auto page = asHtml({section});
   const auto& people = section.results.families.front().cohorts.front().table.participants;
@@ -56,14 +56,14 @@ TEST(HtmlReport, NamesNobody) {
   for (const auto& person : people) EXPECT_FALSE(has(page, person)) << person;
 }
 
-TEST(HtmlReport, SetsTheNameOfACorrectionLow) {
+TEST(HtmlReport, PrintsTheNameOfACorrectionAsASubscript) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "p<sub>Bonferroni</sub>"));
   EXPECT_TRUE(has(page, "g<sub>z</sub> = "));
   EXPECT_FALSE(has(page, "p_Bonferroni"));
 }
 
-TEST(PrintHtml, PutsCaptionsIntoHeadsAndTakesFiguresOut) {
+TEST(PrintHtml, MovesCaptionsIntoTableHeadsAndExtractsFigures) {
   const auto page = forPrint(
       "<style>x</style><table><caption>What</caption><thead><tr><th>A</th><th>B</th><th "
       "colspan=\"2\">C</th></tr></thead></table>"
@@ -76,7 +76,7 @@ TEST(PrintHtml, PutsCaptionsIntoHeadsAndTakesFiguresOut) {
   EXPECT_FALSE(has(page.html, "<caption>"));
 }
 
-TEST(PrintHtml, KeepsTogetherWhatBelongsTogether) {
+TEST(PrintHtml, BreaksNoValueAcrossLines) {
   const auto page = forPrint(
       "<p>t(5) = 2.77, p &lt; .001 [0.07, 1.98], 95 % and 95-%-KI</p>"
       "<code>0123456789abcdef01</code>");
@@ -88,13 +88,13 @@ TEST(PrintHtml, KeepsTogetherWhatBelongsTogether) {
   EXPECT_TRUE(has(page.html, "<code>01234567&#8203;89abcdef&#8203;01</code>")) << page.html;
 }
 
-TEST(HtmlReport, EscapesWhatResearchersWrote) {
+TEST(HtmlReport, EscapesTextsOfResearchers) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_FALSE(has(page, "<script>"));
   EXPECT_TRUE(has(page, "Cut &amp; &lt;script&gt;"));
 }
 
-TEST(HtmlReport, SaysInPlainSightThatNobodyTookPart) {
+TEST(HtmlReport, MarksSimulatedStudiesVisibly) {
   auto section = tests::madeUpSection();
   EXPECT_TRUE(has(asHtml({section}), "Simulated: nobody took part"));
   section.results.runMode = RunMode::Live;
@@ -103,7 +103,7 @@ TEST(HtmlReport, SaysInPlainSightThatNobodyTookPart) {
   EXPECT_TRUE(has(asHtml({section}), "not for publication"));
 }
 
-TEST(HtmlReport, SaysInPlainSightWhatNobodyMeasured) {
+TEST(HtmlReport, MarksSyntheticMaterialsVisibly) {
   auto section = tests::madeUpSection();
   section.sources = {
       {.kind = "material",
@@ -126,14 +126,14 @@ TEST(HtmlReport, SaysInPlainSightWhatNobodyMeasured) {
   EXPECT_FALSE(has(asHtml({section}), "SYNTHETIC"));
 }
 
-TEST(HtmlReport, NeedsNothingBesideItself) {
+TEST(HtmlReport, IsSelfContained) {
   const auto page = asHtml({tests::madeUpSection()});
   for (const auto* outside : {"http://", "https://", "src=", "<link", "@import", "url("}) {
     EXPECT_FALSE(has(page, outside)) << outside;
   }
 }
 
-TEST(HtmlReport, HoldsSeveralStudies) {
+TEST(HtmlReport, MayContainSeveralStudies) {
   auto other = tests::madeUpSection();
   other.protocol.study.title = "Another study";
   const auto page = asHtml({tests::madeUpSection(), other});
@@ -141,13 +141,13 @@ TEST(HtmlReport, HoldsSeveralStudies) {
   EXPECT_TRUE(has(page, "<h2>Cut &amp;"));
 }
 
-TEST(HtmlReport, TellsWhatTheDesignLeavesOpen) {
+TEST(HtmlReport, HasTheWarningsOfTheDesign) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "everybody feels this block in the same order"));
   EXPECT_TRUE(has(page, "3 of 4000 ticks were late"));
 }
 
-TEST(HtmlReport, TellsInTheMethodsWhatWasComparedWithAndFeltAgain) {
+TEST(HtmlReport, DescribesBenchmarkAndOptionalTrialsInTheMethods) {
   const auto page = asHtml({tests::madeUpSection()});
   EXPECT_TRUE(has(page, "made at least 3 cuts with the real tool (benchmark)."));
   EXPECT_TRUE(has(page, "They read: “Please take the real punch"));
@@ -157,7 +157,7 @@ TEST(HtmlReport, TellsInTheMethodsWhatWasComparedWithAndFeltAgain) {
       << "only before one of both choices";
 }
 
-TEST(HtmlReport, TellsWhichFamilyALaterVersionChanged) {
+TEST(HtmlReport, NamesFamiliesThatALaterVersionChanged) {
   auto section = tests::madeUpSection();
   const auto page = asHtml({section});
   EXPECT_TRUE(
@@ -180,7 +180,7 @@ TEST(HtmlReport, TellsWhichFamilyALaterVersionChanged) {
   EXPECT_FALSE(has(asHtml({section}), "versions of the protocol"));
 }
 
-TEST(HtmlReport, CallsNothingConfirmatoryThatWasNotDeclaredBeforeTheFirstParticipant) {
+TEST(HtmlReport, CallsOnlyTestsConfirmatoryThatWereDeclaredBeforeTheFirstParticipant) {
   auto section = tests::madeUpSection();
   EXPECT_TRUE(has(asHtml({section}), "declared in the protocol: confirmatory"));
   section.results.families.front().isDeclared = false;
@@ -190,7 +190,7 @@ TEST(HtmlReport, CallsNothingConfirmatoryThatWasNotDeclaredBeforeTheFirstPartici
   EXPECT_TRUE(has(page, "all is exploratory"));
 }
 
-TEST(HtmlReport, HoldsFeltBoneAgainstItsMaterial) {
+TEST(HtmlReport, ComparesRenderedBoneWithItsMaterial) {
   auto section = tests::madeUpSection();
   EXPECT_FALSE(has(asHtml({section}), "Felt against the material"));
   auto& curve = section.curves.front();

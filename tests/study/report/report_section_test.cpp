@@ -14,7 +14,7 @@
 namespace study::report {
 namespace report_section_test {
 
-TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
+TEST(ReportSection, CountsOptionalTrialsSeparately) {
   tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.offersAgain = true})));
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkUntil(session, [](const Step& step) { return step.isOffered; });
@@ -34,7 +34,7 @@ TEST(ReportSection, CountsWhatWasFeltAgainBesideTheTrials) {
   EXPECT_NE(page.find("Not among them: 1 time "), std::string::npos) << page;
 }
 
-TEST(ReportSection, IsPrintedWithoutADamagedTraceAndSaysWhy) {
+TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {
   tests::MadeStudy study;
   simulateCohorts(*study, study.clock, 2, 3, [](const auto&) {});
   study->traces().database().execute(
@@ -57,7 +57,7 @@ std::string oneOfMany(const std::string& text) {
   return std::regex_search(text, found, kWrong) ? found.str() : "";
 }
 
-TEST(ReportSection, SaysOneOfWhatThereIsOneOf) {
+TEST(ReportSection, UsesTheSingularForOne) {
   tests::MadeStudy study(
       tests::protocolFrom(tests::shortProtocol({.conditions = {"interpolation", "kalman"}})));
   auto session = Session::enrol(*study, {.cohort = "surgeons"});

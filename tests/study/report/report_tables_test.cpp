@@ -230,7 +230,7 @@ TEST_F(ReportTables, OfPreferencesHasVotesAndIntervalsOfEachCondition) {
 }
 
 // R: t.test(c(1, 2, 4.5)): mean 2.5, interval -1.98 6.98
-TEST_F(ReportTables, OfWhatWasFeltHasThePooledAndTheMeanDifference) {
+TEST_F(ReportTables, OfForcesHasThePooledAndTheMeanDifference) {
   const Row expected{
       {"Pair", "Interpolation vs. FEM"},
       {"All samples [N]", "3.00"},

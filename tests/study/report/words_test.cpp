@@ -30,7 +30,7 @@ std::multiset<std::string> placesIn(const std::string& text) {
 
 class WordsTest : public testing::TestWithParam<std::string> {};
 
-TEST_P(WordsTest, SayEverySentenceOfAReport) {
+TEST_P(WordsTest, TranslateEverySentenceOfAReport) {
   std::vector<report::ReportSection> sections{tests::madeUpSection()};
   auto& section = sections.front();
   section.words = wordsIn(GetParam());
@@ -56,7 +56,7 @@ TEST_P(WordsTest, SayEverySentenceOfAReport) {
   EXPECT_EQ(missing, "");
 }
 
-TEST_P(WordsTest, PutTheSameThingsIn) {
+TEST_P(WordsTest, HaveTheSamePlaceholders) {
   const auto words = wordsIn(GetParam());
   for (const auto& [english, translated] : words.catalogue().texts) {
     EXPECT_EQ(placesIn(english), placesIn(translated)) << english;
@@ -92,7 +92,7 @@ TEST_P(WordsTest, HaveEveryMessageWithItsArguments) {
   EXPECT_EQ(known.size(), all.size()) << "one of them is in no table any more";
 }
 
-TEST_P(WordsTest, PutNumbersAndNamesIntoMessages) {
+TEST_P(WordsTest, FillNumbersAndNamesIntoMessages) {
   const auto words = wordsIn(GetParam());
   const auto late = message("trial.late", 30, 4000);
   EXPECT_NE(words(late), base::describe(late));
@@ -167,7 +167,7 @@ protocols::LoadedProtocol withAKnee(const std::string& normal, const std::string
             (normal.empty() ? "f 4//1 5//1 6//1\n" : "f 4//2 5//2 6//2\n")}});
 }
 
-TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
+TEST_P(WordsTest, DescribeAKneeInTheReportsLanguage) {
   std::set<std::string_view> said;
   for (const auto& [normal, show] : {std::pair{"", "true"}, std::pair{"vn 0 0 0\n", "false"}}) {
     tests::MadeStudy study(withAKnee(normal, show));
@@ -201,7 +201,7 @@ TEST_P(WordsTest, TellOfAKneeInTheReportsLanguage) {
 
 INSTANTIATE_TEST_SUITE_P(Languages, WordsTest, testing::Values("de", "nb"));
 
-TEST(Words, AreEnglishWhereNothingElseIsSaid) {
+TEST(Words, AreEnglishByDefault) {
   EXPECT_EQ(wordsIn("en")("Participants"), "Participants");
   EXPECT_EQ(wordsIn("de")("no such sentence"), "no such sentence");
   EXPECT_EQ(languages(), (std::vector<std::string>{"en", "de", "nb"}));

@@ -33,7 +33,7 @@ haptics::engine::SceneSpec bone() {
   return {.model = MaterialSpec{.nodes = haptics::engine::parametricMaterial()}};
 }
 
-TEST(FeltBins, CountReamingAsSlowAsItWasMeasured) {
+TEST(FeltBins, CountReamingAtTheMeasuredSpeeds) {
   for (const double feed : {0.01e-3, 0.03e-3}) {  // reaming paper, "Experimental setup"
     FeltBins bins(reamerKind(), bone());
     bins.add(advancing(0.005, feed, 2000));
@@ -43,7 +43,7 @@ TEST(FeltBins, CountReamingAsSlowAsItWasMeasured) {
   }
 }
 
-TEST(FeltBins, CountNoHandThatRestsInAStroke) {
+TEST(FeltBins, LeaveOutAHandAtRest) {
   FeltBins bins(reamerKind(), bone());
   auto samples = advancing(0.0, 0.03, 100);            // 3 mm, fast
   const auto resting = advancing(0.0105, 1e-5, 5000);  // a trembling hand at rest
@@ -54,7 +54,7 @@ TEST(FeltBins, CountNoHandThatRestsInAStroke) {
   EXPECT_EQ(medians.size(), 12U);
 }
 
-TEST(FeltBins, CountAsBeforeWhereTheHandIsFast) {
+TEST(FeltBins, CountFastMovementFromAFixedSpeedOn) {
   // A punch: bins of an eightieth of 11 travel units; below 0.6875 units/s it is at rest.
   FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
   std::vector<TraceSample> samples;

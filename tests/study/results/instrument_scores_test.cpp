@@ -63,7 +63,7 @@ class InstrumentScoresTest : public testing::Test {
   std::vector<storage::AnswerRecord> answers_;
 };
 
-TEST_F(InstrumentScoresTest, AreOfParticipantsByConditionInTheProtocolsOrder) {
+TEST_F(InstrumentScoresTest, AreGivenByParticipantAndConditionInTheProtocolsOrder) {
   answer(1, 1, "hardness-100", 5, 1);  // b is reversed: (5 + 5) / 2
   answer(1, 2, "hardness-33", 4, 4);   // (4 + 2) / 2
   answer(1, 3, "hardness-33", 2, 4);   // (2 + 2) / 2; the participant's mean is 2.5
@@ -81,7 +81,7 @@ TEST_F(InstrumentScoresTest, AreOfParticipantsByConditionInTheProtocolsOrder) {
   EXPECT_EQ(found.forms, 4U);
 }
 
-TEST_F(InstrumentScoresTest, CountFormsThatGaveNone) {
+TEST_F(InstrumentScoresTest, CountFormsWithoutAScore) {
   answer(1, 1, "hardness-33", 4, std::nullopt);
   const auto found = summary();
   ASSERT_EQ(found.scores.size(), 1U);
@@ -89,7 +89,7 @@ TEST_F(InstrumentScoresTest, CountFormsThatGaveNone) {
   EXPECT_FALSE(found.scores[0].mean);
 }
 
-TEST_F(InstrumentScoresTest, AreChangesWhereTheInstrumentSaysSo) {
+TEST_F(InstrumentScoresTest, AreChangesIfTheInstrumentAsksForThem) {
   instrument().occasions = questionnaires::Occasions::BeforeAndAfter;
   answer(1, 1, "", 2, 4);  // 2
   answer(1, 9, "", 4, 2);  // 4
@@ -104,7 +104,7 @@ TEST_F(InstrumentScoresTest, AreChangesWhereTheInstrumentSaysSo) {
   EXPECT_EQ(found.scores[2].missing, 1U);
 }
 
-TEST_F(InstrumentScoresTest, SayWhatIsAcceptableToHowMany) {
+TEST_F(InstrumentScoresTest, CountParticipantsWhoFindItAcceptable) {
   answer(1, 1, "hardness-33", 5, 1);
   answer(2, 1, "hardness-33", 3, 1);
   const auto found = summary();

@@ -125,7 +125,7 @@ TEST_F(PooledResultsTest, CountASessionOnceItIsCompleted) {
   EXPECT_EQ(total(counted()), 18U);
 }
 
-TEST_F(PooledResultsTest, CountACorrectedAnswerAsItIsNow) {
+TEST_F(PooledResultsTest, CountTheLatestValueOfACorrectedAnswer) {
   takePart("professional");
   takePart("non-professional");
   const auto before = counted();
@@ -147,7 +147,7 @@ TEST_F(PooledResultsTest, CountAnswersToAnEarlierVersionOfTheProtocol) {
   EXPECT_EQ(counted(), before);
 }
 
-TEST_F(PooledResultsTest, NameWhatWasAskedWithEveryCount) {
+TEST_F(PooledResultsTest, NameTheItemWithEveryCount) {
   takePart("professional");
   const auto counts = storage::Records(study_->database()).pointCounts(RunMode::Live);
   std::uint64_t answers = 0;

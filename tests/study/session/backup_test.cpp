@@ -27,7 +27,7 @@ class BackupTest : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(BackupTest, HoldsEverythingThatTheStudyHolds) {
+TEST_F(BackupTest, HasAllDataOfTheStudy) {
   auto session = tests::consenting(*study_, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
   std::ofstream(study_.file("devices.json")) << "{}";
@@ -44,7 +44,7 @@ TEST_F(BackupTest, HoldsEverythingThatTheStudyHolds) {
   EXPECT_TRUE(std::filesystem::is_directory(target() + "/exports"));
 }
 
-TEST_F(BackupTest, IsAsOpenToOthersAsTheStudyAndNoMore) {
+TEST_F(BackupTest, HasThePermissionsOfTheStudy) {
   namespace fs = std::filesystem;
   const fs::path from = study_.folder();
   for (const auto mode : {fs::perms(0700), fs::perms(0750)}) {
@@ -60,7 +60,7 @@ TEST_F(BackupTest, IsAsOpenToOthersAsTheStudyAndNoMore) {
   EXPECT_EQ(fs::status(from / "identity.db").permissions(), fs::perms(0600));
 }
 
-TEST_F(BackupTest, IsSoundInTheMiddleOfATrial) {
+TEST_F(BackupTest, VerifiesWhenMadeDuringATrial) {
   std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
   tests::walkTo(*session, StepKind::Trial);
   session->beginTrial();
@@ -75,7 +75,7 @@ TEST_F(BackupTest, IsSoundInTheMiddleOfATrial) {
   EXPECT_EQ(resumed.state(), SessionState::Interrupted);
 }
 
-TEST_F(BackupTest, IsOfOneMomentThoughOthersGoOnWriting) {
+TEST_F(BackupTest, IsConsistentWhileOthersWrite) {
   auto session = tests::consenting(*study_, {.cohort = "surgeons"});
   std::size_t atFirst = storage::Records(study_->database()).answers().size();
   bool hasWritten = false;
@@ -91,7 +91,7 @@ TEST_F(BackupTest, IsOfOneMomentThoughOthersGoOnWriting) {
   EXPECT_EQ(storage::Records(again.database()).answers().size(), atFirst);
 }
 
-TEST_F(BackupTest, TellsOfDamageAndKeepsTheCopy) {
+TEST_F(BackupTest, ReportsDamageAndKeepsTheCopy) {
   auto session = tests::consenting(*study_, {.cohort = "surgeons"});
   tests::walkToTheEnd(session);
   tests::Sql(study_.file("study.db")).run("UPDATE answer SET changes = changes + 1");
@@ -100,7 +100,7 @@ TEST_F(BackupTest, TellsOfDamageAndKeepsTheCopy) {
   EXPECT_TRUE(std::filesystem::exists(target() + "/study.db"));
 }
 
-TEST_F(BackupTest, OverwritesNothingAndNeverLiesInsideTheStudy) {
+TEST_F(BackupTest, OverwritesNothingAndIsNeverInsideTheStudy) {
   std::filesystem::create_directory(target());
   tests::expectClear(
       tests::refusalOf([&] { backUp(study_.folder(), target()); }), "is there already");
@@ -109,7 +109,7 @@ TEST_F(BackupTest, OverwritesNothingAndNeverLiesInsideTheStudy) {
       "outside of the study");
 }
 
-TEST_F(BackupTest, LeavesNothingBehindWhenItIsCancelled) {
+TEST_F(BackupTest, LeavesNoFolderWhenItIsCancelled) {
   const auto before = neighbours();
   int told = 0;
   const auto giveUp = [&](double, const std::string&) {

@@ -31,7 +31,7 @@ bool hasFlag(const Results& results) {
   });
 }
 
-TEST(PlanHistory, TakesWhatChangesBeforeTheFirstLiveParticipantForDeclared) {
+TEST(PlanHistory, CountsChangesBeforeTheFirstLiveParticipantAsDeclared) {
   MadeStudy study;
   auto pilot = Session::enrol(*study, {.cohort = "surgeons", .runMode = RunMode::Pilot});
   tests::walkToTheEnd(pilot);
@@ -44,7 +44,7 @@ TEST(PlanHistory, TakesWhatChangesBeforeTheFirstLiveParticipantForDeclared) {
   EXPECT_FALSE(hasFlag(computeResults(*study, RunMode::Pilot)));
 }
 
-TEST(PlanHistory, SaysWhatALaterVersionChanged) {
+TEST(PlanHistory, ListsTheChangesOfALaterVersion) {
   MadeStudy study;
   auto person = Session::enrol(*study, {.cohort = "surgeons"});
   tests::walkToTheEnd(person);
@@ -63,7 +63,7 @@ TEST(PlanHistory, SaysWhatALaterVersionChanged) {
   EXPECT_TRUE(hasFlag(results));
 }
 
-TEST(PlanHistory, DeclaresAgainWhatIsPutBack) {
+TEST(PlanHistory, CountsARestoredFamilyAsDeclared) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");
@@ -78,7 +78,7 @@ TEST(PlanHistory, DeclaresAgainWhatIsPutBack) {
   EXPECT_TRUE(history.changes[1].isHarmless);
 }
 
-TEST(PlanHistory, DoesNotDeclareAgainWhatSomebodyBeganWithInBetween) {
+TEST(PlanHistory, DoesNotCountAFamilyAsDeclaredIfAParticipantBeganWithAnotherForm) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");
@@ -92,7 +92,7 @@ TEST(PlanHistory, DoesNotDeclareAgainWhatSomebodyBeganWithInBetween) {
   EXPECT_FALSE(history.changes[1].isHarmless);
 }
 
-TEST(PlanHistory, DeclaresAgainWhatWasDroppedAndCameBackBeforeAnybodyBegan) {
+TEST(PlanHistory, CountsAFamilyAsDeclaredThatWasRemovedAndRestoredBeforeAnyParticipant) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(with(R"("id": "methods")", R"("id": "afterthought")"), "a thought");
@@ -106,7 +106,7 @@ TEST(PlanHistory, DeclaresAgainWhatWasDroppedAndCameBackBeforeAnybodyBegan) {
   EXPECT_TRUE(history.isDeclared("methods"));
 }
 
-TEST(PlanHistory, NamesFamiliesThatCameAndWent) {
+TEST(PlanHistory, ListsAddedAndRemovedFamilies) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(with(R"("id": "methods")", R"("id": "afterthought")"), "a thought");
@@ -119,7 +119,7 @@ TEST(PlanHistory, NamesFamiliesThatCameAndWent) {
   EXPECT_FALSE(history.isDeclared("afterthought"));
 }
 
-TEST(PlanHistory, DoesNotMindTheOrderOfComparisonsNorATitle) {
+TEST(PlanHistory, IgnoresTitlesAndTheOrderOfComparisons) {
   protocols::Family one{.title = "One", .blocks = {}, .comparisons = {{"a", "b"}, {"a", "c"}}};
   auto other = one;
   other.title = "Another";
@@ -129,7 +129,7 @@ TEST(PlanHistory, DoesNotMindTheOrderOfComparisonsNorATitle) {
   EXPECT_EQ(differingKeys(one, other), std::vector<std::string_view>{"comparisons"});
 }
 
-TEST(PlanHistory, AsksForAReasonForEveryVersionOnceSomebodyHasBegun) {
+TEST(PlanHistory, NeedsAReasonForEveryVersionAfterTheFirstParticipant) {
   MadeStudy study;
   Session::enrol(*study, {.cohort = "surgeons"});
   study->amend(stricter(), "a reviewer asked");

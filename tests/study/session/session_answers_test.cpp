@@ -39,7 +39,7 @@ class SessionAnswersTest : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(SessionAnswersTest, KeepsEveryTypeOfAnswerAsItWasGiven) {
+TEST_F(SessionAnswersTest, StoresEveryTypeOfAnswerUnchanged) {
   const std::vector<std::pair<std::string, Response>> given{
       {"agree", std::int64_t{5}},
       {"words", std::int64_t{3}},
@@ -60,7 +60,7 @@ TEST_F(SessionAnswersTest, KeepsEveryTypeOfAnswerAsItWasGiven) {
   }
 }
 
-TEST_F(SessionAnswersTest, KeepsAWholeNumberAsANumberWhereANumberIsAsked) {
+TEST_F(SessionAnswersTest, StoresAnIntegerAsANumberIfTheItemAsksForANumber) {
   give("count", std::int64_t{12});
   give("slide", std::int64_t{50});
   EXPECT_EQ(kept("count")->response, Response(12.0));
@@ -81,7 +81,7 @@ TEST_F(SessionAnswersTest, ChangesAnAnswerInPlace) {
   EXPECT_EQ(events[events.size() - 2].values, said(2));
 }
 
-TEST_F(SessionAnswersTest, KeepsTheChangesTimeAndLanguageOfACorrectedAnswer) {
+TEST_F(SessionAnswersTest, StoresChangesTimeAndLanguageOfACorrectedAnswer) {
   session_.record(
       {.item = "agree",
        .response = std::int64_t{2},
@@ -115,7 +115,7 @@ TEST_F(SessionAnswersTest, KeepsTheChangesTimeAndLanguageOfACorrectedAnswer) {
   EXPECT_TRUE(isExported);
 }
 
-TEST_F(SessionAnswersTest, RefusesWhatCannotBeAnAnswer) {
+TEST_F(SessionAnswersTest, RefusesInvalidResponses) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const std::vector<std::pair<std::string, Response>> wrong{
@@ -149,7 +149,7 @@ TEST_F(SessionAnswersTest, RefusesWhatCannotBeAnAnswer) {
   EXPECT_TRUE(session_.answers().empty());
 }
 
-TEST_F(SessionAnswersTest, RefusesTimesThatCannotBe) {
+TEST_F(SessionAnswersTest, RefusesImpossibleTimes) {
   auto answer = tests::answerTo(session_, session_.items().front());
   answer.firstTouch = 3.0;
   answer.responseTime = 2.0;  // earlier than the first touch
@@ -162,7 +162,7 @@ TEST_F(SessionAnswersTest, RefusesTimesThatCannotBe) {
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()).find("answered finished"), std::string::npos);
 }
 
-TEST_F(SessionAnswersTest, TakesAnAnswerBackSoThatItIsMissingAgain) {
+TEST_F(SessionAnswersTest, RetractsAnAnswerSoThatItIsMissingAgain) {
   give("agree", std::int64_t{2});
   give("name", std::string("Somebody"));
   EXPECT_TRUE(session_.missing().empty());
@@ -173,7 +173,7 @@ TEST_F(SessionAnswersTest, TakesAnAnswerBackSoThatItIsMissingAgain) {
   EXPECT_EQ(session_.missing(), (std::vector<std::string>{"agree", "name"}));
 }
 
-TEST_F(SessionAnswersTest, RetractsNothingThatIsNotAsked) {
+TEST_F(SessionAnswersTest, RefusesToRetractAnItemThatIsNotAsked) {
   const std::string before = tests::eventsOf(*study_, session_.id());
   EXPECT_THROW(session_.retract("elsewhere"), UserError);
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()), before);
@@ -195,7 +195,7 @@ TEST_F(SessionAnswersTest, KeepsAnswersWhenTheLanguageIsSwitched) {
   EXPECT_EQ(session_.language(), "de");
 }
 
-TEST_F(SessionAnswersTest, OffersTheAlternativesThatWereFelt) {
+TEST_F(SessionAnswersTest, OffersTheAlternativesOfTheBlock) {
   give("agree", std::int64_t{2});
   give("name", std::string("Somebody"));
   tests::walkTo(session_, StepKind::Preference);

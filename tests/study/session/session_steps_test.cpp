@@ -33,7 +33,7 @@ class SessionStepsTest : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(SessionStepsTest, FinishesNoStepWhileSomethingRequiredIsMissing) {
+TEST_F(SessionStepsTest, FinishesNoStepWhileARequiredAnswerIsMissing) {
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"consent"});
   EXPECT_THROW(session_.finishStep(), UserError);
   tests::answerStep(session_);
@@ -53,7 +53,7 @@ TEST_F(SessionStepsTest, EndsWithoutATrialWhenConsentIsRefused) {
   EXPECT_THROW(session_.beginTrial(), UserError);
 }
 
-TEST_F(SessionStepsTest, RunsATrialAsATrialAndNothingElse) {
+TEST_F(SessionStepsTest, FinishesATrialOnlyAsATrial) {
   tests::walkTo(session_, StepKind::Trial);
   EXPECT_FALSE(session_.allows(SessionEvent::FinishedStep));
   EXPECT_THROW(session_.finishStep(), UserError);
@@ -65,7 +65,7 @@ TEST_F(SessionStepsTest, RunsATrialAsATrialAndNothingElse) {
   EXPECT_EQ(session_.step().kind, StepKind::Questionnaire);
 }
 
-TEST_F(SessionStepsTest, FinishesNoTrialThatWasNot) {
+TEST_F(SessionStepsTest, RefusesToFinishATrialThatBrokeOff) {
   tests::walkTo(session_, StepKind::Trial);
   session_.beginTrial();
   for (const auto ending : {TrialEnding::Stopped, TrialEnding::DeviceGone, TrialEnding::TimedOut}) {
@@ -74,7 +74,7 @@ TEST_F(SessionStepsTest, FinishesNoTrialThatWasNot) {
   EXPECT_EQ(session_.state(), SessionState::InTrial);
 }
 
-TEST_F(SessionStepsTest, GoesBackFromTheQuestionsToTheirTrial) {
+TEST_F(SessionStepsTest, RepeatsTheTrialFromItsQuestions) {
   tests::walkTo(session_, StepKind::Questionnaire);
   const int trial = session_.stepIndex() - 1;
   tests::answerStep(session_);
@@ -94,7 +94,7 @@ TEST_F(SessionStepsTest, GoesBackFromTheQuestionsToTheirTrial) {
   EXPECT_TRUE(isSound());
 }
 
-TEST_F(SessionStepsTest, GoesBackFromATrialToTheQuestionsBeforeIt) {
+TEST_F(SessionStepsTest, RepeatsTheQuestionsBeforeATrial) {
   tests::walkTo(session_, StepKind::Questionnaire);
   const int questions = session_.stepIndex();
   tests::passStep(session_);
@@ -103,7 +103,7 @@ TEST_F(SessionStepsTest, GoesBackFromATrialToTheQuestionsBeforeIt) {
   EXPECT_EQ(session_.stepIndex(), questions);
 }
 
-TEST_F(SessionStepsTest, DoesATrialAgainThatBrokeOff) {
+TEST_F(SessionStepsTest, RepeatsATrialThatBrokeOff) {
   tests::walkTo(session_, StepKind::Trial);
   const int trial = session_.stepIndex();
   session_.beginTrial();
@@ -119,7 +119,7 @@ TEST_F(SessionStepsTest, DoesATrialAgainThatBrokeOff) {
   EXPECT_TRUE(isSound());
 }
 
-TEST_F(SessionStepsTest, AsksNobodyAboutATrialThatWasSkipped) {
+TEST_F(SessionStepsTest, SkipsTheQuestionsAboutASkippedTrial) {
   tests::walkTo(session_, StepKind::Trial);
   const int trial = session_.stepIndex();
   session_.beginTrial();
@@ -131,7 +131,7 @@ TEST_F(SessionStepsTest, AsksNobodyAboutATrialThatWasSkipped) {
   EXPECT_EQ(visitsOf(trial + 1), "skipped");
 }
 
-TEST_F(SessionStepsTest, GoesBackToASkippedTrialAndNotToTheQuestionsAboutIt) {
+TEST_F(SessionStepsTest, RepeatsASkippedTrialAndNotItsQuestions) {
   tests::walkTo(session_, StepKind::Trial);
   const int trial = session_.stepIndex();
   session_.skipStep("a mistake");
@@ -140,7 +140,7 @@ TEST_F(SessionStepsTest, GoesBackToASkippedTrialAndNotToTheQuestionsAboutIt) {
   EXPECT_EQ(visitsOf(trial), "repeated open");
 }
 
-TEST_F(SessionStepsTest, GoesBackToQuestionsThatWereSkippedAlone) {
+TEST_F(SessionStepsTest, RepeatsQuestionsThatWereSkippedAlone) {
   tests::walkTo(session_, StepKind::Questionnaire);
   const int questions = session_.stepIndex();
   session_.skipStep("the screen went dark");
@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(
              std::get<2>(all);
     });
 
-TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
+TEST_F(SessionStepsTest, ContinuesAtTheSameStepAfterAPause) {
   tests::walkTo(session_, StepKind::Questionnaire);
   tests::answerStep(session_);
   const auto visit = session_.visit();
@@ -226,7 +226,7 @@ TEST_F(SessionStepsTest, PausesWithoutForgettingWhereItWas) {
   session_.finishStep();
 }
 
-TEST_F(SessionStepsTest, LetsAParticipantLeaveInTheMiddleOfATrial) {
+TEST_F(SessionStepsTest, AllowsWithdrawalDuringATrial) {
   tests::walkTo(session_, StepKind::Trial);
   const auto visit = session_.visit();
   session_.beginTrial();
@@ -242,7 +242,7 @@ TEST_F(SessionStepsTest, LetsAParticipantLeaveInTheMiddleOfATrial) {
   EXPECT_TRUE(isSound());  // every trace has its trial
 }
 
-TEST_F(SessionStepsTest, RemembersWhyATrialBrokeOffWhenItsParticipantLeaves) {
+TEST_F(SessionStepsTest, KeepsTheReasonOfABreakOffAfterAWithdrawal) {
   tests::walkTo(session_, StepKind::Trial);
   session_.beginTrial();
   session_.breakOffTrial({.ending = TrialEnding::DeviceGone});
@@ -266,7 +266,7 @@ TEST_F(SessionStepsTest, CountsTheCutsOfABenchmark) {
   EXPECT_THROW(session.recordBenchmarkCuts(4), UserError);
 }
 
-TEST_F(SessionStepsTest, TakesNotesAtAnyTimeAndAlsoAfterwards) {
+TEST_F(SessionStepsTest, AcceptsNotesDuringAndAfterASession) {
   session_.note("wears gloves");
   tests::walkToTheEnd(session_);
   session_.note("came late");
@@ -275,7 +275,7 @@ TEST_F(SessionStepsTest, TakesNotesAtAnyTimeAndAlsoAfterwards) {
   EXPECT_EQ(events.substr(events.size() - 21), "finished_session note");
 }
 
-TEST_F(SessionStepsTest, WritesNothingMoreIntoASessionThatIsOver) {
+TEST_F(SessionStepsTest, ChangesNothingInASessionThatIsOver) {
   tests::walkToTheEnd(session_);
   ASSERT_EQ(session_.state(), SessionState::Completed);
   EXPECT_THROW(session_.record({.item = "preferred", .response = std::string("1")}), UserError);
@@ -288,7 +288,7 @@ TEST_F(SessionStepsTest, WritesNothingMoreIntoASessionThatIsOver) {
   EXPECT_THROW(session_.finishStep(), UserError);
 }
 
-TEST_F(SessionStepsTest, SaysInTheAuditTrailWhoDidWhatAndWhy) {
+TEST_F(SessionStepsTest, RecordsActorActionAndReasonInTheAuditTrail) {
   tests::walkTo(session_, StepKind::Trial);
   session_.skipStep("no time");
   const auto events = study_->events().read(session_.id());
@@ -308,7 +308,7 @@ class OfferedAgain : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(OfferedAgain, EachAlternativeByItsLabelAndAsWhatItWas) {
+TEST_F(OfferedAgain, IsEachAlternativeUnderItsLabelWithItsCondition) {
   std::map<int, std::string> before;
   int label = 0;
   for (const auto& step : session_.plan()) {
@@ -325,7 +325,7 @@ TEST_F(OfferedAgain, EachAlternativeByItsLabelAndAsWhatItWas) {
   EXPECT_EQ(label, 3);
 }
 
-TEST_F(OfferedAgain, IsFeltByWhoeverWantsToAndDeclinedByOthers) {
+TEST_F(OfferedAgain, MayBeAcceptedOrDeclined) {
   const int first = session_.stepIndex();
   session_.declineOffer();
   session_.beginTrial();

@@ -29,7 +29,7 @@ class UnfinishedSessionsTest : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(UnfinishedSessionsTest, LeavesOutWhoeverIsDone) {
+TEST_F(UnfinishedSessionsTest, LeaveOutSessionsThatAreOver) {
   auto done = tests::consenting(*study_, {.cohort = "surgeons"});
   tests::walkToTheEnd(done);
   const auto open = Session::enrol(*study_, {.cohort = "surgeons"});
@@ -37,7 +37,7 @@ TEST_F(UnfinishedSessionsTest, LeavesOutWhoeverIsDone) {
   EXPECT_EQ(found.participant, open.participant());
 }
 
-TEST_F(UnfinishedSessionsTest, OffersNothingButToGoThereWhileItIsOpen) {
+TEST_F(UnfinishedSessionsTest, OfferOnlyTheOtherProgramWhileASessionIsOpenThere) {
   const auto session = Session::enrol(*study_, {.cohort = "surgeons"});
   const auto found = look();
   EXPECT_TRUE(found.isOpenElsewhere());
@@ -45,7 +45,7 @@ TEST_F(UnfinishedSessionsTest, OffersNothingButToGoThereWhileItIsOpen) {
   EXPECT_TRUE(offers(found, "go on there"));
 }
 
-TEST_F(UnfinishedSessionsTest, OffersNoSkippingOfConsent) {
+TEST_F(UnfinishedSessionsTest, DoNotOfferToSkipConsent) {
   { const auto session = Session::enrol(*study_, {.cohort = "surgeons"}); }
   const auto found = look();
   EXPECT_TRUE(offers(found, "Go on in this step"));
@@ -54,7 +54,7 @@ TEST_F(UnfinishedSessionsTest, OffersNoSkippingOfConsent) {
   EXPECT_FALSE(offers(found, "repeat"));
 }
 
-TEST_F(UnfinishedSessionsTest, TellsOfATrialThatNobodyEnded) {
+TEST_F(UnfinishedSessionsTest, ReportATrialThatWasNotEnded) {
   {
     auto session = tests::consenting(*study_, {.cohort = "surgeons"});
     tests::walkTo(session, StepKind::Trial);
@@ -69,7 +69,7 @@ TEST_F(UnfinishedSessionsTest, TellsOfATrialThatNobodyEnded) {
   EXPECT_FALSE(offers(found, "Go on in this step"));
 }
 
-TEST_F(UnfinishedSessionsTest, OffersJustWhatASessionThenAllows) {
+TEST_F(UnfinishedSessionsTest, OfferExactlyTheAllowedEvents) {
   std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
   while (!session->isOver()) {
     const auto id = session->id();
@@ -83,7 +83,7 @@ TEST_F(UnfinishedSessionsTest, OffersJustWhatASessionThenAllows) {
   }
 }
 
-TEST_F(UnfinishedSessionsTest, NamesNoCondition) {
+TEST_F(UnfinishedSessionsTest, NameNoCondition) {
   std::optional<Session> session(tests::consenting(*study_, {.cohort = "surgeons"}));
   while (!session->isOver()) {
     for (const auto* secret : {"interpolation", "finite", "kalman"}) {

@@ -123,7 +123,7 @@ class DamageTest : public testing::Test {
   Outcome outcome_;
 };
 
-TEST_F(DamageTest, OfASingleBitIsFoundOrChangesNothing) {
+TEST_F(DamageTest, OfASingleBitIsDetectedOrChangesNoValue) {
   const int flips = tests::inLongForm(3000, 200);
   const std::array<std::string, 4> names{"study.db", "study.db", "traces.db", "identity.db"};
   std::mt19937_64 random(20261121);
@@ -137,7 +137,7 @@ TEST_F(DamageTest, OfASingleBitIsFoundOrChangesNothing) {
   EXPECT_GE(outcome_.found(), flips / 10);
 }
 
-TEST_F(DamageTest, OfANameIsAlwaysFound) {
+TEST_F(DamageTest, OfANameIsAlwaysDetected) {
   const auto where = tests::contentOf(study_.file("identity.db")).find(kName);
   ASSERT_NE(where, std::string::npos);
   const std::uint64_t bits = std::string(kName).size() * 8;
@@ -149,7 +149,7 @@ TEST_F(DamageTest, OfANameIsAlwaysFound) {
   EXPECT_EQ(outcome_.found(), static_cast<int>(bits));
 }
 
-TEST_F(DamageTest, OfAWholePageIsFoundOrChangesNothing) {
+TEST_F(DamageTest, OfAWholePageIsDetectedOrChangesNoValue) {
   for (const std::string name : {"study.db", "traces.db"}) {
     const std::uint64_t pages = sizeOf(name) / kPage;
     for (std::uint64_t page = 0; page < pages; page += page < 40 ? 1 : 7) {
@@ -162,7 +162,7 @@ TEST_F(DamageTest, OfAWholePageIsFoundOrChangesNothing) {
   EXPECT_LE(outcome_.harmless, 5);  // pages that contain free space only
 }
 
-TEST_F(DamageTest, ByCuttingOffIsAlwaysFound) {
+TEST_F(DamageTest, ByTruncationIsAlwaysDetected) {
   for (const std::string name : {"study.db", "traces.db", "identity.db"}) {
     const std::uint64_t size = sizeOf(name);
     for (std::uint64_t part = 0; part < size; part += kPage * (1 + size / kPage / 20)) {
@@ -176,12 +176,12 @@ TEST_F(DamageTest, ByCuttingOffIsAlwaysFound) {
   EXPECT_EQ(outcome_.harmless, 0);
 }
 
-TEST_F(DamageTest, IsNothingWhereNothingWasDone) {
+TEST_F(DamageTest, IsNotReportedForAnIntactCopy) {
   lookAfter("study.db", [](const auto&) {});
   EXPECT_EQ(outcome_.harmless, 1);
 }
 
-TEST_F(DamageTest, IsSeenByThisTestWhereTheProgramDoesNotLook) {
+TEST_F(DamageTest, IsSeenByThisTestInARowThatTheProgramDoesNotCheck) {
   // The control: a row that no check reads makes the copy different.
   const std::string lease =
       "INSERT INTO lease (session_id, station, pid, taken_utc, process) VALUES (1, 'x', 1, '', '')";

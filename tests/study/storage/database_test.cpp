@@ -27,7 +27,7 @@ std::string pragma(Database& database, const std::string& name) {
   return statement.step() ? statement.text(0) : std::string();
 }
 
-TEST(Database, IsReallySetUpToKeepWhatItAcknowledges) {
+TEST(Database, HasDurableSettings) {
   tests::MadeStudy study;
   auto recorder = study->openTraces();  // the recorder thread's connection
   for (auto* database :
@@ -45,7 +45,7 @@ TEST(Database, IsReallySetUpToKeepWhatItAcknowledges) {
   }
 }
 
-TEST(Database, IsNeverMadeOverAFileThatIsThere) {
+TEST(Database, NeverOverwritesAFile) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("study.db", "a diary");
   const auto refusal = refusalOf([&] { Database::create(file, studySchema()); });
@@ -53,7 +53,7 @@ TEST(Database, IsNeverMadeOverAFileThatIsThere) {
   EXPECT_EQ(tests::contentOf(file), "a diary");
 }
 
-TEST(Database, CannotBeMadeWhereThereIsNoFolder) {
+TEST(Database, NeedsAnExistingFolder) {
   const tests::ScratchFolder folder;
   const auto refusal = refusalOf([&] { Database::create(folder / "no/study.db", studySchema()); });
   expectClear(refusal, "Check that the folder exists");
@@ -78,7 +78,7 @@ class OpeningTest : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(OpeningTest, AMissingFolderNamesItAndSaysHowToMakeOne) {
+TEST_F(OpeningTest, AMissingFolder) {
   const auto refusal = refusalOf([&] { Study::open(study_.file("elsewhere"), study_.clock); });
   expectClear(refusal, "palpate study create");
 }
@@ -107,7 +107,7 @@ TEST_F(OpeningTest, TheTracesInPlaceOfTheStudy) {
   expectClear(opening(), "not a palpate study");
 }
 
-TEST_F(OpeningTest, WhatIsNoDatabase) {
+TEST_F(OpeningTest, AFileThatIsNoDatabase) {
   for (const auto& content : {std::string(5000, 'x'), std::string("SQLite format 3\0", 16)}) {
     std::ofstream(study_.file("study.db"), std::ios::binary | std::ios::trunc) << content;
     const auto refusal = opening();
@@ -147,7 +147,7 @@ TEST_F(OpeningTest, ANewerFormatChangesNothing) {
   EXPECT_EQ(tests::contentOf(study_.file("study.db")), before);
 }
 
-TEST_F(OpeningTest, AStudyThatWasNotFinishedWhenItWasMade) {
+TEST_F(OpeningTest, AnUnfinishedStudy) {
   fs::remove(study_.file("study.db"));
   fs::remove(study_.file("traces.db"));
   Database::create(study_.file("study.db"), studySchema());
@@ -161,14 +161,14 @@ TEST_F(OpeningTest, AStudyWithoutItsTraces) {
   expectClear(opening(), "traces.db");
 }
 
-TEST_F(OpeningTest, AStudyWhoseRandomNumbersNobodyKnows) {
+TEST_F(OpeningTest, AStudyWithUnknownRandomNumbers) {
   tests::Sql(study_.file("study.db")).run("UPDATE study SET random_version = 2");
   const auto refusal = opening();
   EXPECT_EQ(refusal.kind, Kind::Newer);
   expectClear(refusal, "Install the version that made it");
 }
 
-TEST(Transaction, UndoesWhatWasNotCommitted) {
+TEST(Transaction, RollsBackUncommittedChanges) {
   auto database = Database::inMemory(identitySchema());
   const std::string row =
       "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '', NULL)";
@@ -181,7 +181,7 @@ TEST(Transaction, UndoesWhatWasNotCommitted) {
   EXPECT_EQ(count.number(0), 0);
 }
 
-TEST(Study, IsNeverMadeInAFolderThatIsThere) {
+TEST(Study, IsNeverMadeInAnExistingFolder) {
   const tests::ScratchFolder folder;
   SimulatedClock clock;
   const auto protocol = tests::protocolFrom(tests::shortProtocol());
@@ -195,7 +195,7 @@ TEST(Study, IsNeverMadeInAFolderThatIsThere) {
       refusalOf([&] { Study::create(folder / "file/study", protocol, clock); }), "cannot be made");
 }
 
-TEST(Study, OfTheSameSeedAndProtocolHasTheSameNameAndEveryOtherAnother) {
+TEST(Study, HasANameThatDependsOnSeedAndProtocolOnly) {
   tests::MadeStudy a(tests::protocolFrom(tests::shortProtocol()), 5);
   tests::MadeStudy b(tests::protocolFrom(tests::shortProtocol()), 5);
   tests::MadeStudy c(tests::protocolFrom(tests::shortProtocol()), 6);
@@ -207,7 +207,7 @@ TEST(Study, OfTheSameSeedAndProtocolHasTheSameNameAndEveryOtherAnother) {
   EXPECT_EQ(a->uuid(), b->uuid());
 }
 
-TEST(Study, KeepsItsProtocolWholeWhateverBecomesOfTheFiles) {
+TEST(Study, KeepsItsProtocolIfTheFilesAreDeleted) {
   const auto protocol = tests::libraryProtocol("punch-counterbalanced");
   tests::MadeStudy study(protocol);
   study.reopen();

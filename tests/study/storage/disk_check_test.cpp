@@ -9,7 +9,7 @@
 namespace study::storage {
 namespace disk_check_test {
 
-TEST(DiskCheck, MeasuresEveryCommitAndLeavesNothingBehind) {
+TEST(DiskCheck, MeasuresEveryCommitAndLeavesNoFiles) {
   const tests::ScratchFolder folder;
   const auto times = measureCommits(folder.path(), 5);
   EXPECT_EQ(times.commits, 5);
@@ -18,11 +18,11 @@ TEST(DiskCheck, MeasuresEveryCommitAndLeavesNothingBehind) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(DiskCheck, SaysWhichFolderCannotBeWritten) {
+TEST(DiskCheck, NamesAFolderThatCannotBeWritten) {
   tests::expectClear(tests::refusalOf([] { measureCommits("/proc/palpate", 1); }), "/proc/palpate");
 }
 
-TEST(DiskCheck, FindsNothingWrongWithASoundFile) {
+TEST(DiskCheck, FindsNoProblemInAnIntactFile) {
   tests::MadeStudy study;
   EXPECT_EQ(study->database().quickProblems(), "");
 }

@@ -46,7 +46,7 @@ const std::vector<std::pair<Message, const char*>> kReasons{
      "the force never came on: the scene asked for too much all along (1×, 9.000 s)"},
 };
 
-TEST(TrialReasonsOfRelease01, AreReadByTheirSentences) {
+TEST(TrialReasonsOfRelease01, AreReadFromTheirSentences) {
   std::vector<Message> all;
   std::string sentences;
   for (const auto& [reason, sentence] : kReasons) {
@@ -57,14 +57,14 @@ TEST(TrialReasonsOfRelease01, AreReadByTheirSentences) {
   EXPECT_EQ(trialReasonsIn(sentences), all);
 }
 
-TEST(TrialReasonsOfRelease01, StayAsTheyAreWhereTheyAreNotUnderstood) {
+TEST(TrialReasonsOfRelease01, AreKeptVerbatimIfTheyAreUnknown) {
   for (const std::string sentence : {"something else", "2 samples were lost; something else"}) {
     EXPECT_EQ(trialReasonsIn(sentence), std::vector{Message::verbatim(sentence)});
   }
   EXPECT_TRUE(trialReasonsIn("").empty());
 }
 
-TEST(AnswersOfRelease01, AreFoundByTheirItem) {
+TEST(AnswersOfRelease01, AreReadWithTheirItem) {
   const auto item = [](const char* detail) { return release_0_1::valuesIn("answered", detail); };
   EXPECT_EQ(item("1.1 = 4"), (base::NamedArguments{{"item", std::string("1.1")}}));
   EXPECT_EQ(item("1.1 = 'a (kept apart)'"), (base::NamedArguments{{"item", std::string("1.1")}}));
@@ -74,7 +74,7 @@ TEST(AnswersOfRelease01, AreFoundByTheirItem) {
   EXPECT_TRUE(release_0_1::valuesIn("passivity", "K 300, T 0.001 s").empty());
 }
 
-TEST(AnswersOfRelease01, AreWrittenAsTheyWere) {
+TEST(AnswersOfRelease01, AreDescribedAsInThatRelease) {
   const auto said = [](questionnaires::Response response) {
     return release_0_1::detailOf({.item = "a", .response = std::move(response)});
   };
@@ -85,7 +85,7 @@ TEST(AnswersOfRelease01, AreWrittenAsTheyWere) {
   EXPECT_EQ(said(std::string(201, 'x')).substr(0, 11), "a = sha256:");
 }
 
-TEST(StoredMessages, ReadBackAsTheyWere) {
+TEST(StoredMessages, AreReadBackUnchanged) {
   for (const auto& [reason, sentence] : kReasons) {
     EXPECT_EQ(messagesIn(asJson(std::vector{reason})), std::vector{reason}) << sentence;
   }
@@ -95,7 +95,7 @@ TEST(StoredMessages, ReadBackAsTheyWere) {
       R"([{"code":"trial.late","arguments":[30,4000]}])");
 }
 
-TEST(StoredMessages, OfALaterReleaseAreShownByTheirCode) {
+TEST(StoredMessages, OfALaterReleaseAreShownWithTheirCode) {
   const auto read = messagesIn(R"([{"code":"trial.new","arguments":[1]}])");
   EXPECT_EQ(read, std::vector{Message::verbatim("trial.new")});
 }

@@ -47,7 +47,7 @@ class FailedCommitTest : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(FailedCommitTest, LeavesTheSessionWhereItWas) {
+TEST_F(FailedCommitTest, ChangesNothingInTheSession) {
   const auto consent = session_.items().front();
   failFirst("answer", [&] { session_.record(tests::answerTo(session_, consent)); });
   failFirst("language", [&] { session_.setLanguage("de"); });

@@ -41,7 +41,7 @@ class FaultTest : public testing::TestWithParam<Kind> {
   }
 };
 
-TEST_P(FaultTest, LosesNothingThatWasAcknowledgedAndSpeaksInWords) {
+TEST_P(FaultTest, LosesNoAcknowledgedAnswerAndGivesAMessage) {
   const Kind kind = GetParam();
   tests::ScriptedStudy study;
   std::size_t points = 0;
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         kMemory("MemoryThatIsShortOnceFromTheStart", Arm::BeforeOpening, false)),
     [](const auto& kind) { return kind.param.name; });
 
-TEST(Faults, AreNoneWhereNothingFails) {
+TEST(Faults, AreNotReportedWithoutAFault) {
   tests::ScriptedStudy study;
   const auto folder = study.copy();
   const auto outcome = tests::runScript(folder, Arm::BeforeOpening, [] {});
@@ -117,7 +117,7 @@ TEST(Faults, AreNoneWhereNothingFails) {
   EXPECT_EQ(tests::whatIsWrongAfter(study, folder, outcome, true), "");
 }
 
-TEST(Faults, AreFoundByThisTestWhereSomethingIsLost) {
+TEST(Faults, AreDetectedByThisTestIfDataAreLost) {
   // The positive control: one acknowledgement too many is found as a loss.
   tests::ScriptedStudy study;
   const auto folder = study.copy();

@@ -33,7 +33,7 @@ TEST(KeptDefaults, AreThoseOfRelease01InItsStudiesUntilTheProtocolIsAmended) {
   EXPECT_EQ(seenIn(study->protocol(ProtocolId{1})), SeenTissue::Force);
 }
 
-TEST(KeptDefaults, AreThoseOfRelease01WhereThatReleaseAmendedTheProtocol) {
+TEST(KeptDefaults, AreThoseOfRelease01IfThatReleaseAmendedTheProtocol) {
   const auto protocol = tests::protocolFrom(tests::shortProtocol());
   tests::MadeStudy study(protocol);
   study->amend(protocol, "a change");

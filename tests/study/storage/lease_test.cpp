@@ -57,7 +57,7 @@ TEST_F(LeaseTest, IsGivenBackWithTheSession) {
   EXPECT_EQ(tests::Sql(study_.file("study.db")).number("SELECT count(*) FROM lease"), 0);
 }
 
-TEST_F(LeaseTest, IsNotNeededByOthersWhoTakePart) {
+TEST_F(LeaseTest, DoesNotBlockOtherSessions) {
   const auto session = Session::resume(*study_, id_);
   const auto other = Session::enrol(*study_, {.cohort = "surgeons"});
   EXPECT_NE(other.id(), session.id());
@@ -104,7 +104,7 @@ class OtherProgram {
   bool hasIt_ = false;
 };
 
-TEST_F(LeaseTest, IsHeldByAnotherProgramUntilThatIsGone) {
+TEST_F(LeaseTest, IsHeldByAnotherProgramUntilItEnds) {
   study_.close();
   OtherProgram other(study_.folder(), id_);
   ASSERT_TRUE(other.hasIt());
@@ -116,29 +116,29 @@ TEST_F(LeaseTest, IsHeldByAnotherProgramUntilThatIsGone) {
   EXPECT_FALSE(resuming().happened);
 }
 
-TEST_F(LeaseTest, IsTakenOverFromAProcessOfTheSameNumberThatBeganAtAnotherTime) {
+TEST_F(LeaseTest, IsTakenOverFromAnEarlierProcessWithTheSameNumber) {
   leave(thisStation(), 1, "another-boot/12345#1");  // process 1 always exists
   EXPECT_FALSE(resuming().happened);
 }
 
-TEST_F(LeaseTest, IsTakenOverFromThisVeryProcessAfterABootThatGaveItTheSameNumber) {
+TEST_F(LeaseTest, IsTakenOverFromAProcessBeforeARestartWithTheSameNumber) {
   leave(thisStation(), getpid(), "another-boot/12345#1");
   EXPECT_FALSE(resuming().happened);
 }
 
-TEST_F(LeaseTest, IsTakenOverFromTheFormatThatKnewNoWindows) {
+TEST_F(LeaseTest, IsTakenOverFromAFormatWithoutWindowNumbers) {
   leave(thisStation(), 1, "another-boot/12345");
   EXPECT_FALSE(resuming().happened);
 }
 
-TEST_F(LeaseTest, OfAnotherComputerIsNobodysHereToTake) {
+TEST_F(LeaseTest, OfAnotherComputerIsNotTakenOver) {
   leave("the-other-laboratory", 4711, "boot/1#1");
   const auto refusal = resuming();
   EXPECT_EQ(refusal.kind, Kind::Busy);
   tests::expectClear(refusal, "the-other-laboratory");
 }
 
-TEST_F(LeaseTest, ThatCouldNotBeGivenBackDoesNotLockItsOwnProgramOut) {
+TEST_F(LeaseTest, ThatCouldNotBeGivenBackIsTakenOverByItsOwnProgram) {
   auto session = std::make_optional(Session::resume(*study_, id_));
   {
     tests::Sql other(study_.file("study.db"));
@@ -150,7 +150,7 @@ TEST_F(LeaseTest, ThatCouldNotBeGivenBackDoesNotLockItsOwnProgramOut) {
   EXPECT_FALSE(resuming().happened);
 }
 
-TEST_F(LeaseTest, OfSomebodyElseIsNotGivenBackByAnEarlierHolder) {
+TEST_F(LeaseTest, OfALaterHolderIsNotRemovedByAnEarlierOne) {
   auto session = std::make_optional(Session::resume(*study_, id_));
   leave("the-other-laboratory", 4711, "boot/1#1");
   session.reset();

@@ -29,7 +29,7 @@ class LockedTest : public testing::TestWithParam<const char*> {
   double took_ = 0.0;
 };
 
-TEST_P(LockedTest, SaysSoInTimeChangesNothingAndGoesOnAfterwards) {
+TEST_P(LockedTest, FailsInTimeChangesNothingAndContinuesAfterwards) {
   tests::answerStep(session_);
   const auto answers = session_.answers();
   const auto events = tests::eventsOf(*study_, session_.id());
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
       return std::string(lock.param).substr(6);
     });
 
-TEST(Locked, AltogetherIsNotOpened) {
+TEST(Locked, ExclusivelyIsNotOpened) {
   tests::MadeStudy study;
   study.close();
   tests::Sql other(study.file("study.db"));
@@ -71,7 +71,7 @@ TEST(Locked, AltogetherIsNotOpened) {
   EXPECT_TRUE(verify(*study).isSound());
 }
 
-TEST(Locked, IdentitiesKeepTheAnswerOnTheScreen) {
+TEST(Locked, IdentitiesRefuseTheAnswer) {
   tests::MadeStudy study;
   auto session = Session::enrol(*study, {.cohort = "surgeons"});
   const auto signature = session.items().back();

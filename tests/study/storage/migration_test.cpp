@@ -40,7 +40,7 @@ class FormatOneTest : public testing::Test {
   SimulatedClock clock_{1'795'300'000'000};  // 2026-11-21, later
 };
 
-TEST_F(FormatOneTest, IsBroughtUpToDateWhenItIsOpenedAndEverythingIsThere) {
+TEST_F(FormatOneTest, IsConvertedWhenItIsOpenedWithoutLoss) {
   auto study = Study::open(folder_, clock_);
   EXPECT_EQ(format(), 5);
   EXPECT_EQ(study.seed(), 42U);
@@ -75,13 +75,13 @@ TEST_F(FormatOneTest, KeepsTheQuestionNumbersThatFormatThreeWrote) {
   EXPECT_TRUE(verify(study).isSound());
 }
 
-TEST_F(FormatOneTest, IsOnlyReadByNobodyWhoMayNotChangeIt) {
+TEST_F(FormatOneTest, IsNotOpenedForReadingOnly) {
   const auto refusal = tests::refusalOf([&] { Study::open(folder_, clock_, Access::ReadOnly); });
   tests::expectClear(refusal, "Open the study once for writing");
   EXPECT_EQ(format(), 1);
 }
 
-TEST_F(FormatOneTest, GoesOnWhereItWasAndVouchesForWhatItSaysFromThenOn) {
+TEST_F(FormatOneTest, ContinuesItsSessionAndHashesContentFromThenOn) {
   auto study = Study::open(folder_, clock_);
   auto session = Session::resume(study, SessionId{1});
   EXPECT_EQ(session.step().kind, StepKind::Trial);
@@ -91,7 +91,7 @@ TEST_F(FormatOneTest, GoesOnWhereItWasAndVouchesForWhatItSaysFromThenOn) {
   EXPECT_FALSE(verify(study).isSound());
 }
 
-TEST_F(FormatOneTest, IsProtectedByTheRulesOfTheNewOne) {
+TEST_F(FormatOneTest, HasTheConstraintsOfTheNewFormat) {
   auto study = Study::open(folder_, clock_);
   EXPECT_THROW(study.database().execute("UPDATE protocol SET frozen_utc = NULL"), StorageError);
   EXPECT_THROW(
@@ -99,7 +99,7 @@ TEST_F(FormatOneTest, IsProtectedByTheRulesOfTheNewOne) {
       StorageError);
 }
 
-TEST_F(FormatOneTest, StaysWhatItWasWhenBringingItUpToDateFails) {
+TEST_F(FormatOneTest, StaysUnchangedIfTheConversionFails) {
   // A table of the same name as one that the new format adds.
   tests::Sql(folder_ + "/study.db")
       .run(
@@ -170,7 +170,7 @@ TEST(FormatThree, IsReadWithoutBeingWritten) {
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 3);
 }
 
-TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {
+TEST(Schema, IsTheSameForNewAndConvertedStudies) {
   tests::ScratchFolder folder;
   const Schema first{studySchema().applicationId, studySchema().name, studySchema().steps.first(1)};
   Database::create(folder / "old.db", first);
@@ -180,7 +180,7 @@ TEST(Schema, IsTheSameForANewStudyAndForOneThatWasBroughtUpToDate) {
   EXPECT_EQ(tests::Sql(folder / "old.db").text(all), tests::Sql(folder / "new.db").text(all));
 }
 
-TEST(Identities, OfFormatOneAreKeptAndThoseWrittenSinceVouchForThemselves) {
+TEST(Identities, OfFormatOneAreKeptAndLaterOnesHaveAHash) {
   tests::ScratchFolder folder;
   const auto file = folder / "identity.db";
   const Schema now = identitySchema();

@@ -38,7 +38,7 @@ TEST_F(SchemaTest, RefusesASecondAnswerToTheSameQuestion) {
   expectRefused(copy);
 }
 
-TEST_F(SchemaTest, RefusesAnAnswerOfTwoKindsOrOfNone) {
+TEST_F(SchemaTest, RefusesAnAnswerWithTwoTypesOrNone) {
   const auto answer = [](const std::string& values) {
     return "INSERT INTO answer VALUES (1, 0, 1, 'new', 1, " + values + ", 0, 0, 0, 'en', '', NULL)";
   };
@@ -52,7 +52,7 @@ TEST_F(SchemaTest, RefusesAnAnswerOfTwoKindsOrOfNone) {
   expectRefused(answer("'point', 'three', NULL, NULL"));
 }
 
-TEST_F(SchemaTest, RefusesAnAnswerToNothing) {
+TEST_F(SchemaTest, RefusesAnAnswerWithoutAVisit) {
   expectRefused(
       "INSERT INTO answer VALUES (1, 77, 1, 'new', 1, 'point', 3, NULL, NULL, 0, 0, 0, 'en', '', "
       "NULL)");
@@ -61,7 +61,7 @@ TEST_F(SchemaTest, RefusesAnAnswerToNothing) {
       "NULL)");
 }
 
-TEST_F(SchemaTest, RefusesTimesThatCannotBe) {
+TEST_F(SchemaTest, RefusesImpossibleTimes) {
   const auto answer = [](const std::string& times) {
     return "INSERT INTO answer VALUES (1, 0, 1, 'new', 1, 'point', 3, NULL, NULL, " + times +
            ", 'en', '', NULL)";
@@ -101,7 +101,7 @@ TEST_F(SchemaTest, RefusesToChangeOrRemoveAnEvent) {
       "detail, hash, content_hash FROM event WHERE seq = 3");
 }
 
-TEST_F(SchemaTest, RefusesToChangeAProtocolThatSomebodyHasBegunWith) {
+TEST_F(SchemaTest, RefusesToChangeAFrozenProtocol) {
   for (const char* column : {"text", "sha256", "reason", "added_utc"}) {
     expectRefused("UPDATE protocol SET " + std::string(column) + " = 'x'");
   }

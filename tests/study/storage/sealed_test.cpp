@@ -55,7 +55,7 @@ class SealedTest : public testing::Test {
   std::string archive_ = study_.scratch() / "100% sealed? yes #1";
 };
 
-TEST_F(SealedTest, IsReadAndVerifiedAndNothingIsAddedToIt) {
+TEST_F(SealedTest, IsReadAndVerifiedWithoutAddingFiles) {
   const auto events = study_->events().read().size();
   study_.close();
   seal();
@@ -69,7 +69,7 @@ TEST_F(SealedTest, IsReadAndVerifiedAndNothingIsAddedToIt) {
   EXPECT_EQ(names(), before);
 }
 
-TEST_F(SealedTest, NeverHasLessInItThanItsLogSays) {
+TEST_F(SealedTest, IsReadWithItsLogOrRefused) {
   const auto events = study_->events().read().size();
   seal();  // while the study is open: its latest changes are in the log
   ASSERT_EQ(names().count("study.db-wal"), 1U);
@@ -81,7 +81,7 @@ TEST_F(SealedTest, NeverHasLessInItThanItsLogSays) {
   if (refusal.happened) tests::expectClear(refusal, "may not be written");
 }
 
-TEST_F(SealedTest, IsNotWrittenTo) {
+TEST_F(SealedTest, IsNeverWritten) {
   if (geteuid() == 0) GTEST_SKIP() << "nothing is sealed from root";
   study_.close();
   seal();

@@ -36,7 +36,7 @@ pid_t startStation(const std::string& folder) {
   }
 }
 
-TEST(Stations, ShareAStudyAndTakeNobodysPlaceOrName) {
+TEST(Stations, ShareAStudyWithoutSharingPlacesOrCodes) {
   tests::MadeStudy study;
   study.close();  // SQLite connections must not be used across fork()
   std::vector<pid_t> stations;

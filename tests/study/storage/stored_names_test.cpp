@@ -21,7 +21,7 @@ void expectNamesToBeReadBack(
   EXPECT_FALSE(valueNamed("lost"));
 }
 
-TEST(StoredNames, AreReadBackAsTheValuesThatTheyStandFor) {
+TEST(StoredNames, AreReadBackAsTheirValues) {
   expectNamesToBeReadBack<RunMode>(3, runModeNamed);
   expectNamesToBeReadBack<StepKind>(9, stepKindNamed);
   expectNamesToBeReadBack<storage::VisitStatus>(5, storage::visitStatusNamed);
@@ -29,7 +29,7 @@ TEST(StoredNames, AreReadBackAsTheValuesThatTheyStandFor) {
   expectNamesToBeReadBack<Verdict>(3, verdictNamed);
 }
 
-TEST(StoredNames, ThatThisProgramDoesNotKnowAreDamage) {
+TEST(StoredNames, ThatAreUnknownCountAsDamage) {
   EXPECT_EQ(storage::known(verdictNamed("WARN"), "WARN"), Verdict::Warn);
   try {
     storage::known(verdictNamed("GOOD"), "GOOD");

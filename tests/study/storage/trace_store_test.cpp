@@ -43,7 +43,7 @@ Samples joined(const std::vector<Samples>& chunks) {
 
 constexpr VisitKey kVisit{SessionId{1}, 2, 1};
 
-TEST(TraceStore, GivesBackEveryBit) {
+TEST(TraceStore, ReadsEveryBitBack) {
   TraceStore store(Database::inMemory(traceSchema()));
   const std::vector<Samples> chunks{anySamples(1000, 1), anySamples(1000, 2), anySamples(1, 3)};
   for (std::size_t i = 0; i < chunks.size(); ++i) {
@@ -54,7 +54,7 @@ TEST(TraceStore, GivesBackEveryBit) {
   EXPECT_FALSE(areSameBits(store.read(kVisit), anySamples(2001, 1)));  // the control
 }
 
-TEST(TraceStore, KeepsTheAttemptsOfAStepApart) {
+TEST(TraceStore, SeparatesTheAttemptsOfAStep) {
   TraceStore store(Database::inMemory(traceSchema()));
   const VisitKey again{kVisit.session, kVisit.step, 2};
   store.add(kVisit, 0, anySamples(10, 1));
@@ -66,7 +66,7 @@ TEST(TraceStore, KeepsTheAttemptsOfAStepApart) {
   EXPECT_NE(store.digest(kVisit), store.digest(again));
 }
 
-TEST(TraceStore, WritesNoChunkOverAnother) {
+TEST(TraceStore, NeverOverwritesAChunk) {
   TraceStore store(Database::inMemory(traceSchema()));
   const auto first = anySamples(10, 1);
   store.add(kVisit, 0, first);
@@ -110,7 +110,7 @@ class KeptTrialTest : public testing::Test {
   std::int64_t ticks_ = 0;
 };
 
-TEST_F(KeptTrialTest, LiesThereSecondBySecond) {
+TEST_F(KeptTrialTest, IsStoredInChunksOfOneSecond) {
   tests::Sql traces(study_.file("traces.db"));
   EXPECT_EQ(traces.number("SELECT sum(samples) FROM chunk"), ticks_);
   EXPECT_EQ(traces.number("SELECT count(*) FROM chunk"), (ticks_ + 999) / 1000);
@@ -121,35 +121,35 @@ TEST_F(KeptTrialTest, LiesThereSecondBySecond) {
   EXPECT_TRUE(verify(*study_).isSound());
 }
 
-TEST_F(KeptTrialTest, IsMissedWhereASecondIsTakenOutOfTheMiddle) {
+TEST_F(KeptTrialTest, IsReportedIfAChunkInTheMiddleIsMissing) {
   EXPECT_NE(
       problemsAfter("DELETE FROM chunk WHERE number = 1").find("second 2"), std::string::npos);
 }
 
-TEST_F(KeptTrialTest, IsMissedWhereItsEndIsTakenAway) {
+TEST_F(KeptTrialTest, IsReportedIfItsLastChunkIsMissing) {
   const auto problems =
       problemsAfter("DELETE FROM chunk WHERE number = (SELECT max(number) FROM chunk)");
   EXPECT_NE(problems.find(" of " + std::to_string(ticks_) + " samples"), std::string::npos)
       << problems;
 }
 
-TEST_F(KeptTrialTest, IsMissedWhereAllOfItIsGone) {
+TEST_F(KeptTrialTest, IsReportedIfAllChunksAreMissing) {
   EXPECT_NE(problemsAfter("DELETE FROM chunk").find("0 of "), std::string::npos);
 }
 
-TEST_F(KeptTrialTest, IsNotTakenForAnother) {
+TEST_F(KeptTrialTest, IsReportedIfItBelongsToAnotherTrial) {
   const auto problems = problemsAfter("UPDATE chunk SET attempt = 2");
   EXPECT_NE(problems.find("a trace without a trial"), std::string::npos) << problems;
 }
 
-TEST_F(KeptTrialTest, ShowsSecondsThatChangedPlaces) {
+TEST_F(KeptTrialTest, IsReportedIfChunksAreExchanged) {
   EXPECT_NE(
       problemsAfter("UPDATE chunk SET number = number + 100 WHERE number < 2;"
                     "UPDATE chunk SET number = 101 - number WHERE number >= 100"),
       "");
 }
 
-TEST_F(KeptTrialTest, IsDoneAgainAfterTheDeviceWasGone) {
+TEST_F(KeptTrialTest, IsRepeatedAfterADeviceFailure) {
   tests::walkTo(session_, StepKind::Trial);
   const auto first = session_.visit();
   Trial trial(device(), setup());

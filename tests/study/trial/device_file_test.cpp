@@ -43,7 +43,7 @@ void expectIn(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
-TEST(DeviceFile, SaysHowEveryDeviceIsConnected) {
+TEST(DeviceFile, ReadsHowEveryDeviceIsConnected) {
   questionnaires::Problems problems;
   const auto devices = readDevices(kBoth, problems);
   ASSERT_TRUE(devices) << questionnaires::describe(problems.all());
@@ -82,7 +82,7 @@ TEST(DeviceFile, ReadsWhatItWrites) {
   EXPECT_EQ(std::get<SerialPunchSettings>((*again)[0].settings).punch.build, 0x00112233445566ffU);
 }
 
-TEST(DeviceFile, SaysEverythingThatIsWrongAtOnce) {
+TEST(DeviceFile, ReportsAllProblemsAtOnce) {
   const auto words = objectionsTo(R"({
     "format": "palpate-devices-2",
     "devices": [
@@ -112,14 +112,14 @@ TEST(DeviceFile, SaysEverythingThatIsWrongAtOnce) {
   }
 }
 
-TEST(DeviceFile, RefusesASpeedThatNoSerialPortHas) {
+TEST(DeviceFile, RefusesUnknownSpeedsOfSerialPorts) {
   const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "p", "type": "punch-serial", "port": "a", "newtons_per_volt": 1, "baud": 9600}]})");
   expectIn(words, "cannot go at 9600 baud");
   expectIn(words, "write 0 for USB, or 115200, 230400, 460800, 921600, 1000000 or 2000000");
 }
 
-TEST(DeviceFile, SaysThatAVersionNeedsQuotes) {
+TEST(DeviceFile, ReportsThatAVersionNeedsQuotes) {
   const auto words = objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "r", "type": "iiwa-fri", "robot_address": "127.0.0.1", "fri_version": 1.15}]})");
   expectIn(words, "fri_version");
@@ -127,7 +127,7 @@ TEST(DeviceFile, SaysThatAVersionNeedsQuotes) {
   expectIn(words, "with its quotes");
 }
 
-TEST(DeviceFile, WritesWholeDegreesWithoutNoise) {
+TEST(DeviceFile, WritesWholeDegreesWithoutRoundingErrors) {
   DeviceEntry reamer{.id = "reamer", .settings = haptics::devices::IiwaSettings{}};
   auto& arm = std::get<haptics::devices::IiwaSettings>(reamer.settings);
   arm.zero = haptics::wire::fri::Joints{0.0, std::numbers::pi / 6.0, 0.0, -std::numbers::pi / 2.0};
@@ -137,7 +137,7 @@ TEST(DeviceFile, WritesWholeDegreesWithoutNoise) {
   expectIn(text, " -90.0,");
 }
 
-TEST(DeviceFile, NamesTheKeyThatWasMeant) {
+TEST(DeviceFile, SuggestsTheIntendedKey) {
   expectIn(
       objectionsTo(R"({"format": "palpate-devices-1", "devices": [
         {"id": "p", "type": "punch-serial", "port": "a", "newton_per_volt": 1}]})"),
@@ -171,7 +171,7 @@ TEST(DeviceFile, HasEveryKeyInTheDocumentation) {
   EXPECT_GT(keys, 10);
 }
 
-TEST(HardwareDeviceSet, RefusesInWordsWhatTheFileDoesNotHave) {
+TEST(HardwareDeviceSet, RefusesDevicesThatTheFileDoesNotList) {
   questionnaires::Problems problems;
   HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);
@@ -192,7 +192,7 @@ TEST(HardwareDeviceSet, RefusesInWordsWhatTheFileDoesNotHave) {
   EXPECT_TRUE(deviceSet.isOpen("spare"));
 }
 
-TEST(Preflight, WarnsWhereTheProtocolAsksForMoreThanTheDeviceGives) {
+TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   questionnaires::Problems problems;
   HardwareDeviceSet deviceSet(*readDevices(kBoth, problems), [](const protocols::DeviceNeed& need) {
     return simulatedHandFor(need, 1, {}, 0);

@@ -52,7 +52,7 @@ class LiveTrialTest : public testing::Test {
   Trial trial_;
 };
 
-TEST_F(LiveTrialTest, KeepsEverySampleInOrder) {
+TEST_F(LiveTrialTest, StoresEverySampleInOrder) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().ticks >= 300; }));
   const auto record = live.finish(TrialEnding::Finished);
@@ -65,14 +65,14 @@ TEST_F(LiveTrialTest, KeepsEverySampleInOrder) {
   EXPECT_LE(*record.latenessP99, *record.latenessLargest);
 }
 
-TEST_F(LiveTrialTest, ShowsWhatIsFeltWhileItIsFelt) {
+TEST_F(LiveTrialTest, ShowsTheForceDuringTheTrial) {
   LiveTrial live(trial_);
   haptics::engine::TickSample sample;
   ASSERT_TRUE(wait([&] { return live.nextToPlot(sample) && sample.travel > 1.0; }));
   EXPECT_GT(live.status().travel, 0.0);
 }
 
-TEST_F(LiveTrialTest, LetsGoAtOnceWhenSomebodyPressesStop) {
+TEST_F(LiveTrialTest, SwitchesTheForceOffWhenStopIsPressed) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
   live.stop();
@@ -83,7 +83,7 @@ TEST_F(LiveTrialTest, LetsGoAtOnceWhenSomebodyPressesStop) {
   EXPECT_EQ(kept_.back().force, 0.0F);
 }
 
-TEST_F(LiveTrialTest, SaysThatTheDeviceIsGone) {
+TEST_F(LiveTrialTest, ReportsThatTheDeviceIsGone) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().ticks >= 20; }));
   device_.unplug();
@@ -91,7 +91,7 @@ TEST_F(LiveTrialTest, SaysThatTheDeviceIsGone) {
   EXPECT_EQ(live.finish(TrialEnding::Finished).ending, TrialEnding::DeviceGone);
 }
 
-TEST_F(LiveTrialTest, StopsForADeviceThatSaysItIsFaulty) {
+TEST_F(LiveTrialTest, StopsIfTheDeviceReportsAFault) {
   tests::FaultingDevice device;
   Trial trial(
       device,
@@ -108,7 +108,7 @@ TEST_F(LiveTrialTest, StopsForADeviceThatSaysItIsFaulty) {
   EXPECT_EQ(record.deviceFault, "The encoder has failed.");
 }
 
-TEST_F(LiveTrialTest, LetsGoWhereNothingCanBeKept) {
+TEST_F(LiveTrialTest, StopsIfSamplesCannotBeStored) {
   isDiskFull_ = true;
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().isTraceLost; }));
@@ -116,7 +116,7 @@ TEST_F(LiveTrialTest, LetsGoWhereNothingCanBeKept) {
   EXPECT_EQ(device_.commandedForce(), 0.0);
 }
 
-TEST_F(LiveTrialTest, HasNoForceFromTheMomentOnWhereNothingCanBeKept) {
+TEST_F(LiveTrialTest, HasNoForceOnceSamplesCannotBeStored) {
   LiveTrial live(trial_);
   ASSERT_TRUE(wait([&] { return live.status().force > 0.5; }));
   isDiskFull_ = true;  // before the next chunk, which is due within a second

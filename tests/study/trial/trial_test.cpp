@@ -56,7 +56,7 @@ class TrialTest : public testing::Test {
   std::vector<std::vector<TraceSample>> chunks_;
 };
 
-TEST_F(TrialTest, IsKeptWholeInChunksOfASecond) {
+TEST_F(TrialTest, IsStoredCompletelyInChunksOfASecond) {
   Trial trial(device_, setup());
   const auto record = runOffline(trial, 3, 60.0);
   EXPECT_EQ(record.ending, TrialEnding::Finished);
@@ -71,7 +71,7 @@ TEST_F(TrialTest, IsKeptWholeInChunksOfASecond) {
       << base::describe(record.judgement().reasons);
 }
 
-TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
+TEST_F(TrialTest, RecordsWhatKeptTheForceFromTheHand) {
   Trial trial(device_, setup());
   for (int i = 0; i < 3000; ++i) {
     if (i == 1500) device_.hold(false);
@@ -102,7 +102,7 @@ TEST_F(TrialTest, BindsWhatKeptTheForceFromTheHandToItself) {
   EXPECT_EQ(released, 100);
 }
 
-TEST_F(TrialTest, CountsWhatItsTraceShows) {
+TEST_F(TrialTest, HasTheCountsOfItsTrace) {
   Trial trial(device_, setup(3.0));  // less than the scene asks for
   const auto record = runOffline(trial, 3, 60.0);
   double largest = 0.0;
@@ -120,7 +120,7 @@ TEST_F(TrialTest, CountsWhatItsTraceShows) {
   EXPECT_TRUE(says(record.judgement(), "trial.cut_off"));
 }
 
-TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
+TEST_F(TrialTest, SwitchesTheForceOffIfTheDeviceIsGoneAndReportsIt) {
   Trial trial(device_, setup());
   for (int i = 0; i < 900; ++i) trial.keep(trial.step(1e-3));
   device_.unplug();
@@ -136,7 +136,7 @@ TEST_F(TrialTest, LetsGoWhenTheDeviceIsGoneAndSaysSo) {
       base::Argument(std::string("aborted_hardware")));
 }
 
-TEST_F(TrialTest, EndsWithTheDevicesOwnWordsWhereItIsFaulty) {
+TEST_F(TrialTest, EndsWithTheMessageOfAFaultyDevice) {
   tests::FaultingDevice device;
   Trial trial(device, setup());
   for (int i = 0; i < 10; ++i) trial.keep(trial.step(1e-3));
@@ -149,7 +149,7 @@ TEST_F(TrialTest, EndsWithTheDevicesOwnWordsWhereItIsFaulty) {
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
 }
 
-TEST_F(TrialTest, HasNoForceFromTheTickOnAfterSomebodyPressedStop) {
+TEST_F(TrialTest, HasNoForceFromTheTickAfterStopOn) {
   Trial trial(device_, setup());
   double felt = 0.0;
   for (int i = 0; i < 20'000 && felt < 1.0; ++i) felt = trial.step(1e-3).force;
@@ -161,7 +161,7 @@ TEST_F(TrialTest, HasNoForceFromTheTickOnAfterSomebodyPressedStop) {
   }
 }
 
-TEST_F(TrialTest, SaysThatItsTraceIsLostWhereNothingCanBeKept) {
+TEST_F(TrialTest, ReportsALostTraceIfSamplesCannotBeStored) {
   auto setting = setup();
   setting.keep = [](int, const std::vector<TraceSample>&) {
     throw storage::StorageError("the disk is full");
@@ -172,7 +172,7 @@ TEST_F(TrialTest, SaysThatItsTraceIsLostWhereNothingCanBeKept) {
   EXPECT_EQ(record.judgement().verdict, Verdict::Fail);
 }
 
-TEST_F(TrialTest, EndsWhereNobodyCuts) {
+TEST_F(TrialTest, EndsAfterTheTimeLimitWithoutACut) {
   Trial trial(device_, setup());
   EXPECT_EQ(runOffline(trial, 1000, 2.0).ending, TrialEnding::TimedOut);
 }
@@ -203,7 +203,7 @@ TEST(TrialJudgement, PassesWarnsAndFailsByTheRate) {
   EXPECT_EQ(judged([](auto& r) { r.achievedRate.reset(); }), Verdict::Pass);  // simulated time
 }
 
-TEST(TrialJudgement, WarnsOfLateTicksSaturationAndForcesThatAreNone) {
+TEST(TrialJudgement, WarnsOfLateTicksSaturationAndUndefinedForces) {
   EXPECT_EQ(judged([](auto& r) { r.lateTicks = 100; }), Verdict::Pass);
   EXPECT_EQ(judged([](auto& r) { r.lateTicks = 101; }), Verdict::Warn);
   EXPECT_EQ(judged([](auto& r) { r.saturated = 0.2; }), Verdict::Pass);
@@ -211,7 +211,7 @@ TEST(TrialJudgement, WarnsOfLateTicksSaturationAndForcesThatAreNone) {
   EXPECT_EQ(judged([](auto& r) { r.undefined = 0.001; }), Verdict::Warn);
 }
 
-TEST(TrialJudgement, FailsWhereSamplesAreMissingOrTheTrialBrokeOff) {
+TEST(TrialJudgement, FailsIfSamplesAreMissingOrTheTrialBrokeOff) {
   EXPECT_EQ(judged([](auto& r) { r.traceSamples = 9'999; }), Verdict::Fail);
   EXPECT_EQ(judged([](auto& r) { r.lostSamples = 1; }), Verdict::Fail);
   EXPECT_EQ(judged([](auto& r) { r.invalidTicks = 1; }), Verdict::Fail);

@@ -110,7 +110,7 @@ class ArmFaults : public DeviceCommands {
 
 constexpr std::size_t kTrials = 3 + 2;  // of the shipped protocol for both devices
 
-TEST_F(DeviceCommands, FindBothEmulatorsFitForTheProtocol) {
+TEST_F(DeviceCommands, CheckPassesForBothEmulators) {
   const auto checked = laboratory_.palpate(
       {"device",
        "check",
@@ -130,7 +130,7 @@ TEST_F(DeviceCommands, FindBothEmulatorsFitForTheProtocol) {
   }
 }
 
-TEST_F(DeviceCommands, LetAWholeParticipantFeelBoth) {
+TEST_F(DeviceCommands, RunAWholeSessionOnBothDevices) {
   auto participant = laboratory_.participant();
   const auto finished = participant->finish();
   ASSERT_EQ(finished.status, 0) << finished.error;
@@ -143,7 +143,7 @@ TEST_F(DeviceCommands, LetAWholeParticipantFeelBoth) {
   EXPECT_GT(sumOver(links, "received"), 50U * kTrials);
 }
 
-TEST_F(DeviceCommands, RefuseAPortThatAnotherProgramHas) {
+TEST_F(DeviceCommands, RefuseAPortThatAnotherProgramUses) {
   auto participant = laboratory_.participant();
   const auto why = whyNotFelt(laboratory_.punch(), 0.5, *participant);
   ASSERT_EQ(why, "");
@@ -153,7 +153,7 @@ TEST_F(DeviceCommands, RefuseAPortThatAnotherProgramHas) {
   EXPECT_NE(checked.out.find("in use by another program"), std::string::npos) << checked.out;
 }
 
-TEST_F(PunchFaults, LetGoWhenThePunchFailsAndGoOnAfterwards) {
+TEST_F(PunchFaults, SwitchTheForceOffAndTheSessionContinues) {
   auto participant = laboratory_.participant();
   auto& punch = laboratory_.punch();
   const std::vector<std::pair<std::string, std::string>> faults{
@@ -190,7 +190,7 @@ TEST_F(PunchFaults, LetGoWhenThePunchFailsAndGoOnAfterwards) {
   EXPECT_GE(laboratory_.events("device_fault").size(), 6U);
 }
 
-TEST_F(PunchFaults, ThatLastEndTheSessionAndAreNoSuccess) {
+TEST_F(PunchFaults, ThatPersistEndTheSessionWithAnError) {
   auto participant = laboratory_.participant();
   const auto why = whyNotFelt(laboratory_.punch(), 0.5, *participant);
   ASSERT_EQ(why, "");
@@ -208,7 +208,7 @@ TEST_F(PunchFaults, ThatLastEndTheSessionAndAreNoSuccess) {
   EXPECT_LE(laboratory_.endings().size(), 1U + 2 * 5U);
 }
 
-TEST_F(ArmFaults, LetGoWhenTheArmFailsAndGoOnAfterwards) {
+TEST_F(ArmFaults, SwitchTheForceOffAndTheSessionContinues) {
   auto participant = laboratory_.participant();
   auto& iiwa = laboratory_.iiwa();
   const std::vector<std::pair<std::string, std::string>> faults{
@@ -239,7 +239,7 @@ TEST_F(ArmFaults, LetGoWhenTheArmFailsAndGoOnAfterwards) {
   expectWholeStudy(kTrials);
 }
 
-TEST_F(DeviceCommands, CountWhatHappensToMessagesExactly) {
+TEST_F(DeviceCommands, CountFaultsOfMessagesExactly) {
   auto participant = laboratory_.participant();
   auto& punch = laboratory_.punch();
   auto& iiwa = laboratory_.iiwa();
@@ -263,7 +263,7 @@ TEST_F(DeviceCommands, CountWhatHappensToMessagesExactly) {
   expectWholeStudy(kTrials);
 }
 
-TEST(DeviceFirmware, UnderQemuFeelsLikeTheNativeOneAndItsEndIsNoticed) {
+TEST(DeviceFirmware, UnderQemuGivesTheSameForcesAndItsEndIsDetected) {
   const std::string firmware = tests::punchFirmware();
   if (firmware.empty()) GTEST_SKIP() << "needs arm-none-eabi-g++ and QEMU: ./setup --firmware";
   tests::ScratchFolder folder;
@@ -302,7 +302,7 @@ TEST(DeviceFirmware, UnderQemuFeelsLikeTheNativeOneAndItsEndIsNoticed) {
   EXPECT_TRUE(readUntil(participant, "broken off"));
 }
 
-TEST(DeviceEmulators, AnswerHelpAndWrongNumbersAlike) {
+TEST(DeviceEmulators, AnswerHelpAndInvalidNumbersInTheSameWay) {
   tests::ScratchFolder folder;
   Emulator punch({"punch", "--link", folder / "port"});
   Emulator iiwa({"iiwa"});
@@ -327,7 +327,7 @@ TEST(DeviceEmulators, AnswerHelpAndWrongNumbersAlike) {
       "1000000");
 }
 
-TEST(DeviceEmulators, DoNotTakeANameThatAnotherHas) {
+TEST(DeviceEmulators, RefuseALinkThatAnotherEmulatorUses) {
   tests::ScratchFolder folder;
   const std::string port = folder / "port";
   Emulator punch({"punch", "--link", port});
@@ -338,7 +338,7 @@ TEST(DeviceEmulators, DoNotTakeANameThatAnotherHas) {
   EXPECT_NE(punch.ask("status").find("plugged=1"), std::string::npos);
 }
 
-TEST(DeviceRehearsal, TakesItsStandInsWithItHoweverItEnds) {
+TEST(DeviceRehearsal, EndsItsEmulatorsHoweverItEnds) {
   for (const int signal : {SIGTERM, SIGKILL}) {
     tests::ScratchFolder folder;
     const std::filesystem::path port = std::string(folder / "rehearsal/punch-port");
@@ -362,7 +362,7 @@ TEST(DeviceRehearsal, TakesItsStandInsWithItHoweverItEnds) {
   }
 }
 
-TEST(DeviceRehearsal, LeavesNothingWhereNothingWasRecorded) {
+TEST(DeviceRehearsal, LeavesNoFolderIfNothingWasRecorded) {
   tests::ScratchFolder folder;
   const std::string out = folder / "rehearsal";
   const auto refused = tests::run(
@@ -383,7 +383,7 @@ TEST(DeviceRehearsal, LeavesNothingWhereNothingWasRecorded) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(DeviceFiles, ThatCannotBeUsedAreToldToPeopleAndPrograms) {
+TEST(DeviceFiles, ThatAreInvalidAreReportedAsTextAndJson) {
   tests::ScratchFolder folder;
   const std::string none = folder / "none.json";
   const auto listed = tests::run({tests::program(), "device", "list", none});
@@ -403,7 +403,7 @@ TEST(DeviceFiles, ThatCannotBeUsedAreToldToPeopleAndPrograms) {
   }
 }
 
-TEST(DeviceListen, SaysWhatToLookAtWhereNothingComes) {
+TEST(DeviceListen, SuggestsWhatToCheckIfNoDataArrive) {
   tests::ScratchFolder folder;
   const haptics::emulators::PseudoTerminal line(folder / "port");
   const std::string out = folder / "heard.csv";
@@ -414,7 +414,7 @@ TEST(DeviceListen, SaysWhatToLookAtWhereNothingComes) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(DeviceListen, WritesDownWhatThePublishedSketchPrints) {
+TEST(DeviceListen, RecordsWhatThePublishedSketchPrints) {
   tests::ScratchFolder folder;
   haptics::emulators::PseudoTerminal line(folder / "port");
   tests::ChildProcess listening(

@@ -35,7 +35,7 @@ std::string palpate(std::vector<std::string> call) {
   return finished.out;
 }
 
-TEST(DevicePaddle, IsFeltOnItsWireAndReportedInItsWordsAndUnits) {
+TEST(DevicePaddle, RunsOnItsWireAndIsReportedInItsWordsAndUnits) {
   tests::ScratchFolder folder;
   const std::string out = folder / "rehearsal";
   const auto rehearsed =
@@ -85,7 +85,7 @@ TEST(DevicePaddle, IsFeltOnItsWireAndReportedInItsWordsAndUnits) {
   expectIn(reported("nb"), "minst 2 trykk");
 }
 
-TEST(DevicePaddle, FeelsNoCutThatWasRecordedInAnotherUnit) {
+TEST(DevicePaddle, RefusesACutRecordedInAnotherUnit) {
   auto text = textIn(protocol());
   const std::string model = "\"finite-elements\"";
   text.replace(text.find(model), model.size(), "\"interpolation\"");
@@ -99,7 +99,7 @@ TEST(DevicePaddle, FeelsNoCutThatWasRecordedInAnotherUnit) {
       "the travel of interpolation is in 'travel_unit', and that of a paddle in 'deg'");
 }
 
-TEST(DevicePaddle, ShowsNothing) {
+TEST(DevicePaddle, IsRefusedWithAVisualisation) {
   auto text = textIn(protocol());
   const std::string device = "\"device\": \"paddle\",";
   text.replace(text.find(device), device.size(), device + " \"visualisation\": true,");

@@ -9,7 +9,7 @@ namespace rehearsal_verdict_test {
 
 using std::chrono::milliseconds;
 
-TEST(RehearsalVerdict, FailsOnlyOnAMachineThatWasThere) {
+TEST(RehearsalVerdict, FailsOnlyIfTheMachineDidNotStandStill) {
   // The punch switches its force off 10 ms after the last command (docs/punch-protocol.md).
   EXPECT_EQ(verdictOf(false, milliseconds(0)), RehearsalVerdict::Failed);
   EXPECT_EQ(verdictOf(false, milliseconds(9)), RehearsalVerdict::Failed);
@@ -17,7 +17,7 @@ TEST(RehearsalVerdict, FailsOnlyOnAMachineThatWasThere) {
   EXPECT_EQ(verdictOf(false, milliseconds(500)), RehearsalVerdict::NotJudged);
 }
 
-TEST(RehearsalVerdict, PassesHoweverLateTheMachineWas) {
+TEST(RehearsalVerdict, PassesEvenIfTheMachineStoodStill) {
   EXPECT_EQ(verdictOf(true, milliseconds(500)), RehearsalVerdict::Passed);
 }
 

@@ -27,7 +27,7 @@ class CheckTableCommandTest : public testing::Test {
       folder_.write("comparisons.csv", "group1,group2,p\nI,F,< .017\nI,K,.021\nK,F,.115\n");
 };
 
-TEST_F(CheckTableCommandTest, SaysWhichPrintedPCannotBe) {
+TEST_F(CheckTableCommandTest, ReportsImpossiblePValues) {
   const auto found = check();
   ASSERT_EQ(found.status, 0) << found.error;
   for (const char* phrase :
@@ -49,7 +49,7 @@ TEST_F(CheckTableCommandTest, FindsTheSizesThatFitWholeAnswers) {
   }
 }
 
-TEST_F(CheckTableCommandTest, PrintsOneJsonDocumentWhereAProgramReads) {
+TEST_F(CheckTableCommandTest, PrintsOneJsonDocumentWithTheOptionJson) {
   const auto found = check({"--sizes", "30", "30", "--scale", "1", "5", "--parts", "2", "--json"});
   ASSERT_EQ(found.status, 0) << found.error;
   const auto report = json::parse(found.out);
@@ -60,7 +60,7 @@ TEST_F(CheckTableCommandTest, PrintsOneJsonDocumentWhereAProgramReads) {
   EXPECT_EQ(report["whole_answers"][0]["equal_n"], json::array({30}));
 }
 
-TEST_F(CheckTableCommandTest, SaysWhatIsMissingOrWrong) {
+TEST_F(CheckTableCommandTest, ReportsMissingAndInvalidInput) {
   const auto refused = [&](const std::vector<std::string>& more, const std::string& phrase) {
     const auto found = check(more);
     EXPECT_EQ(found.status, 1);

@@ -30,7 +30,7 @@ void expectPhrases(const std::string& text, const std::vector<std::string>& phra
   }
 }
 
-TEST(PlanCommand, SaysThatSixAndFivePeopleCannotBeEnough) {
+TEST(PlanCommand, ReportsThatSixAndFivePeopleAreTooFew) {
   const auto found = plan({"punch-face-validity", "--studies", "200"});
   ASSERT_EQ(found.status, 0) << found.error;
   expectPhrases(
@@ -46,7 +46,7 @@ TEST(PlanCommand, SaysThatSixAndFivePeopleCannotBeEnough) {
        "For an application to an ethics committee"});
 }
 
-TEST(PlanCommand, SaysHowManyParticipantsBalanceTheOrders) {
+TEST(PlanCommand, ReportsHowManyParticipantsBalanceTheOrders) {
   const auto found = plan({"punch-counterbalanced", "--participants", "14", "--studies", "0"});
   ASSERT_EQ(found.status, 0) << found.error;
   expectPhrases(
@@ -93,7 +93,7 @@ TEST(PlanCommand, SimulatesTheSameForTheSameSeed) {
   EXPECT_NEAR(simulated["paired_t"]["rate"], 0.27, 0.1);
 }
 
-TEST(PlanCommand, WarnsWithTheErrorOfPooledAnswers) {
+TEST(PlanCommand, SimulatesTheErrorRateOfPooledAnswers) {
   const auto found =
       planned({"punch-face-validity", "--participants", "6", "--shares", "0.1", "0.4", "0.5"});
   const auto& none = found["families"][0]["prospects"][0]["simulated_without_effect"];
@@ -101,7 +101,7 @@ TEST(PlanCommand, WarnsWithTheErrorOfPooledAnswers) {
   EXPECT_LT(none["any_paired_t"]["rate"], 0.08);
 }
 
-TEST(PlanCommand, AddsUpASession) {
+TEST(PlanCommand, AddsUpTheDurationOfASession) {
   const auto usual = planned({"punch-counterbalanced", "--studies", "0"});
   const auto& session = usual["session"];
   double sum = 0.0;
@@ -116,7 +116,7 @@ TEST(PlanCommand, AddsUpASession) {
       1e-9);
 }
 
-TEST(PlanCommand, SaysHowManyVotesDecide) {
+TEST(PlanCommand, ReportsHowManyVotesAreSignificant) {
   const auto found = planned({"punch-face-validity", "--studies", "0"});
   EXPECT_EQ(found["votes"][0]["votes"], 6);
   EXPECT_EQ(found["votes"][0]["to_win"], 6);  // 5 of 6 have p = 39/729
@@ -126,7 +126,7 @@ TEST(PlanCommand, SaysHowManyVotesDecide) {
   expectPhrases(many.out, {"too many to be counted out"});
 }
 
-TEST(PlanCommand, SaysWhatIsWrong) {
+TEST(PlanCommand, ReportsInvalidInput) {
   const auto nowhere = plan({"nowhere.json"});
   EXPECT_EQ(nowhere.status, 1);
   expectPhrases(nowhere.error, {"nowhere.json"});

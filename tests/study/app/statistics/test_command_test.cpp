@@ -82,7 +82,7 @@ TEST(StatsTest, ListsEveryTest) {
   }
 }
 
-TEST(StatsTest, PrintsWhatATestFound) {
+TEST(StatsTest, PrintsTheResultOfATest) {
   const tests::ScratchFolder folder;
   const auto pairs = folder.write("pairs.csv", "before,after\n4,4\n5,3\n4,2\n4,5\n5,NA\n");
   // R: binom.test(2, 3)
@@ -98,7 +98,7 @@ TEST(StatsTest, PrintsWhatATestFound) {
       "p = 1\npositive = 2\nnegative = 1\nzeros = 1\n");
 }
 
-TEST(StatsTest, SaysWhatIsWrongWithACall) {
+TEST(StatsTest, ReportsMistakesInACall) {
   const tests::ScratchFolder folder;
   const auto file = folder.write("table.csv", "g,x\na,1\nb,2\n");
   const auto unknown = statsTest({"welsh", file});

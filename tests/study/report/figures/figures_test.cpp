@@ -91,14 +91,14 @@ TEST(Figures, ShowEveryParticipantOnce) {
   EXPECT_EQ(dots, 3U * 6U + 3U * 5U);
 }
 
-TEST(Figures, SayHowManyVotesOfHowMany) {
+TEST(Figures, ShowVotesAndTheirTotal) {
   const auto texts = textsIn(painted().figures.votes);
   for (const auto* words : {"4 / 6", "0 / 6", "2 / 6", "Wilson’s 95 % interval"}) {
     EXPECT_NE(texts.find(words), std::string::npos) << words << " in " << texts;
   }
 }
 
-TEST(Figures, BecomePdfAndPngOfTheirSize) {
+TEST(Figures, ArePdfAndPngOfTheirSize) {
   const auto svg = painted().figures.families.front().effects;
   EXPECT_EQ(figureAsPdf(svg).substr(0, 5), "%PDF-");
   const auto png = figureAsPng(svg);
@@ -144,7 +144,7 @@ std::size_t timesIn(const std::string& text, const std::string& words) {
   return times;
 }
 
-TEST(PdfReport, SaysEveryLineOnceAlsoWhereAPageEnds) {
+TEST(PdfReport, HasEveryLineOnceAlsoAtPageBreaks) {
   constexpr int kWords = 6000;
   std::string body;
   for (int i = 0; i < kWords; ++i) {
@@ -161,7 +161,7 @@ TEST(PdfReport, SaysEveryLineOnceAlsoWhereAPageEnds) {
   }
 }
 
-TEST(PdfReport, TearsNoWordApartInANarrowColumn) {
+TEST(PdfReport, BreaksNoWordInANarrowColumn) {
   auto section = tests::madeUpSection();
   section.words = words::wordsIn("de");
   const auto said = textOf(asPdf(asHtml({section}), "A study"));
@@ -172,7 +172,7 @@ TEST(PdfReport, TearsNoWordApartInANarrowColumn) {
   }
 }
 
-TEST(Figures, SpeakTheLanguageOfTheReport) {
+TEST(Figures, UseTheLanguageOfTheReport) {
   for (const auto* language : {"de", "nb"}) {
     auto section = tests::madeUpSection();
     section.words = words::wordsIn(language);
@@ -197,7 +197,7 @@ TEST(Figures, AreTheSameBytesEveryTime) {
   EXPECT_EQ(first.felt, second.felt);
 }
 
-TEST(Figures, SurviveAStudyWithoutAnyAnswer) {
+TEST(Figures, ArePaintedForAStudyWithoutAnswers) {
   auto section = tests::madeUpSection();
   for (auto& cohort : section.results.families.front().cohorts) {
     for (auto& condition : cohort.conditions) condition.counts = analysis::LikertCounts(1, 5);
