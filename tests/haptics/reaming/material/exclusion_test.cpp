@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/material/synthetic_series.h"
+#include "tests/support/long_form.h"
 
 namespace haptics::reaming {
 namespace exclusion_test {
 
 TEST(Exclusion, FindsThePapersTenOfSeventyTwoAndNoOther) {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+  const auto studies = static_cast<std::uint64_t>(tests::inLongForm(3, 1));
+  for (std::uint64_t seed = 1; seed <= studies; ++seed) {
     std::map<ExclusionReason, int> found;
     const auto study = syntheticStudy(seed);
     ASSERT_EQ(study.size(), 72U);

@@ -7,13 +7,19 @@
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/material/synthetic_series.h"
+#include "tests/support/long_form.h"
 
 namespace haptics::reaming {
 namespace material_fit_test {
 
-TEST(MaterialFit, MakesThreeTestSetsOfAStudy) {
-  const auto study = syntheticStudy(1);
-  const auto fit = fitMaterial(study, {});
+/// The fit of all 72 series: it takes seconds, and tests in one process share it.
+const MaterialFit& fitOfStudy() {
+  static const MaterialFit fit = fitMaterial(syntheticStudy(1), {});
+  return fit;
+}
+
+TEST(WholeStudyFit, HasThreeTestSets) {
+  const auto& fit = fitOfStudy();
   EXPECT_EQ(fit.series.size(), 72U);
   ASSERT_EQ(fit.sets.size(), 3U);
   EXPECT_EQ(fit.sets[0].used, 24);
@@ -33,8 +39,8 @@ TEST(MaterialFit, MakesThreeTestSetsOfAStudy) {
   }
 }
 
-TEST(MaterialFit, FiltersOnlyWhatIsReamed) {
-  for (const auto& series : fitMaterial(syntheticStudy(2), {}).series) {
+TEST(WholeStudyFit, FiltersOnlyReamedSeries) {
+  for (const auto& series : fitOfStudy().series) {
     if (series.exclusion.isExcluded()) continue;
     EXPECT_EQ(series.cutoff > 0.0, series.set != TestSet::Static) << series.name;
   }
@@ -162,8 +168,8 @@ TEST(MaterialFit, SaysWhereCurvesCrossAndWhatKeepsTheirOrder) {
   EXPECT_EQ(whatKeepsTheOrder({.nodeCount = 12}), (std::vector<std::string>{"--nodes greedy"}));
 }
 
-TEST(MaterialFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
-  const auto fit = fitMaterial(syntheticStudy(1), {});
+TEST(WholeStudyFit, LeavesOutNoSpecimenThatEndedAtItsForceLimit) {
+  const auto& fit = fitOfStudy();
   const auto left = specimensLeftOf(fit.sets[0].force);
   EXPECT_EQ(left.front().measured, 24);
   EXPECT_EQ(left.front().held, 0);
@@ -208,14 +214,15 @@ TEST(MaterialFit, NormalisesInBothReadingsOfThePaper) {
 
 TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
   const std::vector study{syntheticSeries({.set = TestSet::Static, .seed = 4})};
+  const std::size_t count = tests::isLong() ? 12 : 6;
   const auto nodesWith = [&](SplineKind spline, std::optional<SplineKind> nodesOf) {
-    const auto fit = fitMaterial(study, {.nodeCount = 12, .spline = spline, .nodesOf = nodesOf});
+    const auto fit = fitMaterial(study, {.nodeCount = count, .spline = spline, .nodesOf = nodesOf});
     std::vector<double> depths;
     for (const auto& node : fit.sets[0].force.maximum.spline.nodes) depths.push_back(node.position);
     return depths;
   };
   const auto ofCubic = nodesWith(SplineKind::NaturalCubic, {});
-  EXPECT_EQ(ofCubic.size(), 12U);
+  EXPECT_EQ(ofCubic.size(), count);
   EXPECT_EQ(nodesWith(SplineKind::HermiteDataSlope, SplineKind::NaturalCubic), ofCubic);
   EXPECT_NE(nodesWith(SplineKind::HermiteDataSlope, {}), ofCubic);
 }

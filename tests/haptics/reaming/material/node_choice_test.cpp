@@ -9,6 +9,7 @@
 
 #include "haptics/reaming/material/spline_comparison.h"
 #include "haptics/reaming/material/synthetic_series.h"
+#include "tests/support/long_form.h"
 #include "tests/support/test_data.h"
 
 namespace haptics::reaming {
@@ -122,7 +123,7 @@ TEST(NodeChoice, OfThePaperTakenLiterallySelectsRunsOfSamples) {
 }
 
 TEST(NodeChoice, OfAGivenNumberHasTheLeastErrorOfItsSpline) {
-  const auto curve = curveOfSpecimen(2001);
+  const auto curve = curveOfSpecimen(tests::isLong() ? 2001 : 501);
   for (const auto kind : kKinds) {
     double before = 1e9;
     for (const std::size_t count : {6U, 12U}) {
