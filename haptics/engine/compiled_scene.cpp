@@ -147,10 +147,12 @@ struct Builder {
   }
 };
 
-/// The tissue that is drawn while a punch is felt: the model's own elements, or like its cut.
+/// The tissue that is drawn while a punch is felt: the model's own elements, or like its cut; of a
+/// model with neither, the usual elements.
 FiniteElementsSpec shownTissue(const SceneSpec& spec) {
   const auto parts = partsOf(spec.model);
-  return parts.elements == nullptr ? elementsLike(*parts.cut) : *parts.elements;
+  if (parts.elements != nullptr) return *parts.elements;
+  return parts.cut != nullptr ? elementsLike(*parts.cut) : FiniteElementsSpec{};
 }
 
 }  // namespace
