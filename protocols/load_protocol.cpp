@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using questionnaires::Problems;
 
-/// Warnings are told once nothing is worse.
+/// Warnings are reported only if there are no errors.
 void tell(const Problems& found, Problems& problems) {
   if (!found.hasErrors()) return problems.append(found);
   for (const auto& problem : found.all()) {
@@ -52,7 +52,8 @@ std::optional<LoadedProtocol> loadProtocol(
 
 std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
   std::error_code ignored;
-  const bool isFile = fs::is_regular_file(path, ignored);  // a study's folder may bear the name
+  // a study's folder may have the same name
+  const bool isFile = fs::is_regular_file(path, ignored);
   for (const auto& file : libraryFiles()) {
     const std::string name(file.name);
     if (!isFile && (path == name || path + ".json" == name)) {

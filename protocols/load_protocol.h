@@ -10,16 +10,16 @@
 
 namespace protocols {
 
-/// Reads a protocol and everything it refers to, and checks that it all fits together. Nothing
-/// where there are errors; warnings leave it usable.
+/// Reads a protocol and everything it refers to, and checks its consistency. std::nullopt if there
+/// are errors; warnings do not prevent its use.
 std::optional<LoadedProtocol> loadProtocol(
     std::string_view json,
     const FileFinder& find,
     questionnaires::Problems& problems,
     Defaults defaults = Defaults::Current);
 
-/// The same from a file, or from the library by name ("punch-face-validity"). What it refers to is
-/// looked for beside the file.
+/// The same from a file, or from the library by name ("punch-face-validity"). Referenced files are
+/// searched for beside the file.
 /// @throws questionnaires::Error  if the file cannot be read at all.
 std::optional<LoadedProtocol> loadProtocolFile(
     const std::string& path, questionnaires::Problems& problems);

@@ -5,7 +5,7 @@
 
 namespace protocols {
 
-/// A file of protocols/library, as it was when the program was built.
+/// A file of protocols/library, compiled into the program.
 struct LibraryFile {
   std::string_view name;  ///< "punch-face-validity.json"
   std::string_view content;

@@ -55,7 +55,7 @@ Texts textsOf(const Instrument& instrument) {
 
 std::string placeholderTexts(const Texts& texts, const std::string& language) {
   std::string words;
-  std::set<std::string> seen;  // items repeat the scale that they share
+  std::set<std::string> seen;  // items repeat their common scale
   for (const auto* text : texts) {
     const std::string more = questionnaires::placeholdersOf(text->in(language));
     if (!more.empty() && seen.insert(more).second) words += (words.empty() ? "" : ", ") + more;
@@ -63,7 +63,7 @@ std::string placeholderTexts(const Texts& texts, const std::string& language) {
   return words;
 }
 
-/// Looks through one place in every language that can be chosen.
+/// Collects the placeholders of one text in all languages that a participant can choose.
 void look(
     std::vector<Placeholder>& found,
     const std::string& where,

@@ -12,13 +12,13 @@
 
 namespace protocols {
 
-/// What conditions are felt from, or seen as, that stands in no protocol: a cut, a material, a bone
+/// A source of what conditions render or show, from outside the protocol: a cut, a material, a bone
 /// of spheres, a knee.
 struct FeltSource {
   std::string kind;     ///< "cut", "material", "packing" or "anatomy"
-  std::string file;     ///< as the protocol calls it; empty where it is built into the program
+  std::string file;     ///< as the protocol names it; empty if it is built into the program
   base::Message title;  ///< for people
-  std::vector<base::Message> origin;    ///< empty where the file says nothing
+  std::vector<base::Message> origin;    ///< empty if the file has none
   bool isSynthetic = false;             ///< neither recorded nor measured
   std::vector<std::string> conditions;  ///< by id
 };
@@ -29,25 +29,25 @@ std::string describeOrigin(const FeltSource& source);
 /// "Bone of specimen 7 (material 'bone.json'), test set dynamic-1", and its mark.
 std::string describe(const FeltSource& source);
 
-/// A file that a protocol consists of, as it was read: what a study keeps.
+/// A file of a protocol as it was read; a study stores it.
 struct SourceFile {
-  std::string name;  ///< as the protocol calls it
+  std::string name;  ///< as the protocol names it
   std::string text;
 };
 
-/// A protocol with everything that it refers to, ready to be run.
+/// A protocol with all files that it refers to, ready for sessions.
 struct LoadedProtocol {
   Protocol protocol;
-  std::vector<questionnaires::Instrument> instruments;  ///< those it uses
+  std::vector<questionnaires::Instrument> instruments;  ///< those that it uses
   std::string text;                                     ///< the protocol's own file
   std::vector<SourceFile>
-      files;  ///< its instruments and cuts, but for what is built into the program
+      files;  ///< instruments, cuts and so on that are not built into the program
   std::vector<FeltSource> sources;  ///< of its conditions, each once
 
   const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
 };
 
-/// Finds the text of a file that a protocol names; nothing where there is none.
+/// Finds the text of a file that a protocol names; std::nullopt if there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// Text in double square brackets that the laboratory has not filled in yet: a participant would
@@ -55,12 +55,12 @@ using FileFinder = std::function<std::optional<std::string>(const std::string& n
 struct Placeholder {
   std::string where;          ///< the instrument, or the place in the protocol; and its languages
   std::string words;          ///< "[[number]], [[institution]]", of the first of them
-  bool isInProtocol = false;  ///< and not in an instrument
+  bool isInProtocol = false;  ///< true: in the protocol, not in an instrument
 };
 
-/// Those in all texts that a participant may read, in every language of the protocol, since
-/// participants can change it: the protocol's own texts, and all texts of the instruments that it
-/// uses.
+/// The placeholders in all texts that a participant may read, in every language of the protocol,
+/// because participants can change the language: the protocol's own texts, and the texts of its
+/// instruments.
 std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
 
 }  // namespace protocols

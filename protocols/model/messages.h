@@ -8,8 +8,8 @@
 
 namespace protocols {
 
-/// What a protocol's author is warned of, and what to do about it ("key" and "key.fix"); and where
-/// that comes from which is felt or seen ("source.…").
+/// Warnings for a protocol's author, each with its fix ("key" and "key.fix"), and the origins of
+/// sources ("source.…").
 inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"no_normals",
      "it has no normals; they are taken from its triangles, and edges of more than 40° stay edges"},
@@ -86,7 +86,7 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"source.fitted_to", "fitted to '{}'"},
 });
 
-/// One of them, with its arguments.
+/// One of these messages, with its arguments.
 template <typename... Arguments>
 base::Message message(base::KeyIn<kMessages, sizeof...(Arguments)> key, Arguments&&... arguments) {
   return base::messageOf<kMessages>(key, std::forward<Arguments>(arguments)...);

@@ -16,7 +16,7 @@ namespace protocols {
 
 using questionnaires::LocalizedText;
 
-/// What a study is, for people and catalogues.
+/// Facts about a study for readers and catalogues.
 struct StudyMetadata {
   std::string id;
   std::string title;
@@ -27,52 +27,54 @@ struct StudyMetadata {
   std::string description;
 };
 
-/// A group of participants by what they are.
+/// A group of participants.
 struct Cohort {
   std::string id;
   LocalizedText title;
-  int planned = 0;  ///< how many participants; 0: not said
+  int planned = 0;  ///< planned number of participants; 0: not given
 };
 
-/// An instrument that the study needs, and how hard it may ever push.
+/// A device that the study needs, and its limits.
 struct DeviceNeed {
   std::string id;
   const haptics::devices::DeviceKind* kind;
   double maxForce = 0.0;       ///< [N]
   double maxForceRate = 0.0;   ///< [N/s]
-  double maxVelocity = 300.0;  ///< beyond it the tool is in no hand [device's travel unit/s]
-  bool isPassivityControlled = false;  ///< damped where a scene gives more energy than it took
+  double maxVelocity = 300.0;  ///< above it the tool has slipped from the hand [device's travel
+                               ///< unit/s]
+  bool isPassivityControlled = false;  ///< damping is added if a scene generates energy
 };
 
-/// The name of the cut that ships.
+/// The name of the built-in cut.
 inline constexpr std::string_view kParametricCut = "parametric";
 
-/// The name of the bone of spheres that ships.
+/// The name of the built-in bone of spheres.
 inline constexpr std::string_view kParametricBone = "parametric";
 
 struct Anatomy;
 
-/// One rendering that may be felt: a device, and what is felt and seen on it.
+/// A condition: a device, and the scene on it.
 struct Condition {
   std::string id;
   std::string title;  ///< for researchers; participants see an alternative
   std::string device;
-  /// Complete, with all that its files hold. Nothing only while a protocol is read, where the model
-  /// could not be: a protocol that was loaded has all of them.
+  /// Complete, with the content of its files. std::nullopt only while a protocol with errors is
+  /// read; every loaded protocol has all models.
   std::optional<haptics::engine::ModelSpec> model;
   bool isVisualised = false;
   haptics::engine::SeenTissue seenTissue = haptics::engine::SeenTissue::Penetration;
-  std::optional<std::string> anatomy;   ///< the file of the knee that is seen, in place of ours
-  std::shared_ptr<const Anatomy> knee;  ///< what that file holds; nothing: ours
+  std::optional<std::string> anatomy;   ///< file of the knee that is shown, in place of the
+                                        ///< built-in one
+  std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr: the built-in knee
 
-  /// What is felt and seen. @pre there is a model.
+  /// The scene to render and show. @pre model has a value.
   haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue}; }
 };
 
-/// Which label an alternative bears.
+/// How alternatives are labelled.
 enum class LabelPolicy {
   Condition,  ///< a condition has the same label for all, as in the punch paper
-  Position,   ///< what comes first is Alternative 1
+  Position,   ///< the first one is Alternative 1
   Random,     ///< drawn for every participant
 };
 
@@ -81,10 +83,10 @@ struct Labels {
   LocalizedText prefix;  ///< "Alternative"
 };
 
-/// How a block's conditions follow each other.
+/// How the order of a block's conditions is determined.
 enum class OrderType {
   Fixed,                ///< as written
-  Reversed,             ///< another block's, backwards
+  Reversed,             ///< another block's, reversed
   Random,               ///< drawn for every participant
   LatinSquare,          ///< every condition equally often at every position
   BalancedLatinSquare,  ///< … and equally often after every other (Williams 1949)
@@ -99,28 +101,28 @@ struct Order {
 /// Questions after each condition of a block.
 struct ConditionQuestionnaire {
   std::string instrument;
-  /// Which set of items for which condition; all items where a condition is not named.
+  /// The set of items for each condition; all items for conditions that are not named.
   std::vector<std::pair<std::string, std::string>> setByCondition;
 
   std::string setFor(std::string_view condition) const;
 };
 
-/// Trials that belong together: every condition once, in the participant's order.
+/// Trials with every condition once, in the participant's order.
 struct Block {
   std::vector<std::string> conditions;
-  std::optional<bool> isVisualised;  ///< instead of what the conditions say
+  std::optional<bool> isVisualised;  ///< overrides the conditions
   Order order;
-  int minimumCuts = 0;  ///< a trial lasts at least so many cuts (strokes)
+  int minimumCuts = 0;  ///< smallest number of cuts (strokes) in a trial
   std::vector<ConditionQuestionnaire> questionnaires;  ///< after each condition
 };
 
 enum class PhaseType {
   Information,  ///< something to read
-  Consent,      ///< something to agree to; nothing is felt before it
+  Consent,      ///< consent; no trial is allowed before it
   Form,         ///< a questionnaire, once
-  Benchmark,    ///< the real thing, on the physical tool
+  Benchmark,    ///< cuts with the physical tool
   Block,        ///< trials
-  Preference,   ///< which of a block's alternatives
+  Preference,   ///< a choice between a block's alternatives
   Break,
   Interview,  ///< the operator writes
   Debrief,    ///< something to read at the end
@@ -133,13 +135,13 @@ struct Phase {
   std::string instrument;     ///< of all but Block, Benchmark and Break
   LocalizedText text;         ///< Benchmark, Break: what the participant reads
   int minimumCuts = 0;        ///< Benchmark
-  double seconds = 0.0;       ///< Break: lasts at least so long [s]; 0: as long as they like
+  double seconds = 0.0;       ///< Break: minimum duration [s]; 0: as long as the participant likes
   Block trials;               ///< Block
   std::string block;          ///< Preference: between the alternatives of this one
-  bool mayFeelAgain = false;  ///< Preference: each of them is offered once more before
+  bool mayFeelAgain = false;  ///< Preference: each of them is offered once more before the choice
 };
 
-/// Which pairs of conditions are compared.
+/// A pair of conditions to compare.
 struct Comparison {
   std::string first;
   std::string second;
@@ -149,7 +151,7 @@ struct Comparison {
 enum class TestType {
   Welch,       ///< of all answers, pooled, as in the punch paper
   PairedT,     ///< of participants' means
-  SignFlip,    ///< … exact, by turning round the signs of the differences
+  SignFlip,    ///< … exact, by all signs of the differences
   SignedRank,  ///< … Wilcoxon's, exact
 };
 enum class CorrectionType {
@@ -163,17 +165,19 @@ enum class CorrectionType {
   HolmSidak,
 };
 
-/// Comparisons that belong together: their number corrects each of them.
+/// Comparisons that share one alpha; p values are adjusted for their number.
 struct Family {
   std::string id;
   std::string title;
-  std::string instrument;           ///< whose keyed Likert answers are compared
-  std::vector<std::string> blocks;  ///< from which; all that ask this instrument where empty
+  std::string instrument;           ///< its Likert answers are compared, reversed where the key is
+                                    ///< −1
+  std::vector<std::string> blocks;  ///< those whose answers count; empty: all that ask this
+                                    ///< instrument
   std::vector<Comparison> comparisons;
   TestType test = TestType::Welch;
   CorrectionType correction = CorrectionType::Bonferroni;
   double alpha = 0.05;
-  /// Means that differ by less are the same for all that matters [points of the scale].
+  /// Smaller differences of means are negligible [points of the scale].
   std::optional<double> equivalenceBound;
 };
 
@@ -181,13 +185,13 @@ struct AnalysisPlan {
   std::vector<Family> families;
 };
 
-/// What a simulated cohort feels, on a scale where 0 is the middle of the questionnaire: for trying
-/// a protocol out before anybody comes. Never a finding.
+/// How a simulated cohort answers, on a scale where 0 is the middle of the questionnaire. Only for
+/// trying a protocol out.
 struct SimulationTruth {
   std::vector<std::pair<std::string, double>> realismByCondition;
-  double personDeviation = 0.5;             ///< how lenient people are
-  double personByConditionDeviation = 0.5;  ///< how tastes differ
-  double answerDeviation = 0.8;             ///< how one answer differs from the next
+  double personDeviation = 0.5;             ///< between participants
+  double personByConditionDeviation = 0.5;  ///< of a participant's opinion on a condition
+  double answerDeviation = 0.8;             ///< between answers
 
   double realismOf(std::string_view condition) const;
 };
@@ -199,7 +203,7 @@ struct Protocol {
   std::optional<std::uint64_t> seed;
   std::vector<Cohort> cohorts;
   std::vector<DeviceNeed> devices;
-  std::vector<std::string> instrumentFiles;  ///< beside the protocol; the library is always there
+  std::vector<std::string> instrumentFiles;  ///< beside the protocol; the library needs no entry
   std::vector<Condition> conditions;
   Labels labels;
   std::vector<Phase> phases;
@@ -208,7 +212,7 @@ struct Protocol {
 
   const Condition* condition(std::string_view id) const noexcept;
   const DeviceNeed* device(std::string_view id) const noexcept;
-  /// Of all devices; nullptr where there are several kinds.
+  /// The kind of all devices; nullptr if there are several kinds.
   const haptics::devices::DeviceKind* onlyDeviceKind() const noexcept;
   const Phase* phase(std::string_view id) const noexcept;
   const Cohort* cohort(std::string_view id) const noexcept;

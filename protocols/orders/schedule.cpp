@@ -87,7 +87,7 @@ Row orderFor(
 
 namespace {
 
-/// The block's conditions in the protocol's order: labels and rows count in it.
+/// The block's conditions in the protocol's order, which labels and rows refer to.
 std::vector<std::string> inProtocolOrder(const Protocol& protocol, const Block& block) {
   std::vector<std::string> sorted;
   for (const auto& condition : protocol.conditions) {
@@ -127,7 +127,7 @@ std::vector<std::string> realisedOrder(
   return order;
 }
 
-/// Which label each of the sorted conditions bears, counted from 1.
+/// The label of each of the sorted conditions, from 1.
 std::vector<int> drawnLabels(
     const std::vector<std::string>& sorted,
     std::uint64_t seed,

@@ -12,25 +12,25 @@ namespace protocols {
 /// An order of k things: which comes at each position, counted from 0.
 using Row = std::vector<int>;
 
-/// Most conditions of a block …
+/// The largest number of conditions of a block …
 inline constexpr int kMostConditions = 100;
 /// … and of a `complete` one: 6! = 720 orders.
 inline constexpr int kMostForComplete = 6;
 
-/// The orders that a design of k conditions uses, each equally often. One row where all have
-/// the same order; none where orders are drawn (Random) or taken from elsewhere (Reversed).
+/// The orders that a design of k conditions uses, each equally often. One row if all have the same
+/// order; none if orders are drawn (Random) or taken from another block (Reversed).
 ///
 /// BalancedLatinSquare is Williams' design: k rows for even k, 2k for odd k. For three conditions
 /// that is all six orders, the same as Complete.
 std::vector<Row> rowsOf(OrderType type, int k);
 
-/// The order of participant number @p slot, counted from 0 in their cohort. Rows follow each other
-/// in a sequence drawn for every full cycle, so that no operator can foretell the next and
-/// every cycle is balanced.
+/// The order of participant number @p slot, counted from 0 in their cohort. The rows are shuffled
+/// again for every full cycle, so that an operator cannot predict the next one and every cycle is
+/// balanced.
 Row orderFor(
     OrderType type, int k, std::uint64_t seed, std::uint64_t slot, std::string_view purpose);
 
-/// A condition that a participant will feel, at a position, under a label.
+/// A trial of a participant: condition, position and label.
 struct PlannedTrial {
   std::string condition;
   int position = 0;  ///< 1 … k
@@ -42,7 +42,7 @@ struct PlannedBlock {
   std::vector<PlannedTrial> trials;
 };
 
-/// Everything about a session that differs between participants.
+/// Everything in a session that differs between participants.
 struct Schedule {
   std::vector<PlannedBlock> blocks;
 
@@ -50,12 +50,12 @@ struct Schedule {
 };
 
 /// The schedule of participant number @p slot, counted from 0 in @p cohort. The same arguments give
-/// the same schedule for ever; phases and questionnaires that are added change none.
-/// @param protocol  sound.
+/// the same schedule in every release; adding phases or questionnaires does not change it.
+/// @param protocol  without errors.
 Schedule scheduleFor(
     const Protocol& protocol, std::uint64_t seed, std::string_view cohort, std::uint64_t slot);
 
-/// How often things happen if @p participants of every cohort take part.
+/// The counts of positions and successions if @p participants of every cohort take part.
 struct Balance {
   std::size_t multipleOf =
       1;                    ///< balanced for every multiple of this many; 0: never exactly (drawn)

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 2> kForOrientation{"meniscus", "punch"};
 constexpr float kSmallestKnee = 20.0F;  // of a knee, along its longest axis [mm]
 constexpr float kLargestKnee = 400.0F;  // [mm]
 constexpr float kFarthestAway = 60.0F;  // of any surface from the punch's mouth [mm]
-constexpr float kMetres = 1.0F;         // a knee whose numbers are below is in metres
-constexpr float kShortest = 0.5F;       // of a normal
+constexpr float kMetres = 1.0F;         // a smaller knee is probably given in metres
+constexpr float kShortest = 0.5F;       // shortest normal that has a direction
 
 template <std::size_t N>
 bool isOneOf(const std::array<std::string_view, N>& names, std::string_view name) {
@@ -39,7 +39,7 @@ std::string rounded(float value) {
   return std::to_string(std::lround(value));
 }
 
-/// At each corner that of the triangles that share it, upwards where they have none.
+/// At each vertex the mean normal of the triangles that share it; upwards if there are none.
 std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface) {
   std::vector<NamedSurface::Triple> normals(surface.places.size());
   for (const auto& [a, b, c] : surface.triangles) {
@@ -61,8 +61,8 @@ std::vector<NamedSurface::Triple> normalsOfTriangles(const NamedSurface& surface
   return normals;
 }
 
-/// An object of several materials comes in as many parts: makes one of them. Where one part has no
-/// colours, none has.
+/// Joins the parts into which the importer splits an object of several materials. If one part has
+/// no colours, the whole has none.
 void append(NamedSurface& surface, const NamedSurface& more) {
   const auto first = static_cast<std::uint32_t>(surface.places.size());
   const auto add = [](auto& to, const auto& from) {
@@ -78,7 +78,7 @@ void append(NamedSurface& surface, const NamedSurface& more) {
   }
 }
 
-/// Reads what lies in a file called by its objects; complains at their names.
+/// Reads the objects of a file, and reports problems with their names.
 class AnatomyReader {
  public:
   explicit AnatomyReader(Problems& problems) : problems_(problems) {}
@@ -119,7 +119,8 @@ class AnatomyReader {
   }
 
   void refuseName(const std::string& name, const std::string& place) {
-    const bool isOurs = name.empty() || name == "defaultobject";  // as the reader calls it
+    // a name that the importer makes up
+    const bool isOurs = name.empty() || name == "defaultobject";
     problems_.add(
         isOurs ? "object without a name" : place,
         "nothing of the knee has this name",
@@ -143,7 +144,7 @@ class AnatomyReader {
     return true;
   }
 
-  /// Normals without a direction are those of the triangles around.
+  /// Replaces normals without a direction by those of the triangles around.
   void mendNormals(NamedSurface& surface, const std::string& place) {
     const auto hasDirection = [](const auto& n) { return isFinite(n) && lengthOf(n) > kShortest; };
     const auto whole = std::count_if(surface.normals.begin(), surface.normals.end(), hasDirection);
@@ -153,7 +154,7 @@ class AnatomyReader {
     for (std::size_t i = 0; i < surface.normals.size(); ++i) {
       if (!hasDirection(surface.normals[i])) surface.normals[i] = around[i];
     }
-    if (!surface.hasNormals) return;  // told below
+    if (!surface.hasNormals) return;  // reported below
     problems_.warn(
         place,
         message("normals_without_direction", lost),

@@ -11,17 +11,18 @@
 
 namespace protocols {
 
-/// How files with anatomies end.
+/// The extension of files with anatomies.
 inline constexpr std::string_view kAnatomyEnding = ".obj";
 
-/// An anatomy may be larger than what a researcher writes.
+/// Anatomies may be larger than other files.
 inline constexpr std::size_t kLargestAnatomy = 20'000'000;  ///< [bytes]
 
-/// In all its surfaces together: what a processor without a graphics card still draws 25 times a
-/// second beside a trial. Ours have 10,000.
+/// In all surfaces together. A processor without a graphics card still draws this 25 times a second
+/// during a trial. The built-in knee has 10,000.
 inline constexpr std::size_t kMostTriangles = 30'000;
 
-/// What of the knee a file may replace. The meniscus is none of them: finite elements move it.
+/// The objects that a file may replace. The meniscus is not one of them, because finite elements
+/// deform it.
 inline constexpr std::string_view kTibia = "tibia";
 inline constexpr std::string_view kFemur = "femur";
 inline constexpr std::string_view kCapsule = "capsule";
@@ -31,14 +32,14 @@ inline constexpr std::string_view kCapsule = "capsule";
 /// Their frame is the punch's mouth: the origin on the lower jaw where it bites, x to the right as
 /// the arthroscope shows it, y up from the shin to the thigh, z towards the surgeon [mm].
 struct Anatomy {
-  std::vector<NamedSurface> surfaces;  ///< sound; each name once
+  std::vector<NamedSurface> surfaces;  ///< valid; each name once
 
-  /// Nothing where ours stays.
+  /// nullptr if the built-in one is used.
   const NamedSurface* find(std::string_view name) const noexcept;
 };
 
-/// An anatomy from an OBJ file's text, and everything that is wrong with it; nothing where there
-/// are errors.
+/// Reads an anatomy from an OBJ file's text and reports all problems; std::nullopt if there are
+/// errors.
 std::optional<Anatomy> readAnatomy(std::string_view text, questionnaires::Problems& problems);
 
 }  // namespace protocols

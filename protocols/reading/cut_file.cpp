@@ -43,7 +43,7 @@ void readLandmarks(const Node& node, Cut& cut) {
   cut.landmarks.opening = readLandmark(node, "opening");
 }
 
-/// Travel rises from point to point, or there is no curve.
+/// The curve, if travel rises from point to point; otherwise std::nullopt.
 std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems& problems) {
   std::vector<CurvePoint> points;
   bool isSound = true;
@@ -66,7 +66,7 @@ std::optional<ForceCurve> readCurve(const Node& root, const char* key, Problems&
   return ForceCurve(std::move(points));
 }
 
-/// A punch would take travel of any unit for its own.
+/// The unit must be given, because a punch would take travel in any unit for travel units.
 std::string readUnit(const Node& root) {
   const std::string unit = root.text("unit");
   if (!unit.empty() && unit != kUnit) {
@@ -167,7 +167,7 @@ std::string cutAsJson(const Cut& cut, std::string_view sha256) {
   json["provenance"] = provenanceAsJson(cut.provenance, sha256);
   json["curve"] = pointsAsJson(cut.curve);
   if (cut.opening) json["opening_curve"] = pointsAsJson(*cut.opening);
-  // Names of files are bytes; what is no UTF-8 in them is replaced.
+  // File names are bytes; invalid UTF-8 in them is replaced.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

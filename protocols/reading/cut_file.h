@@ -12,21 +12,21 @@
 
 namespace protocols {
 
-/// A cut as `palpate recording import` writes it (docs/protocol-format.md, "Cut files"), and
-/// everything that is wrong with it; nothing where there are errors.
+/// Reads a cut as `palpate recording import` writes it (docs/protocol-format.md, "Cut files") and
+/// reports all problems; std::nullopt if there are errors.
 std::optional<haptics::recordings::Cut> readCut(
     std::string_view json, questionnaires::Problems& problems);
 
-/// The same as JSON text, every number so that it reads back exactly. @p sha256 is of the
-/// recording's bytes, in hexadecimal; empty where there was none.
+/// A cut as JSON text; numbers read back exactly. @p sha256 is of the recording's bytes, in
+/// hexadecimal; empty if there is no recording.
 std::string cutAsJson(const haptics::recordings::Cut& cut, std::string_view sha256);
 
-/// A curve as the force engine wants it.
+/// A curve in the form that the force engine uses.
 std::vector<haptics::models::CurveNode<double>> nodesOf(
     const haptics::recordings::ForceCurve& curve);
 
-/// Reads from a whole cut file where the cut comes from (docs/protocol-format.md, "Cut files");
-/// everything that is wrong with it goes into @p problems.
+/// Reads the origin of a cut from a whole cut file (docs/protocol-format.md, "Cut files"); all
+/// problems are added to @p problems.
 haptics::recordings::Provenance readProvenance(
     const questionnaires::Value& cut, questionnaires::Problems& problems);
 

@@ -18,7 +18,7 @@ using questionnaires::Problems;
 
 constexpr std::string_view kMaterialFormat = "palpate-material-1";
 
-/// What a node of a curve is called, by what the curve holds.
+/// The keys of a node, which depend on the curve's quantity.
 struct Keys {
   const char* value;
   const char* slope;
@@ -27,7 +27,7 @@ constexpr Keys kForceKeys{"force_n", "slope_n_per_m"};
 constexpr Keys kTorqueKeys{"torque_nm", "slope_nm_per_m"};
 
 constexpr double kDeepest = 1.0;   // [m]
-constexpr double kFarthest = 1e9;  // that is told as a wrong unit, once for a file [m]
+constexpr double kFarthest = 1e9;  // reported as a wrong unit, once per file [m]
 
 reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys& keys) {
   constexpr double kLargest = 1e6;    // [N, N·m]
@@ -52,7 +52,7 @@ reaming::CurveNodes readNodes(const Node& curves, const char* which, const Keys&
 }
 
 reaming::HardnessCurves readCurves(const Node& node, const Keys& keys) {
-  // Curves of single specimens have a middle one instead of a mean.
+  // Curves of single specimens have a middle specimen instead of a mean.
   const bool isOfSpecimens = node.has("middle_specimen") && !node.has("average");
   const char* middle = isOfSpecimens ? "middle_specimen" : "average";
   if (!node.isObjectWith({"minimum", middle, "maximum"})) return {};
@@ -133,7 +133,7 @@ Json asJson(const reaming::FittedCurve& curve, const Keys& keys) {
   return nodes;
 }
 
-/// What the curve between minimum and maximum is called.
+/// The name of the curve between minimum and maximum.
 const char* middleKeyOf(reaming::EnvelopeRule rule) {
   return rule == reaming::EnvelopeRule::Pointwise ? "average" : "middle_specimen";
 }
@@ -164,7 +164,7 @@ Json errorsOf(const reaming::FittedEnvelope& envelope, const char* middle) {
   return json;
 }
 
-/// How many specimens the curves are made of, from each depth at which that changes.
+/// The number of specimens of the curves, at each depth where it changes.
 Json specimensLeft(const reaming::FittedEnvelope& envelope) {
   Json stretches = Json::array();
   for (const auto& stretch : reaming::specimensLeftOf(envelope)) {

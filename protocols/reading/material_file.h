@@ -10,19 +10,19 @@
 
 namespace protocols {
 
-/// A material as `palpate material fit` writes it (docs/protocol-format.md, "Material files"), and
-/// everything that is wrong with it; nothing where there are errors.
+/// Reads a material as `palpate material fit` writes it (docs/protocol-format.md, "Material files")
+/// and reports all problems; std::nullopt if there are errors.
 std::optional<haptics::reaming::Material> readMaterial(
     std::string_view json, questionnaires::Problems& problems);
 
-/// Where a fitted series came from.
+/// The origin of a fitted series.
 struct MaterialSource {
   std::string file;    ///< its name without its folder
-  std::string sha256;  ///< of its bytes, in hexadecimal; empty where it is synthetic
+  std::string sha256;  ///< of its bytes, in hexadecimal; empty if it is synthetic
 };
 
-/// A fit as JSON text, every number so that it reads back exactly, with what was measured, left out
-/// and chosen. @param sources  of each series, in the order of the fit.
+/// A fit as JSON text, with how it was measured and fitted; numbers read back exactly.
+/// @param sources  of each series, in the order of the fit.
 std::string materialAsJson(
     const std::string& name,
     const std::string& title,
@@ -31,7 +31,7 @@ std::string materialAsJson(
     const haptics::reaming::FitOptions& options,
     const std::vector<MaterialSource>& sources);
 
-/// The names of the choices in a fit, as files and commands use them.
+/// Names of the options of a fit in files and commands.
 std::string_view nameOf(haptics::reaming::NodeRule rule) noexcept;
 std::string_view nameOf(haptics::reaming::SplineKind kind) noexcept;
 std::string_view nameOf(haptics::reaming::EnvelopeRule rule) noexcept;

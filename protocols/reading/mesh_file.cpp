@@ -14,9 +14,10 @@
 namespace protocols {
 namespace {
 
-constexpr float kStaysAnEdge = 40.0F;  // between triangles without normals [°]
+// between triangles without normals [°]; larger angles stay sharp edges
+constexpr float kStaysAnEdge = 40.0F;
 
-/// Opens nothing: a text that comes from a study stands alone.
+/// Opens no files: a text stored in a study must not refer to files on the disk.
 class NoFiles final : public Assimp::IOSystem {
  public:
   bool Exists(const char* /*file*/) const override { return false; }
@@ -30,7 +31,7 @@ NamedSurface::Triple tripleOf(const aiVector3D& v) {
 }
 
 std::uint8_t byteOf(float share) {
-  const float bounded = share >= 0.0F ? std::min(share, 1.0F) : 0.0F;  // NaN is none
+  const float bounded = share >= 0.0F ? std::min(share, 1.0F) : 0.0F;  // NaN becomes 0
   return static_cast<std::uint8_t>(std::lround(255.0F * bounded));
 }
 
@@ -46,7 +47,7 @@ NamedSurface surfaceOf(const aiMesh& mesh, std::string name, bool hasNormals) {
   }
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];
-    if (face.mNumIndices != 3) continue;  // a line or a point is no surface
+    if (face.mNumIndices != 3) continue;  // lines and points are not surfaces
     for (unsigned corner = 0; corner < 3; ++corner) {
       if (face.mIndices[corner] < mesh.mNumVertices) continue;
       throw questionnaires::Error(
@@ -57,7 +58,7 @@ NamedSurface surfaceOf(const aiMesh& mesh, std::string name, bool hasNormals) {
   return surface;
 }
 
-/// In the order of the file: each mesh bears the name of the object that holds it.
+/// Collects the meshes in the order of the file; each has the name of its object.
 void collect(
     const aiScene& scene,
     const aiNode& node,
@@ -72,7 +73,8 @@ void collect(
   }
 }
 
-/// Corners without a place among numbers are the caller's to tell; nothing may trip over them here.
+/// Whether all vertices are finite. The importer's further steps need that; the caller reports
+/// others.
 bool isFiniteMesh(const aiMesh& mesh) {
   const aiVector3D* first = mesh.mVertices;
   return std::all_of(first, first + mesh.mNumVertices, [](const auto& v) {
@@ -113,7 +115,7 @@ std::vector<NamedSurface> readMeshFile(const std::string& path) {
 
 std::vector<NamedSurface> readObj(std::string_view text) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new NoFiles);  // the importer's from here on
+  importer.SetIOHandler(new NoFiles);  // the importer owns it from here on
   importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_ValidateDataStructure, "obj");
   return surfacesOf(importer, aiProcess_Triangulate | aiProcess_GenSmoothNormals);
 }

@@ -17,7 +17,7 @@ using questionnaires::Node;
 using questionnaires::Problems;
 
 constexpr std::string_view kPackingFormat = "palpate-packing-1";
-constexpr std::size_t kDigits = 8;  // of a number in single precision
+constexpr std::size_t kDigits = 8;  // hexadecimal digits of a number in single precision
 constexpr double kMostSpheres = 50e6;
 
 struct Head {
@@ -70,7 +70,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
   return head;
 }
 
-/// The number in the next digits of @p line; NaN where there is none.
+/// The number in the next digits of @p line; NaN if there is none.
 float numberAt(std::string_view line, std::size_t index) {
   const char* begin = line.data() + kDigits * index;
   std::uint32_t bits = 0;

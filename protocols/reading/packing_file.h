@@ -11,29 +11,29 @@
 
 namespace protocols {
 
-/// A packing may be larger than what a researcher writes.
+/// Packings may be larger than other files.
 inline constexpr std::size_t kLargestPacking = 500'000'000;  ///< [bytes]
 
-/// How files with packings end.
+/// The extension of files with packings.
 inline constexpr std::string_view kPackingEnding = ".packing";
 
-/// Where a packing came from, for people; kept with it.
+/// The origin of a packing, for readers; stored with it.
 struct PackingOrigin {
   std::string mesh;      ///< its file's name without the folder, or "parametric acetabulum"
-  std::string sha256;    ///< of that file; empty where there is none
-  std::string material;  ///< that it was fitted to, with its test set; empty before
+  std::string sha256;    ///< of that file; empty if there is none
+  std::string material;  ///< the material it was fitted to, with its test set; empty before
   std::uint64_t seed = 1;
 };
 
-/// A packing as `palpate packing` writes it (docs/protocol-format.md, "Packing files"), and
-/// everything that is wrong with it; nothing where there are errors.
+/// A packing as `palpate packing` writes it (docs/protocol-format.md, "Packing files"), and reports
+/// all problems; std::nullopt if there are errors.
 ///
-/// Without densities the spheres have none: it has been built and not been fitted.
+/// A packing that has been built but not fitted has no densities.
 std::optional<haptics::reaming::PackedBone> readPacking(
     std::string_view text, questionnaires::Problems& problems, PackingOrigin* origin = nullptr);
 
-/// A line of JSON about it, then a line for each sphere: so many hexadecimal digits for each of its
-/// numbers in single precision, so that it reads back exactly.
+/// The text of a packing file: a line of JSON, then a line for each sphere with its numbers in
+/// single precision as hexadecimal digits, which read back exactly.
 std::string packingAsText(const haptics::reaming::PackedBone& bone, const PackingOrigin& origin);
 
 }  // namespace protocols

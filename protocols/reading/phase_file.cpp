@@ -31,7 +31,8 @@ constexpr std::array kOrders{
 constexpr int kMostCuts = 1000;
 
 Order readOrder(const Node& block) {
-  Order order{.type = OrderType::Random, .of = {}};  // until it is read: what no rule objects to
+  // until it is read: a type that no rule rejects
+  Order order{.type = OrderType::Random, .of = {}};
   const auto node = block.requiredObject("order");
   if (!node || !node->isObjectWith({"type", "of"})) return order;
   const auto type = readChoice(*node, "type", kOrders);

@@ -54,7 +54,7 @@ void requireSchema(const Node& root) {
   }
 }
 
-/// Texts in a list, none of them empty.
+/// A list of texts that are not empty.
 std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   std::vector<std::string> texts;
   for (const auto& entry : node.list(key)) {
@@ -66,7 +66,7 @@ std::vector<std::string> readTexts(const Node& node, std::string_view key) {
   return texts;
 }
 
-/// Texts in a list, each once.
+/// A list of different texts.
 std::vector<std::string> readFileNames(const Node& root) {
   auto names = readTexts(root, "instrument_files");
   std::set<std::string> seen;
@@ -131,11 +131,11 @@ Cohort readCohort(const Node& node) {
   return cohort;
 }
 
-/// Of @p device; nullptr, and a problem, where there is none such.
+/// The kind of @p device; nullptr and a problem if there is no such kind.
 const DeviceKind* readKind(const Node& device) {
   const std::string name = device.text("kind");
   const auto* kind = haptics::deviceKindNamed(name);
-  if (kind != nullptr || name.empty()) return kind;  // what is no text has been told
+  if (kind != nullptr || name.empty()) return kind;  // reported already
   std::string names;
   for (const auto* known : haptics::deviceKinds()) {
     names.append(names.empty() ? "" : ", ").append(known->name);
@@ -161,7 +161,7 @@ DeviceNeed readDevice(const Node& node) {
   const std::string id = node.id("id");
   const auto* kind = readKind(node);
   if (kind != nullptr) {
-    device.id = id;  // without a kind it is as good as unread
+    device.id = id;  // without a kind the device counts as not read
     device.kind = kind;
   }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
@@ -241,7 +241,7 @@ void addInstrument(Draft& draft, ReferencedFiles& files, std::size_t index, Prob
   loaded.instruments.push_back(std::move(*instrument));
 }
 
-/// Those of 'instrument_files', and then those of the library that are used.
+/// Reads the instruments of 'instrument_files', and then those of the library that are used.
 void addInstruments(Draft& draft, ReferencedFiles& files, Problems& problems) {
   auto& loaded = draft.loaded;
   const auto& names = loaded.protocol.instrumentFiles;
@@ -258,7 +258,8 @@ void addInstruments(Draft& draft, ReferencedFiles& files, Problems& problems) {
   }
 }
 
-/// A list is never empty where it could be read, and what could not be read in it has no sound id.
+/// Whether a list and all of its elements could be read. A list that could be read is never empty;
+/// an element that could not be read has no valid id.
 template <typename T>
 bool isComplete(const std::vector<T>& all) noexcept {
   return !all.empty() &&

@@ -9,17 +9,17 @@
 #include "questionnaires/json/document.h"
 #include "questionnaires/model/instrument.h"
 
-/// The parts of a protocol file, each read by a source of its own.
+/// The readers of the parts of a protocol file, each in its own source.
 namespace protocols {
 
 class SceneSources;
 
-/// A text that people see, in English at least: "…" or {"en": "…", "de": "…"}. Missing or wrong is
-/// a problem.
+/// A text for people, at least in English: "…" or {"en": "…", "de": "…"}. A missing or invalid one
+/// is a problem.
 questionnaires::LocalizedText readLocalized(const questionnaires::Node& node, std::string_view key);
 
-/// What the word behind @p key stands for; nothing, and a problem, where it is none of @p choices:
-/// for words that decide what else is read.
+/// The value of the word at @p key; std::nullopt and a problem if it is none of @p choices. For
+/// words that decide how the rest is read.
 template <typename Choices>
 auto readChoice(const questionnaires::Node& node, std::string_view key, const Choices& choices) {
   const auto value = node.choice(key, choices);
@@ -31,12 +31,12 @@ auto readChoice(const questionnaires::Node& node, std::string_view key, const Ch
   return isKnown ? std::optional(value) : std::nullopt;
 }
 
-/// Reads one phase (docs/protocol-format.md, "Phases"); problems go where the node's go. One whose
-/// type is not understood has no id.
+/// Reads one phase (docs/protocol-format.md, "Phases"); problems are added to the node's. A phase
+/// of unknown type has no id.
 Phase readPhase(const questionnaires::Node& node);
 
-/// Reads what is felt and seen in a condition (docs/protocol-format.md, "Scenes") into @p
-/// condition, with what the scene's files hold, from @p sources; problems go where the node's go.
+/// Reads the scene of a condition (docs/protocol-format.md, "Scenes") into @p condition, with the
+/// content of its files from @p sources; problems are added to the node's.
 /// @param protocol  its devices have been read.
 void readScene(
     const questionnaires::Node& scene,
@@ -44,11 +44,11 @@ void readScene(
     SceneSources& sources,
     Condition& condition);
 
-/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems go where the
-/// node's go.
+/// Reads the analysis plan (docs/protocol-format.md, "The analysis plan"); problems are added to
+/// the node's.
 AnalysisPlan readAnalysis(const questionnaires::Node& node);
 
-/// Reads what a simulated cohort feels ("Trying it out").
+/// Reads how a simulated cohort answers ("Simulated participants").
 SimulationTruth readSimulation(const questionnaires::Node& node);
 
 }  // namespace protocols

@@ -15,7 +15,7 @@ using questionnaires::Value;
 
 const std::string kPath = "$.provenance";
 
-/// A Node reads by key only; these are for lists of numbers.
+/// The member of a JSON object in a list; a Node reads by key only.
 const Value* memberOf(const Value& object, std::string_view key) {
   const auto& members = std::get<Value::Object>(object.data);
   const auto member =
@@ -29,7 +29,7 @@ Value::Array entriesOf(const Value& object, std::string_view key) {
   return entries == nullptr ? Value::Array() : *entries;
 }
 
-/// A number that counts from 1; 0 where it is none.
+/// A number that counts from 1; 0 if it is invalid.
 std::size_t countOf(const Value& value) {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   return whole == nullptr || *whole < 1 ? 0 : static_cast<std::size_t>(*whole);
@@ -105,7 +105,7 @@ haptics::recordings::Provenance readProvenance(const Value& cut, Problems& probl
     provenance.slopeLimit = node->number("slope_limit_n_per_travel_unit", 0.0, kMostSlope);
   }
   provenance.changes = node->texts("changes");
-  node->list("rows");  // complains where it is none
+  node->list("rows");  // reports a problem if it is not a list
   node->list("closures");
   provenance.rows = readRows(*memberOf(cut, "provenance"), problems);
   provenance.closures = readClosures(*memberOf(cut, "provenance"), problems);

@@ -25,8 +25,8 @@ bool leavesItsFolder(const std::string& name) {
 
 }  // namespace
 
-/// Reads a file the first time that it is asked for, so that its problems are told once, however
-/// many conditions name it. One that is missing is a problem of every place that names it.
+/// Reads a file when it is first needed, so that its problems are reported once for all conditions
+/// that name it. A missing file is a problem at every place that names it.
 template <typename T, typename Read>
 const T* ReferencedFiles::once(
     ByName<T>& known,
@@ -113,7 +113,8 @@ std::optional<Instrument> ReferencedFiles::instrument(
 
 std::optional<Instrument> ReferencedFiles::libraryInstrument(
     const std::string& id, const std::string& path, const std::vector<std::string>& languages) {
-  if (id.ends_with(".schema")) return std::nullopt;  // lies in the library, and is no instrument
+  // a file of the library that is not an instrument
+  if (id.ends_with(".schema")) return std::nullopt;
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name != id + ".json") continue;
     auto instrument = questionnaires::readSoundInstrument(file.content, id);
@@ -130,7 +131,7 @@ void ReferencedFiles::addProblemsOf(const Problems& found, const std::string& fi
   }
 }
 
-/// A wording file need not exist; where it does, it becomes part of the protocol.
+/// Adds the text of a wording file if the file exists; it is then part of the protocol.
 void ReferencedFiles::completeWording(
     Instrument& instrument, const std::string& path, const std::vector<std::string>& languages) {
   const auto findWording = [&](const std::string& name) {
@@ -158,8 +159,8 @@ std::optional<std::string> ReferencedFiles::textOf(
   return text;
 }
 
-/// The text of a file. One that is missing is a problem where it is needed; one that cannot be read
-/// always is.
+/// The text of a file. A missing file is reported only if it is needed; an unreadable one is always
+/// reported.
 std::optional<std::string> ReferencedFiles::find(
     const std::string& name, const std::string& path, bool isNeeded) {
   try {

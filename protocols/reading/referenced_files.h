@@ -19,20 +19,20 @@
 
 namespace protocols {
 
-/// The files that a protocol names: looks for each once, reads it, and keeps its text for the
+/// The files that a protocol names. Searches for each once, reads it, and keeps its text for the
 /// study.
 ///
-/// Each function returns what the file called @p name holds. Where it cannot be read, that is
-/// a problem in the protocol at @p path, or in the file, with its name before the path, and the
-/// answer is nothing. An empty name is a problem of the protocol already, and adds none. What is
-/// returned lives as long as this.
+/// Each function returns the content of the file called @p name. If it cannot be read, a problem is
+/// reported at @p path in the protocol, or in the file with its name before the path, and the
+/// result is empty. An empty name has been reported already. Returned objects live as long as this
+/// object.
 class ReferencedFiles {
  public:
-  /// File finder and problems outlive this.
+  /// File finder and problems must outlive this object.
   ReferencedFiles(const FileFinder& find, questionnaires::Problems& problems, Defaults defaults)
       : find_(find), problems_(problems), defaults_(defaults) {}
 
-  /// What the protocol means where it says nothing.
+  /// The defaults of keys that the protocol leaves out.
   Defaults defaults() const noexcept { return defaults_; }
 
   struct PackingFile {
@@ -45,12 +45,12 @@ class ReferencedFiles {
   const PackingFile* packing(const std::string& name, const std::string& path);
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
-  /// The instrument of a file, with its wording in @p languages, where it has or needs any.
+  /// The instrument in a file, with its wording in @p languages, if it has or needs any.
   std::optional<questionnaires::Instrument> instrument(
       const std::string& name, const std::string& path, const std::vector<std::string>& languages);
 
-  /// The instrument of the library that is called @p id, with its wording; nothing, and no problem,
-  /// where there is none.
+  /// The instrument of the library with that @p id, with its wording; std::nullopt without a
+  /// problem if there is none.
   std::optional<questionnaires::Instrument> libraryInstrument(
       const std::string& id, const std::string& path, const std::vector<std::string>& languages);
 
@@ -59,9 +59,9 @@ class ReferencedFiles {
 
  private:
   template <typename T>
-  using ByName = std::map<std::string, std::optional<T>>;  ///< nothing where the file is damaged
+  using ByName = std::map<std::string, std::optional<T>>;  ///< std::nullopt if the file is damaged
 
-  /// How a kind of file has to end, and what to do about one that does not.
+  /// The required extension of a kind of file, and the fix for another one.
   struct Ending {
     std::string_view ending;
     std::string_view fix;

@@ -20,14 +20,13 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// What a model is read with besides its JSON.
+/// What reading a model needs besides its JSON.
 struct Context {
   SceneSources& sources;
-  const haptics::devices::DeviceKind*
-      device;  ///< that it is felt on; nullptr: it has not been read
+  const haptics::devices::DeviceKind* device;  ///< of the condition; nullptr: it has not been read
 };
 
-/// What could be read: complete, or nothing, and then a problem says why.
+/// A complete model, or none and a problem.
 template <typename Spec>
 using Read = std::optional<Spec>;
 
@@ -40,7 +39,7 @@ constexpr std::array kTestSets{
     Choice<TestSet>{"dynamic-2", TestSet::Dynamic2},
 };
 
-/// The branches that are felt, no steeper than the protocol asks for.
+/// Sets the branches of a cut, with the slope limit of the protocol.
 void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec) {
   using haptics::recordings::ForceCurve;
   const auto curveOf = [&](const ForceCurve& recorded) {
@@ -53,7 +52,7 @@ void useCut(const haptics::recordings::Cut& cut, engine::InterpolationSpec& spec
   if (isBothWays && cut.opening) spec.opening = curveOf(*cut.opening);
 }
 
-/// @param beyond  where the file does not say.
+/// @param beyond  default, if the file has none.
 Read<engine::InterpolationSpec> readInterpolation(
     const Node& node, const Context& context, models::BeyondCurve beyond) {
   engine::InterpolationSpec spec;
@@ -116,7 +115,7 @@ Read<engine::FiniteElementsSpec> readFiniteElements(const Node& node) {
   return spec;
 }
 
-/// What is printed stays as it is printed.
+/// The noise "as printed" cannot be combined with own numbers.
 void refuseNumbersBesideAsPrinted(const Node& node) {
   for (const auto* key : {"process_force", "process_covariance", "process_stiffness"}) {
     if (!node.has(key)) continue;
@@ -178,7 +177,7 @@ Read<engine::KalmanSpec> readKalman(const Node& node, const Context& context) {
   return spec;
 }
 
-/// What only a fitted material has.
+/// Refuses keys that need a fitted material.
 void refuseWithoutMaterial(const Node& node) {
   const std::pair<const char*, const char*> keys[]{
       {"test_set", "only a fitted material has test sets"},
@@ -189,7 +188,7 @@ void refuseWithoutMaterial(const Node& node) {
   }
 }
 
-/// Puts the curves of a fitted material into @p spec; false, and a problem, where there are none.
+/// Puts the curves of a fitted material into @p spec; false and a problem if there are none.
 bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
@@ -271,7 +270,7 @@ Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) 
   return spec;
 }
 
-/// The reader of each model; one that is registered and has none does not compile.
+/// The reader of each model. A registered model without a reader does not compile.
 template <typename Spec>
 Read<Spec> readModel(const Node& parameters, const Context& context) = delete;
 template <>

@@ -136,7 +136,7 @@ std::shared_ptr<const Anatomy> SceneSources::anatomy(
   return knee;
 }
 
-/// A source that several conditions share is listed once.
+/// Lists a source that several conditions share once.
 void SceneSources::add(FeltSource source) {
   auto known = std::find_if(all_.begin(), all_.end(), [&](const auto& other) {
     return other.kind == source.kind && other.file == source.file && other.origin == source.origin;

@@ -13,7 +13,7 @@ using questionnaires::ItemType;
 using questionnaires::Problems;
 using questionnaires::shown;
 
-/// Looks at one family of comparisons.
+/// Checks one family of comparisons.
 class FamilyCheck {
  public:
   FamilyCheck(const Draft& draft, std::size_t index, Problems& problems)
@@ -46,7 +46,7 @@ class FamilyCheck {
     if (asked != nullptr) statements(*asked);
   }
 
-  /// Whether @p phase asks about its conditions what this family compares, or is unread.
+  /// Whether @p phase asks the family's questions about its conditions, or could not be read.
   bool mayAsk(const Phase& phase) const {
     const auto& asked = phase.trials.questionnaires;
     return phase.id.empty() || !isSoundId(family_.instrument) ||
@@ -126,7 +126,7 @@ class FamilyCheck {
       if (mayHold(phase.trials, condition)) return true;
       isAskedAtAll = true;
     }
-    return !isAskedAtAll || !draft_.hasAllPhases();  // what is missing then has been said
+    return !isAskedAtAll || !draft_.hasAllPhases();  // a missing one has been reported already
   }
 
   bool isCounted(const Phase& phase) const {

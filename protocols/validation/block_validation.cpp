@@ -17,7 +17,7 @@ std::set<std::string> asSet(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-/// Looks at one block of a protocol.
+/// Checks one block of a protocol.
 class BlockCheck {
  public:
   BlockCheck(const Draft& draft, std::size_t index, Problems& problems)

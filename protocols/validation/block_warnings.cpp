@@ -11,7 +11,7 @@ namespace {
 
 using questionnaires::Problems;
 
-/// Gives advice about one block.
+/// Adds warnings about one block.
 class BlockAdvice {
  public:
   BlockAdvice(const LoadedProtocol& loaded, std::size_t index, Problems& problems)
@@ -67,7 +67,7 @@ class BlockAdvice {
   void balance() {
     const auto k = static_cast<int>(phase_.trials.conditions.size());
     const auto rows = rowsOf(phase_.trials.order.type, k).size();
-    if (rows == 0) return;  // drawn, or another block's
+    if (rows == 0) return;  // drawn, or taken from another block
     for (const auto& cohort : protocol_.cohorts) {
       if (static_cast<std::size_t>(cohort.planned) % rows == 0) continue;
       problems_.warn(

@@ -12,7 +12,7 @@ namespace {
 namespace engine = haptics::engine;
 using questionnaires::Problems;
 
-constexpr double kUnfelt = 0.02;  // the weight below which a force is not felt
+constexpr double kUnfelt = 0.02;  // a smaller weight has no noticeable effect
 
 void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Problems& problems) {
   const double weight = engine::interpolationWeight(spec);
@@ -24,7 +24,8 @@ void adviseOnWeight(const engine::KalmanSpec& spec, const std::string& path, Pro
       message("one_force_felt.fix"));
 }
 
-/// More force on the way out than on the way in pushes the hand on its own account.
+/// Warns of an opening branch with more force than the closing branch: it would push the hand by
+/// itself.
 void adviseOnBranches(
     const engine::InterpolationSpec& spec, const std::string& path, Problems& problems) {
   if (spec.branches != engine::Branches::Hysteresis) return;
@@ -49,7 +50,7 @@ void adviseOnBranches(
       message("opening_gives_more.fix"));
 }
 
-/// Whether some block shows condition @p id.
+/// Whether a block shows the tissue of condition @p id.
 bool isSeen(const Protocol& protocol, const Condition& condition) {
   return std::any_of(protocol.phases.begin(), protocol.phases.end(), [&](const auto& phase) {
     const auto& felt = phase.trials.conditions;
@@ -58,7 +59,7 @@ bool isSeen(const Protocol& protocol, const Condition& condition) {
   });
 }
 
-/// What is seen must not tell apart what is to be told apart by feel.
+/// Warns if conditions of a block that are to be compared by touch show different knees.
 void adviseOnAnatomy(const Protocol& protocol, const Block& block, Problems& problems) {
   const Condition* first = nullptr;
   for (const auto& id : block.conditions) {

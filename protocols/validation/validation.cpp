@@ -64,7 +64,7 @@ void checkScene(
   }
 }
 
-/// Whether @p condition is to be seen, in its own block or in any.
+/// Whether the tissue of @p condition is shown, by its own scene or by a block.
 bool isSeen(const Draft& draft, const Condition& condition) {
   const auto& phases = draft.loaded.protocol.phases;
   return condition.isVisualised ||

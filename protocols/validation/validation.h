@@ -6,35 +6,35 @@
 
 namespace protocols {
 
-/// Everything that does not fit together in a protocol and the files that it names: names of things
-/// that do not exist, something felt before consent, orders that refer to each other, a scene that
-/// cannot be compiled. What is merely unwise is said by addWarnings(). What could not be read is a
-/// problem already, and nothing is said about it or what follows from it.
+/// Reports inconsistencies of a protocol and the files that it names: names that do not exist, a
+/// trial before consent, orders that refer to each other, a scene that cannot be compiled. Doubtful
+/// but valid designs are left to addWarnings(). Parts that could not be read have been reported
+/// already; nothing is reported about them or their consequences.
 void validate(const Draft& draft, questionnaires::Problems& problems);
 
-/// What is wrong about a protocol's analysis plan and the truth of its simulation.
+/// Reports problems of a protocol's analysis plan and of its simulation.
 void validateAnalysis(const Draft& draft, questionnaires::Problems& problems);
 
-/// What is wrong about a protocol's blocks, their orders, their questionnaires, and the preferences
-/// asked about them.
+/// Reports problems of a protocol's blocks, their orders, their questionnaires, and the preferences
+/// between their alternatives.
 void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
 
-/// What is merely unwise about a protocol, as warnings: a statement about the previous alternative
-/// where there is none, an order that is the same for all, a number of participants that does
-/// not balance, forms that are still to be filled in, things that are not used.
+/// Adds warnings about doubtful designs: a statement about the previous alternative when there is
+/// none, one order for all, a number of participants that does not balance, forms with
+/// placeholders, unused parts.
 ///
-/// @param loaded  sound: validate() has nothing to say.
+/// @param loaded  passed validate() without problems.
 void addWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
-/// What is unwise about the blocks of a sound protocol: their orders, and the statements that are
-/// asked after their conditions.
+/// Adds warnings about the blocks of a valid protocol: their orders, and the statements after their
+/// conditions.
 void addBlockWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
-/// What is unwise about the comparisons that are planned, or about planning none.
+/// Adds warnings about the planned comparisons, or a missing plan.
 void addAnalysisWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
-/// What is unwise about the scenes of a sound protocol: a filter that listens to one of its two
-/// forces only, an opening that gives back more than closing took.
+/// Adds warnings about the scenes of a valid protocol: a filter that ignores one of its two forces,
+/// an opening that returns more energy than closing took.
 void addSceneWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
 }  // namespace protocols

@@ -30,7 +30,7 @@ bool isInLibrary(const std::string& instrument) {
   });
 }
 
-/// Gives advice about everything but blocks.
+/// Adds all warnings except those about blocks.
 class Advice {
  public:
   Advice(const LoadedProtocol& loaded, Problems& problems)
@@ -105,7 +105,7 @@ class Advice {
     }
   }
 
-  /// What is scored as a change has to be asked twice.
+  /// Warns if a score that is a change is not asked twice.
   void occasionsOf(const Instrument& instrument, const std::string& path) {
     if (instrument.occasions != questionnaires::Occasions::BeforeAndAfter) return;
     const auto uses = instrumentUses(protocol_);
@@ -116,14 +116,14 @@ class Advice {
     problems_.warn(path, message("asked_once", instrument.id), message("asked_once.fix"));
   }
 
-  /// What lies in a file has its own warnings.
+  /// Whether the instrument has its own file, which has its own warnings.
   bool isFromFile(const Instrument& instrument) const {
     const auto files = static_cast<std::ptrdiff_t>(protocol_.instrumentFiles.size());
     return &instrument - loaded_.instruments.data() < files;
   }
 
-  /// What its own file would have been told, but for the statements that compare with the previous:
-  /// addBlockWarnings() knows which of them may have none.
+  /// Adds the warnings that the instrument's own file would have, except about statements that
+  /// compare with the previous: addBlockWarnings() knows which of them have none.
   void fromLibrary(const Instrument& instrument) {
     const auto found = questionnaires::problemsOf(instrument);
     for (const auto& problem : found.all()) {
@@ -132,7 +132,7 @@ class Advice {
     }
   }
 
-  /// A blank of the library is one in all languages; it is told once.
+  /// Whether a placeholder of the library has been reported already in another language.
   static bool isOfATranslation(
       const questionnaires::Problem& problem, const Instrument& instrument) {
     return std::any_of(
