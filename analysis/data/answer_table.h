@@ -33,7 +33,7 @@ struct AnswerTable {
   /// All answers about a method, of all participants.
   LikertCounts countsOf(std::size_t method) const;
 
-  /// Mean score by participant and method, each exactly rounded; nothing where nothing was
+  /// Mean score by participant and method, each exactly rounded; std::nullopt if nothing was
   /// answered.
   std::vector<std::vector<std::optional<double>>> participantMeans() const;
 };

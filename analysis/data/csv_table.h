@@ -24,8 +24,8 @@ enum class DecimalMark {
   PointOrComma,  ///< 4.5 or 4,5; never both in one number
 };
 
-/// The double nearest to a decimal number, in every locale; nothing for other text, for infinities
-/// and for numbers beyond the range of a double.
+/// The double nearest to a decimal number, in every locale; std::nullopt for other text, for
+/// infinities and for numbers beyond the range of a double.
 std::optional<double> decimalNumber(std::string_view text, DecimalMark mark = DecimalMark::Point);
 
 /// One row of a table, and the line of the file that it begins on: the header is line 1.

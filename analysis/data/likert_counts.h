@@ -47,7 +47,7 @@ class LikertCounts {
   /// Nothing without answers.
   std::optional<double> mean() const;
 
-  /// With n − 1; nothing for fewer than two answers.
+  /// With n − 1; std::nullopt for fewer than two answers.
   std::optional<double> variance() const;
 
   bool operator==(const LikertCounts&) const = default;
@@ -71,7 +71,7 @@ double largestUnimodalVariance(int lowest, int highest, double mean);
 
 /// Whether answers vary more than any distribution with one peak and their mean could: then they
 /// have two peaks, and few answers lie near their mean. Compares the sample variance (n − 1) with
-/// the bound times n / (n − 1). Nothing for fewer than two answers.
+/// the bound times n / (n − 1). std::nullopt for fewer than two answers.
 std::optional<bool> isBeyondUnimodal(const LikertCounts& counts);
 
 }  // namespace analysis

@@ -52,7 +52,7 @@ Moments momentsOf(std::span<const double> values) {
   moments.mean = shift + pivot;
   if (values.size() < 2) return moments;
 
-  // Rests would add up to zero without rounding; what they do add up to corrects the squares.
+  // Without rounding the residuals add up to zero; their actual sum corrects the squares.
   DoubleDouble rests;
   DoubleDouble squares;
   for (const double value : values) {

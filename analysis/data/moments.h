@@ -28,7 +28,7 @@ struct Moments {
 ///
 ///     s² = (Σ r² − (Σ r)² / n) / (n − 1),   r = x − m.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 Moments momentsOf(std::span<const double> values);
 
 /// Exactly, from whole numbers: see LikertCounts::variance().
@@ -37,12 +37,13 @@ Moments momentsOf(const LikertCounts& counts);
 /// Size, mean and variance of a group as a table shows them.
 struct Summary {
   std::uint64_t n = 0;
-  std::optional<double> mean;               ///< nothing for n = 0
-  std::optional<double> variance;           ///< with n − 1; nothing for n < 2, or beyond a double
+  std::optional<double> mean;               ///< std::nullopt for n = 0
+  std::optional<double> variance;           ///< with n − 1; missing for n < 2, or beyond a
+                                            ///< double
   std::optional<double> standardDeviation;  ///< its root; may be there where the variance is not
 };
 
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 Summary summarise(std::span<const double> values);
 Summary summarise(const LikertCounts& counts);
 Summary summarise(const Moments& moments);

@@ -17,7 +17,7 @@ struct Midranks {
   Wide tieSum = 0;  ///< Σ (t³ − t) over the groups of t equal values
 };
 
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 Midranks midranksOf(std::span<const double> values);
 
 /// How often each group holds one value.
@@ -39,7 +39,7 @@ struct TiedGroups {
   bool isEmpty() const noexcept { return n1 == 0 || n2 == 0; }
 };
 
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> group2);
 
 /// Points of scales that differ are compared as the numbers that they are.

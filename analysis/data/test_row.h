@@ -15,7 +15,7 @@ namespace analysis {
 
 /// A number and what it is called in a table: "t", "chi2", "g_z".
 struct NamedNumber {
-  std::string_view name;  ///< snake_case; empty where there is no such number for this test
+  std::string_view name;  ///< snake_case; empty if there is no such number for this test
   std::optional<double> value;
 };
 
@@ -58,7 +58,7 @@ struct TestRow {
   std::vector<NamedNumber> more;  ///< what only this test has: "p_exact", "epsilon"
   Reason reason;                  ///< why something above is missing; empty if nothing is
 
-  /// One of more; nothing where it is not there or not defined.
+  /// One of more; std::nullopt if it is not there or not defined.
   std::optional<double> also(std::string_view name) const {
     for (const auto& number : more) {
       if (number.name == name) return number.value;

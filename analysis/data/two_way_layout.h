@@ -13,8 +13,8 @@ namespace analysis {
 ///     Σ (x − x̄)² = rowSquares + columnSquares + residualSquares
 ///
 /// Rows are participants or blocks, columns are conditions, items or raters. All sums are
-/// multiplied by (rows · columns)², and nothing is divided: where there is no spread, a sum is
-/// exactly 0.
+/// multiplied by (rows · columns)², and nothing is divided: if there is no spread, a sum is exactly
+/// 0.
 struct TwoWayLayout {
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -35,7 +35,7 @@ struct TwoWayLayout {
 /// meaningful as ratios only.
 ///
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
-///     infinite or no number.
+///     infinite or NaN.
 TwoWayLayout twoWayLayout(std::span<const std::vector<double>> table);
 
 }  // namespace analysis

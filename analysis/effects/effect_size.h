@@ -48,7 +48,7 @@ struct PairedEffects {
 ///
 ///     J(ν) = Γ(ν/2) / (√(ν/2) Γ((ν − 1)/2))
 ///
-/// Nothing for ν ≤ 1, where Γ has a pole.
+/// std::nullopt for ν ≤ 1, where Γ has a pole.
 std::optional<double> hedgesCorrection(double degreesOfFreedom);
 
 /// Cohen's d and related measures; positive if group 1 has the larger mean.
@@ -59,8 +59,8 @@ std::optional<double> hedgesCorrection(double degreesOfFreedom);
 /// approximately. No interval for |t| > 1e100. The common language effect size of McGraw & Wong
 /// 1992 is Φ(difference / √(s₁² + s₂²)).
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number, or for a level that is not
-///     between 0 and 1.
+/// @throws std::invalid_argument  if a value is infinite or NaN, or for a level that is not between
+///     0 and 1.
 MeanEffects effectSizes(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
 MeanEffects effectSizes(

@@ -34,8 +34,8 @@ struct CliffDelta {
 /// Variance and interval need two values in each group; groups that do not overlap have no
 /// interval.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number, or for a level that is not
-///     between 0 and 1.
+/// @throws std::invalid_argument  if a value is infinite or NaN, or for a level that is not between
+///     0 and 1.
 CliffDelta cliffDelta(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
 CliffDelta cliffDelta(const LikertCounts& group1, const LikertCounts& group2, double level = 0.95);
@@ -58,8 +58,8 @@ struct HodgesLehmannResult {
 /// below n = 6. Differences of zero count as any other. With ties the true confidence is at least
 /// `confidence`.
 ///
-/// @throws std::invalid_argument  if a difference is infinite or no number, or for a level that is
-///     not between 0 and 1.
+/// @throws std::invalid_argument  if a difference is infinite or NaN, or for a level that is not
+///     between 0 and 1.
 HodgesLehmannResult hodgesLehmann(std::span<const double> differences, double level = 0.95);
 
 }  // namespace analysis

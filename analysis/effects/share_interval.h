@@ -14,7 +14,7 @@ namespace analysis {
 ///
 ///     (s + z²/2n ± z √(s(1 − s)/n + z²/4n²)) / (1 + z²/n)
 ///
-/// Nothing for a total of zero.
+/// std::nullopt for a total of zero.
 /// @throws std::invalid_argument  for more votes than the total, or a level that is not between 0
 ///     and 1.
 std::optional<Interval> wilsonInterval(
@@ -25,7 +25,7 @@ std::optional<Interval> wilsonInterval(
 ///
 ///     low = B⁻¹((1 − level)/2; v, n − v + 1),   high = B⁻¹((1 + level)/2; v + 1, n − v)
 ///
-/// with B⁻¹ the quantile of the beta law. Nothing for a total of zero.
+/// with B⁻¹ the quantile of the beta law. std::nullopt for a total of zero.
 /// @throws std::invalid_argument  as above.
 std::optional<Interval> clopperPearsonInterval(
     std::uint64_t votes, std::uint64_t total, double level = 0.95);

@@ -144,7 +144,7 @@ std::optional<Minimum> bestFit(
   return best;
 }
 
-/// The inverse of the Hessian; nothing where an effect has no finite estimate.
+/// The inverse of the Hessian; std::nullopt if an effect has no finite estimate.
 std::optional<Matrix> covarianceOf(const Minimum& minimum, std::size_t deviations) {
   const Matrix hessian = minimum.derivatives.hessian;
   const Eigen::LLT<Matrix> cholesky(hessian);

@@ -36,7 +36,7 @@ struct WaldEstimate {
 WaldEstimate waldEstimate(std::string name, double estimate, double variance);
 
 /// estimate ± quantile of t × standard error, with a confidence of @p level, for instance 0.95.
-/// Nothing where the degrees of freedom are not defined.
+/// std::nullopt if the degrees of freedom are not defined.
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const TEstimate& estimate, double level);
 

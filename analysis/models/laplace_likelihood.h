@@ -61,7 +61,7 @@ class LaplaceLikelihood {
 
   Eigen::Index parameters() const noexcept;
 
-  /// Nothing where the thresholds are not in order, or û is not found in 100 steps.
+  /// std::nullopt if the thresholds are not in order, or û is not found in 100 steps.
   std::optional<double> value(const Eigen::VectorXd& parameters);
   std::optional<Eigen::VectorXd> gradient(const Eigen::VectorXd& parameters);
   /// With the Hessian by central differences of the gradient.

@@ -49,7 +49,7 @@ class RestrictedDeviance {
   /// of the participants'.
   bool isExplainedByFixedEffects(std::size_t intercept) const;
 
-  /// Nothing where no residual variance is left.
+  /// std::nullopt if no residual variance is left.
   std::optional<double> value(const Eigen::VectorXd& relativeVariances) const;
   std::optional<Derivatives> derivatives(const Eigen::VectorXd& relativeVariances) const;
   std::optional<RestrictedSolution> solution(const Eigen::VectorXd& relativeVariances) const;

@@ -42,7 +42,7 @@ DoubleDouble squareRoot(const DoubleDouble& number) noexcept;
 /// number · 2^exponent.
 DoubleDouble scaled(const DoubleDouble& number, int exponent) noexcept;
 
-/// The double nearest to number · 2^exponent; nothing where a double would overflow or, below
+/// The double nearest to number · 2^exponent; std::nullopt if a double would overflow or, below
 /// 2.2e-308, lose digits.
 std::optional<double> toDouble(const DoubleDouble& number, int exponent) noexcept;
 
@@ -63,17 +63,17 @@ struct Multiples {
 };
 
 /// The smallest q ≤ 1000 such that all numbers are whole multiples of 1/q, but for the rounding of
-/// their last digits (1e-12 of the largest). Nothing where there is no such q, as for measured
+/// their last digits (1e-12 of the largest). std::nullopt if there is no such q, as for measured
 /// values.
 ///
 /// The means of a few answers are such multiples: three answers give thirds. Computed as doubles,
 /// two means that should be equal often differ in the last digit, and are then not seen as ties.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 std::optional<Multiples> commonUnitOf(std::span<const double> numbers);
 
 /// The numbers as the doubles nearest to their multiples of a common unit, so that what should be
-/// equal is equal; as they are where there is no such unit.
+/// equal is equal; as they are if there is no such unit.
 /// @throws std::invalid_argument  as above.
 std::vector<double> withoutRoundingNoise(std::span<const double> numbers);
 

@@ -13,7 +13,7 @@ struct Derivatives {
   Eigen::MatrixXd hessian;   ///< k × k, symmetric
 };
 
-/// A function to be minimised: nothing where it is not defined.
+/// A function to be minimised: std::nullopt if it is not defined.
 struct Objective {
   std::function<std::optional<double>(const Eigen::VectorXd&)> value;
   std::function<std::optional<Derivatives>(const Eigen::VectorXd&)> derivatives;

@@ -30,7 +30,7 @@ struct LikertModel {
   double levelOfFirst() const;
 
   /// @throws std::invalid_argument  for shares that are negative or do not add up to one, fewer
-  ///     than two points or conditions, no answers, or an effect that is no number.
+  ///     than two points or conditions, no answers, or an effect that is NaN.
   void check() const;
 };
 

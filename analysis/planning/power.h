@@ -15,16 +15,16 @@ namespace analysis {
 ///
 /// @param alpha  of this one test: α / m within a family with Bonferroni's correction.
 /// @throws std::invalid_argument  for fewer than two participants, an alpha that is not between 0
-///     and 1, or an effect that is no number.
+///     and 1, or an effect that is NaN.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
 
 /// The largest number of participants that is considered.
 inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 
-/// The fewest participants with whom a paired t-test has at least this power; nothing for an effect
-/// of zero and beyond kMostParticipants.
+/// The fewest participants with whom a paired t-test has at least this power; std::nullopt for an
+/// effect of zero and beyond kMostParticipants.
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, a power
-///     below alpha, or an effect that is no number.
+///     below alpha, or an effect that is NaN.
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);
 
 }  // namespace analysis

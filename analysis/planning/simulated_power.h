@@ -24,7 +24,7 @@ struct PowerSimulation {
 
 /// How often the same simulated studies are significant by each test. "First pair": the first
 /// condition against the second, where the effect is. "Any pair": at least one of all pairs of
-/// conditions, which is the familywise error where there is no effect.
+/// conditions, which is the familywise error if there is no effect.
 struct SimulatedPower {
   DetectionRate pairedT;         ///< first pair, means of participants, at α / m
   DetectionRate signedRank;      ///< the same by Wilcoxon's signed rank test, exact with ties

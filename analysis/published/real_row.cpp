@@ -18,8 +18,8 @@ struct Bound {
   double most = 0.0;
 };
 
-/// Numbers that satisfy all bounds, by the shortest paths of Bellman and Ford; nothing where there
-/// are none: then a cycle of bounds has a negative sum, and the numbers fall in every round.
+/// Numbers that satisfy all bounds, by the shortest paths of Bellman and Ford; std::nullopt if
+/// there are none: then a cycle of bounds has a negative sum, and the numbers fall in every round.
 std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std::size_t nodes) {
   std::vector<double> number(nodes, 0.0);
   for (std::size_t round = 0; round <= nodes; ++round) {

@@ -42,8 +42,8 @@ struct ReportedNumber {
   bool printsRootOf(std::int64_t numerator, std::int64_t denominator, Reading reading) const;
 };
 
-/// Reads "4.1", ".021", "-3" or, where the mark allows it, "4,1"; nothing for other text and for
-/// more than kMostDigits digits.
+/// Reads "4.1", ".021", "-3" or, where the mark allows it, "4,1"; std::nullopt for other text and
+/// for more than kMostDigits digits.
 std::optional<ReportedNumber> reportedNumber(
     std::string_view text, DecimalMark mark = DecimalMark::Point);
 

@@ -13,7 +13,7 @@ namespace analysis {
 /// One intraclass correlation, its test against 0, and where it lies.
 struct IntraclassCorrelation {
   std::optional<double> value;  ///< not more than 1; below 0 where raters agree less than by lot
-  std::optional<Interval> interval;  ///< nothing where F is not finite
+  std::optional<Interval> interval;  ///< std::nullopt if F is not finite
   std::optional<double> f;           ///< +infinity where raters agree in everything
   double degreesOfFreedom1 = 0.0;
   double degreesOfFreedom2 = 0.0;
@@ -49,7 +49,7 @@ struct IntraclassCorrelations {
 ///
 /// @param table  one subject a row, one rater a column.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, a value is
-///     infinite or no number, or for a level that is not between 0 and 1.
+///     infinite or NaN, or for a level that is not between 0 and 1.
 IntraclassCorrelations intraclassCorrelations(
     std::span<const std::vector<double>> table, double level = 0.95);
 

@@ -27,7 +27,7 @@ struct CronbachAlpha {
 ///
 /// @param answers  one respondent a row, one item a column, reverse-keyed items already turned.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, a value is
-///     infinite or no number, or for a level that is not between 0 and 1.
+///     infinite or NaN, or for a level that is not between 0 and 1.
 CronbachAlpha cronbachAlpha(std::span<const std::vector<double>> answers, double level = 0.95);
 
 /// How much of the variance of a sum of items comes from what they have in common.

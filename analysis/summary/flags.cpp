@@ -26,7 +26,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// One cohort's answers, and what there is to say about them.
+/// Finds the flags of one cohort's answers.
 class Examination {
  public:
   Examination(const AnswerTable& table, const StudyFacts& facts) : table_(table), facts_(facts) {}
@@ -96,7 +96,7 @@ class Examination {
     }
   }
 
-  /// Whether somebody answered more than once about a method.
+  /// Whether any participant answered more than once about a method.
   bool hasSeveralInACell() const {
     std::set<std::pair<std::size_t, std::size_t>> seen;
     return std::any_of(table_.answers.begin(), table_.answers.end(), [&](const auto& answer) {

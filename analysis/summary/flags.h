@@ -102,7 +102,7 @@ inline constexpr auto kFlagMessages = std::to_array<base::MessageKind>({
     {"source.trial_verdicts", "Trial verdicts, docs/running-a-study.md"},
 });
 
-/// What somebody who reads a result has to know about it.
+/// A note that a reader of a result needs.
 struct Flag {
   std::string_view id;                ///< "pseudo_replication": as tables and exports name it
   std::vector<base::Message> what;    ///< what was found: a sentence in parts
@@ -117,7 +117,7 @@ struct Flag {
 /// What an answer table does not know about the study that it comes from.
 struct StudyFacts {
   bool isPooled = true;  ///< answers are tested as if independent in unpaired tests, too
-  std::vector<std::string> methodTitles;  ///< for people; the table's names where there are none
+  std::vector<std::string> methodTitles;  ///< for people; empty: the names in the table
   bool isDeclared = true;                 ///< by the protocol, before there were data
   double alpha = 0.05;                    ///< of the family
   std::optional<double> threshold;  ///< for the smallest p of the family; alpha / tests if not said

@@ -46,7 +46,7 @@ struct PairwiseComparisons {
   double alpha = 0.05;
   Adjustment adjustment = Adjustment::Bonferroni;
   std::size_t tests = 0;               ///< m: the comparisons that have a p value
-  std::optional<double> alphaPerTest;  ///< alpha / m, of the intervals; nothing for m = 0
+  std::optional<double> alphaPerTest;  ///< alpha / m, of the intervals; std::nullopt for m = 0
   std::vector<PairwiseComparison> rows;
 };
 

@@ -37,7 +37,7 @@ std::vector<ByPosition> residuals(const AnswerTable& table, double& grandMean) {
   return rows;
 }
 
-/// Of the least-squares line through one participant's averages; nothing for fewer than two
+/// Of the least-squares line through one participant's averages; std::nullopt for fewer than two
 /// positions.
 std::optional<double> slopeOf(const ByPosition& row) {
   if (row.size() < 2) return std::nullopt;

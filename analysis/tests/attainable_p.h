@@ -49,8 +49,8 @@ AttainableP smallestVoteP(std::uint64_t n, int k);
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or no comparisons.
 std::uint64_t fewestForSignFlip(double alpha, std::uint64_t comparisons);
 
-/// The votes that one of k options needs for the exact multinomial test of equal shares to reach
-/// α, however the others fall. Nothing where not even all n votes suffice, and where they are too
+/// The votes that one of k options needs for the exact multinomial test of equal shares to reach α,
+/// however the others fall. std::nullopt if not even all n votes suffice, and where they are too
 /// many to count (see equalSharesP()).
 /// @throws std::invalid_argument  for an alpha that is not between 0 and 1, or fewer than two
 ///     options.

@@ -23,7 +23,7 @@ struct BrownForsytheResult {
 ///
 /// To be read beside a test of means, not to choose between tests.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 BrownForsytheResult brownForsytheTest(std::span<const std::vector<double>> groups);
 
 }  // namespace analysis

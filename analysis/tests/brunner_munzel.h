@@ -35,7 +35,7 @@ struct BrunnerMunzelResult {
 /// Undefined for a group of fewer than two, and where the placements do not vary: groups that do
 /// not overlap, or all values equal.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 BrunnerMunzelResult brunnerMunzelTest(
     std::span<const double> group1, std::span<const double> group2);
 BrunnerMunzelResult brunnerMunzelTest(const LikertCounts& group1, const LikertCounts& group2);

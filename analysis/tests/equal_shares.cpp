@@ -64,7 +64,7 @@ class Outcomes {
   Wide notMoreProbable_ = 0;
 };
 
-/// kⁿ, or nothing where it does not fit.
+/// kⁿ, or std::nullopt if it does not fit.
 std::optional<Wide> outcomeCount(std::size_t options, std::uint64_t votes) {
   if (options >= kTooMany || votes >= kTooMany) return std::nullopt;
   Wide count = 1;

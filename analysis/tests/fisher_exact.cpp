@@ -47,7 +47,7 @@ class Tables {
   Tables(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
       : rows_(rows), columns_(columns), observed_(observed) {}
 
-  /// Nothing if the tables are too many.
+  /// std::nullopt if the tables are too many.
   std::optional<double> notMoreProbable() {
     std::uint64_t left = 0;
     for (const auto row : rows_) left += row;

@@ -20,7 +20,7 @@ struct RankComparison {
   double nemenyiP = 1.0;       ///< of the range of k normal values: already holds for all pairs
   double nemenyiLog10P = 0.0;  ///< also where p is too small for a double
 
-  std::optional<double> conoverT;  ///< signed as the difference; nothing if all blocks agree
+  std::optional<double> conoverT;  ///< signed as the difference; std::nullopt if all blocks agree
   std::optional<double> conoverP;  ///< two-sided, not yet corrected for the number of pairs
 };
 
@@ -56,7 +56,7 @@ struct FriedmanResult {
 ///
 /// @param blocks  a row per block, a value per treatment.
 /// @throws std::invalid_argument  for rows of unlike length, of fewer than two or more than 50
-///     values, for more than a million rows, or a value that is infinite or no number.
+///     values, for more than a million rows, or a value that is infinite or NaN.
 FriedmanResult friedmanTest(std::span<const std::vector<double>> blocks);
 
 }  // namespace analysis

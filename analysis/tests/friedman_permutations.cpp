@@ -29,7 +29,8 @@ std::optional<Grid> gridOf(std::size_t blocks, std::size_t treatments) {
   return grid;
 }
 
-/// How far each distinct permutation of a block moves on the grid; nothing if they are too many.
+/// How far each distinct permutation of a block moves on the grid; std::nullopt if they are too
+/// many.
 std::optional<std::vector<std::size_t>> movesOf(Block block, const Grid& grid, std::size_t most) {
   std::ranges::sort(block);
   std::vector<std::size_t> moves;

@@ -41,7 +41,7 @@ struct MannWhitneyResult {
 /// groups of some 50 or one very small one. The two exact two-sided p differ where ties make the
 /// law skew.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);
 MannWhitneyResult mannWhitneyTest(const LikertCounts& group1, const LikertCounts& group2);
 MannWhitneyResult mannWhitneyTest(const TiedGroups& groups);

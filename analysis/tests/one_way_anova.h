@@ -38,7 +38,7 @@ struct OneWayAnovaResult {
 /// Not defined for fewer than two groups, for an empty group, where no group has two values, or
 /// where all groups are constant.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 OneWayAnovaResult oneWayAnova(std::span<const std::vector<double>> groups);
 OneWayAnovaResult oneWayAnova(std::span<const Moments> groups);
 

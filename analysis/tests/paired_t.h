@@ -37,12 +37,11 @@ struct PairedTResult {
 ///
 /// The test is not defined for fewer than two pairs, nor for differences that are all the same.
 ///
-/// @throws std::invalid_argument  if there are not as many y as x, or a value is infinite or no
-///     number.
+/// @throws std::invalid_argument  if there are not as many y as x, or a value is infinite or NaN.
 PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y);
 
-/// Where the mean difference lies, with a confidence of @p level, for instance 0.95; nothing where
-/// the test is not defined or a limit is beyond what a double can hold.
+/// Where the mean difference lies, with a confidence of @p level, for instance 0.95; std::nullopt
+/// if the test is not defined or a limit is beyond what a double can hold.
 ///
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const PairedTResult& result, double level);

@@ -40,7 +40,7 @@ struct RepeatedMeasuresResult {
 ///
 /// @param table  one participant a row, one condition a column.
 /// @throws std::invalid_argument  if a row has fewer or more values than the first, or a value is
-///     infinite or no number.
+///     infinite or NaN.
 RepeatedMeasuresResult repeatedMeasuresAnova(std::span<const std::vector<double>> table);
 
 }  // namespace analysis

@@ -27,7 +27,7 @@ struct ShapiroWilkResult {
 ///
 /// Likert answers of a few points are never normal; this test informs, it decides nothing.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 ShapiroWilkResult shapiroWilkTest(std::span<const double> values);
 
 }  // namespace analysis

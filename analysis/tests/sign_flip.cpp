@@ -28,7 +28,7 @@ Binary binaryOf(double number) {
   return binary;
 }
 
-/// The numbers, none of them zero, in units of their smallest digit; nothing where they differ so
+/// The numbers, none of them zero, in units of their smallest digit; std::nullopt if they differ so
 /// much in size that sums of them need more than 126 digits.
 std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
   constexpr int kMostShift = 66;  // with 53 digits and sums of 2^6 numbers

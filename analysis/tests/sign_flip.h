@@ -26,7 +26,7 @@ struct SignFlipResult {
 /// common unit but for rounding (commonUnitOf()) as those multiples, by dynamic programming over
 /// sums; others exactly as the doubles that they are, for at most 40 that are not zero.
 ///
-/// @throws std::invalid_argument  if a difference is infinite or no number.
+/// @throws std::invalid_argument  if a difference is infinite or NaN.
 SignFlipResult signFlipTest(std::span<const double> differences);
 
 }  // namespace analysis

@@ -23,7 +23,7 @@ struct SignTestResult {
 /// The sign test (Arbuthnott 1710): are there more differences up than down? Zeros are dropped, and
 /// the others are tosses of a fair coin: p = min(1, 2 min(P(≤ k), P(≥ k))).
 ///
-/// @throws std::invalid_argument  if a difference is no number.
+/// @throws std::invalid_argument  if a difference is NaN.
 SignTestResult signTest(std::span<const double> differences);
 SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uint64_t zeros = 0);
 

@@ -49,7 +49,7 @@ struct SignedRankResult {
 /// withoutRoundingNoise() first.
 ///
 /// @param differences  one per pair, x − y.
-/// @throws std::invalid_argument  if a difference is infinite or no number.
+/// @throws std::invalid_argument  if a difference is infinite or NaN.
 SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros = Zeros::Dropped);
 
 }  // namespace analysis

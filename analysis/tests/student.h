@@ -21,7 +21,7 @@ struct StudentResult {
 ///
 /// For comparison with published results; welchTTest() needs less trust.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2);
 StudentResult studentTTest(const LikertCounts& group1, const LikertCounts& group2);
 StudentResult studentTTest(const Moments& group1, const Moments& group2);

@@ -48,13 +48,13 @@ struct WelchResult {
 /// The test is not defined for a group of fewer than two, nor for two groups that each answered
 /// with one voice. Small panels on a Likert scale do that.
 ///
-/// @throws std::invalid_argument  if a value is infinite or no number.
+/// @throws std::invalid_argument  if a value is infinite or NaN.
 WelchResult welchTTest(std::span<const double> group1, std::span<const double> group2);
 WelchResult welchTTest(const LikertCounts& group1, const LikertCounts& group2);
 WelchResult welchTTest(const Moments& group1, const Moments& group2);
 
 /// Where the difference of the means lies, with a confidence of @p level, for instance 0.95;
-/// nothing where the test is not defined or a limit is beyond what a double can hold.
+/// std::nullopt if the test is not defined or a limit is beyond what a double can hold.
 ///
 /// @throws std::invalid_argument  for a level that is not between 0 and 1.
 std::optional<Interval> confidenceInterval(const WelchResult& result, double level);

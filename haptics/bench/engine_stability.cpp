@@ -1,4 +1,4 @@
-// What the engine does at odd rates, with a clock that trembles, and with what is no number.
+// What the engine does at odd rates, with clock jitter, and with NaN.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +43,7 @@ Scenes allScenes() {
       {"filter, space-domain", {.model = engine::publishedFilter(KalmanScheme::SpaceDomain, 5)}}};
 }
 
-/// A device that says what it is told to say.
+/// A device with prescribed samples.
 class Mouthpiece final : public devices::Device {
  public:
   const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }

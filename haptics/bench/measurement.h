@@ -23,7 +23,7 @@ struct Measurement {
   std::optional<double> bound;  ///< that the error must not exceed, where it has one
   std::optional<Timing> time;
 
-  /// Also where there is no bound. An error that is no number is not within one.
+  /// Also if there is no bound. An error that is NaN is not within one.
   bool isWithinBound() const { return !bound || (error && *error <= *bound); }
 };
 
@@ -71,7 +71,8 @@ void measurePacking(const AccuracyRun& run);
 /// gradients and a particle swarm.
 void measureDensity(const AccuracyRun& run);
 
-/// A measurement on one line, for another process to read; and back. Nothing for any other line.
+/// A measurement on one line, for another process to read; and back. std::nullopt for any other
+/// line.
 std::string asLine(const Measurement& measurement);
 std::optional<Measurement> fromLine(const std::string& line);
 

@@ -1,4 +1,4 @@
-// Bone of spheres where it is stiff, torn, missing or misused.
+// A bone of spheres under extreme conditions: stiff, damaged, empty, invalid input.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -66,7 +66,7 @@ struct Run {
     const double now = bone.remainingMass() + bone.removedMass();
     return whole > 0.0 ? std::abs(now / whole - 1.0) : std::abs(now);
   }
-  /// Groups of spheres that a step looks at with the tool at @p depth: what it costs.
+  /// Groups of spheres that a step reads with the tool at @p depth: its cost.
   double groupsLookedAt(double depth) const {
     double groups = 0.0;
     bone.field().eachStretch(

@@ -121,7 +121,7 @@ std::vector<double> randomQueries() {
   return xs;
 }
 
-/// A hand that goes to and fro: next to where it was a tick ago.
+/// Queries of a hand that moves back and forth: each close to the one before.
 std::vector<double> coherentQueries() {
   std::vector<double> xs(1 << 14);
   for (std::size_t i = 0; i < xs.size(); ++i) {

@@ -57,7 +57,7 @@ struct LinkReport {
   std::uint64_t unsent = 0;             ///< answers that found no room on the wire
   std::uint64_t poor = 0;               ///< samples while the connection was too bad for a force
   std::uint64_t clipped = 0;            ///< forces beyond what the device gives
-  std::uint64_t expired = 0;            ///< the device let go because we were late
+  std::uint64_t expired = 0;            ///< the device switched its force off because we were late
   timing::LatenessHistogram roundTrip;  ///< from our answer to the sample that has seen it [µs]
   std::optional<double> drift;          ///< our clock against the device's [parts per million]
   std::int64_t clockOffset = 0;         ///< our clock at the device's 0 [ns]
@@ -123,8 +123,8 @@ class Device {
   virtual void open() {}
   virtual void close() noexcept {}
 
-  /// Whether it is fit for use: listens for @p seconds, and says what it saw. Opens it if need be;
-  /// what cannot be opened is a finding.
+  /// Listens for @p seconds and checks whether the device can be used. Opens it if needed; a device
+  /// that cannot be opened is a finding.
   virtual std::vector<CheckResult> check(double seconds);
 
   /// Before and after a trial: from here on it takes forces; from here on it takes none.
@@ -134,7 +134,7 @@ class Device {
 
   /// Any thread.
   virtual Lifecycle lifecycle() const noexcept { return Lifecycle::Running; }
-  /// Any thread: what is wrong, in words; empty where nothing is.
+  /// May be called by any thread: the fault in words; empty if there is none.
   virtual std::string fault() const { return {}; }
 
   /// What has been received and sent since it was armed. Called from the thread that ticks.

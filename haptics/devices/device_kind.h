@@ -101,7 +101,7 @@ struct DeviceKind {
   };
   /// From which the hands of simulated participants are drawn.
   struct Hand {
-    Range reach;           ///< where it means to go; resistance keeps it short of that [unit]
+    Range reach;           ///< travel that it aims at; resistance stops it earlier [unit]
     Range closeTime;       ///< [s]
     Range openTime;        ///< [s]
     Range stiffness;       ///< [N/unit]

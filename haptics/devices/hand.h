@@ -31,7 +31,7 @@ class SimulatedHand final : public Hand {
   /// One person's hand. Travel in the device's unit.
   struct Person {
     double open = 0.0;       ///< where it starts and returns to
-    double closed = 13.5;    ///< where it means to go; resistance keeps it short of that
+    double closed = 13.5;    ///< travel that it aims at; resistance stops it earlier
     double pauseTime = 0.4;  ///< before each closing [s]
     double closeTime = 0.6;  ///< [s], > 0
     double holdTime = 0.15;  ///< [s]
@@ -65,8 +65,8 @@ class SimulatedHand final : public Hand {
   double closeTime_ = 0.0;  ///< in this cycle [s]
 };
 
-/// A hand that follows a pointer: the mouse or the keys, where there is no device. Another
-/// thread says where to go.
+/// A hand that follows a pointer: the mouse or the keys, if there is no device. Another thread says
+/// where to go.
 class PointerHand final : public Hand {
  public:
   struct Grip {

@@ -34,7 +34,7 @@ class SerialPort {
   /// What has come, up to the size of @p into; 0 for nothing. Closes where the line is gone.
   std::size_t read(std::span<std::uint8_t> into) noexcept;
 
-  /// All of it or nothing: false where there is no room. Closes where the line is gone.
+  /// All of it or nothing: false if there is no room. Closes where the line is gone.
   bool write(std::span<const std::uint8_t> bytes) noexcept;
 
   /// Throws away what has come.

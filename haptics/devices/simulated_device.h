@@ -13,7 +13,7 @@ namespace haptics::devices {
 ///
 ///     m ẍ = F_hand − F − b ẋ − F_stop.
 ///
-/// It moves when it is read: dt is its only clock. The hand outlives it.
+/// It moves when it is read: dt is its only clock. The hand must outlive it.
 class SimulatedDevice final : public Device {
  public:
   /// @throws std::invalid_argument  if the mechanism makes no sense.

@@ -51,7 +51,8 @@ class WireDevice : public Device, private Pacer {
   /// The keeper's answer to a message: no force.
   virtual void keepAlive() noexcept = 0;
 
-  /// Whether it takes forces now. @throws DeviceError  if not; it is kept alive all the same.
+  /// Waits until the device accepts forces. @throws DeviceError  if it does not; its connection is
+  /// kept alive.
   virtual void awaitReadiness() {}
   /// It is to take forces from here on; nothing has been counted yet.
   virtual void beginForces() noexcept = 0;

@@ -117,7 +117,8 @@ FriArm::FriArm(const Options& options)
       hand_(options_.person),
       surgeon_(gripOf(options_.grip, start_.rotation * options_.reamingAxis, start_), hand_),
       held_(options_.start) {
-  arm_.setControl(options_.joint);  // what is out of range is refused here, not in a motion
+  // so that invalid options are refused now and not during a motion
+  arm_.setControl(options_.joint);
   arm_.setControl(options_.cartesian);
   hold();
 }

@@ -44,7 +44,7 @@ class FriArm {
   FriArm(const FriArm&) = delete;
   FriArm& operator=(const FriArm&) = delete;
 
-  /// No overlay, and stiff about where it is.
+  /// No overlay, and stiff about the present position.
   void hold() noexcept;
   /// The program's motion: its impedance about where the arm was held.
   void beginMotion() noexcept;

@@ -61,7 +61,7 @@ FriSession::Options sessionOf(const FriController::Options& options) noexcept {
       .queuesAgain = options.queuesAgain};
 }
 
-/// With a frame where there is none, and without one where there is.
+/// A version with framing if @p version has none, and the other way round.
 Version otherThan(Version version) noexcept {
   return version == Version::V2_7 ? Version::V1_15 : Version::V2_7;
 }

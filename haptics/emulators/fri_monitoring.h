@@ -42,7 +42,7 @@ struct FriReport {
 /// In one line of key=value; the words of the last end come last, in quotes.
 std::string statusOf(const FriReport& report);
 
-/// What a monitoring message tells besides what the arm measures.
+/// The content of a monitoring message that the arm does not measure.
 struct FriStanding {
   std::uint32_t sequence = 0;
   std::uint32_t reflected = 0;

@@ -20,7 +20,7 @@ class FriOrders {
  public:
   enum class Once : std::uint8_t {
     SixJoints,   ///< messages with six joints
-    NotANumber,  ///< messages in which a joint is no number
+    NotANumber,  ///< messages in which a joint is NaN
     Impostor,    ///< messages from another sender
     Stall        ///< periods in which nothing is sent
   };
@@ -28,7 +28,7 @@ class FriOrders {
 
   enum class Event : std::uint8_t { Restart, Idle, Motion, SafetyStop, SafetyReset, WrongVersion };
 
-  /// @param impairment  outlives it; gets the orders of its own faults.
+  /// @param impairment  must outlive it; gets the orders of its own faults.
   /// @param period      of sending [ms]; times are rounded up to it.
   FriOrders(Impairment& impairment, int period) noexcept
       : impairment_(impairment), period_(period) {}

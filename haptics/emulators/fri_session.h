@@ -51,7 +51,7 @@ class ConnectionQuality {
       Threshold{Level::Good, {.share = 0.90, .latency = 0.8, .jitter = 0.3}},
       Threshold{Level::Fair, {.share = 0.70, .latency = 1.0, .jitter = 0.6}}};
 
-  /// The level of @p measures; what is no number is Poor.
+  /// The level of @p measures; NaN counts as Poor.
   static Level levelOf(const Measures& measures) noexcept;
 
   /// An answer came in time, @p latency [receive periods] after its message.

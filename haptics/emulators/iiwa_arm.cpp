@@ -23,7 +23,7 @@ void require(bool isSound, const char* what) {
   if (!isSound) throw std::invalid_argument(what);
 }
 
-/// Every value is in [0, @p most]; one that is no number is not.
+/// Every value is in [0, @p most]; NaN is not.
 template <typename Values, typename Bounds>
 bool isWithin(const Values& values, const Bounds& most) {
   return (values.array() >= 0.0).all() && (values.array() <= most.array()).all();
@@ -33,7 +33,7 @@ Vector6 alongAndAbout(double along, double about) {
   return {along, along, along, about, about, about};
 }
 
-/// @p value, or nothing at all where it is no number.
+/// Sets @p target to @p value, or to 0 if that is not finite. Returns whether it is finite.
 template <typename Values>
 bool keep(Values& target, const Values& value) noexcept {
   const bool isFinite = value.allFinite();

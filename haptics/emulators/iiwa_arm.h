@@ -32,8 +32,8 @@ struct CartesianImpedance {
   Vector6 stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 200.0};
   /// ζ, in [0, 1].
   Vector6 dampingRatio = Vector6::Constant(0.7);
-  /// Besides, and where there is no spring: along [N·s/m], in [0, 1000]; about [N·m·s/rad], in
-  /// [0, 50].
+  /// Besides, and if there is no spring: along [N·s/m], in [0, 1000]; about [N·m·s/rad], in [0,
+  /// 50].
   Vector6 damping = Vector6::Zero();
 };
 
@@ -73,10 +73,10 @@ class IiwaArm {
   void setControl(const CartesianImpedance& law);
   void setControl(const JointImpedance& law);
 
-  /// The joints that the law is about [rad]. False, and as before, if one is no number.
+  /// The joints that the law is about [rad]. False, and as before, if one is NaN.
   bool commandPosition(const devices::JointVector& position) noexcept;
 
-  /// Added to what the law gives, and held. What is no number is none at all, and false.
+  /// Added to what the law gives, and held. What is NaN is none at all, and false.
   bool setOverlayWrench(const devices::Wrench& wrench) noexcept;
   bool setOverlayTorque(const devices::JointVector& torque) noexcept;  ///< [N·m]
 
@@ -88,7 +88,7 @@ class IiwaArm {
 
   /// Lets @p dt [s], in (0, 0.1], go by, in steps of its own of 0.25 ms at the most; the hand is
   /// asked in each. False, and it stays where it is with no velocity, if dt is out of range or a
-  /// force is no number.
+  /// force is NaN.
   bool step(double dt) noexcept;
 
   const devices::JointVector& position() const noexcept { return position_; }  ///< [rad]

@@ -61,8 +61,8 @@ void PseudoTerminal::unplug() noexcept {
   removeLink();
 }
 
-/// A name that leads to a port that is there belongs to whoever has that port; one that leads
-/// nowhere, or to our own, was left behind.
+/// Refuses a link whose port exists: another program uses it. A link to a missing port, or to our
+/// own, was left behind.
 void PseudoTerminal::refuseNameOfAnother() {
   std::array<char, 256> target{};
   const ssize_t size = readlink(link_.c_str(), target.data(), target.size() - 1);

@@ -20,7 +20,8 @@ class PseudoTerminal {
   /// What to open: the link if there is one.
   const std::string& port() const noexcept { return link_.empty() ? name_ : link_; }
 
-  /// As a cable is pulled out, and put in again (under another name of the system's).
+  /// Simulates that the cable is pulled out and plugged in again; the system then gives the port
+  /// another name.
   void unplug() noexcept;
   void plugIn();
   bool isPlugged() const noexcept { return master_ >= 0; }

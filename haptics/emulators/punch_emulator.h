@@ -15,9 +15,9 @@
 
 namespace haptics::emulators {
 
-/// A punch that does not exist, on a serial line that is none, or another kind that speaks as it
-/// does: the firmware's own program, compiled for this computer, with a simulated handle, motor,
-/// encoder and hand, and faults on command.
+/// An emulated punch, or another device with the same protocol, on a pseudo-terminal: the
+/// firmware's own program, compiled for this computer, with a simulated handle, motor, encoder and
+/// hand, and faults on command.
 ///
 /// The motor follows its voltage at once and gives newtonsPerVolt; a loop that hangs for 40 ms is
 /// reset, as the board's hardware watchdog does.
@@ -25,7 +25,7 @@ class PunchEmulator {
  public:
   struct Options {
     const devices::DeviceKind* kind = &devices::punchKind();
-    std::string link;  ///< name for the port; empty: what the system gives
+    std::string link;  ///< name for the port; empty: the one that the system chooses
     devices::SimulatedHand::Person person;
     firmware::PunchLimits limits;
     double newtonsPerVolt = 0.667;
@@ -41,7 +41,8 @@ class PunchEmulator {
   /// One turn of the device's loop, at 1/limits.rate.
   void step() noexcept;
 
-  /// "drop 3", "unplug": what is to go wrong. Empty, or what is wrong with the command.
+  /// Executes a command ("drop 3", "unplug"). Returns an empty text, or what is wrong with the
+  /// command.
   std::string command(std::string_view line);
   static std::string_view help() noexcept;
 

@@ -23,7 +23,7 @@ class SurgeonHand {
     double turnDamping = 0.3;         ///< b_r [N·m·s/rad], in [0, 20]
   };
 
-  /// @param hand  outlives it; its travel is in metres.
+  /// @param hand  must outlive it; its travel is in metres.
   /// @throws std::invalid_argument  if the grip is not finite or out of range.
   SurgeonHand(const Grip& grip, devices::Hand& hand);
 

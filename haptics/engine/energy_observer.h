@@ -14,8 +14,8 @@ namespace haptics::engine {
 ///     E ← E + f Δx + b v² Δt.
 ///
 /// E < 0 says that the rendered scene and the mechanism together are active. Each contact is
-/// counted by itself: where there is no force, E starts anew, so that what one cut dissipated
-/// excuses nothing in the next.
+/// counted by itself: if there is no force, E starts anew, so that what one cut dissipated excuses
+/// nothing in the next.
 class EnergyObserver {
  public:
   struct Settings {

@@ -21,13 +21,12 @@ using CutDetector = models::CutDetector<double>;
 /// serves one device; two devices have two clocks, hence two engines.
 class ForceEngine {
  public:
-  /// The device outlives the engine.
+  /// The device must outlive the engine.
   /// @throws std::invalid_argument  if a limit is out of its range.
   ForceEngine(devices::Device& device, const SafetyLimits& limits);
 
-  /// Lets the hand feel @p scene from the next tick on; nullptr for nothing. Any thread may call
-  /// it. The scene outlives its last tick: take it away and wait for a tick, or stop the loop
-  /// first.
+  /// Renders @p scene from the next tick on; nullptr for no scene. Any thread may call it. The
+  /// scene must outlive its last tick: remove it and wait for a tick, or stop the loop first.
   void setScene(CompiledScene* scene) noexcept;
 
   /// Any thread: no force at once, and none until arm(), after which it starts softly. A device

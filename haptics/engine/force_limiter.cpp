@@ -15,7 +15,8 @@ ForceLimiter::ForceLimiter(const SafetyLimits& limits) : limits_(limits) {
 
 ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
   Limited result;
-  // Without a force or a time there is no safe neighbour of the last force: let go.
+  // With an undefined force or no time step there is no safe change of the last force: no force at
+  // all.
   if (!std::isfinite(desired) || !(dt > 0.0)) {
     last_ = 0.0;
     result.interventions = NotFinite;

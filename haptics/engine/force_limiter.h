@@ -27,8 +27,7 @@ struct SafetyLimits {
   bool isPassivityControlled = false;
 };
 
-/// The last word before the motors: saturates, limits the rate of change, refuses what is no
-/// number.
+/// The last word before the motors: saturates, limits the rate of change, refuses NaN.
 ///
 /// It cannot be switched off. When in doubt, it answers with no force.
 class ForceLimiter {

@@ -70,7 +70,7 @@ constexpr std::string_view nameIn(const std::array<Named<Value>, kCount>& names,
   return {};
 }
 
-/// @param name  of one of @p names; the first, where it is none.
+/// @param name  of one of @p names; the first, if it is none.
 template <typename Value, std::size_t kCount>
 constexpr Value valueIn(const std::array<Named<Value>, kCount>& names, std::string_view name) {
   for (const auto& named : names) {

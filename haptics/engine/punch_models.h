@@ -44,7 +44,7 @@ class InterpolationModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override;
-  /// Nothing where the curve ends in a jump.
+  /// std::nullopt if the curve ends in a jump.
   std::optional<double> slopeBound() const noexcept override;
   /// How far the recording is a measurement at @p travel [travel units], in [0, 1].
   double trustAt(double travel) const noexcept;

@@ -61,7 +61,7 @@ class RealtimeLoop {
     double rate = 1000.0;    ///< [Hz], 1 to 10,000
     double spinning = 0.05;  ///< share of a period that is spun at its end, 0 to kMostSpinning
     bool asksForRealtime = true;
-    devices::Pacer* pacer = nullptr;  ///< outlives the loop; sets the pace where it is given
+    devices::Pacer* pacer = nullptr;  ///< sets the pace if given; must outlive the loop
   };
 
   struct Report {
@@ -87,7 +87,7 @@ class RealtimeLoop {
   RealtimeLoop(const RealtimeLoop&) = delete;
   RealtimeLoop& operator=(const RealtimeLoop&) = delete;
 
-  /// Stops; what the loop has measured. A second call returns the same.
+  /// Stops the loop and returns its measurements. A second call returns the same.
   const Report& finish();
 
   /// Any thread, while it runs.

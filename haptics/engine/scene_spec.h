@@ -55,7 +55,7 @@ struct FiniteElementsSpec {
   models::FiniteElements<double>::Parameters parameters;
   std::vector<double> elementStiffnesses;  ///< of each element, where they differ; or none
 
-  /// For the model; this outlives it.
+  /// For the model; this must outlive it.
   models::FiniteElements<double>::Parameters asParameters() const noexcept;
 };
 
@@ -101,7 +101,7 @@ struct PackingSpec {
   std::shared_ptr<const reaming::PackedBone> bone;
   double hardness = 0.5;         ///< h, from 0 (minimum curve) to 1 (maximum curve)
   double forceScale = 1.0;       ///< everything times this, in (0, 1]
-  bool isRemoved = true;         ///< the reamer takes away what it goes through
+  bool isRemoved = true;         ///< the reamer removes the spheres that it passes through
   double mostTravel = 0.0;       ///< how deep the device goes [m]; 0: through the bone
   reaming::BoneOptions options;  ///< of a bone that is cut; the coverage is the bone's own
 };
@@ -113,7 +113,7 @@ using ModelSpec =
 
 const ModelFacts& factsOf(const ModelSpec& model) noexcept;
 
-/// What a model is or is made of; nullptr for what it has not. Lives as long as the model.
+/// The parts of a model; nullptr for those that it does not have. They live as long as the model.
 struct ModelParts {
   const InterpolationSpec* cut = nullptr;
   const FiniteElementsSpec* elements = nullptr;
@@ -124,11 +124,11 @@ struct ModelParts {
 ModelParts partsOf(const ModelSpec& model) noexcept;
 
 /// Where the data of a model end: a cut's last point and its ramp, a material's last node [device's
-/// travel unit]. Nothing for a model that has no end of its own.
+/// travel unit]. std::nullopt for a model that has no end of its own.
 std::optional<double> endOfData(const ModelSpec& model);
 
-/// The same model as a curve over travel: without noise, and before anything is taken away. Nothing
-/// for a model whose force depends on more than travel, or is a recording's.
+/// The same model as a curve over travel: without noise, and before anything is taken away.
+/// std::nullopt for a model whose force depends on more than travel, or is a recording's.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);
 
 /// What the meniscus that is seen follows: MeshView.
@@ -142,14 +142,14 @@ enum class SeenTissue {
 /// @param cut  sound.
 FiniteElementsSpec elementsLike(const InterpolationSpec& cut);
 
-/// All that a condition says about what is to be felt and seen.
+/// Everything that is rendered and shown in a condition.
 struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
   SeenTissue seenTissue = SeenTissue::Penetration;
 };
 
-/// Everything that is wrong with @p spec, in words; empty where it can be compiled.
+/// All problems of @p spec, in words; empty if it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);
 
 }  // namespace haptics::engine

@@ -9,7 +9,7 @@ int main();
 [[noreturn]] void reset();
 [[noreturn]] void fault();
 
-// What a compiler may call even where there is no library.
+// Functions that the compiler may call although there is no C library.
 void* memcpy(void* to, const void* from, size_t count) {
   auto* out = static_cast<volatile char*>(to);
   const auto* in = static_cast<const char*>(from);
@@ -38,7 +38,7 @@ constexpr uint32_t kTimerReload = 0xE000E014;
 constexpr uint32_t kTimerValue = 0xE000E018;
 constexpr uint32_t kWhole = 0xFFFFFF;
 
-/// ARM semihosting: what the machine that runs this board does for it.
+/// ARM semihosting: calls a function of the machine that runs this board.
 uint32_t ask(uint32_t operation, const void* parameter) {
   register uint32_t r0 asm("r0") = operation;
   register const void* r1 asm("r1") = parameter;

@@ -18,7 +18,7 @@ int main();
 void tick();
 void receive();
 
-// What a compiler may call even where there is no library.
+// Functions that the compiler may call although there is no C library.
 void* memcpy(void* to, const void* from, size_t count) {
   auto* out = static_cast<volatile char*>(to);
   const auto* in = static_cast<const char*>(from);

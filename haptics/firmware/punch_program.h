@@ -13,7 +13,7 @@ struct PunchLimits {
   uint16_t rate = 1000;            ///< of step() [Hz]
   int16_t largestVoltage = 12000;  ///< [mV]
   uint16_t largestSlew = 1200;     ///< [mV] in a millisecond: nothing is left after 10 ms
-  int32_t mostCountsAStep = 400;   ///< more is no hand and no handle
+  int32_t mostCountsAStep = 400;   ///< larger steps mean an encoder fault
   int32_t mostVelocity = 150'000;  ///< [counts/s]
   uint16_t silence = 40;           ///< after which a host that is armed is given up [ms]
 };
@@ -243,7 +243,7 @@ class PunchProgram {
   int32_t target() noexcept {
     if (!isArmed_ || (faults_ & wire::punch::kLatched) != 0) return 0;
     const uint32_t age = now_ - orderedAt_;
-    if (hasExpired_ || age > 1000U * expiry_) {  // once, and for good: the clock goes round
+    if (hasExpired_ || age > 1000U * expiry_) {  // latched, because the clock wraps around
       if (!hasExpired_ && voltage_ != 0) report(EventCode::WatchdogFired, age);
       hasExpired_ = true;
       faults_ |= wire::punch::kExpired;

@@ -37,8 +37,8 @@ namespace haptics::models {
 ///   `retreat`. Where the surface never yielded it is the largest since the interception; where
 ///   it yielded and no bottom-out followed there is none.
 ///
-/// Points that do not happen are not found; a cut in a hard recording may have none but its peak.
-/// A sample that is no number changes nothing. One tick is a handful of comparisons.
+/// Points that do not happen are not found; a cut in a hard recording may have none but its peak. A
+/// sample that is NaN changes nothing. One tick is a handful of comparisons.
 template <typename Scalar>
 class CutDetector {
  public:

@@ -22,7 +22,7 @@ enum class ToolWeights {
 /// What happens beyond the yield force.
 enum class Yielding {
   Clip,       ///< the force stays: a function of position alone, so opening replays the cut
-  ReturnMap,  ///< the tissue gives way for good: opening feels only what is left of it
+  ReturnMap,  ///< the tissue yields permanently: opening feels only what is left of it
 };
 
 /// The meniscus as a string of one-dimensional finite elements: eq. (3)–(11) of the punch paper.
@@ -52,7 +52,8 @@ class FiniteElements {
     Boundary boundary = Boundary::A;
     ToolWeights weights = ToolWeights::Paper;
     Yielding yielding = Yielding::Clip;
-    /// Of each element, where they differ: N of them, which outlive this; kᵉ then counts no more.
+    /// Of each element, where they differ: N of them, which must outlive this; kᵉ then counts no
+    /// more.
     const Scalar* elementStiffnesses = nullptr;
   };
 
@@ -95,7 +96,7 @@ class FiniteElements {
   constexpr int elements() const noexcept { return p_.elements; }
   constexpr const Parameters& parameters() const noexcept { return p_; }
 
-  /// Force and stiffness at @p travel [travel units]; none, and undefined, where it is no number.
+  /// Force and stiffness at @p travel [travel units]; none, and undefined, where it is NaN.
   constexpr Response<Scalar> at(Scalar travel, State& state) const noexcept {
     const Scalar penetration = travel - p_.contact;
     if (!(penetration > Scalar{0})) {

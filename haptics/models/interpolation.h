@@ -30,7 +30,7 @@ enum class BeyondCurve {
 ///     f(θ) = f*ₖ + (f*ₖ₊₁ − f*ₖ) (θ − θ*ₖ) / (θ*ₖ₊₁ − θ*ₖ)   for θ*ₖ ≤ θ ≤ θ*ₖ₊₁.
 ///
 /// The interval k is looked up by position, not by time as the paper's index suggests: for a hand
-/// that moves on, by a hint that the caller keeps; for one that jumps, by an index, O(1), or where
+/// that moves on, by a hint that the caller keeps; for one that jumps, by an index, O(1), or if
 /// there is none by bisection.
 template <typename Scalar>
 class Interpolation {
@@ -67,8 +67,8 @@ class Interpolation {
     return true;
   }
 
-  /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is no
-  /// number, and beyond the curve where that is Absent.
+  /// Force and stiffness at @p travel [travel units]; no force, and undefined, where it is NaN, and
+  /// beyond the curve where that is Absent.
   /// @param hint  of the interval; start with 0 and hand back what came out.
   constexpr Response<Scalar> at(Scalar travel, size_t& hint) const noexcept {
     const auto& first = nodes_[0];
@@ -93,7 +93,7 @@ class Interpolation {
     const Scalar before = travel - nodes_[0].travel;
     const Scalar behind = nodes_[count_ - 1].travel - travel;
     const Scalar within = before < behind ? before : behind;
-    if (!(within > Scalar{0})) return Scalar{0};  // also where it is no number
+    if (!(within > Scalar{0})) return Scalar{0};  // also where it is NaN
     return within < options_.rampLength ? within / options_.rampLength : Scalar{1};
   }
 

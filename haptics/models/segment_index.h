@@ -10,7 +10,7 @@ namespace haptics::models {
 /// it. One multiplication and two reads, then a bisection of what shares a bucket; where nodes
 /// crowd, at most log2 of how many do.
 ///
-/// Without a table it bisects the whole curve. The memory is the caller's and outlives it.
+/// Without a table it bisects the whole curve. The memory is the caller's and must outlive it.
 template <typename Scalar>
 struct SegmentIndex {
   const uint32_t* first = nullptr;  ///< of each bucket: the first piece; one more for the end

@@ -16,7 +16,7 @@ class LatenessHistogram {
 
   std::uint64_t count() const noexcept { return count_; }
   double largest() const noexcept { return largest_; }  ///< [µs], exact
-  /// The lateness that a share @p q of all ticks did not exceed [µs]; 0 where there are none.
+  /// The lateness that a share @p q of all ticks did not exceed [µs]; 0 if there are none.
   double quantile(double q) const noexcept;
 
  private:

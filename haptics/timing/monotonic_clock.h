@@ -26,8 +26,8 @@ inline void sleepUntil(std::int64_t due) noexcept {
   }
 }
 
-/// Priorities under SCHED_FIFO. What stands in for hardware goes first: a real board and a real
-/// robot do not wait for a processor of this computer.
+/// Priorities under SCHED_FIFO. Emulated hardware has the highest one, because a real board or
+/// robot does not wait for a processor of this computer.
 inline constexpr int kStandInPriority = 85;
 inline constexpr int kLoopPriority = 80;     ///< who ticks a device, or answers it
 inline constexpr int kWatcherPriority = 70;  ///< who looks on

@@ -16,7 +16,7 @@ struct Timing {
 /// One of several ways of doing something that are timed beside each other.
 struct Contestant {
   std::string method;
-  std::function<double(int steps)> run;  ///< makes so many steps; returns their result
+  std::function<double(int steps)> run;  ///< performs so many steps; returns their result
 };
 
 /// Times all contestants in turn (A, B, C, A, B, C …), so that other load of the computer falls on
@@ -25,8 +25,8 @@ struct Contestant {
 std::vector<Timing> race(const std::vector<Contestant>& contestants);
 
 /// Times one step at a time, each after 80 MB of other memory have been read, more than a cache
-/// holds: so a servo's tick meets its data. The call itself is warmed by making no step; reading
-/// the clock adds about 20 ns.
+/// holds, because the tick of a loop also finds cold caches. A call with 0 steps before each keeps
+/// the call itself warm; reading the clock adds about 20 ns.
 std::vector<Timing> raceCold(const std::vector<Contestant>& contestants, int rounds);
 
 }  // namespace haptics::timing

@@ -279,7 +279,7 @@ class FieldReader {
     }
   }
 
-  /// A value of an enumeration; nothing if it is unknown. Like protobuf it reads 32 bits.
+  /// A value of an enumeration; std::nullopt if it is unknown. Like protobuf it reads 32 bits.
   template <Choice T>
   static std::optional<T> choice(Reader& in) noexcept {
     const auto number = static_cast<std::uint32_t>(in.varint());

@@ -89,7 +89,8 @@ class Writer {
     for (const double value : values) fixed(value);
   }
 
-  /// Writes what is inside first, behind one byte for its length, and moves it if that is two.
+  /// Writes the content of a nested message first, behind one byte for its length, and moves it if
+  /// the length needs two.
   void nest(std::uint32_t number, const auto& writeInside) noexcept {
     tag(number, Delimited);
     byte(0);

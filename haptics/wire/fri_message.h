@@ -91,7 +91,7 @@ struct Name {
   std::size_t size = 0;  ///< at most 63
 
   constexpr Name() noexcept = default;
-  /// Cuts off what is longer.
+  /// Truncates longer names.
   constexpr explicit Name(std::string_view text) noexcept
       : size(std::min(text.size(), bytes.size())) {
     std::copy_n(text.begin(), size, bytes.begin());

@@ -32,7 +32,7 @@ struct Tag {
   std::uint32_t wire = 0;
 };
 
-/// Reads what is inside one message. What goes wrong once ends it, and reads as zero.
+/// Reads the fields of one message. After the first error it ends, and everything reads as zero.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes, std::size_t depth = kDeepest) noexcept

@@ -2,8 +2,8 @@
 
 #include "haptics/wire/punch_frame.h"
 
-/// The payloads of docs/punch-protocol.md, written and read. A read is false where the payload is
-/// not exactly as long as its message, or holds what the message cannot.
+/// Reads and writes the payloads of docs/punch-protocol.md. Reading fails (false) if the payload
+/// has another length than its message, or an invalid value.
 namespace haptics::wire::punch {
 
 inline bool isFinite(float value) noexcept {

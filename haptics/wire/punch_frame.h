@@ -114,8 +114,8 @@ inline size_t encodeFrame(
   return stuffed + 1;
 }
 
-/// Finds frames in bytes as they come. What is no frame is skipped up to the next zero, and
-/// counted; nothing is allocated.
+/// Finds frames in a stream of bytes. Invalid ones are skipped up to the next zero, and counted;
+/// nothing is allocated.
 class FrameDecoder {
  public:
   /// True when @p byte ended a frame that is as it was sent: @p frame is valid until the next call.
@@ -129,7 +129,7 @@ class FrameDecoder {
       return false;
     }
     const size_t count = isTooLong_ ? 0 : cobsDecode(bytes_, count_, bytes_);
-    const bool isEmpty = count_ == 0;  // zeros between frames are nothing at all
+    const bool isEmpty = count_ == 0;  // an empty frame is ignored
     count_ = 0;
     isTooLong_ = false;
     if (isEmpty) return false;

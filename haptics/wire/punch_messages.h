@@ -22,14 +22,14 @@ enum class Type : uint8_t {
   Stop = 0x7F,        ///< both ways
 };
 
-/// Who is there and what it may do. The host fills in its protocol version and 0 elsewhere.
+/// Identity and limits of a side. The host fills in its protocol version and 0 elsewhere.
 struct Hello {
   uint16_t protocolVersion = kProtocolVersion;
   uint64_t build = 0;          ///< of the firmware: first 8 bytes of the hash of its sources
   uint32_t serial = 0;         ///< of the device, 0: it has none
   uint16_t counts = 0;         ///< of the encoder per revolution
   uint16_t rate = 0;           ///< of the device's loop [Hz]
-  int16_t largestVoltage = 0;  ///< that it puts on the motor [mV]
+  int16_t largestVoltage = 0;  ///< largest voltage of the motor [mV]
   uint16_t largestSlew = 0;    ///< how far the voltage moves in a millisecond [mV]
 };
 
@@ -136,7 +136,7 @@ struct Render {
   uint32_t hash = 0;    ///< of the model that is meant; another is not rendered
   uint8_t expiry = 10;  ///< [ms], 1 to 20
   int16_t most =
-      32767;  ///< no voltage beyond this, either way [mV], >= 0: what the host lets through
+      32767;  ///< largest voltage in either direction [mV], >= 0: the limit that the host sets
 };
 
 enum class StopReason : uint8_t { Asked = 0, VersionMismatch = 1, HostFault = 2, DeviceFault = 3 };

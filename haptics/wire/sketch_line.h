@@ -34,7 +34,7 @@ struct SketchForces {
 
 using SketchLine = std::variant<SketchMesh, SketchForces>;
 
-/// Reads one line, with or without its CR LF. Nothing where it is no such line: other words, cut
+/// Reads one line, with or without its CR LF. std::nullopt if it is no such line: other words, cut
 /// off, an empty field, more than kMost, a number that is none. Knows no locale.
 std::optional<SketchLine> parseSketchLine(std::string_view line) noexcept;
 

@@ -16,7 +16,7 @@
 
 namespace questionnaires {
 
-/// How many characters (code points) @p text has; nothing where it is no sound UTF-8.
+/// How many characters (code points) @p text has; std::nullopt if it is no sound UTF-8.
 ///
 /// Sound means what the Unicode standard means: no overlong forms, no surrogates, nothing beyond
 /// U+10FFFF. An emoji with a skin tone counts as two, a letter with a combining accent as well.
@@ -96,7 +96,7 @@ class Node {
   bool isText() const noexcept { return std::holds_alternative<std::string>(value_->data); }
   bool isObject() const noexcept { return std::holds_alternative<Value::Object>(value_->data); }
 
-  /// This value itself as a text; empty, and a problem, where it is none.
+  /// This value itself as a text; empty, and a problem, if it is none.
   std::string asText() const;
 
   /// Required values: missing or wrong is a problem.
@@ -115,7 +115,7 @@ class Node {
       std::string_view key, std::int64_t least, std::int64_t most, std::int64_t fallback) const;
   bool flag(std::string_view key, bool fallback) const;
 
-  /// The object or list behind a key. Nothing where the key is missing; a problem where it is
+  /// The object or list behind a key. std::nullopt if the key is missing; a problem where it is
   /// something else, or where the list has more than @p most entries (and these are left out).
   std::optional<Node> object(std::string_view key) const;
   std::vector<Node> list(std::string_view key, std::size_t most = kMostElements) const;
@@ -124,7 +124,7 @@ class Node {
   std::optional<Node> requiredObject(std::string_view key) const;
   std::vector<Node> requiredList(std::string_view key) const;
 
-  /// The value behind a key; nothing where the key is missing.
+  /// The value behind a key; std::nullopt if the key is missing.
   std::optional<Node> member(std::string_view key) const;
 
   /// The keys of this object with their nodes, in the order of the file.
@@ -146,7 +146,7 @@ class Node {
     return choices[chosenAt(key, names)].value;
   }
 
-  /// The same, where this value itself is the name; nothing where it is none of them.
+  /// The same, where this value itself is the name; std::nullopt if it is none of them.
   template <typename Enum, std::size_t kCount>
   std::optional<Enum> chosen(const std::array<Choice<Enum>, kCount>& choices) const {
     std::vector<std::string_view> names;

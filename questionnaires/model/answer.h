@@ -20,7 +20,7 @@ struct Answer {
   std::optional<Response> response;
 };
 
-/// Why @p response is no valid answer to @p item, in words; nothing where it is.
+/// Why @p response is no valid answer to @p item, in words; std::nullopt if it is.
 ///
 /// Alternatives are those that @p alternatives lists, where the item takes its options from there.
 /// Texts may hold any Unicode but the character NUL; a short one has one line.
@@ -40,7 +40,7 @@ std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 
 /// The answer to @p item as a number, as it was given: the last one where there are several.
-/// Nothing where there is none, where it was taken back, where validationError() refuses it, and
+/// std::nullopt if there is none, where it was taken back, where validationError() refuses it, and
 /// where answers to the item are no numbers.
 std::optional<double> answerAsNumber(const Item& item, const std::vector<Answer>& answers);
 

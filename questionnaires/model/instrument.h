@@ -22,7 +22,7 @@ class LocalizedText {
   explicit LocalizedText(std::map<std::string, std::string> byLanguage)
       : byLanguage_(std::move(byLanguage)) {}
 
-  /// The text in @p language, or in English where there is none; empty where there is neither.
+  /// The text in @p language, or in English if there is none; empty where there is neither.
   const std::string& in(std::string_view language) const;
 
   bool has(std::string_view language) const { return byLanguage_.count(std::string(language)) > 0; }
@@ -131,8 +131,8 @@ struct Item {
   std::string consentOption;  ///< SingleChoice: the option that gives consent, if this asks for it
   std::int64_t longestAnswer = 0;  ///< ShortText, LongText [characters]; 0: what is usual
 
-  /// The lowest answer, turned round where the key is -1, that counts as acceptable; nothing where
-  /// the study sets no threshold. Likert, SemanticDifferential, Slider, Number.
+  /// The lowest answer, turned round where the key is -1, that counts as acceptable; std::nullopt
+  /// if the study sets no threshold. Likert, SemanticDifferential, Slider, Number.
   std::optional<double> acceptableFrom;
   /// The texts that may not be shipped: a wording file beside the protocol brings them.
   /// Likert, SemanticDifferential, Slider.
@@ -227,7 +227,7 @@ struct Range {
   bool operator==(const Range& other) const = default;
 };
 
-/// Where the answers to @p item lie; nothing where they are no numbers.
+/// Where the answers to @p item lie; std::nullopt if they are no numbers.
 std::optional<Range> rangeOf(const Item& item) noexcept;
 
 }  // namespace questionnaires

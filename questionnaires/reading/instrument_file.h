@@ -9,7 +9,7 @@
 namespace questionnaires {
 
 /// An instrument as JSON says it (docs/questionnaire-format.md), and everything that is wrong with
-/// it, problemsOf() included; nothing where there are errors. Warnings come once there are none.
+/// it, problemsOf() included; std::nullopt if there are errors. Warnings come once there are none.
 std::optional<Instrument> readInstrument(std::string_view json, Problems& problems);
 
 /// The same, from one that must be sound.

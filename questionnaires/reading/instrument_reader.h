@@ -71,7 +71,7 @@ class ItemReader {
   std::optional<Scale> scale_;
 };
 
-/// The id behind @p key, or, where there is none, one that no other has.
+/// The id behind @p key, or, if there is none, one that no other has.
 std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index);
 
 /// The score that @p node describes, the one with number @p index.

@@ -88,7 +88,7 @@ void tellThatItIsMissing(
           "to be had here: " + instrument.source.wordingFrom);
 }
 
-/// Reads the file of one language and puts it in; false where there is none.
+/// Reads the file of one language and puts it in; false if there is none.
 bool addWording(
     Instrument& instrument,
     const std::string& language,

@@ -43,7 +43,7 @@ std::vector<std::string> missingTexts(const Instrument& instrument, const std::s
 /// changes nothing.
 void apply(const Wording& wording, Instrument& instrument, Problems& problems);
 
-/// Finds the text of the wording file called @p name; nothing where there is none.
+/// Finds the text of the wording file called @p name; std::nullopt if there is none.
 using WordingFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// Looks for the wording of @p instrument in English, in its languages and in @p alsoIn, and puts

@@ -14,7 +14,7 @@ struct Counted {
   double weight = 1.0;
 };
 
-/// What was chosen in the pair @p id; nothing where nothing was.
+/// What was chosen in the pair @p id; std::nullopt if nothing was.
 std::optional<std::string> chosenIn(
     const Instrument& instrument, const std::string& id, const std::vector<Answer>& answers) {
   const Item* pair = instrument.item(id);

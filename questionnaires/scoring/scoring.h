@@ -39,7 +39,7 @@ std::optional<double> scored(
 
 /// How often each item of @p score was chosen in the pairs of Score::weightsFrom, in the order of
 /// Score::items: for n items whole numbers from 0 to n - 1 that sum to n (n - 1) / 2, fifteen for
-/// the six of the NASA-TLX. Nothing where a pair has no answer, or there are no pairs.
+/// the six of the NASA-TLX. std::nullopt if a pair has no answer, or there are no pairs.
 std::optional<std::vector<double>> pairWeights(
     const Instrument& instrument, const Score& score, const std::vector<Answer>& answers);
 
@@ -81,7 +81,7 @@ struct Consistency {
   std::string warning;                     ///< in words; empty where nothing is suspicious
 };
 
-/// Looks at @p answers by the ConsistencyRule of @p instrument; nothing where it has none.
+/// Looks at @p answers by the ConsistencyRule of @p instrument; std::nullopt if it has none.
 ///
 /// Within each score of the rule the keyed answers should lie close together, since its items ask
 /// about one thing. A range (largest - smallest) above ConsistencyRule::widestRange is a

@@ -63,8 +63,8 @@ struct ExportedEvent {
   double onset = 0.0;  ///< since the session's first event [s]
 };
 
-/// Reads a study once, as far as @p options select it, in order of time. The study must outlive it,
-/// and it must outlive its rows.
+/// Reads a study once, as far as @p options select it, in order of time. The study must
+/// outlive it, and it must outlive its rows.
 class StudyRows {
  public:
   StudyRows(Study& study, const ExportOptions& options);

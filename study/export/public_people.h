@@ -26,7 +26,7 @@ struct BackgroundQuestion {
 /// The people of a public export, and what acquaintances may know of them: the cohort, the answers
 /// of forms about the person, and the order of conditions (which the protocol and the place in it
 /// reveal). A person is listed once, with the first session that they completed. The study must
-/// outlive it.
+///  outlive it.
 class PublicPeople {
  public:
   PublicPeople(Study& study, RunMode mode);

@@ -6,7 +6,7 @@
 
 namespace haptics::reaming {
 
-/// Why a series is no measurement of reaming.
+/// The reason why a series is not a valid measurement of reaming.
 enum class ExclusionReason {
   None,
   Implausible,   ///< no numbers, too short, gaps, an axis that goes back

@@ -88,7 +88,7 @@ struct Section {
         (1.0 - k / q + k * k) * norm};
   }
 
-  /// As if @p samples had always been what they begin with.
+  /// Filters @p samples as if the first value had been constant before.
   void run(std::vector<double>& samples) const {
     double z1 = samples.front() * (1.0 - b0);
     double z2 = samples.front() * (b2 - a2);

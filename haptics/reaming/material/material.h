@@ -30,7 +30,7 @@ CurveNodes curveOf(const HardnessCurves& curves, double h);
 /// The force of a curve at @p depth [m]; beyond its ends, that of the end.
 double forceOf(const CurveNodes& nodes, double depth);
 
-/// Why @p curves are none; nothing where they are. Values are not checked against each other:
+/// Why @p curves are none; std::nullopt if they are. Values are not checked against each other:
 /// single samples may cross.
 std::optional<std::string> problemOf(const HardnessCurves& curves);
 

@@ -45,7 +45,7 @@ struct FitOptions {
   double forceLimit = 800.0;          ///< at which static tests were stopped [N], > 0
 };
 
-/// Why nothing can be fitted with these @p options; nothing where it can.
+/// Why nothing can be fitted with these @p options; std::nullopt if it can.
 std::optional<std::string> problemOf(const FitOptions& options);
 
 /// How many places a curve has, even over its depth.
@@ -62,7 +62,7 @@ struct PreparedSeries {
   double largestDisplacement = 0.0;  ///< [m]
   bool isCensored = false;           ///< a static test that ended at its force limit
   SampledCurve force;                ///< filtered [N], at kPlaces of depth from the beginning [m]
-  SampledCurve torque;               ///< [N·m]; empty where there is none
+  SampledCurve torque;               ///< [N·m]; empty if there is none
 };
 
 /// One curve of an envelope as a spline over displacement.
@@ -70,7 +70,7 @@ struct FittedCurve {
   SampledCurve data;  ///< over displacement [m]
   Spline spline;
   ApproximationError error;
-  bool isMet = true;  ///< the spline has the error that was wanted, or none was
+  bool isMet = true;  ///< the spline meets the requested error, or none was requested
 };
 
 /// The smallest, the mean (or the middle specimen) and the largest curve of a test set.
@@ -99,7 +99,7 @@ struct TestSetFit {
   int used = 0;
   double scale = 0.0;  ///< the largest displacement of all [m]
   FittedEnvelope force;
-  std::optional<FittedEnvelope> torque;  ///< nothing where no series has any
+  std::optional<FittedEnvelope> torque;  ///< std::nullopt if no series has any
   Jitter jitter;                         ///< of all its series
 };
 
@@ -112,8 +112,8 @@ struct MaterialFit {
 /// its own.
 PreparedSeries prepared(const Series& series, const FitOptions& options);
 
-/// What has to be chosen otherwise so that curves are in order everywhere, as options of `palpate
-/// material fit`; nothing where they are.
+/// The options of `palpate material fit` to change so that curves are in order everywhere; empty if
+/// they are.
 std::vector<std::string> whatKeepsTheOrder(const FitOptions& options);
 
 /// Where a harder curve of an envelope lies below a softer one: there a higher hardness feels

@@ -33,7 +33,7 @@ std::vector<std::size_t> greedyByPieces(const NodeError& error, double wanted) {
   while (pieces.top().error > wanted) {
     const Piece worst = pieces.top();
     pieces.pop();
-    // Never next to an end: a piece of one sample is no piece.
+    // Never next to an end: a piece needs more than one sample.
     const std::size_t at = std::clamp(worst.at, worst.from + 1, worst.to - 1);
     nodes.push_back(at);
     pieces.push(pieceOf(worst.from, at));
@@ -122,7 +122,7 @@ std::vector<std::size_t> optimal(const NodeError& error, double wanted) {
   return nodes;
 }
 
-/// Every so many samples, so that at most @p most are left; indices into the whole.
+/// A regular selection of at most @p most samples, as indices.
 std::vector<std::size_t> thinnedOut(std::size_t count, std::size_t most) {
   std::vector<std::size_t> kept;
   const std::size_t left = std::min(count, most);

@@ -32,7 +32,7 @@ struct NodeWish {
 /// Nodes as indices into the curve, rising, with both ends.
 struct NodeChoice {
   std::vector<std::size_t> nodes;
-  double error = 0.0;  ///< what they leave, by the measure of the wish
+  double error = 0.0;  ///< of the spline through them, by the measure of the wish
   bool isMet = true;   ///< the error is at most what was wanted
 };
 
@@ -41,7 +41,7 @@ constexpr bool isLocal(SplineKind kind) noexcept {
   return kind == SplineKind::HermiteDataSlope || kind == SplineKind::Linear;
 }
 
-/// Why no nodes can be chosen so; nothing where they can. Optimal wants a kind that is local.
+/// Why no nodes can be chosen so; std::nullopt if they can. Optimal wants a kind that is local.
 std::optional<std::string> problemOf(const NodeWish& wish);
 
 /// Nodes until the error is met. Greedy always gets there; Thinned may not, and says so.

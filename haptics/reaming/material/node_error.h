@@ -17,20 +17,20 @@ class NodeError {
     std::size_t at = 0;  ///< the sample
   };
 
-  /// @param curve  outlives this.
+  /// @param curve  must outlive this object.
   NodeError(const SampledCurve& curve, const NodeWish& wish);
 
   std::size_t size() const noexcept { return curve_.size(); }
   const SampledCurve& curve() const noexcept { return curve_; }
   const std::vector<double>& slopes() const noexcept { return slopes_; }
 
-  /// Of the piece between two samples of a local kind; stops looking where it is above @p enough.
+  /// Of the piece between two samples of a local kind; stops as soon as it exceeds @p enough.
   Worst between(
       std::size_t from,
       std::size_t to,
       double enough = std::numeric_limits<double>::infinity()) const;
 
-  /// Of the whole spline through @p nodes; stops looking where it is above @p enough.
+  /// Of the whole spline through @p nodes; stops as soon as it exceeds @p enough.
   Worst through(
       std::span<const std::size_t> nodes,
       double enough = std::numeric_limits<double>::infinity()) const;

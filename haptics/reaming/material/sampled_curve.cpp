@@ -30,7 +30,7 @@ class Reader {
  public:
   Reader(const SampledCurve& curve, double half) : curve_(curve), half_(half) {}
 
-  /// The mean of the samples within half a step of @p x; straight between two where there are none.
+  /// The mean of the samples within half a step of @p x; straight between two if there are none.
   double at(double x) {
     while (before_ + 2 < curve_.size() && curve_.x[before_ + 1] < x) ++before_;
     double sum = 0.0;

@@ -20,7 +20,7 @@ SampledCurve curveOver(std::span<const double> displacement, std::span<const dou
 
 /// @p curve at @p count places, even from 0 to its largest x, as shares of it: the paper's
 /// normalisation. Each place has the mean of the samples that are nearest to it, or lies straight
-/// between two where there are none; the ends are those of the curve.
+/// between two if there are none; the ends are those of the curve.
 SampledCurve normalised(const SampledCurve& curve, std::size_t count);
 
 /// @p curve at those of @p count places, even from 0 to @p whole, that it reaches: each as

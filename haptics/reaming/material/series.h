@@ -28,8 +28,8 @@ struct Series {
   double rate = 100.0;               ///< of the samples [Hz]
   std::vector<double> displacement;  ///< along the axis, from where the test began [m]
   std::vector<double> force;         ///< [N]
-  std::vector<double> torque;        ///< [N·m]; empty where there is none
-  bool isSynthetic = false;          ///< nobody measured it
+  std::vector<double> torque;        ///< [N·m]; empty if there is none
+  bool isSynthetic = false;          ///< not measured
 
   double seconds() const noexcept { return static_cast<double>(force.size()) / rate; }
 };

@@ -22,7 +22,7 @@ struct Unit {
   double factor;  ///< to SI
 };
 
-/// A quantity, what it is called, and its units; the first one is SI.
+/// A quantity with its names and units; the first unit is SI.
 struct Quantity {
   const char* name;
   std::vector<const char*> heads;  ///< in small letters
@@ -129,7 +129,7 @@ Head headOf(const std::string& cell) {
   return {text.substr(0, underscore), text.substr(underscore + 1)};
 }
 
-/// Where a quantity stands in the table, and what makes SI of it.
+/// The column of a quantity, and its conversion to SI.
 struct Column {
   std::size_t place = 0;
   double factor = 1.0;

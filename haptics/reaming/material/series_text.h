@@ -21,8 +21,8 @@ struct SeriesMapping {
 /// µm; forces in N, kN; torques in Nm, Nmm; times in s, ms. Lines above the head that begin with #
 /// are remarks; one that begins with "# SYNTHETIC" says that nobody measured what follows.
 ///
-/// @throws recordings::Error  in one sentence: no such column, no unit, a cell that is no number, a
-///     gap in time, fewer than three rows, a displacement or a force beyond what can be.
+/// @throws recordings::Error  in one sentence: no such column, no unit, a cell that is not a
+///     number, a gap in time, fewer than three rows, a displacement or a force beyond what can be.
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping);
 
 /// The same from a file; @p set is not in it. @throws recordings::Error

@@ -20,7 +20,7 @@ double step(double x, double at, double width) {
   return 1.0 / (1.0 + std::exp(-(x - at) / width));
 }
 
-/// The force at a depth [m] of a specimen that is reamed: nothing, a lamella, a rise.
+/// The force at a depth [m] of a specimen during reaming: none, a lamella, a rise.
 double dynamicForce(double depth, const SyntheticTest& test, double shift) {
   const double mm = 1000.0 * depth;
   const double scale = 0.25 + 1.5 * test.hardness;

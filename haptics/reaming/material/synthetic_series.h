@@ -10,7 +10,7 @@ namespace haptics::reaming {
 /// What goes wrong in a test on purpose.
 enum class Mishap {
   None,
-  FeedChange,     ///< somebody altered the feed during the test
+  FeedChange,     ///< the feed is changed during the test
   BreakOut,       ///< the acetabulum broke out of its resin
   ReamedThrough,  ///< nothing is left after 10 mm
 };
@@ -19,7 +19,7 @@ enum class Mishap {
 struct SyntheticTest {
   TestSet set = TestSet::Dynamic1;
   double hardness = 0.5;    ///< from 0 to 1: how hard this specimen's bone is
-  double feed = 0.01e-3;    ///< [m/s]; static tests go at 0.07 mm/s whatever this says
+  double feed = 0.01e-3;    ///< [m/s]; not for static tests, which have 0.07 mm/s
   double noise = 1.0;       ///< standard deviation of the force sensor [N]
   double rotation = 3.0;    ///< amplitude of the line at the reamer's rotation [N]; 0 when static
   double rotationRate = 5;  ///< [Hz]

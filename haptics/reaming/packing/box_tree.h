@@ -21,7 +21,7 @@ struct Box {
 Box boxOf(const TriangleMesh& mesh, const TriangleMesh::Triangle& triangle) noexcept;
 std::vector<Box> boxesOf(const TriangleMesh& mesh);
 
-/// Boxes in a balanced tree, to find those near a place without looking at all.
+/// Boxes in a balanced tree, to find those near a point without reading all.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<Box>& boxes);

@@ -72,8 +72,8 @@ struct Dual {
     return sum;
   }
 
-  /// From @p from along @p step as far as the value rises enough; nothing where it does not. Leaves
-  /// in @p end where the whole step leads.
+  /// From @p from along @p step as far as the value rises enough; std::nullopt if it does not.
+  /// Leaves in @p end where the whole step leads.
   std::optional<Point> along(const Point& from, const Vector& step, Point& end) const {
     constexpr double kLeastShare = 1e-5;
     const double slope = from.rest.dot(step);
@@ -90,7 +90,7 @@ struct Dual {
     return std::nullopt;
   }
 
-  /// Newton's step up; nothing where rounding is all that is left.
+  /// Newton's step up; std::nullopt if rounding is all that is left.
   ///
   /// Newton's curvature knows only the spheres above their bound. Where many leave theirs on the
   /// way it is far too small, and the step may rise nowhere: then those count as well, until none
@@ -138,8 +138,9 @@ DensityFit fitNonNegative(
     std::span<const double> forces,
     std::span<const double> prior,
     double weight) {
-  constexpr int kMostSteps = 60;         // at each weight
-  constexpr double kGap = 1e-9;          // relative, at the wanted weight: far below what is felt
+  constexpr int kMostSteps = 60;  // at each weight
+  // relative, at the requested weight: far below a noticeable force
+  constexpr double kGap = 1e-9;
   constexpr double kGapOnTheWay = 1e-2;  // before that only a start for the next weight is needed
   constexpr double kEase = 0.3;          // from one weight to the next
   double squares = 0.0;

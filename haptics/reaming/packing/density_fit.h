@@ -77,7 +77,7 @@ struct SwarmOptions {
   double most = 0.0;  ///< density [N/m²]; 0: five times the uniform density that fits best
   std::uint64_t seed = 1;
   int threads = 2;       ///< any number; the result is the same
-  double seconds = 0.0;  ///< stops after so long; 0: never
+  double seconds = 0.0;  ///< time limit; 0: none
 };
 DensityFit fitSwarm(
     const ContactMatrix& matrix, std::span<const double> forces, const SwarmOptions& options);
@@ -89,8 +89,8 @@ double uniformDensity(const ContactMatrix& matrix, std::span<const double> force
 double errorOf(
     const ContactMatrix& matrix, std::span<const double> densities, std::span<const double> forces);
 
-/// How every sphere of a bone gets its density: a few layers first, which tell what the spheres
-/// that the experiment never touches are like (as the deepest layer), then every sphere.
+/// How every sphere of a bone gets its density: first the densities of a few layers, of which the
+/// deepest is also used for the spheres that the experiment never touches, then every sphere.
 struct BoneFit {
   std::vector<double> densities;
   DensityFit layers;

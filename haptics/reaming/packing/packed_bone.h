@@ -82,7 +82,7 @@ struct ExperimentResult {
   std::string stop;           ///< why it ended, for people
 };
 
-/// Reams @p bone with the densities of hardness @p h, taking away what it goes through.
+/// Reams @p bone with the densities of hardness @p h, with removal.
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options = {});
 
 /// How far @p result is from the force @p wanted at each of @p depths: |felt − wanted| / |wanted|

@@ -102,8 +102,8 @@ class Builder {
     classify();
   }
 
-  /// Every place where a sphere of @p radius or more finds room gets one.
-  /// @return false where it was cancelled.
+  /// Places a sphere of at least @p radius wherever there is room. @return false if it was
+  /// cancelled.
   template <typename GoesOn>
   bool pass(double radius, GoesOn goesOn) {
     ++passes_;

@@ -10,7 +10,7 @@ namespace haptics::reaming {
 
 /// When a body is full. One of count, coverage and smallest radius.
 struct PackingOptions {
-  std::optional<std::size_t> count;      ///< just so many spheres
+  std::optional<std::size_t> count;      ///< exact number of spheres
   std::optional<double> coverage;        ///< share of the body, (0, 1)
   std::optional<double> smallestRadius;  ///< no sphere below it [m], > 0
   /// No sphere above it [m]. Left out: 0.95 · (volume / count)^(1/3), 4 times the smallest radius,
@@ -32,7 +32,7 @@ struct PackingProgress {
 /// the same packing with any number of threads.
 ///
 /// @param goesOn  is told how far it is; false cancels. May be empty.
-/// @return nothing where it was cancelled.
+/// @return std::nullopt if it was cancelled.
 /// @throws std::invalid_argument  if the options make no sense, or the body has no room for what is
 /// asked for, in words.
 std::optional<Packing> pack(

@@ -6,8 +6,8 @@
 
 namespace haptics::reaming {
 
-/// A parametric cup: half of a hollow sphere around the origin, open towards −z. For trying out
-/// where there is no mesh of a bone.
+/// A parametric cup: half of a hollow sphere around the origin, open towards −z. For trying out if
+/// there is no mesh of a bone.
 class Acetabulum final : public Solid {
  public:
   /// @param inner, outer  radii [m], 0 <= inner < outer.

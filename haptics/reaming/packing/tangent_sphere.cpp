@@ -52,7 +52,7 @@ std::optional<TangentSphere> tangentTo(
   // Unknowns are the centre c and the radius r: dᵢ(c) − r = 0 for the signed distance dᵢ to each
   // obstacle. Its derivative by c is the unit normal, so a row of Newton's system is
   // nᵢ·Δc − Δr = r − dᵢ.
-  constexpr int kMostSteps = 8;    // converges quadratically, or not at all
+  constexpr int kMostSteps = 8;    // it converges quadratically or not at all
   constexpr double kExact = 1e-7;  // of the reach
   TangentSphere sphere{start, obstacles[0].distance};
   for (int step = 0; step < kMostSteps; ++step) {

@@ -21,7 +21,7 @@ struct TangentSphere {
 };
 
 /// The sphere that touches four obstacles from outside (problem of Apollonius), by Newton's method
-/// from @p start; nothing where there is none within @p reach [m] of it.
+/// from @p start; std::nullopt if there is none within @p reach [m] of it.
 std::optional<TangentSphere> tangentTo(
     const std::array<Obstacle, 4>& obstacles, Vec3 start, double reach) noexcept;
 

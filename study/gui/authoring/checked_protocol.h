@@ -12,7 +12,7 @@ namespace study::gui {
 struct CheckedProtocol {
   std::string source;                               ///< a path, or the name of a built-in protocol
   std::string text;                                 ///< empty if the file cannot be read
-  std::optional<protocols::LoadedProtocol> loaded;  ///< nothing if there are errors
+  std::optional<protocols::LoadedProtocol> loaded;  ///< std::nullopt if there are errors
   std::vector<questionnaires::Problem> problems;
 
   int errors() const noexcept;

@@ -15,7 +15,7 @@ constexpr int kMostSpheres = 2'000'000;
 constexpr int kUsualSpheres = 201'532;  // as in the published model
 
 /// Runs the work behind a progress dialog.
-/// @return the description of its result; nothing if it failed or was cancelled.
+/// @return the description of its result; std::nullopt if it failed or was cancelled.
 std::optional<QString> runWithProgress(
     QWidget* parent,
     const QString& title,

@@ -36,7 +36,7 @@ void requireNewFile(const std::string& out, std::string_view ending) {
   }
 }
 
-/// The test named in a file name; nothing if the name has no test.
+/// The test named in a file name; std::nullopt if the name has no test.
 std::optional<reaming::TestSet> testOf(const std::string& name) {
   for (std::size_t i = 0; i < reaming::kTestSets.size(); ++i) {
     if (name.find(reaming::kTestSets[i]) != std::string::npos) {

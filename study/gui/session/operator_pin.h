@@ -17,7 +17,7 @@ class OperatorPin {
   static constexpr int kFreeTries = 3;  ///< wrong tries before a wait
   static constexpr int kWait = 10;  ///< the first wait [s]; it doubles with every further wrong try
 
-  /// Why @p digits cannot be a PIN; nothing if they can.
+  /// Why @p digits cannot be a PIN; std::nullopt if they can.
   static std::optional<QString> objection(const QString& digits);
 
   bool isChosen() const noexcept { return !digits_.isEmpty(); }
@@ -37,7 +37,7 @@ class OperatorPin {
   QDeadlineTimer wait_{0};
 };
 
-/// Asks the operator twice for a new PIN; nothing if they cancel.
+/// Asks the operator twice for a new PIN; std::nullopt if they cancel.
 std::optional<QString> askForNewPin(QWidget* parent);
 
 }  // namespace study::gui

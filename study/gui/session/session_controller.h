@@ -47,7 +47,7 @@ class SessionController final : public QObject {
   void setViewReportSource(std::function<std::optional<ViewReport>()> report) {
     viewReport_ = std::move(report);
   }
-  /// The frame statistics of the trial; nothing if it is not visualised.
+  /// The frame statistics of the trial; std::nullopt if it is not visualised.
   std::optional<ViewReport> viewReport() const {
     return viewReport_ ? viewReport_() : std::nullopt;
   }
