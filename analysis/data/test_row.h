@@ -13,9 +13,9 @@
 
 namespace analysis {
 
-/// A number and what it is called in a table: "t", "chi2", "g_z".
+/// A number and its name in a table: "t", "chi2", "g_z".
 struct NamedNumber {
-  std::string_view name;  ///< snake_case; empty if there is no such number for this test
+  std::string_view name;  ///< snake_case; empty if the test has no such number
   std::optional<double> value;
 };
 
@@ -30,7 +30,7 @@ struct GroupMoments {
 struct TestRow {
   std::string_view id;  ///< of the test: "welch", as in tables and on the command line
 
-  std::string group1;  ///< what is compared; the sign is group 1 − group 2
+  std::string group1;  ///< the compared groups; the sign is group 1 − group 2
   std::string group2;
   std::optional<std::uint64_t> n1;  ///< of group 1; of pairs, people or cases where there is one n
   std::optional<std::uint64_t> n2;
@@ -58,7 +58,7 @@ struct TestRow {
   std::vector<NamedNumber> more;  ///< what only this test has: "p_exact", "epsilon"
   Reason reason;                  ///< why something above is missing; empty if nothing is
 
-  /// One of more; std::nullopt if it is not there or not defined.
+  /// An additional number; std::nullopt if the test does not have it, or it is not defined.
   std::optional<double> also(std::string_view name) const {
     for (const auto& number : more) {
       if (number.name == name) return number.value;

@@ -54,7 +54,7 @@ Step newtonStep(const VectorXd& at, const Derivatives& derivatives, double lower
   return step;
 }
 
-/// Goes as far along the step as the function falls; false where it does not.
+/// Goes along the step as long as the function decreases; false if it does not.
 bool descend(const Objective& objective, const Step& step, Minimum& minimum) {
   double part = 1.0;
   for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {

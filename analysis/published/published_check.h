@@ -30,7 +30,7 @@ Interval attainableP(
 /// Whether two intervals share a number.
 bool overlap(const Interval& a, const Interval& b);
 
-/// One printed p, and what it may have been.
+/// One printed p value, and the range of possible ones.
 struct ComparisonCheck {
   Interval attainable;
   bool follows = false;  ///< some attainable p would be printed like this

@@ -21,7 +21,7 @@ std::string quoted(const std::string& text) {
   return "'" + text + "'";
 }
 
-/// The cells of a row, and what is wrong with them.
+/// The cells of a row, and their problems.
 class RowReader {
  public:
   RowReader(const CsvTable& table, std::string_view file, std::vector<std::string>& problems)

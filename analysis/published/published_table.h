@@ -15,7 +15,7 @@ namespace analysis {
 /// A group as a published table reports it.
 struct PublishedGroup {
   std::string name;
-  std::optional<std::uint64_t> n;  ///< std::nullopt if the publication does not say
+  std::optional<std::uint64_t> n;  ///< std::nullopt if the publication does not state it
   ReportedNumber mean;
   ReportedNumber spread;  ///< the variance, or …
   bool isStandardDeviation = false;

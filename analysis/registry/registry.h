@@ -37,7 +37,7 @@ struct StatisticalTest {
 
   std::string_view id;        ///< `palpate stats test ID`, and in tables
   std::string_view title;     ///< "Welch's t-test"
-  std::string_view question;  ///< what it answers
+  std::string_view question;  ///< the question that it answers
   std::string_view source;    ///< author and year
   DataShape shape = DataShape::TwoGroups;
   std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;

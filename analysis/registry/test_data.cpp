@@ -152,7 +152,7 @@ class Reader {
         }
       }
     }
-    // A group that is named without a value is a group all the same: an empty one.
+    // A group that is named without a value is an empty group.
     if (isGrouped_ && !isMissing(names.front())) group(names.front());
     if (!isComplete) {
       ++data_.missing;

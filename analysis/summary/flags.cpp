@@ -26,10 +26,10 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Finds the flags of one cohort's answers.
-class Examination {
+/// Finds the flags of one cohort's answers, one function per kind.
+class FlagFinder {
  public:
-  Examination(const AnswerTable& table, const StudyFacts& facts) : table_(table), facts_(facts) {}
+  FlagFinder(const AnswerTable& table, const StudyFacts& facts) : table_(table), facts_(facts) {}
 
   std::vector<Flag> all() {
     if (!facts_.isDeclared) undeclared();
@@ -108,9 +108,9 @@ class Examination {
     std::map<std::size_t, std::set<std::size_t>> asked;
     for (const auto& answer : table_.answers) asked[answer.method].insert(answer.statement);
     const auto& first = asked.begin()->second;
-    const bool areCommon =
+    const bool areSameForAll =
         std::all_of(asked.begin(), asked.end(), [&](const auto& of) { return of.second == first; });
-    if (!areCommon) {
+    if (!areSameForAll) {
       flags_.push_back(
           {"items_not_common_to_methods",
            {text("items_not_common_to_methods")},
@@ -305,7 +305,7 @@ std::string Flag::inEnglish() const {
 }
 
 std::vector<Flag> flagsOf(const AnswerTable& table, const StudyFacts& facts) {
-  return Examination(table, facts).all();
+  return FlagFinder(table, facts).all();
 }
 
 }  // namespace analysis

@@ -37,7 +37,7 @@ struct PairwiseComparison {
   std::optional<Interval> adjustedInterval;  ///< of the difference, at 1 − alpha per test
 };
 
-/// The same as every other test has it.
+/// The result as a TestRow, the form that all tests share.
 TestRow rowOf(const PairwiseComparison& comparison);
 
 /// The family of comparisons that a study declared, each by Welch's test, held to account for

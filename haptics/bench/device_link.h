@@ -63,12 +63,12 @@ class LinkLoop {
   engine::ForceEngine engine_;
   std::atomic<bool> isOver_{false};
   std::atomic<std::int64_t> orderedAt_{0};  ///< [ns]
-  std::atomic<std::int64_t> ordered_{0};    ///< to stand still for so long [ns]
+  std::atomic<std::int64_t> ordered_{0};    ///< requested standstill [ns]
   std::atomic<std::int64_t> stoodAt_{0};    ///< [ns]
   LinkRun run_;
   std::int64_t begin_ = 0;  ///< armed [ns]
   double processorBefore_ = 0.0;
-  std::optional<engine::RealtimeLoop> loop_;  ///< last: what it ticks at goes after it
+  std::optional<engine::RealtimeLoop> loop_;  ///< last, so that it is destroyed first
 };
 
 }  // namespace haptics::bench

@@ -177,7 +177,7 @@ void attack(double decades, const AccuracyRun& run) {
     const auto n = adversary.numbers();
     std::vector<double> travelled(kSteps);
     for (auto& d : travelled) d = static_cast<double>(static_cast<float>(adversary.travelled()));
-    // In the form that all share, with digits to lose.
+    // In the standard form, with 100 digits.
     peers::StandardFilter<HundredDigits> reference(n);
     std::vector<double> expected;
     for (const double d : travelled) {

@@ -23,7 +23,7 @@ struct Measurement {
   std::optional<double> bound;  ///< that the error must not exceed, where it has one
   std::optional<Timing> time;
 
-  /// Also if there is no bound. An error that is NaN is not within one.
+  /// True without a bound, too. NaN is within no bound.
   bool isWithinBound() const { return !bound || (error && *error <= *bound); }
 };
 

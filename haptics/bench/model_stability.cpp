@@ -86,10 +86,10 @@ std::vector<ChainErrors> worstChains(int elements, int decades, int chains) {
 
 void sweepEnds(StabilityResult& result) {
   // One element that is nothing, or without end: the tool feels nothing, or the other side alone.
-  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   for (const auto* way : bothWays()) {
     int wrong = 0;
-    for (const double extreme : {0.0, 1e-308, 1e308, kEndless}) {
+    for (const double extreme : {0.0, 1e-308, 1e308, kInfinite}) {
       for (int where = 0; where < 5; ++where) {
         std::vector<double> k(5, 1.0);
         k[static_cast<std::size_t>(where)] = extreme;

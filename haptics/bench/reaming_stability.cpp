@@ -67,7 +67,7 @@ struct Run {
     return whole > 0.0 ? std::abs(now / whole - 1.0) : std::abs(now);
   }
   /// Groups of spheres that a step reads with the tool at @p depth: its cost.
-  double groupsLookedAt(double depth) const {
+  double groupsRead(double depth) const {
     double groups = 0.0;
     bone.field().eachStretch(
         plunge.at(depth), [&](std::uint32_t begin, std::uint32_t end) { groups += end - begin; });
@@ -175,7 +175,7 @@ void misused(const Packing& packing, Sweep& sweep) {
 /// To and fro and round about for ten minutes.
 void enduring(const Packing& packing, double effort, Sweep& sweep) {
   Run run(packing, alike(packing, 1e5), {});
-  const double before = run.groupsLookedAt(0.008);
+  const double before = run.groupsRead(0.008);
   const std::size_t bytes = run.bone.field().bytes();
   const int steps = std::max(1000, static_cast<int>(effort * 600'000));
   for (int i = 0; i < steps; ++i) {
@@ -189,7 +189,7 @@ void enduring(const Packing& packing, double effort, Sweep& sweep) {
   sweep.add(
       "ten minutes: groups a step looks at, times as many",
       10.0,
-      run.groupsLookedAt(0.008) / before,
+      run.groupsRead(0.008) / before,
       1.5);  // remainders lie out of their cells by a radius at most
   sweep.add(
       "ten minutes: bytes grown by",

@@ -24,7 +24,7 @@ struct ServoRun {
   engine::RealtimeLoop::Report report;
 };
 
-/// Ticks for so long, each tick with 20 µs of work.
+/// Runs the loop for @p seconds, each tick with 20 µs of work.
 ServoRun runServo(const ServoMode& mode, double rate, double seconds);
 
 }  // namespace haptics::bench

@@ -13,11 +13,11 @@ namespace {
 constexpr double kMass = 0.004;  // of the simulated punch [N·s²/travel unit]
 constexpr double kWall = 5.0;    // [travel units]
 constexpr double kHand = 3.0;    // stiffness of a hand [N/travel unit]
-constexpr double kGoal = 5.4;    // where it means to be
+constexpr double kGoal = 5.4;    // position that the hand aims at
 constexpr double kSeconds = 2.0;
-constexpr double kWindow = 0.4;   // over which the amplitude is taken [s]
-constexpr double kApart = 1.0;    // of two such windows [s]
-constexpr double kInside = 1e-5;  // step of the mechanism's own motion [s]
+constexpr double kWindow = 0.4;          // over which the amplitude is taken [s]
+constexpr double kWindowDistance = 1.0;  // of two such windows [s]
+constexpr double kInside = 1e-5;         // step of the mechanism's own motion [s]
 
 struct Range {
   double low = INFINITY;
@@ -30,8 +30,8 @@ struct Range {
   double width() const { return high - low; }
 };
 
-/// The mechanism moves on all the time; the force is worked out once a tick, from what the encoder
-/// tells, and held.
+/// The mechanism moves continuously. The force is computed once per tick from the encoder, and
+/// held.
 class Wall {
  public:
   explicit Wall(WallPoint& point)
@@ -54,7 +54,8 @@ class Wall {
       }
       const double left = (ticks - i) / point_.rate;
       if (left <= kWindow) late_.take(lowInTick_, highInTick_);
-      if (left > kApart && left <= kApart + kWindow) early_.take(lowInTick_, highInTick_);
+      if (left > kWindowDistance && left <= kWindowDistance + kWindow)
+        early_.take(lowInTick_, highInTick_);
     }
     point_.amplitude = late_.width();
   }
@@ -142,19 +143,19 @@ void sweepWalls(double effort, StabilityResult& result) {
       }
     }
   }
-  int unforeseen = 0;
+  int unexpected = 0;
   int unnoticed = 0;
   int unstable = 0;
   for (const auto& wall : result.walls) {
     if (wall.isStable) continue;
     ++unstable;
-    unforeseen += wall.isForeseen ? 0 : 1;
+    unexpected += wall.isForeseen ? 0 : 1;
     unnoticed += wall.isNoticed || wall.quantum > 0.0 ? 0 : 1;
   }
   const auto add = [&](const std::string& what, double measured, double bound) {
     result.checks.push_back({"wall", what, "", 0.0, measured, bound});
   };
-  add("walls that vibrate although eq. (25) says that they are passive", unforeseen, 0.0);
+  add("walls that vibrate although eq. (25) says that they are passive", unexpected, 0.0);
   add("walls that vibrate and the energy observer does not notice", unnoticed, 0.0);
   // A sweep in which nothing ever vibrates would show nothing.
   add("walls that vibrate: at least 20, hence 20 minus their number", 20.0 - unstable, 0.0);

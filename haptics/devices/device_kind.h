@@ -121,7 +121,7 @@ struct DeviceKind {
   Text strokesName;  ///< "cuts"
   Text pointerHint;  ///< to a participant: how the space bar or the mouse moves a simulated one
 
-  /// What reports and exports of a study with this kind alone say instead of a sentence of theirs.
+  /// The device's own texts for reports and exports of a study with this kind of device alone.
   struct Sentence {
     std::string_view language;
     std::string_view english;  ///< the sentence: "at least {} cut or stroke"

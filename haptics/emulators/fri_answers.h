@@ -11,8 +11,8 @@
 
 namespace haptics::emulators {
 
-/// What a command may ask for besides what the arm's data sheet says. Force and moment as lengths
-/// of vectors; the arm's are Cartesian, and KUKA publishes none.
+/// Limits of commands in addition to the arm's data sheet. Force and moment as lengths of vectors;
+/// the arm's are Cartesian, and KUKA publishes none.
 struct FriLimits {
   double maxForce = 140.0;      ///< [N]
   double maxMoment = 40.0;      ///< [N·m]

@@ -148,7 +148,7 @@ class FriSession {
   /// One period goes by. True if this ended a motion.
   bool advance(const Input& input) noexcept;
 
-  /// An answer in CommandingWait did what it should, or not.
+  /// Records whether an answer in CommandingWait mirrored the joints.
   void mirror(bool isMirrored) noexcept { mirrored_ = isMirrored ? mirrored_ + 1 : 0; }
 
   /// Ends a motion, if there is one, for @p end; not in any state but the commanding ones. True if
@@ -179,7 +179,7 @@ class FriSession {
   int periods_ = 0;  ///< in this state
   int mirrored_ = 0;
   bool isQueued_ = true;
-  bool isClosed_ = false;  ///< Idle is for good
+  bool isClosed_ = false;  ///< no session begins any more
   bool isStopped_ = false;
   FriEnd lastEnd_ = FriEnd::None;
 };

@@ -83,7 +83,8 @@ class IiwaArm {
   /// What the world does to the tool besides the hand, held. Not a number: none, and false.
   bool setExternalWrench(const devices::Wrench& wrench) noexcept;
 
-  /// The hand on the tool; it outlives the arm or is taken off. nullptr: none.
+  /// The hand on the tool; nullptr: none. It must outlive the arm or be removed with
+  /// setHand(nullptr).
   void setHand(SurgeonHand* hand) noexcept { hand_ = hand; }
 
   /// Lets @p dt [s], in (0, 0.1], go by, in steps of its own of 0.25 ms at the most; the hand is

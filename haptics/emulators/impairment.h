@@ -94,7 +94,8 @@ class Impairment {
     sendDue(send);
   }
 
-  /// Hands on what is held back, at the end of a line. What nothing has overtaken does not count.
+  /// Passes on the frames that are held back, at the end of a line. Frames that no later one has
+  /// overtaken do not count.
   template <typename Send>
   void flush(Send&& send) {
     hurry();
@@ -134,7 +135,9 @@ class Impairment {
   void hold(std::span<const std::uint8_t> frame, Fault fault, int frames) noexcept;
   void age(bool overtakes) noexcept;
   void hurry() noexcept;
-  std::span<const std::uint8_t> nextDue() noexcept;  ///< empty: none; good until the next frame
+  std::span<const std::uint8_t> nextDue() noexcept;  ///< The next frame that is due; empty if there
+                                                     ///< is none. Valid until the next frame is
+                                                     ///< passed.
   std::span<const std::uint8_t> makeGarbage() noexcept;
   std::span<const std::uint8_t> damage(std::span<const std::uint8_t> frame) noexcept;
   std::uint8_t anyByte() noexcept;

@@ -129,17 +129,17 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen)
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
-  if (view_) tellTheEye();
+  if (view_) updateView();
   return {-felt.force.z, 0.0, felt.isDefined};
 }
 
-void RemovalModel::tellTheEye() noexcept {
+void RemovalModel::updateView() noexcept {
   if (bone_.restorations() != restorations_) {
     restorations_ = bone_.restorations();
     view_->tell({SphereChange::kAllAnew, {}});
   }
-  view_->tellUntold(bone_.untoldChanges());
-  view_->tellDepth(bone_.tool().centre.z - plunge_.start);
+  view_->setUnreported(bone_.untoldChanges());
+  view_->setDepth(bone_.tool().centre.z - plunge_.start);
   for (const auto slot : bone_.changed()) {
     const auto& group = bone_.field().group(slot);
     const std::size_t lane = slot % reaming::kLanes;

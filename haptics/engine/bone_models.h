@@ -115,7 +115,7 @@ class PackingModel final : public ForceModel {
   double largestStiffness_ = 0.0;
 };
 
-/// A bone of spheres from which the reamer takes what it goes through.
+/// A bone of spheres with removal by the reamer.
 class RemovalModel final : public ForceModel {
  public:
   /// @param spec  sound. @param isSeen  it is drawn: only then is there a view of it.
@@ -128,11 +128,11 @@ class RemovalModel final : public ForceModel {
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 
   const reaming::Bone& bone() const noexcept { return bone_; }
-  /// nullptr where it is not drawn.
+  /// nullptr if it is not drawn.
   BoneView* view() const noexcept { return view_.get(); }
 
  private:
-  void tellTheEye() noexcept;
+  void updateView() noexcept;
 
   reaming::Bone bone_;
   reaming::Plunge plunge_;

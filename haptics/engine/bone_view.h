@@ -17,33 +17,32 @@ struct SphereChange {
   reaming::Sphere sphere;
 };
 
-/// A bone as it is seen while it is reamed: what has changed in it, and where the bone holds the
-/// reamer. One writer, the tick; one reader on another thread, with a picture of its own of all
-/// spheres.
+/// The changes of a bone while it is reamed, and the depth of the reamer, for drawing. One writer,
+/// the tick; one reader in another thread, which keeps its own copy of all spheres.
 class BoneView {
  public:
-  /// Reader only: what has changed since it was last asked, one by one. False where nothing has.
+  /// For the reader: the next change; false if there is none.
   bool next(SphereChange& change) noexcept { return changes_.pop(change); }
 
-  /// Where the reamer is, along its plunge [m].
+  /// Depth of the reamer along its path [m].
   double depth() const noexcept { return depth_.load(std::memory_order_relaxed); }
 
-  /// Changes that found no room: the picture shows spheres that are not there any more.
+  /// Changes that were lost because the ring was full: the picture has spheres that are gone.
   std::uint64_t lost() const noexcept {
-    return changes_.lost() + untold_.load(std::memory_order_relaxed);
+    return changes_.lost() + unreported_.load(std::memory_order_relaxed);
   }
 
-  /// Writer only.
+  /// For the writer.
   void tell(const SphereChange& change) noexcept { changes_.push(change); }
-  void tellDepth(double depth) noexcept { depth_.store(depth, std::memory_order_relaxed); }
-  void tellUntold(std::uint64_t changes) noexcept {
-    untold_.store(changes, std::memory_order_relaxed);
+  void setDepth(double depth) noexcept { depth_.store(depth, std::memory_order_relaxed); }
+  void setUnreported(std::uint64_t changes) noexcept {
+    unreported_.store(changes, std::memory_order_relaxed);
   }
 
  private:
   SampleRing<SphereChange, 1U << 15U> changes_;
   std::atomic<double> depth_{0.0};
-  std::atomic<std::uint64_t> untold_{0};
+  std::atomic<std::uint64_t> unreported_{0};
 };
 
 }  // namespace haptics::engine

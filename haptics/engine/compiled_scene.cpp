@@ -45,7 +45,7 @@ std::string describe(const KalmanSpec& spec) {
   return words + ", the interpolation weighs " + inHundredths(interpolationWeight(spec));
 }
 
-/// What each model needs: built here, and nowhere else.
+/// Builds everything that a model needs. Only this class does so.
 struct Builder {
   bool isSeen = false;
   std::unique_ptr<ForceModel> model;

@@ -35,8 +35,8 @@ class ForceModel {
   /// that is not proved, as for a filter: renderedSlope() then measures it.
   virtual std::optional<double> slopeBound() const noexcept { return largestStiffness(); }
 
-  /// Whether the tool may move: a bone that is reamed first looks at all its spheres, some in every
-  /// tick, to see that the tool is outside of them.
+  /// Whether the tool may move. A bone that is reamed first checks, over several ticks, that the
+  /// tool is outside all its spheres.
   virtual bool isReady() const noexcept { return true; }
 
   /// How old the force is that it answers with, beyond the tick itself [ticks].

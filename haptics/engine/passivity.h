@@ -35,7 +35,8 @@ struct Passivity {
   /// b: the damping that is needed [N·s per travel unit].
   constexpr double neededDamping() const noexcept { return stiffness * effectivePeriod() / 2.0; }
 
-  /// Whether a @p damping of mechanism and hand [N·s per travel unit] takes up what the loop gives.
+  /// Whether a @p damping of mechanism and hand [N·s per travel unit] dissipates the energy that
+  /// the loop generates.
   constexpr bool isPassiveWith(double damping) const noexcept {
     return !limitCycle && neededDamping() <= damping;
   }

@@ -35,7 +35,7 @@ class IndexedCurve {
   models::Interpolation<double> curve_;
 };
 
-/// The recorded cut, replayed over travel; the opening branch is there only where it is felt.
+/// The recorded cut over travel; the opening branch exists only with hysteresis.
 class InterpolationModel final : public ForceModel {
  public:
   /// @param spec  sound.

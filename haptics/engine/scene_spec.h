@@ -127,8 +127,8 @@ ModelParts partsOf(const ModelSpec& model) noexcept;
 /// travel unit]. std::nullopt for a model that has no end of its own.
 std::optional<double> endOfData(const ModelSpec& model);
 
-/// The same model as a curve over travel: without noise, and before anything is taken away.
-/// std::nullopt for a model whose force depends on more than travel, or is a recording's.
+/// The model as a curve over travel, without noise and before removal. std::nullopt if its force
+/// depends on more than travel, or comes from a recording.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);
 
 /// What the meniscus that is seen follows: MeshView.

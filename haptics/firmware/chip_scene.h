@@ -46,7 +46,8 @@ class ChipScene {
     filter_.reset();
   }
 
-  /// The voltage [mV] that resists at @p counts of the encoder; nothing if there is no answer.
+  /// The voltage [mV] of the resisting force at @p counts of the encoder; 0 if the force is
+  /// undefined.
   int32_t millivoltsAt(int32_t counts) noexcept {
     const float force = forceAt(travelAt(counts));
     const float bounded = force > model_.largestForce    ? model_.largestForce

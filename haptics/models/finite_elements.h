@@ -113,8 +113,8 @@ class FiniteElements {
     return {p_.yieldForce, Scalar{0}, true};
   }
 
-  /// How far each midpoint gives way under one newton at the tool [travel units per N]: K⁻¹ c of
-  /// eq. (11), N of them. The mesh under a force is this, times the force: whoever draws it.
+  /// Displacement of each midpoint per newton at the tool [travel units per N]: K⁻¹ c of eq. (11),
+  /// N of them. Multiplied by the force this is the mesh; the caller that draws it multiplies.
   constexpr void writeMeshShape(Scalar* shape) const noexcept {
     if (p_.weights == ToolWeights::ExactKink) {
       const int before = nodesBefore(p_.toolPosition);

@@ -22,7 +22,7 @@ enum class BeyondCurve {
   Hold,          ///< the force at the end stays
   Zero,          ///< nothing, at once
   AuthorsClamp,  ///< 0.01 N; and within the curve never less, nor more than 4.29 N
-  Absent,        ///< there is no measurement: undefined, and within the curve trusted by trustAt()
+  Absent,        ///< no measurement: undefined; inside the curve weighted by trustAt()
 };
 
 /// The force of a recorded cut, by straight lines between its points: eq. (2) of the punch paper,

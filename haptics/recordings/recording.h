@@ -38,7 +38,7 @@ struct Recording {
     friend bool operator==(const Row&, const Row&) = default;
   };
 
-  /// A line that was there and is no row.
+  /// A line that is not a valid row.
   struct RefusedLine {
     std::size_t number = 0;  ///< in the file, from 1
     std::string reason{};    ///< e.g. "2 numbers instead of 5"

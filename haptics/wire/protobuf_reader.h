@@ -78,7 +78,7 @@ class Reader {
     return {both >> 3U, both & 7U};
   }
 
-  /// Passes over an unknown field, with all groups that are in it.
+  /// Skips an unknown field, including nested groups.
   void skip(Tag tag) noexcept {
     std::array<std::uint32_t, kDeepest> open{};
     std::size_t count = 0;

@@ -33,7 +33,7 @@ const T* ReferencedFiles::once(
     const std::string& name,
     const std::string& path,
     const Read& read,
-    const Ending& ending) {
+    const FileExtension& ending) {
   if (name.empty()) return nullptr;
   auto file = known.find(name);
   if (file == known.end()) {

@@ -62,7 +62,7 @@ class ReferencedFiles {
   using ByName = std::map<std::string, std::optional<T>>;  ///< std::nullopt if the file is damaged
 
   /// The required extension of a kind of file, and the fix for another one.
-  struct Ending {
+  struct FileExtension {
     std::string_view ending;
     std::string_view fix;
   };
@@ -73,7 +73,7 @@ class ReferencedFiles {
       const std::string& name,
       const std::string& path,
       const Read& read,
-      const Ending& ending = {});
+      const FileExtension& ending = {});
   void addProblemsOf(const questionnaires::Problems& found, const std::string& file);
   void completeWording(
       questionnaires::Instrument& instrument,

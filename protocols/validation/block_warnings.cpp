@@ -35,7 +35,7 @@ class BlockAdvice {
   void relativeItems(std::size_t index) {
     const auto& asked = phase_.trials.questionnaires[index];
     for (const auto& condition : phase_.trials.conditions) {
-      if (!canComeFirst(condition)) continue;
+      if (!mayBeFirst(condition)) continue;
       const auto items = loaded_.instrument(asked.instrument)->itemsOf(asked.setFor(condition));
       for (const auto& item : items) {
         if (item.reference != questionnaires::Reference::Previous) continue;
@@ -47,7 +47,7 @@ class BlockAdvice {
     }
   }
 
-  bool canComeFirst(const std::string& condition) const {
+  bool mayBeFirst(const std::string& condition) const {
     bool isBackwards = false;
     const Phase* source = &phase_;
     while (source->trials.order.type == OrderType::Reversed) {

@@ -44,7 +44,7 @@ class Advice {
     }
   }
 
-  void onInstruments() {
+  void addInstrumentWarnings() {
     std::set<std::string> told;
     for (const auto& use : instrumentUses(protocol_)) {
       if (!told.insert(use.instrument).second) continue;
@@ -58,7 +58,7 @@ class Advice {
     }
   }
 
-  void onWhatNobodyUses() {
+  void onUnusedParts() {
     std::set<std::string> devices;
     for (const auto& condition : protocol_.conditions) devices.insert(condition.device);
     std::set<std::string> felt;
@@ -162,11 +162,11 @@ class Advice {
 void addWarnings(const LoadedProtocol& loaded, Problems& problems) {
   Advice advice(loaded, problems);
   advice.onTexts();
-  advice.onInstruments();
+  advice.addInstrumentWarnings();
   addSceneWarnings(loaded.protocol, problems);
   addBlockWarnings(loaded, problems);
   addAnalysisWarnings(loaded.protocol, problems);
-  advice.onWhatNobodyUses();
+  advice.onUnusedParts();
 }
 
 }  // namespace protocols

@@ -99,7 +99,7 @@ void readLists(const Node& root, const TextReader& texts, Instrument& instrument
 Instrument readRoot(const Node& root) {
   Instrument instrument;
   readSchema(root);
-  instrument.id = idOrStandIn(root, "id", 0);
+  instrument.id = idOrGenerated(root, "id", 0);
   instrument.version = root.id("version");
   instrument.languages = readLanguages(root);
   const TextReader texts(instrument.languages);
@@ -113,7 +113,7 @@ Instrument readRoot(const Node& root) {
 
 /// Adds what problemsOf() found, where the reading has not complained about the same place; and
 /// warnings once there is nothing worse.
-void addWhatIsNew(const Problems& more, Problems& problems) {
+void addNewContent(const Problems& more, Problems& problems) {
   std::set<std::string> places;
   for (const auto& problem : problems.all()) places.insert(problem.path);
   const bool wasSound = !problems.hasErrors();
@@ -145,7 +145,7 @@ std::optional<Instrument> readInstrument(std::string_view json, Problems& proble
              "occasions",
              "consistency"})) {
       instrument = readRoot(root);
-      addWhatIsNew(problemsOf(*instrument), found);
+      addNewContent(problemsOf(*instrument), found);
     }
   }
   problems.append(found);

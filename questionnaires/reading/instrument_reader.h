@@ -40,7 +40,7 @@ bool isLanguageTag(std::string_view tag) noexcept;
 Scale readScale(const Node& node, const TextReader& texts);
 
 /// A scale that is none, in the place of one that could not be read.
-Scale standInScale(const TextReader& texts);
+Scale defaultScale(const TextReader& texts);
 
 /// What stands for a number that could not be read.
 inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
@@ -72,7 +72,7 @@ class ItemReader {
 };
 
 /// The id behind @p key, or, if there is none, one that no other has.
-std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index);
+std::string idOrGenerated(const Node& node, std::string_view key, std::size_t index);
 
 /// The score that @p node describes, the one with number @p index.
 Score readScore(const Node& node, const TextReader& texts, std::size_t index);

@@ -41,7 +41,7 @@ void readLabels(const Node& node, const TextReader& texts, Scale& scale) {
 }  // namespace
 
 Scale readScale(const Node& node, const TextReader& texts) {
-  Scale scale = standInScale(texts);
+  Scale scale = defaultScale(texts);
   if (!node.isObjectWith({"lowest", "points", "low_label", "high_label", "point_labels"})) {
     return scale;
   }
@@ -56,7 +56,7 @@ Scale readScale(const Node& node, const TextReader& texts) {
   return scale;
 }
 
-Scale standInScale(const TextReader& texts) {
+Scale defaultScale(const TextReader& texts) {
   Scale scale;
   scale.lowLabel = texts.standIn();
   scale.highLabel = texts.standIn();
@@ -131,7 +131,7 @@ void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
   }
 }
 
-/// The type that @p node names; where it names none, that is a problem.
+/// The type named by @p node; a problem if it names none.
 std::optional<Choice<ItemType>> typeOf(const Node& node) {
   const auto name = node.member("type");
   if (name && name->isText()) {
@@ -212,10 +212,10 @@ Item ItemReader::read(const Node& node, std::size_t index) const {
   Item item;
   item.id = "unread." + std::to_string(index);
   item.text = texts_.standIn();
-  item.scale = standInScale(texts_);
+  item.scale = defaultScale(texts_);
   if (!knowsItsKeys(node)) return item;
 
-  item.id = idOrStandIn(node, "id", index);
+  item.id = idOrGenerated(node, "id", index);
   const auto type = typeOf(node);
   if (type) {
     item.type = type->value;
@@ -322,10 +322,10 @@ Option ItemReader::readOption(const Node& node, std::size_t index) const {
   if (!node.isObjectWith({"id", "text"})) {
     return {.id = "unread." + std::to_string(index), .text = texts_.standIn()};
   }
-  return {.id = idOrStandIn(node, "id", index), .text = texts_.required(node, "text")};
+  return {.id = idOrGenerated(node, "id", index), .text = texts_.required(node, "text")};
 }
 
-std::string idOrStandIn(const Node& node, std::string_view key, std::size_t index) {
+std::string idOrGenerated(const Node& node, std::string_view key, std::size_t index) {
   std::string id = node.id(key);
   return id.empty() ? "unread." + std::to_string(index) : id;
 }

@@ -99,9 +99,9 @@ void inspectWeights(const Score& score, const std::string& path, Problems& probl
   const bool isSound = std::all_of(score.weights.begin(), score.weights.end(), [](double weight) {
     return std::isfinite(weight) && weight >= 0.0;
   });
-  const bool isHeavy = std::any_of(
+  const bool hasPositiveWeight = std::any_of(
       score.weights.begin(), score.weights.end(), [](double weight) { return weight > 0.0; });
-  if (isSound && isHeavy) return;
+  if (isSound && hasPositiveWeight) return;
   problems.add(path + ".weights", "these weights count nothing", "write numbers above 0");
 }
 

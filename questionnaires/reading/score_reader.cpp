@@ -82,7 +82,7 @@ Score readScore(const Node& node, const TextReader& texts, std::size_t index) {
            "missing_as"})) {
     return score;
   }
-  score.id = idOrStandIn(node, "id", index);
+  score.id = idOrGenerated(node, "id", index);
   score.title = texts.required(node, "title");
   if (!node.has("items")) {
     node.problem("items", "this score counts no items", "name at least one");

@@ -13,7 +13,7 @@ bool isAmong(const std::vector<std::string>& all, const std::string& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// Whether @p wording was written for @p instrument as it is.
+/// Whether @p wording was written for this version of @p instrument.
 void inspectHead(const Wording& wording, const Instrument& instrument, Problems& problems) {
   if (wording.instrument != instrument.id) {
     problems.add(
@@ -73,7 +73,7 @@ void forget(const std::string& language, Instrument& instrument) {
   languages.erase(std::remove(languages.begin(), languages.end(), language), languages.end());
 }
 
-void tellThatItIsMissing(
+void reportMissingWording(
     const Instrument& instrument,
     const std::string& language,
     const std::string& path,
@@ -163,7 +163,7 @@ void completeWording(
     if (missingTexts(instrument, language).empty()) continue;
     if (addWording(instrument, language, find, problems)) continue;
     if (language == "en") {
-      tellThatItIsMissing(instrument, language, path, problems);
+      reportMissingWording(instrument, language, path, problems);
     } else if (isAmong(instrument.languages, language)) {
       forget(language, instrument);
     }

@@ -30,8 +30,8 @@ std::optional<std::string> chosenIn(
 /// How many items have to be answered.
 std::size_t needed(const Score& score) {
   const bool mayMiss = score.aggregate == Score::Aggregate::Mean || score.missingAs.has_value();
-  const bool isTold = score.leastAnswered > 0 && score.weightsFrom.empty();
-  return mayMiss && isTold ? score.leastAnswered : score.items.size();
+  const bool hasMinimum = score.leastAnswered > 0 && score.weightsFrom.empty();
+  return mayMiss && hasMinimum ? score.leastAnswered : score.items.size();
 }
 
 /// The items that count, with their weights; @p weights is empty where every item weighs one.

@@ -146,7 +146,7 @@ const protocols::Condition& conditionOf(
 }
 
 /// The simulated device that @p condition uses.
-haptics::devices::Capabilities standInFor(
+haptics::devices::Capabilities simulatedDeviceFor(
     const protocols::Protocol& protocol, const protocols::Condition& condition) {
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
@@ -158,7 +158,7 @@ int explain(const ExplainOptions& options) {
   auto spec = condition->scene();
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = standInFor(file->protocol, *condition);
+  const auto device = simulatedDeviceFor(file->protocol, *condition);
   const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec, *device.kind);
@@ -248,8 +248,8 @@ std::vector<const protocols::Condition*> playedConditions(
   std::vector<const protocols::Condition*> conditions;
   for (const auto& id : options.conditions) {
     conditions.push_back(&conditionOf(protocol, id));
-    if (standInFor(protocol, *conditions.back()).kind !=
-        standInFor(protocol, *conditions.front()).kind) {
+    if (simulatedDeviceFor(protocol, *conditions.back()).kind !=
+        simulatedDeviceFor(protocol, *conditions.front()).kind) {
       throw UserError("These conditions are felt on different devices; play them one by one.");
     }
   }
@@ -260,7 +260,7 @@ int playScene(const PlayOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
   const auto conditions = playedConditions(options, file->protocol);
-  const auto device = standInFor(file->protocol, *conditions.front());
+  const auto device = simulatedDeviceFor(file->protocol, *conditions.front());
   const auto profile = profileOf(motionFor(options, device, conditions));
   std::vector<PlayedCurve> curves;
   for (const auto* condition : conditions) {

@@ -98,7 +98,7 @@ int simulatedSessions(Study& study) {
 
 /// Prints the progress of a long simulation. An enrolment means that the participant before has
 /// finished.
-void tellProgress(const Acknowledged& done, int& finished, int participants) {
+void printProgress(const Acknowledged& done, int& finished, int participants) {
   constexpr int kEvery = 10;
   if (done.kind != Acknowledged::Kind::Enrolment) return;
   if (finished > 0 && finished % kEvery == 0) {
@@ -116,7 +116,7 @@ int simulate(const StudyArguments& options) {
   const int already = simulatedSessions(study);
   int finished = already;
   const auto acknowledge = [&](const Acknowledged& done) {
-    tellProgress(done, finished, participants);
+    printProgress(done, finished, participants);
     if (!options.verbose) return;
     fmt::print("saved {}\n", done.what);
     std::fflush(stdout);

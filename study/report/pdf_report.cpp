@@ -99,7 +99,7 @@ double endOfFirstLine(const QTextDocument& document, const QTextBlock& block) {
 
 /// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks
 /// undrawn (Qt 6.4).
-void layOutAnew(QTextDocument& document) {
+void layOutAgain(QTextDocument& document) {
   const QSizeF size = document.pageSize();
   document.setPageSize(size + QSizeF(1.0, 1.0));
   document.setPageSize(size);
@@ -121,7 +121,7 @@ void keepWithNext(QTextDocument& document) {
       if (!isFree || pageOf(top) == pageOf(endOfFirstLine(document, next))) continue;
       format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
       QTextCursor(block).setBlockFormat(format);
-      layOutAnew(document);
+      layOutAgain(document);
       hasMoved = true;
     }
   }
@@ -163,7 +163,7 @@ void splitAtPages(QTextDocument& document) {
       lower.setObjectIndex(-1);
       cursor.setBlockFormat(lower);
     }
-    layOutAnew(document);
+    layOutAgain(document);
   }
 }
 

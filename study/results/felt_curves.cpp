@@ -15,7 +15,7 @@ namespace {
 
 /// The intended force of a bone at the travel of each point: its curve, or its spheres before any
 /// is removed, without jitter. Empty if the force depends on more than travel.
-std::vector<double> meantForces(
+std::vector<double> intendedForces(
     const haptics::engine::ModelSpec& felt, const std::vector<FeltCurve::Point>& points) {
   const auto model = haptics::engine::undisturbed(felt);
   if (!model) return {};
@@ -57,7 +57,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
     }
     curve.points = bins.points();
     for (auto& [participant, own] : byParticipant) curve.medians[participant] = own.medians();
-    curve.meant = meantForces(*condition.model, curve.points);
+    curve.meant = intendedForces(*condition.model, curve.points);
     if (curve.trials > 0) curves.push_back(std::move(curve));
   }
   return curves;

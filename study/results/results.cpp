@@ -233,7 +233,8 @@ class Computation {
   }
 
   /// The condition of an alternative in a session; empty if the session had none.
-  std::string feltAs(SessionId session, const std::string& block, const std::string& label) const {
+  std::string conditionOf(
+      SessionId session, const std::string& block, const std::string& label) const {
     int number = 0;
     std::from_chars(label.data(), label.data() + label.size(), number);
     const auto felt = allocation_.find({session, block, number});
@@ -257,7 +258,7 @@ class Computation {
       const bool isVote = item != nullptr && label != nullptr &&
                           item->optionSource == questionnaires::OptionSource::Alternatives;
       if (!isVote) continue;
-      const auto felt = feltAs(answer.step.visit.session, phase.block, *label);
+      const auto felt = conditionOf(answer.step.visit.session, phase.block, *label);
       const auto& options = block.conditions;
       if (std::find(options.begin(), options.end(), felt) != options.end()) result.votes.add(felt);
     }

@@ -36,8 +36,8 @@ std::vector<Spline> splinePeers(const std::vector<double>& xs, const std::vector
 /// The paper's string of finite elements, solved in one way.
 struct StringSolver {
   std::string name;
-  /// The force at the tool [N] where it has moved by y [travel units]; works out the displacements
-  /// of all midpoints as well, except where its name says otherwise.
+  /// The force at the tool [N] after a displacement y [travel units]; computes the displacements of
+  /// all midpoints as well, except where its name says otherwise.
   std::function<double(double y)> solve;
 };
 

@@ -15,7 +15,7 @@
 namespace haptics::reaming {
 namespace {
 
-constexpr float kTiny = 1e-20F;  // keeps what is nowhere from being divided by
+constexpr float kTiny = 1e-20F;  // avoids a division by zero in empty slots
 
 /// One number for each lane; GCC makes one register of it.
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));

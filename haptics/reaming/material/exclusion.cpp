@@ -107,8 +107,8 @@ std::optional<std::string> brokeOut(const Series& series) {
 }
 
 std::optional<std::string> reamedThrough(const Series& series) {
-  constexpr double kAfter = 0.010;    // [m]
-  constexpr double kAtLeast = 0.001;  // [m]
+  constexpr double kEarliestDepth = 0.010;  // [m]
+  constexpr double kAtLeast = 0.001;        // [m]
   const auto means = halfSeconds(series);
   if (means.empty()) return std::nullopt;
   const double most = *std::max_element(means.begin(), means.end());
@@ -119,7 +119,7 @@ std::optional<std::string> reamedThrough(const Series& series) {
   if (empty == means.size()) return std::nullopt;
   const double from = series.displacement[empty * length] - start;
   const double to = series.displacement.back() - start;
-  if (from < kAfter || to - from < kAtLeast) return std::nullopt;
+  if (from < kEarliestDepth || to - from < kAtLeast) return std::nullopt;
   return "nothing is felt any more from " + shown(kMillimetres * from) + " mm on";
 }
 

@@ -13,7 +13,7 @@ namespace haptics::reaming {
 
 /// Which samples of a curve become nodes of its spline.
 enum class NodeRule {
-  Greedy,        ///< split the worst piece where it is worst, until the error is met
+  Greedy,        ///< split the piece with the largest error at that place, until the error is met
   PaperLiteral,  ///< every sample whose |f″| is above a threshold, which falls until it is met
   Thinned,       ///< of each run of such samples its middle
   Optimal,       ///< as few as there can be, by dynamic programming over at most 2,001 samples

@@ -51,7 +51,7 @@ pid_t start(const std::string& firmware, int out) {
 }
 
 /// The pseudo-terminal in QEMU's output: "char device redirected to /dev/pts/0 (label serial0)".
-std::string portSaid(int from) {
+std::string portIn(int from) {
   std::string said;
   pollfd watched{.fd = from, .events = POLLIN, .revents = 0};
   while (poll(&watched, 1, kLongestStart) > 0) {
@@ -82,7 +82,7 @@ QemuPunch::QemuPunch(const std::string& firmware, const std::string& link)
   try {
     id_ = start(firmware, ends[1]);
     ::close(ends[1]);
-    port_ = portSaid(ends[0]);
+    port_ = portIn(ends[0]);
     ::close(ends[0]);
   } catch (...) {
     ::close(ends[0]);

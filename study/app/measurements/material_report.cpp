@@ -139,7 +139,7 @@ DataTable errorTable(const std::vector<NamedCurve>& curves) {
 }
 
 /// The number of specimens that a test set's curves are made from, over depth.
-DataTable leftTable(const reaming::TestSetFit& set) {
+DataTable specimenTable(const reaming::TestSetFit& set) {
   DataTable table{
       .name = "specimens-" + std::string(nameOf(set.set)),
       .description = "Specimens that count, from each depth at which that changes",
@@ -236,7 +236,7 @@ report::DocumentPart setPart(
          .chart = envelopeChart(envelope, fmt::format("{} [{}]", quantity, unit), depth, options)});
     part.tables.push_back(envelopeTable(set, quantity, column, envelope, options));
   };
-  part.tables.push_back(leftTable(set));
+  part.tables.push_back(specimenTable(set));
   add("force", "N", "n", set.force, false);
   if (set.torque) add("torque", "N·m", "nm", *set.torque, true);
   return part;

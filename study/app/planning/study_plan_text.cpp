@@ -308,7 +308,7 @@ std::string cohortsInWords(const StudyPlan& plan) {
   return words;
 }
 
-std::string findableInWords(const StudyPlan& plan, const FamilyPlan& family) {
+std::string detectableInWords(const StudyPlan& plan, const FamilyPlan& family) {
   std::string words = fmt::format(
       " The family “{}” consists of {} of {} ({}). A paired t-test on participants' mean ratings "
       "needs {} participants a cohort to find a standardised difference of d_z = {:g} with a "
@@ -336,7 +336,7 @@ std::string findableInWords(const StudyPlan& plan, const FamilyPlan& family) {
 
 /// "all 3 conditions"; for several blocks "3 conditions in “a” and 2 conditions in “b”". Empty if
 /// no block has two conditions.
-std::string feltInWords(const StudyPlan& plan) {
+std::string conditionsInWords(const StudyPlan& plan) {
   std::string words;
   std::size_t most = 0;
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
@@ -355,14 +355,14 @@ std::string ethicsParagraph(const StudyPlan& plan) {
   const auto cohorts = cohortsInWords(plan);
   std::string words = cohorts.empty() ? "The number of participants has not been decided."
                                       : "We plan to include " + cohorts + ".";
-  if (const auto felt = feltInWords(plan); !felt.empty()) {
+  if (const auto felt = conditionsInWords(plan); !felt.empty()) {
     words += " Every participant feels " + felt +
              ", so that conditions are compared within participants";
     words += plan.balancedBy > 1
                  ? fmt::format("; orders are balanced for every {} participants.", plan.balancedBy)
                  : ".";
   }
-  for (const auto& family : plan.families) words += findableInWords(plan, family);
+  for (const auto& family : plan.families) words += detectableInWords(plan, family);
   words += fmt::format(
       " A session takes about {:.0f} minutes, of which about {:.0f} are spent touching the "
       "device, which is limited to {:g} N. Participants may pause or stop at any time.",

@@ -28,7 +28,7 @@ struct RunOptions {
 
 /// Prints the pooled tables, and again after each new event, until it is interrupted.
 [[noreturn]] void watch(Study& study, RunMode mode) {
-  constexpr std::chrono::milliseconds kBetweenLooks{500};
+  constexpr std::chrono::milliseconds kWatchPeriod{500};
   while (true) {
     // read before counting, so that later events are not missed
     const auto seen = study.events().last();
@@ -38,7 +38,7 @@ struct RunOptions {
         resultsAsText(study, pooledResults(study, mode), Profile::AsPublished),
         asUtc(study.clock().now().wall));
     std::fflush(stdout);
-    while (study.events().last() == seen) std::this_thread::sleep_for(kBetweenLooks);
+    while (study.events().last() == seen) std::this_thread::sleep_for(kWatchPeriod);
   }
 }
 

@@ -15,7 +15,7 @@ namespace study::gui::scene {
 /// above and below. A view through an arthroscope darkens towards its rim.
 struct Brightness {
   float diffuse = 0.0F;  ///< multiplies the colour of the surface
-  float shine = 0.0F;    ///< is added to it
+  float shine = 0.0F;    ///< brightness of the highlight that is added
 };
 
 /// @param place, normal  in the eye's frame. @param gloss  in [0, 1].
