@@ -24,8 +24,8 @@ class Hand {
 ///
 ///     F = k (x₀(t) − x) + b (ẋ₀(t) − ẋ),
 ///
-/// with x₀ on a minimum-jerk path x₀ = a + (b − a)(10 τ³ − 15 τ⁴ + 6 τ⁵) (Flash & Hogan 1985). What
-/// it meets therefore changes what it does: a stiffer tissue is entered less far.
+/// with x₀ on a minimum-jerk path x₀ = a + (b − a)(10 τ³ − 15 τ⁴ + 6 τ⁵) (Flash & Hogan 1985). The
+/// resistance therefore changes the movement: the hand goes less far into a stiffer tissue.
 class SimulatedHand final : public Hand {
  public:
   /// One person's hand. Travel in the device's unit.
@@ -65,8 +65,8 @@ class SimulatedHand final : public Hand {
   double closeTime_ = 0.0;  ///< in this cycle [s]
 };
 
-/// A hand that follows a pointer: the mouse or the keys, if there is no device. Another thread says
-/// where to go.
+/// A hand that follows a pointer, moved by the mouse or the keys, if there is no device. Another
+/// thread sets its target.
 class PointerHand final : public Hand {
  public:
   struct Grip {

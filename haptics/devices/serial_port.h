@@ -9,7 +9,7 @@
 namespace haptics::devices {
 
 /// A serial line, raw, without an event loop: for a thread that ticks. Closed at the first error;
-/// nobody but its owner opens it again.
+/// only its owner opens it again.
 class SerialPort {
  public:
   SerialPort() = default;
@@ -34,7 +34,7 @@ class SerialPort {
   /// What has come, up to the size of @p into; 0 for nothing. Closes where the line is gone.
   std::size_t read(std::span<std::uint8_t> into) noexcept;
 
-  /// All of it or nothing: false if there is no room. Closes where the line is gone.
+  /// Writes all bytes or none: false if the buffer is full. Closes the port if the line has failed.
   bool write(std::span<const std::uint8_t> bytes) noexcept;
 
   /// Throws away what has come.

@@ -7,9 +7,8 @@
 
 namespace haptics::devices {
 
-/// A stand-in for an instrument: a mass on one axis between the hand that pushes it and the force
-/// that the engine commands, with the friction of the mechanism and a spring at either end of
-/// travel,
+/// A simulated instrument: a mass on one axis between the hand that pushes it and the force that
+/// the engine commands, with the friction of the mechanism and a spring at either end of travel,
 ///
 ///     m ẍ = F_hand − F − b ẋ − F_stop.
 ///

@@ -52,7 +52,7 @@ void WireDevice::resumeKeeper() noexcept {
 }
 
 void WireDevice::arm() {
-  stopKeeper();  // and what it finds until then counts
+  stopKeeper();  // its findings until then count
   if (lifecycle() == Lifecycle::Closed || lifecycle() == Lifecycle::Faulted) {
     const std::string why = fault();
     throw DeviceError(

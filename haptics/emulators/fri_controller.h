@@ -22,15 +22,13 @@ namespace haptics::emulators {
 /// CLOCK_MONOTONIC of this machine [ns].
 std::int64_t monotonicTime() noexcept;
 
-/// A stand-in for the robot controller's side of KUKA's Fast Robot Interface, with a simulated arm
-/// and a surgeon behind it, without a line of KUKA's. Not a model of KUKA's timing, nor a safety
-/// device.
+/// Emulates the robot controller's side of KUKA's Fast Robot Interface, with a simulated arm and
+/// surgeon, without code of KUKA's. It is not a model of KUKA's timing, nor a safety device.
 ///
 /// Each period one message goes out, and the arm moves for a period with the last command; answers
-/// are judged as they come. A command that may not be followed ends the motion at once; so does one
-/// that is missing for too long, at the next period: the overlay becomes nothing, and the arm is
-/// held where it is. Thresholds are with ConnectionQuality, states and their rules with FriSession,
-/// limits with FriLimits.
+/// are judged as they come. A forbidden command ends the motion at once, and missing commands end
+/// it at the next period: the overlay becomes zero, and the arm is held at its position. Thresholds
+/// are with ConnectionQuality, states and their rules with FriSession, limits with FriLimits.
 ///
 /// One thread steps and receives, or runs; any thread commands and asks for the report. After
 /// construction step() and receive() neither allocate, throw nor wait for another thread.

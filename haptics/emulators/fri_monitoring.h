@@ -51,9 +51,9 @@ struct FriStanding {
   std::uint32_t receiveMultiplier = 1;
 };
 
-/// The message of this period, with everything that any version knows; the codec leaves out what
-/// the version at hand does not. There are 7 joints, always; what the interpolator is at is there
-/// in the commanding states only.
+/// The message of this period, with the fields of all versions; the codec leaves out those that the
+/// present version does not have. There are always 7 joints; the interpolator's position is set in
+/// the commanding states only.
 wire::fri::MonitoringMessage monitoringMessage(
     const FriStanding& standing, const FriSession& session, const FriArm& arm) noexcept;
 

@@ -34,7 +34,7 @@ class FriOrders {
       : impairment_(impairment), period_(period) {}
 
   /// Takes a line such as "drop 3"; see docs of FriController::command().
-  /// @return nothing, or what is wrong with the line in a sentence.
+  /// @return std::nullopt, or what is wrong with the line, in a sentence.
   std::optional<std::string> give(std::string_view line);
 
   /// All commands of the arm's stand-in, with their arguments, in one line.

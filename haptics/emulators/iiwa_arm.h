@@ -32,20 +32,20 @@ struct CartesianImpedance {
   Vector6 stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 200.0};
   /// ζ, in [0, 1].
   Vector6 dampingRatio = Vector6::Constant(0.7);
-  /// Besides, and if there is no spring: along [N·s/m], in [0, 1000]; about [N·m·s/rad], in [0,
-  /// 50].
+  /// Additional damping, also without a spring: along [N·s/m], in [0, 1000]; about [N·m·s/rad], in
+  /// [0, 50].
   Vector6 damping = Vector6::Zero();
 };
 
-/// Springs and dampers in the joints, about the commanded joints. Nothing in either is no control
-/// but the overlay.
+/// Springs and dampers in the joints, about the commanded joints. With zero in both there is only
+/// the overlay.
 struct JointImpedance {
   devices::JointVector stiffness = devices::JointVector::Constant(1000.0);  ///< [0, 5000] [N·m/rad]
   /// [N·m·s/rad], from 0 to a joint's inertia over 0.25 ms: 400 for A7 by default.
   devices::JointVector damping = devices::JointVector::Constant(20.0);
 };
 
-/// A stand-in for an LBR iiwa and its controller, for tests and demonstrations without an arm:
+/// Emulates an LBR iiwa and its controller, for tests and demonstrations without an arm:
 ///
 ///     M q̈ = τ + Jᵀ F_ext − D q̇,    τ = law(q, q̇) + overlay, each within the arm's torque limit.
 ///
@@ -53,7 +53,7 @@ struct JointImpedance {
 /// same everywhere, so nothing is coupled by inertia; joints are stiff, without friction but D;
 /// nothing keeps the elbow of a Cartesian law in its place but D, so it settles in about M/D. A
 /// joint that meets its limit of position stops there and is free to come back. Limits of velocity
-/// are not watched here. A law that is cut off by a limit of torque is no spring any more, and its
+/// are not watched here. A law that is limited by a torque limit is not a spring any more, and its
 /// energy() may grow.
 ///
 /// Wrenches are in the axes of the arm's base, at the tool's point. Its only clock is step(). After
@@ -73,10 +73,10 @@ class IiwaArm {
   void setControl(const CartesianImpedance& law);
   void setControl(const JointImpedance& law);
 
-  /// The joints that the law is about [rad]. False, and as before, if one is NaN.
+  /// The centre of the law in joint space [rad]. Returns false without a change if one is NaN.
   bool commandPosition(const devices::JointVector& position) noexcept;
 
-  /// Added to what the law gives, and held. What is NaN is none at all, and false.
+  /// Added to the torques of the law, and held. NaN sets it to zero and returns false.
   bool setOverlayWrench(const devices::Wrench& wrench) noexcept;
   bool setOverlayTorque(const devices::JointVector& torque) noexcept;  ///< [N·m]
 
@@ -87,8 +87,8 @@ class IiwaArm {
   /// setHand(nullptr).
   void setHand(SurgeonHand* hand) noexcept { hand_ = hand; }
 
-  /// Lets @p dt [s], in (0, 0.1], go by, in steps of its own of 0.25 ms at the most; the hand is
-  /// asked in each. False, and it stays where it is with no velocity, if dt is out of range or a
+  /// Advances by @p dt [s], in (0, 0.1], in internal steps of at most 0.25 ms; the hand gives its
+  /// force in each. False, and it stays where it is with no velocity, if dt is out of range or a
   /// force is NaN.
   bool step(double dt) noexcept;
 

@@ -19,7 +19,7 @@ enum class Fault : std::uint8_t {
   Double,   ///< it arrives twice, one right after the other
   Reorder,  ///< it arrives after its successor
   Delay,    ///< it arrives some frames later
-  Garbage,  ///< before it comes something that is no frame
+  Garbage,  ///< garbage is sent before it
   Damage    ///< one of its bytes is another
 };
 

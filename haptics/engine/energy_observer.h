@@ -4,9 +4,9 @@
 
 namespace haptics::engine {
 
-/// Watches whether a hand gets more energy out of a scene than it put in, and damps where it is
-/// asked to: time-domain passivity (Hannaford & Ryu 2002; for a force that is held over a step Ryu,
-/// Preusche, Hirzinger & Hannaford 2005).
+/// Observes whether a scene returns more energy than the hand put in, and damps it on request:
+/// time-domain passivity (Hannaford & Ryu 2002; for a force that is held over a step Ryu, Preusche,
+/// Hirzinger & Hannaford 2005).
 ///
 /// The force f that is held while the tool moves on by Δx takes up f Δx; the mechanism's damping b
 /// takes up b v² Δt besides:
@@ -14,8 +14,8 @@ namespace haptics::engine {
 ///     E ← E + f Δx + b v² Δt.
 ///
 /// E < 0 says that the rendered scene and the mechanism together are active. Each contact is
-/// counted by itself: if there is no force, E starts anew, so that what one cut dissipated excuses
-/// nothing in the next.
+/// counted separately: without a force E starts at 0 again, so that the dissipation of one cut does
+/// not hide generation in the next.
 class EnergyObserver {
  public:
   struct Settings {

@@ -40,7 +40,7 @@ class ForceEngine {
   /// or throws.
   ///
   /// Read device → check sample → scene → passivity → gate → saturate → slew → check for finiteness
-  /// → command. A stop, a device that is gone and a scene without an answer let go of the hand; a
+  /// → command. After a stop, a device failure or with an undefined scene there is no force; a
   /// missing sample is bridged for one tick, and then the force fades.
   TickSample tick(double dt, int missedPeriods = 0) noexcept;
 

@@ -27,7 +27,7 @@ struct SafetyLimits {
   bool isPassivityControlled = false;
 };
 
-/// The last word before the motors: saturates, limits the rate of change, refuses NaN.
+/// The last stage before the motors: saturates, limits the rate of change, refuses NaN.
 ///
 /// It cannot be switched off. When in doubt, it answers with no force.
 class ForceLimiter {
@@ -61,8 +61,7 @@ class ForceLimiter {
   double last_ = 0.0;
 };
 
-/// How much of a force is let through, from 0 to 1: none while something is wrong, and all of it
-/// only after a soft start.
+/// The gain of a force, from 0 to 1: 0 during a fault, and 1 only after a soft start.
 ///
 /// - A scene that is new, and a stop that is over, start softly: nothing until the scene asks for a
 ///   small force, then more and more over the ramp. So does a hand that takes the switch again, and
@@ -86,7 +85,7 @@ class ForceGate {
     bool isMeasured = true;  ///< there is a new sample
     bool isHeld = true;      ///< the dead-man switch is held
     double velocity = 0.0;   ///< [device's travel unit/s]
-    double desired = 0.0;    ///< what the scene asks for [N]
+    double desired = 0.0;    ///< desired by the scene [N]
     int missedPeriods = 0;   ///< before this tick
   };
 

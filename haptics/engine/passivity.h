@@ -8,7 +8,7 @@ namespace haptics::engine {
 struct LimitCycle {
   double amplitude = 0.0;  ///< peak to peak [N]
   double frequency = 0.0;  ///< [Hz]
-  double travel = 0.0;     ///< where it was largest [travel units]
+  double travel = 0.0;     ///< of the largest value [travel units]
 };
 
 /// What a sampled force adds to the hand's energy, and what keeps it from that: eq. (25) of the

@@ -45,9 +45,9 @@ class HoleDetector {
 /// machine lets it, or at the pace that a device sets.
 ///
 /// Sleeps to absolute times on CLOCK_MONOTONIC with a timer slack of 1 ns, and spins over the last
-/// small part of a period, which hides most of the time that waking up takes. Real-time priority
-/// and locked memory are asked for and done without where they are not granted: isRealtime() says
-/// which. Lost time is never chased: a burst of ticks would feel like a knock.
+/// small part of a period, which hides most of the time that waking up takes. It asks for real-time
+/// priority and locked memory, and works without them if they are not granted; see isRealtime(). It
+/// never catches up on lost time: a burst of ticks would feel like a knock.
 class RealtimeLoop {
  public:
   /// One step: @p dt is the nominal period [s], @p lateness how long after its due time [µs]. A

@@ -53,7 +53,7 @@ struct FiniteElementsSpec {
   static constexpr ModelFacts kFacts{"finite-elements", devices::Tissue::Meniscus, ""};
 
   models::FiniteElements<double>::Parameters parameters;
-  std::vector<double> elementStiffnesses;  ///< of each element, where they differ; or none
+  std::vector<double> elementStiffnesses;  ///< of each element, if they differ; or empty
 
   /// For the model; this must outlive it.
   models::FiniteElements<double>::Parameters asParameters() const noexcept;

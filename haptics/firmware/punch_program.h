@@ -18,8 +18,8 @@ struct PunchLimits {
   uint16_t silence = 40;           ///< after which a host that is armed is given up [ms]
 };
 
-/// The punch's own program: reads the encoder, obeys the host while it speaks, and lets go as soon
-/// as it does not. One step() a loop; docs/punch-protocol.md.
+/// The punch's firmware: reads the encoder, executes the host's commands, and switches the force
+/// off as soon as there are none. One step() per iteration; docs/punch-protocol.md.
 ///
 /// Hardware gives
 ///     uint32_t micros();                              a clock [µs], wraps
@@ -321,7 +321,7 @@ class PunchProgram {
   uint32_t orderedAt_ = 0;
   uint32_t heardAt_ = 0;
   int32_t wanted_ = 0;
-  int32_t most_ = 0;  ///< of what it renders by itself [mV]
+  int32_t most_ = 0;  ///< of its own rendering [mV]
   int32_t voltage_ = 0;
 
   int32_t lastCounts_ = 0;

@@ -5,7 +5,7 @@
 
 namespace haptics::models {
 
-/// Finds the cuts that a hand makes, and the four points of each, while they happen.
+/// Detects the cuts of a hand, and the four points of each, in real time.
 ///
 /// It is fed one pair of travel and force per tick, of a punch or of any tool that is pressed home
 /// and let go (a stroke of a reamer), and knows nothing of what comes later. A cut is a closure:
@@ -17,8 +17,8 @@ namespace haptics::models {
 ///     (iii) bottom-out    the end of the travel, and the force rises again
 ///     (iv)  opening       the largest force of all, before the contact is lost
 ///
-/// A point is believed only when the force has moved far enough away from it, so an event comes a
-/// little later than the point that it announces; the point itself is the sample where it was.
+/// A point is confirmed only when the force has moved far enough away from it, so an event comes a
+/// little later than its point; the point itself is the sample at which it occurred.
 ///
 /// - The interception is the sample from which the force rises by `contactForce`, faster than
 ///   `creep` per unit of travel: of all samples since the hand last opened the one with the

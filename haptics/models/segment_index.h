@@ -5,10 +5,9 @@
 
 namespace haptics::models {
 
-/// Where to look for the piece of a curve that holds a position, without searching the curve:
-/// equal buckets over its span, each of which knows the first and the last piece that reach into
-/// it. One multiplication and two reads, then a bisection of what shares a bucket; where nodes
-/// crowd, at most log2 of how many do.
+/// Finds the piece of a curve at a position without searching the whole curve: equal buckets over
+/// its span, each with the first and the last piece that reach into it. It takes one multiplication
+/// and two reads, then a bisection of the pieces in the bucket: at most log2 of their number.
 ///
 /// Without a table it bisects the whole curve. The memory is the caller's and must outlive it.
 template <typename Scalar>

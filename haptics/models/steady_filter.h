@@ -4,8 +4,8 @@
 
 namespace haptics::models {
 
-/// The filter `authors-firmware` with the gains that it settles to on a hand that hardly moves:
-/// what is left when no division can be afforded. Another filter where Δθ varies, and named so.
+/// The filter `authors-firmware` with its steady-state gains for a hand that hardly moves, for
+/// processors without fast division. It is a different filter if Δθ varies, and has its own name.
 template <typename Scalar>
 class SteadyFilter {
  public:

@@ -21,7 +21,7 @@ struct Provenance {
   std::string filter{};                 ///< e.g. `authors-fir`
   std::string filterParameters{};       ///< in words
   std::optional<double> slopeLimit{};   ///< [N/travel unit]
-  std::vector<std::string> changes{};   ///< what the curve no longer says as it was recorded
+  std::vector<std::string> changes{};   ///< changes to the recorded curve
 };
 
 /// The four points of a cut, as models::CutDetector finds them; those it did not find are empty.

@@ -49,8 +49,8 @@ ForceCurve drawn(const Trace& trace, ImportReport& report) {
   return mean->curve;
 }
 
-/// What was recorded while the tool opened after the chosen closures; nothing where rows were asked
-/// for, or the hand did not open.
+/// The recording of the opening after the chosen closures; std::nullopt if rows were requested, or
+/// the hand did not open.
 std::optional<ForceCurve> opened(const Trace& trace, double maxSlope, ImportReport& report) {
   std::vector<ForceCurve> curves;
   for (const std::size_t number : report.closures) {

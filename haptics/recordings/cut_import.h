@@ -123,12 +123,12 @@ struct ImportedCut {
   ImportReport report;
 };
 
-/// Takes a cut from a recording: calibrates, filters, chooses, makes the travel rise strictly,
-/// limits the slope, and says what it did.
+/// Takes a cut from a recording: calibrates, filters, chooses, makes the travel strictly rising,
+/// limits the slope, and reports all changes.
 ///
-/// @throws Error  if there is no closure, or none of the number that was asked for; if none may be
-///     chosen unasked; if rows lie outside the recording, or do not close; if several closures
-///     share no travel.
+/// @throws Error  if there is no closure, or none with a requested number; if none can be chosen
+///     automatically; if rows are outside the recording, or are no closure; if several closures
+///     have no common travel.
 /// @throws std::invalid_argument  if both closures and rows are asked for, a closure twice, or the
 ///     slope limit is not positive and finite.
 ImportedCut importCut(const Recording& recording, const ImportOptions& options = {});

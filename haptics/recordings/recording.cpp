@@ -97,7 +97,7 @@ constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr std::size_t kColumns = 5;
 constexpr std::size_t kLongestQuote = 20;
 
-/// What a column is called, and what it may hold.
+/// The name and the range of a column.
 struct Column {
   std::string_view name;
   double lowest;

@@ -17,7 +17,7 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rows of a recording, numbered from 1, both ends included. Lines that are no rows do not count.
+/// Rows of a recording, numbered from 1, the last one included. Other lines do not count.
 struct RowRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -77,7 +77,7 @@ struct Sampling {
 
 Sampling samplingOf(const Recording& recording);
 
-/// A number for a sentence: so many digits after a decimal point, in every locale.
+/// A number with @p digits decimals and a decimal point, in every locale.
 std::string decimal(double value, int digits);
 
 /// No recording of a minute of cutting is larger than this [bytes].

@@ -132,9 +132,9 @@ struct ProcessNoise {
   std::size_t resting = 0;  ///< left out: the travel hardly changed, and there is no quotient
 };
 
-/// A tenth of a count of the potentiometer [travel units]: over less, a difference quotient says
-/// nothing about the tissue. The published numbers leave nothing out: with this step the ten cuts
-/// give 5.94, 0.002 and 2.62.
+/// A tenth of a count of the potentiometer [travel units]: with smaller steps a difference quotient
+/// is only noise. The published numbers include all rows: with this step the ten cuts give 5.94,
+/// 0.002 and 2.62.
 inline constexpr double kLeastStep = 0.0256;
 
 /// Puts the rows of all ranges one after another; the stiffness of a row is the difference quotient

@@ -30,7 +30,7 @@ class LatenessHistogram {
   double largest_ = 0.0;
 };
 
-/// How fast the clock of a device goes against ours, from time stamps of what it sent.
+/// The offset and drift of a device's clock against ours, from the time stamps of its messages.
 ///
 /// What is received is late by a delay that is never negative and often small: of every window only
 /// the least delay counts, and through these goes a straight line of least squares,

@@ -33,9 +33,9 @@ constexpr size_t cobsEncode(const uint8_t* bytes, size_t count, uint8_t* out) no
   return written;
 }
 
-/// What cobsEncode() was given; @p out has room for @p count bytes, and may be the input itself.
-/// How many they are; nothing (0) where a run is longer than what is there, or a zero is among
-/// them.
+/// Decodes the output of cobsEncode(). @p out has room for @p count bytes, and may be the input
+/// itself. Returns the number of bytes; 0 if a run is longer than the input, or if it contains a
+/// zero.
 constexpr size_t cobsDecode(const uint8_t* bytes, size_t count, uint8_t* out) noexcept {
   size_t read = 0;
   size_t written = 0;

@@ -19,8 +19,8 @@ std::optional<double> numberFrom(std::string_view text) noexcept {
   return value;
 }
 
-/// Fields between @p separator; how many, or std::nullopt if one is not a number or there is no
-/// room.
+/// Reads the fields between @p separator; returns their number, or std::nullopt if one is not a
+/// number or there is no room.
 std::optional<std::size_t> readFields(
     std::string_view line, char separator, std::span<double> into) noexcept {
   std::size_t count = 0;

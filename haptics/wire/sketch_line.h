@@ -34,8 +34,8 @@ struct SketchForces {
 
 using SketchLine = std::variant<SketchMesh, SketchForces>;
 
-/// Reads one line, with or without its CR LF. std::nullopt if it is no such line: other words, cut
-/// off, an empty field, more than kMost, a number that is none. Knows no locale.
+/// Reads one line, with or without its CR LF. std::nullopt if it is not such a line: other words,
+/// truncated, an empty field, more than kMost, an invalid number. Independent of the locale.
 std::optional<SketchLine> parseSketchLine(std::string_view line) noexcept;
 
 }  // namespace haptics::wire

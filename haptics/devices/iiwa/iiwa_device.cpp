@@ -168,7 +168,8 @@ void IiwaDevice::awaitReadiness() {
       "its motion with the FRI overlay, and look there for what it waits for.");
 }
 
-/// Until there is a message to act upon, or none before the deadline. Of several the newest.
+/// Receives until there is a valid message, or the deadline has passed. If there are several, the
+/// newest is used.
 bool IiwaDevice::pump(std::int64_t deadline) noexcept {
   while (socket_) {
     const std::int64_t left = deadline - timing::now();

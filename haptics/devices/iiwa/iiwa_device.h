@@ -23,7 +23,7 @@ enum class IiwaOverlay : std::uint8_t {
 /// In whose axes the robot takes a wrench: of its motion centre, as its program has set that.
 enum class WrenchFrame : std::uint8_t { Tool, Base };
 
-/// How an arm is connected, and what it carries.
+/// The connection of an arm, and its tool.
 struct IiwaSettings {
   std::string robot =
       "127.0.0.1";             ///< the controller's address; datagrams from others are not taken
@@ -43,14 +43,14 @@ struct IiwaSettings {
 };
 
 /// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends, we answer, at
-/// every message and every force that it asks for. Travel is the tool's way along the axis of
-/// reaming.
+/// every message and every force that it asks for. Travel is the tool's displacement along the axis
+/// of reaming.
 ///
-/// Nothing is sent to anybody but the robot's address, and nothing that comes from elsewhere, is
-/// damaged, doubled, overtaken or not finite is acted upon. Force is given in COMMANDING_ACTIVE
-/// alone and while the connection is GOOD or better. A robot that is not
-/// answered lets go by itself: nothing is ever sent unasked. After 20 missed cycles, or 50 ms if
-/// that is less, it is over until open().
+/// Messages are sent to the robot's address only. Messages from elsewhere, and damaged, doubled,
+/// overtaken or non-finite ones are ignored. Forces are sent in COMMANDING_ACTIVE only, and only
+/// while the connection is GOOD or better. A robot without answers switches its force off, so
+/// nothing is ever sent without a message to answer. After 20 missed cycles, or 50 ms if that is
+/// less, the device is faulted until open().
 class IiwaDevice final : public WireDevice {
  public:
   /// @throws DeviceError  if the settings make no sense.
@@ -71,7 +71,7 @@ class IiwaDevice final : public WireDevice {
 
   std::string name() const override { return "The arm at " + settings_.robot; }
   bool isConnected() const noexcept override { return socket_.has_value(); }
-  /// A robot that is not answered lets go by itself.
+  /// A robot without answers switches its force off.
   void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
   bool pump(std::int64_t deadline) noexcept override;
   void keepAlive() noexcept override { answer(0.0); }
@@ -82,7 +82,7 @@ class IiwaDevice final : public WireDevice {
   void answer(double force) noexcept;
   void overlayInto(wire::fri::CommandData& data, double force) noexcept;
   const char* whatIsWrong() const noexcept;
-  /// What a check has seen besides what the report counts.
+  /// Measurements of a check that the report does not have.
   struct Listening {
     double seconds = 0.0;                              ///< how long
     std::int64_t longestGap = 0;                       ///< between messages [ns]

@@ -4,7 +4,7 @@
 
 namespace haptics::devices {
 
-/// Keeps what an arm does, and what it is asked for, within its data sheet less a margin.
+/// Keeps the movement and the commands of an arm within its data sheet less a margin.
 class IiwaGuard {
  public:
   /// How much of a limit may be used.

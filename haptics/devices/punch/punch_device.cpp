@@ -259,7 +259,7 @@ DeviceSample PunchDevice::read(double) noexcept {
 
 void PunchDevice::command(double force) noexcept {
   if (!port_.isOpen() || isKept()) return;
-  // One force for each sample: a board that is not heard any more is left to let go by itself.
+  // One force for each sample: a board that sends nothing gets none, and switches its force off.
   const bool isAnswer = std::exchange(isUnanswered_, false);
   if (!isAnswer && force != 0.0) return;
   const auto expiry = static_cast<std::uint8_t>(settings_.expiry);
@@ -269,8 +269,8 @@ void PunchDevice::command(double force) noexcept {
   const double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
   const double millivolts = 1000.0 * bounded / settings_.newtonsPerVolt;
   if (sceneHash_) {
-    // What the engine lets through is the ceiling of what the board renders, with some room for
-    // what moves in between: no force is no force on the board, too.
+    // The engine's force limits the board's force, with some tolerance for movement in between.
+    // Without a force of the engine the board has none either.
     constexpr double kRoom = 1.25;
     constexpr double kMore = 0.3;  // [N]
     const double ceiling =

@@ -27,7 +27,8 @@ struct PunchSettings {
   double travelAtZero = 0.0;        ///< at count 0 [travel units]
   double newtonsPerVolt = 0.667;    ///< at the handle, measured; the same for every condition
   double maxVoltage = 12.0;         ///< on the motor [V]
-  int expiry = 10;                  ///< after which the device lets go by itself [ms], 1 to 20
+  int expiry = 10;                  ///< time without a command until the device switches its force
+                                    ///< off [ms], 1 to 20
   double damping = kind->mechanism.damping;  ///< of the mechanism [N·s/travel unit]
 };
 
@@ -45,8 +46,8 @@ class PunchDevice final : public WireDevice {
   DeviceSample read(double dt) noexcept override;
   void command(double force) noexcept override;
 
-  /// Lets the device render @p scene by itself from the next arm() on; forces that are commanded
-  /// then only keep it going. Its parameters are sent, and what it took is compared by its hash.
+  /// Lets the device render @p scene by itself from the next arm() on; commanded forces then only
+  /// keep it alive. Its parameters are sent, and the device confirms them by their hash.
   /// @throws DeviceError  if it cannot: opening branches, smoothing, single stiffnesses and more
   ///                      than 128 points stay with the host.
   void renderOnDevice(const engine::SceneSpec& scene, double largestForce);

@@ -15,7 +15,7 @@ float f32(double value) {
   return static_cast<float>(value);
 }
 
-/// What does not fit onto the chip, in words; nullptr where it does.
+/// Why the board cannot render this model, in words; nullptr if it can.
 const char* whyNot(const engine::InterpolationSpec& spec) {
   if (spec.branches != engine::Branches::ClosingOnly) return "an opening branch";
   if (spec.curve.size() > kLargestTable) return "a curve of more than 128 points";

@@ -109,8 +109,8 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
     felt.isDefined = isClear();  // how it got in is not known: it has to come out first
     return felt;
   }
-  // The virtual tool follows the device through a spring (coupling) and stays outside of what it
-  // has not cut; the force is the spring's. A god-object that cuts its way.
+  // The virtual tool follows the device through a spring (coupling) and stays outside the uncut
+  // bone; the force is the spring's. It is a god-object that can cut.
   felt.contact = field_.touch(tool_, true);
   const Vec3 out = outOf(felt.contact);
   follow(device, felt.contact, out, dt);
@@ -156,7 +156,7 @@ void Bone::follow(
   const double resistance = dot(contact.force, out) / options_.coverage;
   const double push = -options_.coupling * dot(gap, out);
   if (push > resistance && options_.isSpinning) {
-    // On towards the device, until the push has come down to what the bone gives way at.
+    // Moves towards the device until the push has fallen to the force at which the bone gives way.
     // Implicit in time: with damping c the tool moves by share·gap / (1 + c/(k dt)), which is
     // stable for every dt.
     const double share = (push - resistance) / push;
@@ -241,7 +241,7 @@ void Bone::tidy() noexcept {
   }
 }
 
-/// Whether the tool has gone back from what it cut into a sphere.
+/// Whether the tool has moved back from its cut in a sphere.
 bool Bone::isLeft(std::uint32_t slot) const noexcept {
   const auto& group = field_.group(slot);
   const std::size_t lane = slot % kLanes;

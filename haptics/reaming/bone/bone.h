@@ -12,21 +12,21 @@ namespace haptics::reaming {
 struct BoneOptions {
   double coverage = 1.0;       ///< of the packing: areas are divided by it, (0, 1]
   double coupling = 50'000.0;  ///< between the device and the tool that the bone holds [N/m], > 0
-  double cuttingDamping = 2000.0;  ///< what the force grows by with the feed [N·s/m], >= 0
-  double friction = 0.1;           ///< of the tool on what it touches, >= 0
+  double cuttingDamping = 2000.0;  ///< increase of the force with the feed [N·s/m], >= 0
+  double friction = 0.1;           ///< coefficient between tool and bone, >= 0
   double mostAdvance = 5e-5;       ///< in one step, through bone [m], > 0
   bool isGuided = false;           ///< held to a line along its axis, as by a testing machine
   bool isSpinning = true;          ///< forwards; teeth that stand still or go backwards do not cut
 };
 
-/// A bone from which a reamer takes what it goes through.
+/// A bone of spheres that a reamer removes.
 ///
 /// The tool is held by the bone (a constrained tool, as in the reaming paper): it goes on only
 /// while the coupling to the device pushes harder than what it touches gives way at, F = Σ aρ /
 /// coverage, and takes the spheres behind its surface away, each within eight steps. A sphere is
 /// cut slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
-/// spheres that lie within it, with the mass (density × volume) that remained. Everything that
-/// leaves is counted.
+/// spheres that lie within it, with the mass (density × volume) that remained. All removed mass is
+/// counted.
 ///
 /// A step is bounded, allocates nothing and throws nothing.
 class Bone {

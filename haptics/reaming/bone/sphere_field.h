@@ -11,7 +11,7 @@
 
 namespace haptics::reaming {
 
-/// Half a sphere with teeth: where it is and where it points.
+/// A hemisphere with teeth: its position and direction.
 struct Reamer {
   double radius = 0.026;        ///< [m], > 0
   Vec3 centre;                  ///< of its sphere [m]

@@ -50,8 +50,8 @@ struct KernelSums {
   double of[Quantities] = {};
 };
 
-/// Back from the depth of a cut to where its sphere is no longer felt: a share of its radius. Over
-/// this way the force of a bone that is left goes to nothing without a step.
+/// Distance behind a cut at which its sphere has no force any more, as a share of its radius. Over
+/// this distance the force fades out without a step when the reamer moves back.
 inline constexpr float kReleaseShare = 0.02F;
 
 /// Adds what is in @p stretches of @p groups; with @p isCut without what has been cut off.

@@ -30,8 +30,8 @@ CurveNodes curveOf(const HardnessCurves& curves, double h);
 /// The force of a curve at @p depth [m]; beyond its ends, that of the end.
 double forceOf(const CurveNodes& nodes, double depth);
 
-/// Why @p curves are none; std::nullopt if they are. Values are not checked against each other:
-/// single samples may cross.
+/// Why @p curves are invalid; std::nullopt if they are valid. Values are not checked against each
+/// other: single samples may cross.
 std::optional<std::string> problemOf(const HardnessCurves& curves);
 
 /// What a low-pass took from the measured force: the hand feels it, the splines do not hold it.

@@ -19,7 +19,7 @@ struct SeriesMapping {
 /// decimals with a point or (where commas do not separate) a comma. Heads may name a unit in
 /// brackets or after an underscore: "Weg [mm]", "force_n", "Kraft (kN)". Displacements in m, mm,
 /// µm; forces in N, kN; torques in Nm, Nmm; times in s, ms. Lines above the head that begin with #
-/// are remarks; one that begins with "# SYNTHETIC" says that nobody measured what follows.
+/// are remarks; one that begins with "# SYNTHETIC" marks data that were not measured.
 ///
 /// @throws recordings::Error  in one sentence: no such column, no unit, a cell that is not a
 ///     number, a gap in time, fewer than three rows, a displacement or a force beyond what can be.

@@ -31,7 +31,7 @@ struct PackingProgress {
 /// looked at by one block of cells, blocks of one colour of eight at a time: the same seed gives
 /// the same packing with any number of threads.
 ///
-/// @param goesOn  is told how far it is; false cancels. May be empty.
+/// @param goesOn  is called with the progress; false cancels. May be empty.
 /// @return std::nullopt if it was cancelled.
 /// @throws std::invalid_argument  if the options make no sense, or the body has no room for what is
 /// asked for, in words.

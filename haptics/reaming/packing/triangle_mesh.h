@@ -21,13 +21,12 @@ struct TriangleMesh {
 /// What was mended, in words.
 using Repairs = std::vector<std::string>;
 
-/// Makes one vertex of those that coincide, drops triangles without area and duplicates of others,
-/// and turns a mesh right side out; says what it did.
+/// Merges coinciding vertices, removes triangles without area and duplicates, and turns the faces
+/// of a mesh outwards. Returns what it did.
 Repairs repair(TriangleMesh& mesh);
 
-/// Everything that keeps a mesh from having an inside: holes, edges of more than two triangles,
-/// triangles that turn against their neighbours, triangles that cut each other. Empty where it has
-/// one.
+/// All reasons why a mesh has no interior: holes, edges of more than two triangles, triangles that
+/// turn against their neighbours, triangles that cut each other. Empty where it has one.
 std::vector<std::string> problemsOf(const TriangleMesh& mesh);
 
 /// How large a mesh is if its numbers are millimetres or metres: a bone is between 1 cm and 1 m.
