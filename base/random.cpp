@@ -15,7 +15,8 @@ std::uint64_t fnv1a(std::string_view text) noexcept {
 }  // namespace
 
 RandomStream::RandomStream(
-    std::uint64_t seed, std::uint64_t index, std::string_view purpose) noexcept {
+    std::uint64_t seed, std::uint64_t index, std::string_view purpose) noexcept
+    : state_{} {
   SplitMix64 withIndex(SplitMix64(seed).bits() ^ index);
   SplitMix64 withPurpose(withIndex.bits() ^ fnv1a(purpose));
   for (auto& word : state_) word = withPurpose.bits();

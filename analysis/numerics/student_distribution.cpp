@@ -27,7 +27,7 @@ constexpr double kSmallT = 0.6;    // P(|T| < 0.6) is below one half for every Î
 /// that nothing cancels where x is nearly one.
 class TailFraction {
  public:
-  using result_type = std::pair<double, double>;  // NOLINT: what Boost looks for
+  using result_type = std::pair<double, double>;  // what Boost looks for
 
   TailFraction(double a, double y) : a_(a), y_(y) {}
 

@@ -17,7 +17,6 @@ inline constexpr std::uint32_t kMonitoring = 0x245142;  ///< identifier: control
 inline constexpr std::uint32_t kCommand = 0x34001;      ///< identifier: client to controller
 
 /// The version is not on the wire: the user chooses it.
-// NOLINTNEXTLINE(readability-identifier-naming): 1.11 has no other name
 enum class Version : std::uint8_t { V1_11, V1_14, V1_15, V1_16, V2_5, V2_7 };
 
 inline constexpr std::array<std::string_view, 6> kVersionNames{

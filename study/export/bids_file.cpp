@@ -52,7 +52,7 @@ Json sidecarOf(const ExportedTable& table) {
   return json;
 }
 
-void writeWithSidecar(const fs::path& stem, const ExportedTable& table, Json sidecar) {
+void writeWithSidecar(const fs::path& stem, const ExportedTable& table, const Json& sidecar) {
   writeNewFile(stem.string() + ".tsv", asTsv(table));
   writeNewFile(stem.string() + ".json", sidecar.dump(2) + "\n");
 }

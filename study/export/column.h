@@ -219,14 +219,14 @@ class Column {
 
   /// The column is part of public folders; other columns are not.
   /// @param description  for public folders, if it differs; the cells are then no free text.
-  Column inPublic(std::string description = {}) && {
-    public_ = InPublic{.ifTold = {}, .description = std::move(description)};
+  Column inPublic(const std::string& description = {}) && {
+    public_ = InPublic{.ifTold = {}, .description = description};
     return std::move(*this);
   }
 
   /// … if the quasi-identifier @p respect is released.
-  Column inPublicIfTold(std::string respect, std::string description = {}) && {
-    public_ = InPublic{.ifTold = std::move(respect), .description = std::move(description)};
+  Column inPublicIfTold(const std::string& respect, const std::string& description = {}) && {
+    public_ = InPublic{.ifTold = respect, .description = description};
     return std::move(*this);
   }
 

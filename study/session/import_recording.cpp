@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <utility>
 
 #include "protocols/reading/cut_file.h"
 #include "study/storage/protocol_repository.h"
@@ -17,7 +16,7 @@ haptics::recordings::ImportedCut importRecording(
     const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     if (!isPlain && c != '.' && c != '_') c = '-';
   }
-  return haptics::recordings::importCut(recording, std::move(options));
+  return haptics::recordings::importCut(recording, options);
 }
 
 std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut) {

@@ -11,7 +11,7 @@ class ReservedSpace {
  public:
   static constexpr std::uintmax_t kSize = 4 * 1024 * 1024;  ///< [bytes]
 
-  explicit ReservedSpace(std::filesystem::path folder) : file_(folder / "ballast") {}
+  explicit ReservedSpace(const std::filesystem::path& folder) : file_(folder / "ballast") {}
 
   /// Reserves the space if there is enough; returns whether it is reserved.
   bool take() const noexcept;

@@ -342,7 +342,7 @@ void IiwaDevice::answer(double force) noexcept {
     message.data->jointPosition =
         data.commandedPosition ? data.commandedPosition : data.measuredPosition;
   }
-  std::array<std::uint8_t, kLargestDatagram> bytes;
+  std::array<std::uint8_t, kLargestDatagram> bytes{};
   const std::size_t count = encode(message, settings_.version, bytes);
   sentAt_[ours_ % sentAt_.size()] = timing::now();
   ++ours_;

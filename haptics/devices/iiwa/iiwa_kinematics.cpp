@@ -48,7 +48,8 @@ double displacementAlong(const Eigen::Vector3d& axis, const Pose& start, const P
   return axis.dot(now.position - start.position);
 }
 
-IiwaKinematics::IiwaKinematics(IiwaModel model, const Pose& tool) : model_(model), tool_(tool) {
+IiwaKinematics::IiwaKinematics(IiwaModel model, const Pose& tool)
+    : model_(model), tool_(tool), lengths_{} {
   if (!tool.position.allFinite() || !isRotation(tool.rotation)) {
     throw std::invalid_argument("the tool of an arm needs a finite place and a rotation");
   }

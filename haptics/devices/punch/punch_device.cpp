@@ -161,7 +161,7 @@ bool PunchDevice::pump(std::int64_t deadline) noexcept {
 
 /// Reads all bytes that have arrived. True where there is a state that was not read yet.
 bool PunchDevice::drain() noexcept {
-  std::array<std::uint8_t, 512> bytes;
+  std::array<std::uint8_t, 512> bytes{};
   for (;;) {
     const std::size_t count = port_.read(bytes);
     if (count == 0) break;

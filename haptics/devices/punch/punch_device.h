@@ -73,7 +73,7 @@ class PunchDevice final : public WireDevice {
   wire::punch::ModelTaken answerTo(std::int64_t deadline);
   template <typename Message>
   void say(const Message& message) noexcept {
-    std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes;
+    std::array<std::uint8_t, wire::punch::kLargestOnWire> bytes{};
     const std::int64_t at = timing::now();
     const std::uint16_t sequence = nextSequence_++;
     const auto time = static_cast<std::uint32_t>(at / timing::kMicrosecond);
