@@ -60,8 +60,8 @@ void FixedEffects::add(const Factor& factor) {
   factors_.push_back(factor);
   for (std::size_t level = 1; level < factor.levels.size(); ++level) {
     Column column{.name = factor.name + " " + factor.levels[level], .values = {}};
-    for (const std::size_t its : factor.levelOfAnswer) {
-      column.values.push_back(its == level ? 1.0 : 0.0);
+    for (const std::size_t answerLevel : factor.levelOfAnswer) {
+      column.values.push_back(answerLevel == level ? 1.0 : 0.0);
     }
     columns_.push_back(std::move(column));
   }

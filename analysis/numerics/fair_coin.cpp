@@ -115,7 +115,8 @@ SubsetSums::SubsetSums(std::span<const std::uint64_t> weights) : unit_(unitOf(we
   for (const auto weight : weights) {
     const std::size_t step = weight / unit_;
     reached += step;
-    // Downwards, so that each weight is used once: the smaller sum still is without it.
+    // Downwards, so that each weight is used once: sums[s − w] does not contain the present weight
+    // yet.
     for (std::size_t sum = reached; sum >= step; --sum) {
       probabilities_[sum] = halfOf(probabilities_[sum] + probabilities_[sum - step]);
       if (sum == 0) break;

@@ -143,7 +143,7 @@ class Device {
   /// What sets the pace of the loop, if this device does; it lives as long as the device.
   virtual Pacer* pacer() noexcept { return nullptr; }
 
-  /// Where the tool is now, @p dt [s] after the last time it was asked.
+  /// The present state of the tool, @p dt [s] after the last call.
   virtual DeviceSample read(double dt) noexcept = 0;
 
   /// Pushes back with @p force [N] until the next command; against closing or advancing is

@@ -91,7 +91,7 @@ struct DeviceKind {
 
   models::CutDetector<double>::Parameters stroke;  ///< what counts as one
 
-  // What is simulated.
+  // The parameters of the simulated device.
   double simulatedForce;  ///< that it gives at most [N]
   Mechanism mechanism;
 

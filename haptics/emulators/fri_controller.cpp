@@ -341,7 +341,7 @@ void FriController::run(const std::stop_token& stop) noexcept {
       due = options_.clock();
     }
     while (options_.clock() < due) receive(due);
-    // What came while we could not look is not the client's fault.
+    // Answers that arrived while this thread could not run are not counted against the client.
     for (int i = 0; i < kBacklog && receive(0); ++i) {
     }
   }

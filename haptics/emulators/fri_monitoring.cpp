@@ -143,8 +143,9 @@ class Walker {
 
   /// The field that comes next, if it is number @p number and made of bytes; empty otherwise.
   std::span<std::uint8_t> next(std::uint8_t number) noexcept {
-    constexpr unsigned kMadeOfBytes = 2;
-    if (left_.empty() || left_.front() != (static_cast<unsigned>(number) << 3U | kMadeOfBytes)) {
+    constexpr unsigned kLengthDelimited = 2;
+    if (left_.empty() ||
+        left_.front() != (static_cast<unsigned>(number) << 3U | kLengthDelimited)) {
       return {};
     }
     std::size_t at = 1;

@@ -42,7 +42,7 @@ Order orderIn(std::string_view line) {
   return order;
 }
 
-/// Of an order that takes a number: that it has none that fits, in words; else nothing.
+/// What is wrong with the number of a command, in words; empty if it is valid.
 std::string whatIsWrong(const Order& order, std::string_view line) {
   constexpr int kMost = 1'000'000;
   const bool isCount =
@@ -111,7 +111,7 @@ std::int32_t PunchEmulator::counts() const noexcept {
 }
 
 void PunchEmulator::drive(std::int16_t millivolts) noexcept {
-  if (voltage_ != 0 && millivolts == 0 && letGoAt_ == 0) letGoAt_ = timing::now();
+  if (voltage_ != 0 && millivolts == 0 && forceOffAt_ == 0) forceOffAt_ = timing::now();
   voltage_ = millivolts;
 }
 
@@ -131,13 +131,13 @@ void PunchEmulator::write(const std::uint8_t* bytes, std::size_t count) noexcept
 
 void PunchEmulator::noteFault() noexcept {
   faultAt_ = timing::now();
-  letGoAt_ = 0;
+  forceOffAt_ = 0;
   hadForce_ = voltage_ != 0;
 }
 
 std::optional<double> PunchEmulator::letGoAfter() const noexcept {
-  if (faultAt_ == 0 || !hadForce_ || letGoAt_ == 0) return std::nullopt;
-  return 1e-6 * static_cast<double>(letGoAt_ - faultAt_);
+  if (faultAt_ == 0 || !hadForce_ || forceOffAt_ == 0) return std::nullopt;
+  return 1e-6 * static_cast<double>(forceOffAt_ - faultAt_);
 }
 
 std::string_view PunchEmulator::help() noexcept {

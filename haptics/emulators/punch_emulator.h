@@ -83,7 +83,7 @@ class PunchEmulator {
   std::int64_t stalledSince_ = 0;
   std::int64_t mutedUntil_ = 0;
   std::int64_t faultAt_ = 0;
-  std::int64_t letGoAt_ = 0;
+  std::int64_t forceOffAt_ = 0;
   bool hadForce_ = false;
   std::uint64_t steps_ = 0;
   std::array<std::uint8_t, 1024> input_{};

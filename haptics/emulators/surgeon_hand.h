@@ -27,8 +27,8 @@ class SurgeonHand {
   /// @throws std::invalid_argument  if the grip is not finite or out of range.
   SurgeonHand(const Grip& grip, devices::Hand& hand);
 
-  /// What it does to a tool at @p tool that moves with @p twist, @p dt [s] after the last time.
-  /// Does not allocate.
+  /// The wrench of the hand on a tool at pose @p tool that moves with @p twist, @p dt [s] after the
+  /// last call. Does not allocate.
   devices::Wrench wrench(
       const devices::Pose& tool, const devices::Twist& twist, double dt) noexcept;
 

@@ -23,7 +23,7 @@ constexpr const char* kPacking = "sphere packing";
 constexpr const char* kRemoval = "removal of bone";
 constexpr const char* kBoneView = "bone: what changes in it";
 
-/// The reading of the paper that is rendered, by the names that protocols use.
+/// The interpretation of the paper that is rendered, by its name in protocols.
 std::string describe(const models::FiniteElements<double>::Parameters& p) {
   std::string words = "boundary ";
   words.append(nameIn(kBoundaryNames, p.boundary));

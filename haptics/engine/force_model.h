@@ -14,7 +14,7 @@ struct ToolState {
   double dt = 0.001;      ///< since the tick before [s], > 0
 };
 
-/// What a hand may feel: a force for every state of the tool.
+/// The force on the hand for every state of the tool.
 class ForceModel {
  public:
   virtual ~ForceModel() = default;

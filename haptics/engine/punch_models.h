@@ -13,7 +13,7 @@
 
 namespace haptics::engine {
 
-/// A curve that can be looked up: its nodes, and where to look among them.
+/// The nodes of a curve with the index for searching them.
 class IndexedCurve {
  public:
   /// @param nodes  sound.

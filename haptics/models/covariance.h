@@ -69,7 +69,8 @@ class FactoredCovariance {
     Scalar stiffness{};
   };
 
-  /// Weighs a measurement, and P ← (I − K H) P: eq. (16), (18). Nothing, where both are certain.
+  /// Weighs a measurement, and P ← (I − K H) P: eq. (16), (18). Does nothing if both variances are
+  /// 0.
   constexpr Gain correct(Scalar r) noexcept {
     const Scalar total = p_.force + r;
     if (!(total > Scalar{0})) return {};

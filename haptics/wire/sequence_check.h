@@ -36,7 +36,7 @@ class SequenceCheck {
     if ((seen_ & bit) != 0) return doubled();
     seen_ |= bit;
     ++late_;
-    if (lost_ > 0) --lost_;  // it had been taken for lost
+    if (lost_ > 0) --lost_;  // it was counted as lost before
     return Verdict::Late;
   }
 

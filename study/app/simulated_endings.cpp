@@ -48,11 +48,11 @@ std::string othersInWords(const std::vector<SimulatedEnding>& endings) {
   for (const auto& ending : endings) {
     if (isCompleted(ending)) continue;
     auto& [count, who] = others[ending.state];
-    constexpr int kNamed = 5;
-    if (++count <= kNamed) {
+    constexpr int kMostListed = 5;
+    if (++count <= kMostListed) {
       who += fmt::format("{}{} at step {}", count > 1 ? "; " : "", ending.participant, ending.step);
       if (!ending.reason.empty()) who += fmt::format(": {}", phraseOf(ending));
-    } else if (count == kNamed + 1) {
+    } else if (count == kMostListed + 1) {
       who += "; …";
     }
   }

@@ -93,7 +93,7 @@ struct SpecimensLeft {
 /// The stretches of an envelope from its beginning.
 std::vector<SpecimensLeft> specimensLeftOf(const FittedEnvelope& envelope);
 
-/// What became of the series of a test set.
+/// The result for each series of a test set.
 struct TestSetFit {
   TestSet set = TestSet::Dynamic1;
   int used = 0;

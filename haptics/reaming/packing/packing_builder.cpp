@@ -193,7 +193,8 @@ class Builder {
            static_cast<std::size_t>(i);
   }
 
-  /// What is around @p place within a cell: beyond the largest radius nothing is told apart.
+  /// The distances to the obstacles around @p place within a cell; distances above the largest
+  /// radius are all the same.
   NearestFour around(Vec3 place, bool isMixed) const noexcept {
     NearestFour nearest;
     if (isMixed) {

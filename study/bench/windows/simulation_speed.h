@@ -31,7 +31,7 @@ struct SimulationSpeed {
   double allBytes = 0.0;       ///< for all spheres; 0 without spheres
 
   /// Whether a frame sends only the changes: at most 5 % of the bytes.
-  bool handsOnChangesOnly() const { return bytesPerFrame <= 0.05 * allBytes; }
+  bool sendsChangesOnly() const { return bytesPerFrame <= 0.05 * allBytes; }
 };
 
 /// A simulated hand uses the punch in a knee, or the reamer in a cup. Frames of 1280 × 800 are

@@ -148,7 +148,7 @@ int windows(const WindowsOptions& options) {
            {.heading = "Simulations", .tables = {simulationTable(simulations)}},
            {.heading = "Desk", .tables = {plotTable(plots), pageTable(waits, folder)}}}});
   if (!simulations.front().remark.empty()) fmt::print("{}\n", simulations.front().remark);
-  const bool isSparing = simulations.back().handsOnChangesOnly();
+  const bool isSparing = simulations.back().sendsChangesOnly();
   if (!isSparing)
     fmt::print("FAIL  a picture hands on more than 5 % of the bytes of all spheres.\n");
   return isSparing ? 0 : 1;

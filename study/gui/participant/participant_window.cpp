@@ -102,8 +102,8 @@ void ParticipantWindow::changeEvent(QEvent* event) {
 void ParticipantWindow::showStep() {
   const auto& session = controller_.session();
   // The same trial is still running: keep its page, which has the mouse.
-  if (feel_ != nullptr && controller_.isTrialRunning()) {
-    feel_->setRunning(true);
+  if (trialPage_ != nullptr && controller_.isTrialRunning()) {
+    trialPage_->setRunning(true);
     return;
   }
   retranslate();
@@ -125,7 +125,7 @@ void ParticipantWindow::showPage(QWidget* page) {
 }
 
 QWidget* ParticipantWindow::makePage() {
-  feel_ = nullptr;
+  trialPage_ = nullptr;
   questions_ = nullptr;
   next_->setVisible(true);
   next_->setEnabled(true);
@@ -184,7 +184,7 @@ QWidget* ParticipantWindow::makeTrialPage() {
   const auto& step = controller_.session().step();
   const auto& protocol = controller_.session().protocol().protocol;
   const auto* need = protocol.device(protocol.condition(step.condition)->device);
-  feel_ = new TrialPage(
+  trialPage_ = new TrialPage(
       {.name = alternativeName(QString::number(step.label)),
        .minimumCuts = step.minimumCuts,
        .isOffered = step.isOffered,
@@ -192,11 +192,11 @@ QWidget* ParticipantWindow::makeTrialPage() {
        .language = controller_.session().language()},
       viewOfTrial(controller_, this),
       this);
-  connect(feel_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
-  connect(feel_, &TrialPage::declined, &controller_, &SessionController::declineOffer);
-  connect(feel_, &TrialPage::enoughRequested, &controller_, &SessionController::finishTrial);
-  connect(feel_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });
-  return feel_;
+  connect(trialPage_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
+  connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::declineOffer);
+  connect(trialPage_, &TrialPage::enoughRequested, &controller_, &SessionController::finishTrial);
+  connect(trialPage_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });
+  return trialPage_;
 }
 
 QWidget* ParticipantWindow::makeBenchmark() {
@@ -264,8 +264,8 @@ void ParticipantWindow::updateProgress() {
 }
 
 void ParticipantWindow::updateTrial() {
-  if (feel_ == nullptr) return;
-  feel_->setCuts(controller_.trialStatus().cuts);
+  if (trialPage_ == nullptr) return;
+  trialPage_->setCuts(controller_.trialStatus().cuts);
 }
 
 void ParticipantWindow::closeEvent(QCloseEvent* event) {

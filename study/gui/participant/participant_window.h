@@ -67,7 +67,7 @@ class ParticipantWindow final : public QWidget {
   QPushButton* operator_;
   ScreenLock* lock_;
   QWidget* page_ = nullptr;
-  TrialPage* feel_ = nullptr;
+  TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
   bool mayClose_ = false;
 };
