@@ -48,7 +48,7 @@ class Mouthpiece final : public devices::Device {
  public:
   const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }
   devices::DeviceSample read(double) noexcept override { return sample; }
-  void command(double force) noexcept override { commanded = force; }
+  void command(double force, double /*torque*/) noexcept override { commanded = force; }
 
   devices::DeviceSample sample{.status = devices::DeviceStatus::Ok};
   double commanded = 0.0;

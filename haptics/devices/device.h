@@ -70,9 +70,12 @@ struct Capabilities {
   double leastTravel = 0.0;
   double mostTravel = 10.0;
   double maxForce = 10.0;  ///< [N]
+  double maxTorque = 0.0;  ///< about the tool's axis [N·m]; 0: it renders none
   double damping = 0.0;    ///< of the mechanism itself [N·s / travel unit]
   double rate = 1000.0;    ///< [Hz]
   bool isSimulated = true;
+
+  bool rendersTorque() const noexcept { return maxTorque > 0.0; }
 };
 
 enum class DeviceStatus : std::uint8_t {
@@ -88,7 +91,10 @@ struct DeviceSample {
   DeviceStatus status = DeviceStatus::Gone;
   double travel = 0.0;    ///< [travel unit]
   double velocity = 0.0;  ///< [travel unit / s]
-  bool isHeld = true;     ///< the dead-man switch is held, or the device has no such switch
+  /// About the tool's axis since travel was 0, right-handed about the way of advancing [rad]; 0
+  /// for a device that does not measure it.
+  double turn = 0.0;
+  bool isHeld = true;  ///< the dead-man switch is held, or the device has no such switch
   std::int64_t deviceTime =
       0;                      ///< when it was measured, on the device's clock [ns]; 0: it has none
   std::int64_t hostTime = 0;  ///< when it arrived, on CLOCK_MONOTONIC [ns]; 0: at once
@@ -146,9 +152,11 @@ class Device {
   /// The present state of the tool, @p dt [s] after the last call.
   virtual DeviceSample read(double dt) noexcept = 0;
 
-  /// Pushes back with @p force [N] until the next command; against closing or advancing is
-  /// positive.
-  virtual void command(double force) noexcept = 0;
+  /// Acts on the hand until the next command.
+  /// @param force   against closing or advancing is positive [N].
+  /// @param torque  about the tool's axis, right-handed about the way of advancing [N·m]; a device
+  ///                that renders none ignores it.
+  virtual void command(double force, double torque) noexcept = 0;
 };
 
 }  // namespace haptics::devices

@@ -53,6 +53,10 @@ struct Mechanism {
   double stopStiffness = 80.0;  ///< [N / travel unit], > 0
   double stopDamping = 0.3;     ///< [N·s / travel unit], >= 0
   double resolution = 0.0;      ///< of the encoder [travel unit]; 0: none
+  /// About the tool's axis, with the wrist that holds it: I φ̈ = τ − b φ̇ − k φ.
+  double inertia = 0.0;        ///< I [kg·m²]; 0: it does not turn
+  double turnStiffness = 0.0;  ///< k [N·m/rad], >= 0
+  double turnDamping = 0.0;    ///< b [N·m·s/rad], >= 0
 };
 
 /// A kind of instrument, and all that other code has to know about it. docs/devices.md says how to
@@ -84,15 +88,17 @@ struct DeviceKind {
 
   /// What an ordinary hand does: a plot's ranges at first, in the shown unit.
   struct Plot {
-    double force;     ///< [N]
-    double travel;    ///< [shown unit]
-    double velocity;  ///< to either side [shown unit/s]
+    double force;         ///< [N]
+    double travel;        ///< [shown unit]
+    double velocity;      ///< to either side [shown unit/s]
+    double torque = 0.0;  ///< to either side [N·m]; 0: its scenes have none
   } plot;
 
   models::CutDetector<double>::Parameters stroke;  ///< what counts as one
 
   // The parameters of the simulated device.
-  double simulatedForce;  ///< that it gives at most [N]
+  double simulatedForce;         ///< that it gives at most [N]
+  double simulatedTorque = 0.0;  ///< largest torque about the tool's axis [N·m]; 0: none
   Mechanism mechanism;
 
   struct Range {

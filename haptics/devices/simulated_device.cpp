@@ -10,7 +10,8 @@ SimulatedDevice::SimulatedDevice(Capabilities capabilities, const Mechanism& mec
     : capabilities_(std::move(capabilities)), mechanism_(mechanism), hand_(hand) {
   const bool isSound = mechanism.mass > 0.0 && mechanism.damping >= 0.0 &&
                        mechanism.stopStiffness > 0.0 && mechanism.stopDamping >= 0.0 &&
-                       mechanism.resolution >= 0.0 &&
+                       mechanism.resolution >= 0.0 && mechanism.inertia >= 0.0 &&
+                       mechanism.turnStiffness >= 0.0 && mechanism.turnDamping >= 0.0 &&
                        capabilities_.mostTravel > capabilities_.leastTravel;
   if (!isSound) throw std::invalid_argument("a simulated mechanism needs a mass and a range");
   travel_ = capabilities_.leastTravel;
@@ -28,11 +29,23 @@ double SimulatedDevice::stopForce() const noexcept {
   return force * beyond > 0.0 ? force : 0.0;  // a stop pushes, it does not hold
 }
 
+void SimulatedDevice::turn(double dt) noexcept {
+  if (!(mechanism_.inertia > 0.0)) return;
+  const double net =
+      torque_ - mechanism_.turnDamping * turnRate_ - mechanism_.turnStiffness * turn_;
+  turnRate_ += dt * net / mechanism_.inertia;
+  turn_ += dt * turnRate_;
+  if (std::isfinite(turn_) && std::isfinite(turnRate_)) return;
+  turn_ = 0.0;
+  turnRate_ = 0.0;
+}
+
 DeviceSample SimulatedDevice::read(double dt) noexcept {
   const double push = hand_.push(travel_, velocity_, dt);
   const double net = push - force_ - mechanism_.damping * velocity_ - stopForce();
   velocity_ += dt * net / mechanism_.mass;
   travel_ += dt * velocity_;
+  turn(dt);
   if (!std::isfinite(travel_) || !std::isfinite(velocity_)) {
     travel_ = capabilities_.leastTravel;
     velocity_ = 0.0;
@@ -46,6 +59,7 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
       .status = DeviceStatus::Ok,
       .travel = seen,
       .velocity = velocity_,
+      .turn = turn_,
       .isHeld = isHeld_.load(std::memory_order_relaxed)};
 }
 
@@ -56,6 +70,7 @@ Capabilities simulated(const DeviceKind& kind) {
       .leastTravel = kind.travel.least,
       .mostTravel = kind.travel.most,
       .maxForce = kind.simulatedForce,
+      .maxTorque = kind.simulatedTorque,
       .damping = kind.mechanism.damping};
 }
 

@@ -12,6 +12,10 @@ namespace haptics::devices {
 ///
 ///     m ẍ = F_hand − F − b ẋ − F_stop.
 ///
+/// A kind with an inertia turns about its axis, too, by the torque τ in the wrist that holds it,
+///
+///     I φ̈ = τ − b φ̇ − k φ.
+///
 /// It moves when it is read: dt is its only clock. The hand must outlive it.
 class SimulatedDevice final : public Device {
  public:
@@ -22,7 +26,10 @@ class SimulatedDevice final : public Device {
 
   const Capabilities& capabilities() const noexcept override { return capabilities_; }
   DeviceSample read(double dt) noexcept override;
-  void command(double force) noexcept override { force_ = force; }
+  void command(double force, double torque) noexcept override {
+    force_ = force;
+    torque_ = torque;
+  }
 
   /// Any thread: pulls the plug; the device answers no more. plugIn() puts it back.
   void unplug() noexcept { isGone_.store(true, std::memory_order_relaxed); }
@@ -33,9 +40,12 @@ class SimulatedDevice final : public Device {
 
   /// What it pushes back with at present [N].
   double commandedForce() const noexcept { return force_; }
+  /// About its axis [N·m].
+  double commandedTorque() const noexcept { return torque_; }
 
  private:
   double stopForce() const noexcept;
+  void turn(double dt) noexcept;
 
   Capabilities capabilities_;
   Mechanism mechanism_;
@@ -45,6 +55,9 @@ class SimulatedDevice final : public Device {
   double travel_ = 0.0;
   double velocity_ = 0.0;
   double force_ = 0.0;
+  double torque_ = 0.0;
+  double turn_ = 0.0;      ///< [rad]
+  double turnRate_ = 0.0;  ///< [rad/s]
 };
 
 /// What a simulated device of @p kind can do.

@@ -174,11 +174,21 @@ Wrench FriArm::wrenchOf(const JointVector& torque) const noexcept {
   return square.ldlt().solve(jacobian * torque);
 }
 
+Wrench FriArm::overlayInTool() const noexcept {
+  if (options_.command != ClientCommandMode::Torque) return overlay_;
+  return inAxesOf(arm_.tool().rotation, wrenchOf(vectorOf(overlayTorque_)));
+}
+
 double FriArm::overlayForce() const noexcept {
-  const Wrench wrench = options_.command == ClientCommandMode::Torque
-                            ? inAxesOf(arm_.tool().rotation, wrenchOf(vectorOf(overlayTorque_)))
-                            : overlay_;
-  return wrench.head<3>().dot(options_.reamingAxis);
+  return overlayInTool().head<3>().dot(options_.reamingAxis);
+}
+
+double FriArm::overlayTorque() const noexcept {
+  return overlayInTool().tail<3>().dot(options_.reamingAxis);
+}
+
+double FriArm::turn() const noexcept {
+  return surgeon_.grip().axis.dot(devices::turnBetween(start_.rotation, arm_.tool().rotation));
 }
 
 double FriArm::travel() const noexcept {

@@ -26,8 +26,10 @@ class FriArm {
     Eigen::Vector3d reamingAxis = Eigen::Vector3d::UnitZ();  ///< in the tool's axes
     wire::fri::ControlMode control = wire::fri::ControlMode::CartesianImpedance;
     wire::fri::ClientCommandMode command = wire::fri::ClientCommandMode::Wrench;
-    /// For control by either; the task frame's z is turned to the reaming axis.
-    CartesianImpedance cartesian;
+    /// For control by either; the task frame's z is turned to the reaming axis. Along and about
+    /// that axis there is no spring: what is felt there is the overlay.
+    CartesianImpedance cartesian{
+        .stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 0.0}, .damping{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}};
     /// No spring and next to no damper: the overlay alone, as for pure torque.
     JointImpedance joint{
         .stiffness = devices::JointVector::Zero(), .damping = devices::JointVector::Constant(1.0)};
@@ -64,15 +66,18 @@ class FriArm {
   /// What the client adds: a wrench or torque that is not zero, or joints that are not the held
   /// ones.
   bool hasOverlay() const noexcept { return hasOverlay_; }
-  double overlayForce() const noexcept;  ///< along the reaming axis, positive forward [N]
-  double travel() const noexcept;        ///< along the reaming axis from the start [m]
-  double tracking() const noexcept;      ///< 1: follows; 0: 0.1 rad away in a joint, or more
+  double overlayForce() const noexcept;   ///< along the reaming axis, positive forward [N]
+  double overlayTorque() const noexcept;  ///< about the reaming axis, right-handed [N·m]
+  double turn() const noexcept;           ///< about it from the start, right-handed [rad]
+  double travel() const noexcept;         ///< along the reaming axis from the start [m]
+  double tracking() const noexcept;       ///< 1: follows; 0: 0.1 rad away in a joint, or more
   wire::fri::MonitorData measured() const noexcept;
 
   const Options& options() const noexcept { return options_; }
 
  private:
   void setOverlay(const wire::fri::CommandData& command) noexcept;
+  devices::Wrench overlayInTool() const noexcept;
   devices::Wrench wrenchOf(const devices::JointVector& torque) const noexcept;
 
   Options options_;

@@ -307,7 +307,9 @@ void FriController::publish() noexcept {
   report_.lastEnd = session_.lastEnd();
   report_.hasOverlay = arm_.hasOverlay();
   report_.force = arm_.overlayForce();
+  report_.torque = arm_.overlayTorque();
   report_.travel = arm_.travel();
+  report_.turn = arm_.turn();
   report_.answers = answers_.counts();
   report_.injected = impairment_.counts();
   published_ = report_;

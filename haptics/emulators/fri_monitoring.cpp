@@ -79,7 +79,9 @@ std::string statusOf(const FriReport& report) {
   line.add("jitter", report.connection.jitter);
   line.add("overlay", std::string_view(report.hasOverlay ? "on" : "off"));
   line.add("force_n", report.force);
+  line.add("torque_nm", report.torque);
   line.add("travel_m", report.travel);
+  line.add("turn_rad", report.turn);
   line.add("zero_at_ns", report.zeroAt);
   line.add("periods", report.periods);
   line.add("late_periods", report.latePeriods);

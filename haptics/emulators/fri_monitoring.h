@@ -22,7 +22,9 @@ struct FriReport {
   std::int64_t endAt = 0;  ///< when the last motion ended [ns of the clock]; 0: none has
   bool hasOverlay = false;
   double force = 0.0;       ///< of the overlay along the reaming axis [N]
+  double torque = 0.0;      ///< of the overlay about the reaming axis, right-handed [N·m]
   double travel = 0.0;      ///< along the reaming axis [m]
+  double turn = 0.0;        ///< about it, right-handed [rad]
   std::int64_t zeroAt = 0;  ///< when the overlay last became nothing [ns of the clock]; 0: never
   std::uint64_t periods = 0;
   std::uint64_t messages = 0;   ///< made, sent or not

@@ -84,7 +84,7 @@ void PunchEmulator::restart() noexcept {
 
 void PunchEmulator::step() noexcept {
   const double dt = 1.0 / options_.limits.rate;
-  handle_.command(force());
+  handle_.command(force(), 0.0);
   const auto sample = handle_.read(dt);
   if (sample.status == devices::DeviceStatus::Ok) travel_ = sample.travel;
   ++steps_;

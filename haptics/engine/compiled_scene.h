@@ -54,6 +54,9 @@ class CompiledScene {
   explicit CompiledScene(const SceneSpec& spec);
 
   models::Response<double> respond(const ToolState& tool) noexcept { return model_->respond(tool); }
+  /// Of the last answer, about the tool's axis, right-handed about the way of advancing [N·m].
+  double torque() const noexcept { return model_->torque(); }
+  bool hasTorque() const noexcept { return model_->hasTorque(); }
   void reset() noexcept { model_->reset(); }
   double largestStiffness() const noexcept { return model_->largestStiffness(); }
   /// K of eq. (25) where the model's equations bound it [N per travel unit]; renderedSlope() has it

@@ -15,7 +15,8 @@ namespace haptics::engine {
 ///
 /// E < 0 says that the rendered scene and the mechanism together are active. Each contact is
 /// counted separately: without a force E starts at 0 again, so that the dissipation of one cut does
-/// not hide generation in the next.
+/// not hide generation in the next. A turn is observed in the same way, with
+/// torque [N·m] and angle [rad] for force and travel.
 class EnergyObserver {
  public:
   struct Settings {

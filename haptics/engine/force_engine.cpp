@@ -26,6 +26,12 @@ EnergyObserver::Settings energySettings(
       .leastVelocity = 1e-6 * range};
 }
 
+/// A reamer that is driven gives a hand energy that yields to its torque: this is observed, and not
+/// damped. The tolerance is of rounding, over a turn of one radian.
+EnergyObserver::Settings turnEnergySettings(const SafetyLimits& limits) {
+  return {.tolerance = 1e-4 * limits.maxTorque};
+}
+
 std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
   std::uint8_t marks = TickSample::None;
   if ((reasons & ForceGate::TooFast) != 0) marks |= TickSample::TooFast;
@@ -40,8 +46,10 @@ std::uint8_t marksOf(std::uint8_t reasons, bool hasScene) noexcept {
 ForceEngine::ForceEngine(devices::Device& device, const SafetyLimits& limits)
     : device_(device),
       limiter_(limits),
+      torqueLimiter_(ForceLimiter::ofTorque(limits)),
       gate_(checked(limits)),
       energy_(energySettings(device.capabilities(), limits)),
+      turnEnergy_(turnEnergySettings(limits)),
       cuts_(device.capabilities().kind->stroke) {}
 
 void ForceEngine::setScene(CompiledScene* scene) noexcept {
@@ -52,10 +60,13 @@ void ForceEngine::setScene(CompiledScene* scene) noexcept {
 bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   const devices::DeviceSample seen = device_.read(dt);
   sample.status = seen.status;
-  const bool isNumber = std::isfinite(seen.travel) && std::isfinite(seen.velocity);
+  const bool isNumber =
+      std::isfinite(seen.travel) && std::isfinite(seen.velocity) && std::isfinite(seen.turn);
   const bool isMeasured = seen.status == devices::DeviceStatus::Ok && isNumber;
   moved_ = isMeasured && hasTool_ ? seen.travel - tool_.travel : 0.0;
+  turned_ = isMeasured && hasTool_ ? seen.turn - turn_ : 0.0;
   if (isMeasured) {
+    turn_ = seen.turn;
     tool_ = {.travel = seen.travel, .velocity = seen.velocity, .dt = dt};
     hasTool_ = true;
     isHeld_ = seen.isHeld;
@@ -77,6 +88,7 @@ void ForceEngine::takeScene() noexcept {
   cuts_.reset();
   gate_.startSoftly();
   energy_.reset();
+  turnEnergy_.reset();
   if (scene != nullptr) scene->reset();
 }
 
@@ -90,7 +102,9 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
     sample.marks |= TickSample::Stopped;
     gate_.shut();
     limiter_.release();
+    torqueLimiter_.release();
     energy_.reset();
+    turnEnergy_.reset();
   } else {
     render(
         sample,
@@ -100,8 +114,9 @@ TickSample ForceEngine::tick(double dt, int missedPeriods) noexcept {
          .missedPeriods = missedPeriods},
         dt);
   }
-  device_.command(sample.force);
+  device_.command(sample.force, sample.torque);
   commanded_ = sample.force;
+  commandedTorque_ = sample.torque;
   followCuts(sample);
   return sample;
 }
@@ -110,7 +125,11 @@ void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, doub
   if (input.isMeasured) {
     // The work of the last step: the force that was commanded then, times the way since.
     energy_.observe(commanded_, moved_, tool_.velocity, dt);
+    // A torque on the hand does work on it: what the scene takes up is its negative.
+    turnEnergy_.observe(-commandedTorque_, turned_, turned_ / dt, dt);
     desired_ = felt_ != nullptr ? desiredForce(sample) : 0.0;
+    const bool isDefined = (sample.marks & TickSample::Undefined) == 0;
+    desiredTorque_ = felt_ != nullptr && isDefined ? felt_->torque() : 0.0;
   }
   sample.desired = desired_;
   sample.energy = energy_.energy();
@@ -125,8 +144,19 @@ void ForceEngine::render(TickSample& sample, const ForceGate::Input& input, doub
   sample.interventions = limited.interventions;
   if (energy_.isActive()) sample.interventions |= ForceLimiter::Active;
   if (passive != desired_) sample.interventions |= ForceLimiter::Damped;
+  renderTorque(sample, gate.gain, dt);
   sample.marks |= marksOf(gate.reasons, felt_ != nullptr);
   if (gate.isPatienceOver) stop();
+}
+
+void ForceEngine::renderTorque(TickSample& sample, double gain, double dt) noexcept {
+  sample.desiredTorque = desiredTorque_;
+  sample.turnEnergy = turnEnergy_.energy();
+  if (!device_.capabilities().rendersTorque()) return;
+  const auto limited = torqueLimiter_.limit(desiredTorque_ * gain, dt);
+  sample.torque = limited.force;
+  sample.interventions |= limited.interventions;
+  if (turnEnergy_.isActive()) sample.interventions |= ForceLimiter::TorqueActive;
 }
 
 double ForceEngine::desiredForce(TickSample& sample) noexcept {

@@ -40,21 +40,25 @@ class ForceEngine {
   /// or throws.
   ///
   /// Read device → check sample → scene → passivity → gate → saturate → slew → check for finiteness
-  /// → command. After a stop, a device failure or with an undefined scene there is no force; a
-  /// missing sample is bridged for one tick, and then the force fades.
+  /// → command, for force and torque alike. A device that renders no torque gets none. After a
+  /// stop, a device failure or with an undefined scene there is no force; a missing sample is
+  /// bridged for one tick, and then the force fades.
   TickSample tick(double dt, int missedPeriods = 0) noexcept;
 
  private:
   bool read(TickSample& sample, double dt) noexcept;
   void takeScene() noexcept;
   void render(TickSample& sample, const ForceGate::Input& input, double dt) noexcept;
+  void renderTorque(TickSample& sample, double gain, double dt) noexcept;
   double desiredForce(TickSample& sample) noexcept;
   void followCuts(TickSample& sample) noexcept;
 
   devices::Device& device_;
   ForceLimiter limiter_;
+  ForceLimiter torqueLimiter_;
   ForceGate gate_;
   EnergyObserver energy_;
+  EnergyObserver turnEnergy_;
   CutDetector cuts_;
   std::atomic<CompiledScene*> scene_{nullptr};
   CompiledScene* felt_ = nullptr;  ///< by the last tick
@@ -63,9 +67,13 @@ class ForceEngine {
   ToolState tool_;
   bool hasTool_ = false;  ///< it has been measured
   bool isHeld_ = true;
-  double moved_ = 0.0;      ///< in the last tick [device's travel unit]
-  double desired_ = 0.0;    ///< by the last answer of the scene [N]
-  double commanded_ = 0.0;  ///< [N]
+  double moved_ = 0.0;            ///< in the last tick [device's travel unit]
+  double desired_ = 0.0;          ///< by the last answer of the scene [N]
+  double commanded_ = 0.0;        ///< [N]
+  double turn_ = 0.0;             ///< about the tool's axis [rad]
+  double turned_ = 0.0;           ///< in the last tick [rad]
+  double desiredTorque_ = 0.0;    ///< by the last answer of the scene [N·m]
+  double commandedTorque_ = 0.0;  ///< [N·m]
 };
 
 }  // namespace haptics::engine

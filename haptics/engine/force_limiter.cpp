@@ -6,11 +6,19 @@
 
 namespace haptics::engine {
 
-ForceLimiter::ForceLimiter(const SafetyLimits& limits) : limits_(limits) {
+ForceLimiter::ForceLimiter(double most, double rate, std::uint8_t saturated, std::uint8_t slewed)
+    : most_(most), rate_(rate), saturated_(saturated), slewed_(slewed) {
   const auto isSound = [](double value) { return std::isfinite(value) && value > 0.0; };
-  if (!isSound(limits.maxForce) || !isSound(limits.maxRate)) {
-    throw std::invalid_argument("a force limit must be a positive number");
+  if (!isSound(most) || !isSound(rate)) {
+    throw std::invalid_argument("a limit of force or torque must be a positive number");
   }
+}
+
+ForceLimiter::ForceLimiter(const SafetyLimits& limits)
+    : ForceLimiter(limits.maxForce, limits.maxRate, Saturated, Slewed) {}
+
+ForceLimiter ForceLimiter::ofTorque(const SafetyLimits& limits) {
+  return {limits.maxTorque, limits.maxTorqueRate, TorqueSaturated, TorqueSlewed};
 }
 
 ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
@@ -22,13 +30,13 @@ ForceLimiter::Limited ForceLimiter::limit(double desired, double dt) noexcept {
     result.interventions = NotFinite;
     return result;
   }
-  double force = std::clamp(desired, -limits_.maxForce, limits_.maxForce);
-  if (force != desired) result.interventions |= Saturated;
+  double force = std::clamp(desired, -most_, most_);
+  if (force != desired) result.interventions |= saturated_;
 
   // After saturation, so that a force beyond the limit is approached no faster than one within.
-  const double step = limits_.maxRate * dt;
+  const double step = rate_ * dt;
   const double slewed = std::clamp(force, last_ - step, last_ + step);
-  if (slewed != force) result.interventions |= Slewed;
+  if (slewed != force) result.interventions |= slewed_;
 
   last_ = std::isfinite(slewed) ? slewed : 0.0;
   result.force = last_;

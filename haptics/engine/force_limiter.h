@@ -11,6 +11,9 @@ struct SafetyLimits {
   double maxForce = 3.0;   ///< [N], > 0
   double maxRate = 300.0;  ///< how fast a force may change [N/s], > 0
 
+  double maxTorque = 5.0;       ///< about the tool's axis [N·m], > 0
+  double maxTorqueRate = 50.0;  ///< how fast a torque may change [N·m/s], > 0
+
   /// A tool that is faster than this is in no hand: no force [device's travel unit/s], > 0.
   double maxVelocity = std::numeric_limits<double>::infinity();
 
@@ -27,7 +30,8 @@ struct SafetyLimits {
   bool isPassivityControlled = false;
 };
 
-/// The last stage before the motors: saturates, limits the rate of change, refuses NaN.
+/// The last stage before the motors: saturates, limits the rate of change, refuses NaN. For a
+/// force; a torque has a limiter of its own with its own limits.
 ///
 /// It cannot be switched off. When in doubt, it answers with no force.
 class ForceLimiter {
@@ -40,6 +44,9 @@ class ForceLimiter {
     NotFinite = 4,
     Damped = 8,   ///< not the limiter: damping was added against too much energy
     Active = 16,  ///< not the limiter: the scene has given more energy than it was given
+    TorqueSaturated = 32,
+    TorqueSlewed = 64,
+    TorqueActive = 128,  ///< as Active, for the turn about the tool's axis
   };
 
   struct Limited {
@@ -50,6 +57,11 @@ class ForceLimiter {
   /// @throws std::invalid_argument  if maxForce or maxRate is not a positive finite number.
   explicit ForceLimiter(const SafetyLimits& limits);
 
+  /// Of a torque [N·m]. What it answers with is the same in that unit, and interventions are those
+  /// of a torque.
+  /// @throws std::invalid_argument  if maxTorque or maxTorqueRate is not a positive finite number.
+  static ForceLimiter ofTorque(const SafetyLimits& limits);
+
   /// The nearest allowed force to @p desired [N], @p dt [s] after the last one.
   Limited limit(double desired, double dt) noexcept;
 
@@ -57,7 +69,12 @@ class ForceLimiter {
   void release() noexcept { last_ = 0.0; }
 
  private:
-  SafetyLimits limits_;
+  ForceLimiter(double most, double rate, std::uint8_t saturated, std::uint8_t slewed);
+
+  double most_;
+  double rate_;
+  std::uint8_t saturated_;  ///< what it says where it has limited the size,
+  std::uint8_t slewed_;     ///< and the rate
   double last_ = 0.0;
 };
 

@@ -25,6 +25,12 @@ class ForceModel {
   /// Called once a tick, in order: a model may remember. Never allocates, waits or throws.
   virtual models::Response<double> respond(const ToolState& tool) noexcept = 0;
 
+  /// Of the last answer, about the tool's axis, right-handed about the way of advancing [N·m].
+  virtual double torque() const noexcept { return 0.0; }
+
+  /// Whether it may answer with a torque other than 0.
+  virtual bool hasTorque() const noexcept { return false; }
+
   /// Forgets what has been felt. Not while it is felt.
   virtual void reset() noexcept = 0;
 

@@ -66,12 +66,15 @@ struct TickSample {
   };
 
   std::uint64_t tick = 0;
-  double travel = 0.0;    ///< [device's travel unit]
-  double velocity = 0.0;  ///< [device's travel unit / s]
-  double desired = 0.0;   ///< desired by the scene [N]
-  double force = 0.0;     ///< sent to the device [N]
-  double energy = 0.0;    ///< that this contact has taken up [N·device's travel unit]
-  float lateness = 0.0F;  ///< of this tick against its due time [µs]; 0 without a clock
+  double travel = 0.0;         ///< [device's travel unit]
+  double velocity = 0.0;       ///< [device's travel unit / s]
+  double desired = 0.0;        ///< desired by the scene [N]
+  double force = 0.0;          ///< sent to the device [N]
+  double desiredTorque = 0.0;  ///< desired by the scene, about the tool's axis [N·m]
+  double torque = 0.0;         ///< sent to the device [N·m]; 0 if it renders none
+  double energy = 0.0;         ///< that this contact has taken up [N·device's travel unit]
+  double turnEnergy = 0.0;     ///< the same for the turn about the tool's axis [J]
+  float lateness = 0.0F;       ///< of this tick against its due time [µs]; 0 without a clock
   devices::DeviceStatus status = devices::DeviceStatus::Gone;
   std::uint8_t interventions = 0;  ///< ForceLimiter::Intervention
   std::uint8_t marks = None;

@@ -38,10 +38,13 @@ struct Cohort {
 struct DeviceNeed {
   std::string id;
   const haptics::devices::DeviceKind* kind;
-  double maxForce = 0.0;       ///< [N]
-  double maxForceRate = 0.0;   ///< [N/s]
-  double maxVelocity = 300.0;  ///< above it the tool has slipped from the hand [device's travel
-                               ///< unit/s]
+  double maxForce = 0.0;        ///< [N]
+  double maxForceRate = 0.0;    ///< [N/s]
+  double maxTorque = 5.0;       ///< about the tool's axis [N·m]
+  double maxTorqueRate = 50.0;  ///< [N·m/s]
+  bool isTorqueAsked = false;   ///< a scene on this device has a torque about the tool's axis
+  double maxVelocity = 300.0;   ///< above it the tool has slipped from the hand [device's travel
+                                ///< unit/s]
   bool isPassivityControlled = false;  ///< damping is added if a scene generates energy
 };
 

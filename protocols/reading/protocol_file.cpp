@@ -154,6 +154,8 @@ DeviceNeed readDevice(const Node& node) {
            "kind",
            "max_force_n",
            "max_force_rate_n_per_s",
+           "max_torque_nm",
+           "max_torque_rate_nm_per_s",
            "max_velocity",
            "passivity_control"})) {
     return device;
@@ -166,6 +168,8 @@ DeviceNeed readDevice(const Node& node) {
   }
   device.maxForce = node.number("max_force_n", 0.01, 1000.0);
   device.maxForceRate = node.number("max_force_rate_n_per_s", 0.1, 1e6);
+  device.maxTorque = node.number("max_torque_nm", 0.001, 100.0, device.maxTorque);
+  device.maxTorqueRate = node.number("max_torque_rate_nm_per_s", 0.01, 1e5, device.maxTorqueRate);
   device.maxVelocity = node.number("max_velocity", 1e-3, 1e6, device.kind->travel.fastest);
   device.isPassivityControlled = node.flag("passivity_control", false);
   return device;

@@ -24,6 +24,8 @@
 #include "study/app/scene_play.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
+#include "study/trial/device_file.h"
+#include "study/trial/hardware_device_set.h"
 
 namespace study::app {
 namespace {
@@ -46,6 +48,7 @@ struct PlayOptions {
 struct ExplainOptions {
   std::string file;
   std::string condition;
+  std::string devices;  ///< a device file; empty: the simulated device
   bool visualised = false;
   bool cost = false;
   bool json = false;
@@ -105,6 +108,16 @@ void printPassivity(
       slope.largestStepAtRest);
 }
 
+void printTorque(
+    const haptics::engine::CompiledScene& scene, const haptics::devices::Capabilities& device) {
+  if (!scene.hasTorque()) return;
+  if (device.rendersTorque()) {
+    fmt::print("  the {} gives a torque of up to {:g} N·m\n", device.name, device.maxTorque);
+  } else {
+    fmt::print("  not rendered: torque; the {} gives none\n", device.name);
+  }
+}
+
 void print(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
@@ -127,6 +140,7 @@ void print(
     }
   }
   printPassivity(scene, slope, device);
+  printTorque(scene, device);
 }
 
 /// The protocol, or std::nullopt after its problems have been printed.
@@ -151,6 +165,22 @@ haptics::devices::Capabilities simulatedDeviceFor(
   return haptics::devices::simulated(*protocol.device(condition.device)->kind);
 }
 
+/// What the device can do that @p condition is felt on: of a device file, or the simulated one.
+haptics::devices::Capabilities deviceFor(
+    const ExplainOptions& options,
+    const protocols::Protocol& protocol,
+    const protocols::Condition& condition) {
+  if (options.devices.empty()) return simulatedDeviceFor(protocol, condition);
+  HardwareDeviceSet deviceSet(loadDevices(options.devices), [](const auto& need) {
+    return simulatedHandFor(need, 1, {}, 0);
+  });
+  const auto* device = deviceSet.find(condition.device);
+  if (device == nullptr) {
+    throw UserError(options.devices + " has no device '" + condition.device + "'.");
+  }
+  return device->capabilities();
+}
+
 int explain(const ExplainOptions& options) {
   const auto file = loaded(options.file);
   if (!file) return 1;
@@ -158,7 +188,7 @@ int explain(const ExplainOptions& options) {
   auto spec = condition->scene();
   spec.isVisualised = spec.isVisualised || options.visualised;
   haptics::engine::CompiledScene scene(spec);
-  const auto device = simulatedDeviceFor(file->protocol, *condition);
+  const auto device = deviceFor(options, file->protocol, *condition);
   const auto slope = haptics::engine::renderedSlope(spec, *device.kind, device.rate);
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec, *device.kind);
@@ -347,6 +377,8 @@ void addSceneCommands(CLI::App& program, Action& action) {
   explain->add_option("FILE", options->file, "A protocol file, or one of the library by name")
       ->required();
   explain->add_option("--condition", options->condition, "Its id in the protocol")->required();
+  explain->add_option(
+      "--devices", options->devices, "A device file: what its device renders of the scene");
   explain->add_flag(
       "--visualised", options->visualised, "Explain it as in a block with visualisation");
   explain->add_flag(

@@ -19,6 +19,8 @@ struct ExportedTick {
   double time = 0.0;
 };
 Table<ExportedTick> traceTable();
+/// Of a trial whose scene had none: the columns that release 0.1 wrote.
+Table<ExportedTick> traceTableWithoutTorque();
 
 /// The tables with other columns, or another order, in BIDS.
 Table<ExportedSession> bidsParticipantTable();

@@ -1,5 +1,6 @@
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -82,7 +83,8 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
   }
   fs::create_directories(folder);
   auto& traces = study.traces();
-  const auto table = traceTable();
+  const auto withTorque = traceTable();
+  const auto withoutTorque = traceTableWithoutTorque();
   std::size_t written = 0;
   double seen = 0.0;
   const auto trials = records.trials();
@@ -91,7 +93,12 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
     seen += 1.0;
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;
-    const auto text = traceAsCsv(table, traces.read(trial.step.visit), trial.nominalRate);
+    const auto samples = traces.read(trial.step.visit);
+    const bool hasTorque = std::any_of(samples.begin(), samples.end(), [](const auto& sample) {
+      return sample.desiredTorque != 0.0F || sample.torque != 0.0F;
+    });
+    const auto text =
+        traceAsCsv(hasTorque ? withTorque : withoutTorque, samples, trial.nominalRate);
     writeNewFile((folder / nameOf(session->second, trial.step.visit)).string(), gzip(text));
     ++written;
   }

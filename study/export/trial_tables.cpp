@@ -150,7 +150,8 @@ Table<ExportedTick> traceTable() {
            {"interventions",
             Integer{},
             "A sum: 1 limited to the largest force, 2 to the fastest change, 4 no number, 8 "
-            "damped, 16 the scene gave more energy than it took",
+            "damped, 16 the scene gave more energy than it took; of the torque: 32 limited to the "
+            "largest, 64 to the fastest change, 128 more energy given than taken",
             sampled(&Sample::interventions)},
            {"marks",
             Integer{},
@@ -161,8 +162,25 @@ Table<ExportedTick> traceTable() {
            {"landmark",
             Integer{},
             "0 nothing, 1 interception, 2 yield, 3 end of travel, 4 opening, 5 a cut is complete",
-            sampled(&Sample::landmark)}},
+            sampled(&Sample::landmark)},
+           {"desired_nm",
+            Number{"N·m"},
+            "Torque about the tool's axis that the scene asked for, right-handed about the way of "
+            "advancing; in traces with a torque only",
+            sampled(&Sample::desiredTorque)},
+           {"torque_nm",
+            Number{"N·m"},
+            "… and that the device was told; 0 where it renders none",
+            sampled(&Sample::torque)}},
       .tellsTheCondition = true};
+}
+
+Table<ExportedTick> traceTableWithoutTorque() {
+  auto table = traceTable();
+  std::erase_if(table.columns, [](const auto& column) {
+    return column.name() == "desired_nm" || column.name() == "torque_nm";
+  });
+  return table;
 }
 
 }  // namespace study

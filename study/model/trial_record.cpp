@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kEndings{
     "finished", "stopped", "aborted_hardware", "trace_lost", "timed_out", "program_ended"};
-constexpr std::array<std::string_view, 10> kSafetyKinds{
+constexpr std::array<std::string_view, 13> kSafetyKinds{
     "too_fast",
     "released",
     "no_sample",
@@ -21,7 +21,10 @@ constexpr std::array<std::string_view, 10> kSafetyKinds{
     "slewed",
     "not_finite",
     "active",
-    "damped"};
+    "damped",
+    "torque_saturated",
+    "torque_slewed",
+    "torque_active"};
 constexpr std::array<std::string_view, 3> kVerdicts{"PASS", "WARN", "FAIL"};
 
 // libfranka warns below a success rate of 0.95 and calls 0.90 "not sufficient"; we ask for the
@@ -61,6 +64,9 @@ Finding findingOf(const SafetyEvent& event, double duration) {
     case SafetyKind::Saturated:
     case SafetyKind::Slewed:
     case SafetyKind::Damped:
+    case SafetyKind::TorqueSaturated:
+    case SafetyKind::TorqueSlewed:
+    case SafetyKind::TorqueActive:
       return {};  // reported elsewhere, or expected
   }
   return {};
@@ -175,6 +181,10 @@ TrialRecord::Judgement TrialRecord::judgement() const {
   if (contact > 0.0 && saturated > kWarnSaturatedShare * contact) {
     found(Verdict::Warn, message("trial.cut_off", saturated, contact));
   }
+  if (contact > 0.0 && torqueSaturated > kWarnSaturatedShare * contact) {
+    found(Verdict::Warn, message("trial.torque_cut_off", torqueSaturated, contact));
+  }
+  if (hasTorque && !isTorqueRendered) found(Verdict::Warn, message("trial.no_torque"));
   if (undefined > 0.0) found(Verdict::Warn, message("trial.no_force", undefined));
   if (const auto& cycle = passivity.limitCycle) {
     found(Verdict::Fail, message("trial.limit_cycle", cycle->amplitude, cycle->frequency));

@@ -28,16 +28,19 @@ std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept;
 
 /// Why a force was changed or withheld, or what was wrong with it.
 enum class SafetyKind {
-  TooFast,        ///< the tool exceeded the velocity limit
-  Released,       ///< the dead-man switch was not held
-  NoSample,       ///< the device gave no measurement
-  MissedPeriods,  ///< no tick for more than one period
-  SoftStart,      ///< the force waited for a small one, or rose slowly to its value
-  Saturated,      ///< the scene asked for more than the force limit
-  Slewed,         ///< … or for a faster change than the rate limit
-  NotFinite,      ///< … or its force was not a number
-  Active,         ///< the rendering generated energy
-  Damped,         ///< and was damped for it
+  TooFast,          ///< the tool exceeded the velocity limit
+  Released,         ///< the dead-man switch was not held
+  NoSample,         ///< the device gave no measurement
+  MissedPeriods,    ///< no tick for more than one period
+  SoftStart,        ///< the force waited for a small one, or rose slowly to its value
+  Saturated,        ///< the scene asked for more than the force limit
+  Slewed,           ///< … or for a faster change than the rate limit
+  NotFinite,        ///< … or its force was not a number
+  Active,           ///< the rendering generated energy
+  Damped,           ///< and was damped for it
+  TorqueSaturated,  ///< the scene asked for more than the torque limit
+  TorqueSlewed,     ///< … or for a faster change than its rate limit
+  TorqueActive,     ///< the torque gave energy to the hand, as that of a motor does
 };
 
 std::string_view nameOf(SafetyKind kind) noexcept;
@@ -90,6 +93,11 @@ struct TrialRecord {
   double deviceDamping = 0.0;            ///< physical damping of the mechanism [N·s/travel unit]
   double leastEnergy = 0.0;              ///< smallest energy balance of a contact [N·travel unit]
   haptics::devices::LinkReport link;     ///< statistics of the device's wire, if it has one
+  bool hasTorque = false;                ///< the scene had one about the tool's axis
+  bool isTorqueRendered = false;         ///< and the device rendered it
+  double torqueSaturated = 0.0;          ///< the scene asked for more torque than the limit [s]
+  double largestTorque = 0.0;            ///< commanded [N·m]
+  double leastTurnEnergy = 0.0;          ///< smallest energy balance of a contact's turn [J]
   std::string deviceFault;               ///< why the device ended the trial, in words; or empty
   std::optional<ViewReport> view;        ///< how smoothly the scene was shown, if it was
 

@@ -99,6 +99,14 @@ void Session::keepTrial(const TrialRecord& record) {
     values.emplace_back("limit_cycle_hz", passivity.limitCycle->frequency);
   }
   say(Actor::Program, "passivity", std::move(values));
+  if (record.hasTorque) {
+    say(Actor::Program,
+        "torque",
+        base::NamedArguments{
+            {"rendered", std::int64_t{record.isTorqueRendered}},
+            {"largest_nm", record.largestTorque},
+            {"least_energy", record.leastTurnEnergy}});
+  }
   if (record.link.isThere) say(Actor::Program, "device_link", valuesOf(record.link));
   if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
   if (record.view) say(Actor::Program, "view", valuesOf(*record.view));

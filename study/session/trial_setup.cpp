@@ -22,6 +22,8 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
       .limits =
           {.maxForce = need.maxForce,
            .maxRate = need.maxForceRate,
+           .maxTorque = need.maxTorque,
+           .maxTorqueRate = need.maxTorqueRate,
            .maxVelocity = need.maxVelocity,
            .isPassivityControlled = need.isPassivityControlled},
       .keep = [&traces, visit = session.visit()](int number, const auto& samples) {

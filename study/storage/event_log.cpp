@@ -94,6 +94,8 @@ constexpr std::array kTexts{
         "times",
         "{times} time, {duration_s:.3f} s in all"},
     EventText{
+        "torque", "at most {largest_nm:.3g} N·m, least energy of the turn {least_energy:.3g} J"},
+    EventText{
         "view",
         "frames {frames}, dropped {dropped}, {rate_per_s:.1f} 1/s; from frame to frame p50 "
         "{frame_p50_ms:.1f} ms, p99 {frame_p99_ms:.1f} ms, meant {period_ms:.1f} ms; latency p50 "

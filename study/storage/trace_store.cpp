@@ -1,7 +1,10 @@
 #include "study/storage/trace_store.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstring>
+#include <span>
 
 #include "study/model/messages.h"
 #include "study/storage/hasher.h"
@@ -11,26 +14,54 @@
 namespace study::storage {
 namespace {
 
-constexpr std::int64_t kLayout = 1;
-static_assert(sizeof(TraceSample) == 28, "as documented");
+constexpr std::size_t kWithoutTorque = offsetof(TraceSample, desiredTorque);
+static_assert(kWithoutTorque == 28 && sizeof(TraceSample) == 36, "as documented");
 static_assert(
     std::endian::native == std::endian::little, "samples are written as they lie in memory");
 
+/// Not even a negative zero: every bit comes back.
+bool hasTorque(const TraceSample& sample) noexcept {
+  return std::bit_cast<std::uint32_t>(sample.desiredTorque) != 0 ||
+         std::bit_cast<std::uint32_t>(sample.torque) != 0;
+}
+
+/// The bytes of a sample in a layout; 0 for one that this program does not know.
+std::size_t sizeIn(std::int64_t layout) noexcept {
+  return layout == 1 ? kWithoutTorque : layout == 2 ? sizeof(TraceSample) : 0;
+}
+
 }  // namespace
 
+/// Samples as they are written.
+struct TraceStore::Chunk {
+  explicit Chunk(const std::vector<TraceSample>& written)
+      : samples(static_cast<std::int64_t>(written.size())),
+        layout(std::any_of(written.begin(), written.end(), hasTorque) ? 2 : 1),
+        bytes(written.size() * sizeIn(layout)) {
+    const std::size_t size = sizeIn(layout);
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      std::memcpy(bytes.data() + i * size, &written[i], size);
+    }
+    hash = hashOf(bytes);
+  }
+
+  std::int64_t samples;
+  std::int64_t layout;
+  std::vector<std::byte> bytes;
+  Hash hash;
+};
+
 void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
+  const Chunk chunk(samples);
   try {
-    insert(visit, number, samples);
+    insert(visit, number, chunk);
   } catch (const StorageError&) {
     // The commit may have succeeded although it reported an error: read the chunk back.
-    if (!holds(visit, number, samples)) throw;
+    if (!holds(visit, number, chunk)) throw;
   }
 }
 
-void TraceStore::insert(
-    const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
-  const auto bytes = std::as_bytes(std::span(samples));
-  const Hash hash = hashOf(bytes);
+void TraceStore::insert(const VisitKey& visit, int number, const Chunk& chunk) {
   Transaction transaction(database_);
   Statement insert(
       database_,
@@ -38,44 +69,43 @@ void TraceStore::insert(
       "VALUES (?,?,?,?,?,?,?,?)");
   insert.bind(1, visit);
   insert.bind(4, std::int64_t{number})
-      .bind(5, static_cast<std::int64_t>(samples.size()))
-      .bind(6, kLayout)
-      .bind(7, bytes)
-      .bind(8, std::span<const std::byte>(hash));
+      .bind(5, chunk.samples)
+      .bind(6, chunk.layout)
+      .bind(7, std::span<const std::byte>(chunk.bytes))
+      .bind(8, std::span<const std::byte>(chunk.hash));
   insert.run();
   transaction.commit();
 }
 
-bool TraceStore::holds(
-    const VisitKey& visit, int number, const std::vector<TraceSample>& samples) const {
+bool TraceStore::holds(const VisitKey& visit, int number, const Chunk& chunk) const {
   Statement select(
       database_,
       "SELECT hash FROM chunk WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
   select.bind(1, visit);
   select.bind(4, std::int64_t{number});
-  return select.step() && select.blob(0) == asBytes(hashOf(std::as_bytes(std::span(samples))));
+  return select.step() && select.blob(0) == asBytes(chunk.hash);
 }
 
 std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
   Statement select(
       database_,
-      "SELECT data, hash, samples, number FROM chunk "
+      "SELECT data, hash, samples, number, layout FROM chunk "
       "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
   select.bind(1, visit);
   std::vector<TraceSample> samples;
   for (std::int64_t expected = 0; select.step(); ++expected) {
     const auto bytes = select.blob(0);
     const auto count = static_cast<std::size_t>(select.number(2));
-    const bool isSound = select.number(3) == expected &&
-                         bytes.size() == count * sizeof(TraceSample) &&
+    const std::size_t size = sizeIn(select.number(4));
+    const bool isSound = size > 0 && select.number(3) == expected && bytes.size() == count * size &&
                          select.blob(1) == asBytes(hashOf(bytes));
     if (!isSound) {
       throw StorageError(
           message("traces.damaged", database_.path(), expected + 1), StorageError::Kind::Damaged);
     }
-    const std::size_t before = samples.size();
-    samples.resize(before + count);
-    std::memcpy(samples.data() + before, bytes.data(), bytes.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      std::memcpy(&samples.emplace_back(), bytes.data() + i * size, size);
+    }
   }
   return samples;
 }

@@ -10,7 +10,9 @@
 
 namespace study::storage {
 
-/// The stored part of a tick: 28 bytes, little-endian, in this order (layout 1).
+/// The stored part of a tick: 36 bytes, little-endian, in this order (layout 2). A chunk whose
+/// samples have no torque is stored without the last two members, in 28 bytes a sample, as release
+/// 0.1 stored all chunks (layout 1).
 struct TraceSample {
   std::uint32_t tick = 0;          ///< of the trial
   float travel = 0.0F;             ///< [device's travel unit]
@@ -22,6 +24,8 @@ struct TraceSample {
   std::uint8_t interventions = 0;  ///< haptics::engine::ForceLimiter::Intervention
   std::uint8_t marks = 0;          ///< haptics::engine::TickSample::Mark
   std::uint8_t landmark = 0;       ///< haptics::models::CutDetector::Event
+  float desiredTorque = 0.0F;      ///< what the scene asked for, about the tool's axis [N·m]
+  float torque = 0.0F;             ///< what the device was told [N·m]
 };
 
 /// traces.db: the samples of a trial in chunks of about one second, each complete and with its
@@ -50,8 +54,9 @@ class TraceStore {
   Database& database() noexcept { return database_; }
 
  private:
-  void insert(const VisitKey& visit, int number, const std::vector<TraceSample>& samples);
-  bool holds(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) const;
+  struct Chunk;
+  void insert(const VisitKey& visit, int number, const Chunk& chunk);
+  bool holds(const VisitKey& visit, int number, const Chunk& chunk) const;
 
   Database database_;
 };

@@ -165,6 +165,7 @@ IiwaSettings readIiwa(const Node& node) {
   }
   settings.mostTravel = node.number("most_travel_m", 0.001, 1.0, settings.mostTravel);
   settings.maxForce = node.number("max_force_n", 0.1, 1000.0, settings.maxForce);
+  settings.maxTorque = node.number("max_torque_nm", 0.0, 100.0, settings.maxTorque);
   settings.damping = node.number("damping_n_s_per_m", 0.0, 10'000.0, settings.damping);
   readMargins(node, settings);
   return settings;
@@ -222,6 +223,7 @@ std::vector<std::pair<std::string, Type>> types() {
          "zero_joints_deg",
          "most_travel_m",
          "max_force_n",
+         "max_torque_nm",
          "damping_n_s_per_m",
          "margins"},
         readIiwa}});
@@ -301,6 +303,7 @@ struct AsJson {
     }
     json["most_travel_m"] = s.mostTravel;
     json["max_force_n"] = s.maxForce;
+    json["max_torque_nm"] = s.maxTorque;
     json["damping_n_s_per_m"] = s.damping;
     json["margins"] = {
         {"position_deg", inDegrees(s.margins.position)},

@@ -108,6 +108,19 @@ std::vector<CheckResult> preflight(
        isStrong ? ""
                 : "Scenes that ask for more are cut off, the same for every condition, and every "
                   "trial says so; scale the scenes (force_scale) or lower max_force_n."});
+  if (!need->isTorqueAsked) return found;
+  const bool canTurn = can.maxTorque >= need->maxTorque;
+  found.push_back(
+      {canTurn ? Finding::Pass : Finding::Warn,
+       "torque that the protocol asks for",
+       can.rendersTorque() ? fmt::format("{:g} N·m of {:g} N·m", need->maxTorque, can.maxTorque)
+                           : "not rendered: torque",
+       canTurn ? ""
+       : can.rendersTorque()
+           ? "Scenes that ask for more are cut off, and every trial says so; scale the scenes "
+             "(force_scale) or lower max_torque_nm of the protocol."
+           : "The device gives no torque, and every trial says so. Raise max_torque_nm in the "
+             "device file if the arm can give one."});
   return found;
 }
 

@@ -20,7 +20,9 @@ storage::TraceSample asTrace(const TickSample& sample) {
       .status = static_cast<std::uint8_t>(sample.status),
       .interventions = sample.interventions,
       .marks = sample.marks,
-      .landmark = static_cast<std::uint8_t>(sample.landmark)};
+      .landmark = static_cast<std::uint8_t>(sample.landmark),
+      .desiredTorque = static_cast<float>(sample.desiredTorque),
+      .torque = static_cast<float>(sample.torque)};
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ Trial::Trial(haptics::devices::Device& device, Setup setup)
 }
 
 Trial::~Trial() {
-  device_.command(0.0);
+  device_.command(0.0, 0.0);
   device_.disarm();
 }
 
@@ -58,7 +60,7 @@ void Trial::keepChunk() {
 }
 
 TrialRecord Trial::finish(TrialEnding ending) {
-  device_.command(0.0);
+  device_.command(0.0, 0.0);
   const auto link = device_.link();
   const auto fault = device_.fault();
   device_.disarm();
@@ -73,6 +75,8 @@ TrialRecord Trial::finish(TrialEnding ending) {
            .limitCycle = slope_.limitCycle},
       .deviceDamping = device_.capabilities().damping,
       .link = link,
+      .hasTorque = scene_.hasTorque(),
+      .isTorqueRendered = scene_.hasTorque() && device_.capabilities().rendersTorque(),
       .deviceFault = fault};
   try {
     keepChunk();

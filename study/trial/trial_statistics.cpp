@@ -39,7 +39,13 @@ void TrialStatistics::add(const TickSample& sample) {
   count(SafetyKind::NotFinite, intervened(ForceLimiter::NotFinite));
   count(SafetyKind::Active, intervened(ForceLimiter::Active));
   count(SafetyKind::Damped, intervened(ForceLimiter::Damped));
+  count(SafetyKind::TorqueSaturated, intervened(ForceLimiter::TorqueSaturated));
+  count(SafetyKind::TorqueSlewed, intervened(ForceLimiter::TorqueSlewed));
+  count(SafetyKind::TorqueActive, intervened(ForceLimiter::TorqueActive));
   leastEnergy_ = std::min(leastEnergy_, sample.energy);
+  leastTurnEnergy_ = std::min(leastTurnEnergy_, sample.turnEnergy);
+  largestTorque_ = std::max(largestTorque_, std::abs(sample.torque));
+  if (intervened(ForceLimiter::TorqueSaturated)) ++torqueSaturated_;
   ++ticks_;
   if ((sample.marks & TickSample::Invalid) != 0) ++invalid_;
   if ((sample.marks & TickSample::Undefined) != 0) ++undefined_;
@@ -67,6 +73,9 @@ void TrialStatistics::fillIn(TrialRecord& record) const {
   record.largestForce = largestForce_;
   record.cuts = cuts_;
   record.leastEnergy = leastEnergy_;
+  record.leastTurnEnergy = leastTurnEnergy_;
+  record.largestTorque = largestTorque_;
+  record.torqueSaturated = seconds(torqueSaturated_);
   for (std::size_t i = 0; i < tallies_.size(); ++i) {
     if (tallies_[i].times == 0) continue;
     record.safety.push_back(

@@ -40,7 +40,10 @@ class TrialStatistics {
 
   double largestForce_ = 0.0;
   double leastEnergy_ = 0.0;
-  std::array<Tally, 10> tallies_{};  ///< by SafetyKind
+  std::int64_t torqueSaturated_ = 0;
+  double largestTorque_ = 0.0;
+  double leastTurnEnergy_ = 0.0;
+  std::array<Tally, 13> tallies_{};  ///< by SafetyKind
 };
 
 }  // namespace study

@@ -54,7 +54,11 @@ TEST(ProtocolKeys, DescribeCohortsAndDevices) {
   EXPECT_EQ(protocol.device("punch")->kind, &punchKind());
   EXPECT_EQ(protocol.device("punch")->maxForce, 8.5);
   EXPECT_EQ(protocol.device("punch")->maxForceRate, 500.0);
+  EXPECT_EQ(protocol.device("punch")->maxTorque, 5.0);
+  EXPECT_EQ(protocol.device("punch")->maxTorqueRate, 50.0);
   EXPECT_EQ(protocol.device("reamer")->kind, &reamerKind());
+  EXPECT_EQ(protocol.device("reamer")->maxTorque, 3.0);
+  EXPECT_EQ(protocol.device("reamer")->maxTorqueRate, 40.0);
   EXPECT_EQ(protocol.labels.policy, LabelPolicy::Condition);
   EXPECT_EQ(protocol.labels.prefix.in("de"), "Variante");
 }

@@ -17,7 +17,7 @@ class FaultingDevice final : public haptics::devices::Device {
     using enum haptics::devices::DeviceStatus;
     return {.status = isFaulty_.load(std::memory_order_relaxed) ? Faulted : Ok};
   }
-  void command(double /*force*/) noexcept override {}
+  void command(double /*force*/, double /*torque*/) noexcept override {}
   std::string fault() const override {
     return isFaulty_.load(std::memory_order_relaxed) ? "The encoder has failed." : "";
   }

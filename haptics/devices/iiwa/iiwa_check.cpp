@@ -147,6 +147,14 @@ CheckResult anomaliesFound(const LinkReport& link) {
       bad == 0 ? "" : "Use a direct cable; nobody else on this network may send to this port."};
 }
 
+CheckResult torqueFound(const Capabilities& can) {
+  return {
+      Finding::Pass,
+      "torque at most",
+      can.rendersTorque() ? numbers("%.3g N·m", can.maxTorque) : "not rendered: torque",
+      ""};
+}
+
 }  // namespace
 
 IiwaDevice::Listening IiwaDevice::listen(double seconds) {
@@ -174,7 +182,7 @@ IiwaDevice::Listening IiwaDevice::listen(double seconds) {
       }
       listening.hasWaited = listening.hasWaited || state() == SessionState::CommandingWait;
       isNew_ = false;
-      answer(0.0);
+      answer(0.0, 0.0);
     } else if (timing::now() - last >= kLastingSilence) {
       listening.longestGap = timing::now() - last;
       break;
@@ -231,6 +239,7 @@ std::vector<CheckResult> IiwaDevice::check(double seconds) {
          ""});
   }
   found.push_back({Finding::Pass, "force at most", numbers("%.0f N", capabilities_.maxForce), ""});
+  found.push_back(torqueFound(capabilities_));
   const bool isFit = std::none_of(
       found.begin(), found.end(), [](const auto& f) { return f.finding == Finding::Fail; });
   if (isFit) setChecked();

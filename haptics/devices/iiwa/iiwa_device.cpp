@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "haptics/devices/device.h"
@@ -38,6 +39,7 @@ Capabilities capabilitiesOf(const IiwaSettings& settings) {
       .leastTravel = 0.0,
       .mostTravel = settings.mostTravel,
       .maxForce = settings.maxForce,
+      .maxTorque = settings.maxTorque,
       .damping = settings.damping,
       .rate = 200.0,
       .isSimulated = false};
@@ -109,7 +111,7 @@ void IiwaDevice::awaitMessages() {
   while (timing::now() < until) {
     if (!pump(std::min(until, timing::now() + 100 * kMillisecond))) continue;
     isNew_ = false;
-    answer(0.0);
+    answer(0.0, 0.0);
     const auto period = heard_.connection ? heard_.connection->sendPeriod.value_or(5) : 5;
     const auto multiplier =
         heard_.connection ? heard_.connection->receiveMultiplier.value_or(1) : 1;
@@ -149,6 +151,7 @@ std::int64_t IiwaDevice::silence() const noexcept {
 
 void IiwaDevice::beginForces() noexcept {
   start_ = settings_.zero ? kinematics_.tool(asVector(*settings_.zero)) : tool_;
+  turn_ = 0.0;
   sequence_ = {};
   goodAt_ = timing::now();
 }
@@ -158,7 +161,7 @@ void IiwaDevice::awaitReadiness() {
   while (timing::now() < until) {
     if (!pump(timing::now() + 100 * kMillisecond)) continue;
     isNew_ = false;
-    answer(0.0);
+    answer(0.0, 0.0);
     if (state() == SessionState::CommandingActive) return;
   }
   throw DeviceError(
@@ -249,7 +252,10 @@ void IiwaDevice::follow(std::int64_t at) noexcept {
   tool_ = place.tool;
   jacobian_ = place.jacobian;
   velocity_ = settings_.axis.dot((jacobian_ * jointVelocity_).head<3>());
-  if (start_) travel_ = displacementAlong(settings_.axis, *start_, tool_);
+  if (!start_) return;
+  travel_ = displacementAlong(settings_.axis, *start_, tool_);
+  const double turn = settings_.axis.dot(turnBetween(start_->rotation, tool_.rotation));
+  turn_ += std::remainder(turn - turn_, 2.0 * std::numbers::pi);  // more than half a turn, too
 }
 
 /// What ends a trial, in words; nullptr for nothing.
@@ -280,6 +286,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
       .status = DeviceStatus::Stale,
       .travel = travel_,
       .velocity = velocity_,
+      .turn = turn_,
       .deviceTime = deviceTime_,
       .hostTime = hostTime_};
   if (!isNew_) {
@@ -312,14 +319,14 @@ DeviceSample IiwaDevice::read(double) noexcept {
   return sample;
 }
 
-void IiwaDevice::command(double force) noexcept {
+void IiwaDevice::command(double force, double torque) noexcept {
   if (isKept() || !socket_) return;
-  answer(force);
+  answer(force, torque);
   if (lifecycle() == Lifecycle::Armed) setLifecycle(Lifecycle::Running);
 }
 
 /// The one answer to the message that came last, if it wants one.
-void IiwaDevice::answer(double force) noexcept {
+void IiwaDevice::answer(double force, double torque) noexcept {
   if (!isUnanswered_ || !socket_) return;
   isUnanswered_ = false;
   const SessionState session = state();
@@ -335,7 +342,7 @@ void IiwaDevice::answer(double force) noexcept {
     const bool isActive = session == SessionState::CommandingActive &&
                           lifecycle() != Lifecycle::Open &&
                           heard_.connection->quality >= ConnectionQuality::Good;
-    overlayInto(*message.data, isActive ? force : 0.0);
+    overlayInto(*message.data, isActive ? force : 0.0, isActive ? torque : 0.0);
   } else if (isFirstSeries && heard_.monitorData) {
     const auto& data = *heard_.monitorData;
     message.data.emplace();
@@ -349,24 +356,31 @@ void IiwaDevice::answer(double force) noexcept {
   if (count == 0 || !socket_->send({bytes.data(), count}, robot_)) ++report_.unsent;
 }
 
-/// The force against advancing, as the robot wants it.
-void IiwaDevice::overlayInto(CommandData& data, double force) noexcept {
-  const double most = capabilities_.maxForce;
-  double bounded = std::isfinite(force) ? std::clamp(force, -most, most) : 0.0;
-  Wrench wrench = Wrench::Zero();
-  wrench.head<3>() = -bounded * settings_.axis;
-  const JointVector torque = jacobian_.transpose() * wrench;
-  const double share = guard_.allowedShare(torque);
-  if (share < 1.0 || bounded != force) ++report_.clipped;
+/// The force against advancing and the torque about the axis, as the robot wants them.
+void IiwaDevice::overlayInto(CommandData& data, double force, double torque) noexcept {
+  bool isClipped = false;
+  const auto within = [&](double asked, double most) {
+    const double given = std::isfinite(asked) ? std::clamp(asked, -most, most) : 0.0;
+    isClipped = isClipped || given != asked;
+    return given;
+  };
+  Wrench wrench;
+  wrench.head<3>() = -within(force, capabilities_.maxForce) * settings_.axis;
+  wrench.tail<3>() = within(torque, capabilities_.maxTorque) * settings_.axis;
+  const JointVector joints = jacobian_.transpose() * wrench;
+  const double share = guard_.allowedShare(joints);
+  if (share < 1.0 || isClipped) ++report_.clipped;
   if (settings_.overlay == IiwaOverlay::JointTorque) {
-    data.jointTorque = asJoints(share * torque);
-  } else {
-    Eigen::Vector3d asked = share * wrench.head<3>();
-    if (settings_.wrenchFrame == WrenchFrame::Tool) asked = tool_.rotation.transpose() * asked;
-    Vector6 sent{};
-    std::copy_n(asked.data(), 3, sent.begin());
-    data.wrench = sent;
+    data.jointTorque = asJoints(share * joints);
+    return;
   }
+  const bool isInTool = settings_.wrenchFrame == WrenchFrame::Tool;
+  const Eigen::Matrix3d toFrame =
+      isInTool ? Eigen::Matrix3d(tool_.rotation.transpose()) : Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d f = share * (toFrame * wrench.head<3>());
+  const Eigen::Vector3d m = share * (toFrame * wrench.tail<3>());
+  // KUKA's angles A, B and C are about z, y and x, and so are τA, τB and τC.
+  data.wrench = Vector6{f.x(), f.y(), f.z(), m.z(), m.y(), m.x()};
 }
 
 }  // namespace haptics::devices

@@ -38,13 +38,14 @@ struct IiwaSettings {
                                           ///< where it is armed
   double mostTravel = 0.02;               ///< [m]
   double maxForce = 140.0;                ///< [N]
+  double maxTorque = 10.0;                ///< about the axis [N·m]; 0: it renders none
   double damping = 60.0;                  ///< of the arm along the axis [N·s/m]
   IiwaGuard::Margins margins;
 };
 
 /// A KUKA LBR iiwa over FRI (docs/fri.md), paced by the robot's controller: it sends, we answer, at
 /// every message and every force that it asks for. Travel is the tool's displacement along the axis
-/// of reaming.
+/// of reaming; a torque is about that axis, at the tool.
 ///
 /// Messages are sent to the robot's address only. Messages from elsewhere, and damaged, doubled,
 /// overtaken or non-finite ones are ignored. Forces are sent in COMMANDING_ACTIVE only, and only
@@ -60,7 +61,7 @@ class IiwaDevice final : public WireDevice {
   void open() override;
   std::vector<CheckResult> check(double seconds) override;
   DeviceSample read(double dt) noexcept override;
-  void command(double force) noexcept override;
+  void command(double force, double torque) noexcept override;
 
   /// The last message of the robot. Called from the thread that ticks.
   const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
@@ -74,13 +75,13 @@ class IiwaDevice final : public WireDevice {
   /// A robot without answers switches its force off.
   void disconnect(bool /*isFault*/) noexcept override { socket_.reset(); }
   bool pump(std::int64_t deadline) noexcept override;
-  void keepAlive() noexcept override { answer(0.0); }
+  void keepAlive() noexcept override { answer(0.0, 0.0); }
   void awaitReadiness() override;
   void beginForces() noexcept override;
   bool take(const DatagramSocket::Received& received, std::int64_t at) noexcept;
   void follow(std::int64_t at) noexcept;
-  void answer(double force) noexcept;
-  void overlayInto(wire::fri::CommandData& data, double force) noexcept;
+  void answer(double force, double torque) noexcept;
+  void overlayInto(wire::fri::CommandData& data, double force, double torque) noexcept;
   const char* whatIsWrong() const noexcept;
   /// Measurements of a check that the report does not have.
   struct Listening {
@@ -117,6 +118,7 @@ class IiwaDevice final : public WireDevice {
   std::optional<Pose> start_;
   double travel_ = 0.0;
   double velocity_ = 0.0;
+  double turn_ = 0.0;  // [rad]
 
   std::uint32_t lastReflected_ = 0;
 };

@@ -40,15 +40,19 @@ const DeviceKind& reamerKind() {
            .velocityUnit = "mm/s",
            .energyUnit = "J",
            .axis = "depth [mm]"},
-      .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0},
+      .plot = {.force = 40.0, .travel = 30.0, .velocity = 50.0, .torque = 1.0},
       .stroke = stroke(),
       .simulatedForce = 140.0,  // of a LBR iiwa 14
+      .simulatedTorque = 10.0,  // as an arm is given by default
       .mechanism =
           {.mass = 4.0,
            .damping = 60.0,
            .stopStiffness = 40'000.0,
            .stopDamping = 300.0,
-           .resolution = 0.0},
+           .resolution = 0.0,
+           .inertia = 0.02,
+           .turnStiffness = 10.0,
+           .turnDamping = 0.3},
       .hand =
           {.reach = {0.034, 0.042},
            .closeTime = {1.2, 2.2},

@@ -104,7 +104,7 @@ std::vector<CheckResult> PunchDevice::check(double seconds) {
       least = std::min(least, sample.travel);
       most = std::max(most, sample.travel);
     }
-    command(0.0);
+    command(0.0, 0.0);
   }
   const LinkReport report = link();
   const std::uint8_t faults = state_.faults;

@@ -257,7 +257,7 @@ DeviceSample PunchDevice::read(double) noexcept {
   return {.status = DeviceStatus::Faulted};
 }
 
-void PunchDevice::command(double force) noexcept {
+void PunchDevice::command(double force, double /*torque*/) noexcept {
   if (!port_.isOpen() || isKept()) return;
   // One force for each sample: a board that sends nothing gets none, and switches its force off.
   const bool isAnswer = std::exchange(isUnanswered_, false);

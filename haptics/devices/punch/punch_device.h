@@ -44,7 +44,7 @@ class PunchDevice final : public WireDevice {
   void open() override;
   std::vector<CheckResult> check(double seconds) override;
   DeviceSample read(double dt) noexcept override;
-  void command(double force) noexcept override;
+  void command(double force, double torque) noexcept override;
 
   /// Lets the device render @p scene by itself from the next arm() on; commanded forces then only
   /// keep it alive. Its parameters are sent, and the device confirms them by their hash.

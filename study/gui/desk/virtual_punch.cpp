@@ -25,6 +25,8 @@ void VirtualPunch::begin() {
           .limits =
               {.maxForce = need_.maxForce,
                .maxRate = need_.maxForceRate,
+               .maxTorque = need_.maxTorque,
+               .maxTorqueRate = need_.maxTorqueRate,
                .maxVelocity = need_.maxVelocity,
                .isPassivityControlled = need_.isPassivityControlled},
           .keep = [this](int, const std::vector<storage::TraceSample>& chunk) {

@@ -32,12 +32,14 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
   auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
-  for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed}) {
+  auto* torque = plot_->axisRect()->addAxis(QCPAxis::atLeft);
+  for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed, torque}) {
     plot_->addGraph(plot_->xAxis, axis);
     axis->setVisible(true);
   }
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->yAxis->setLabel(tr("force [N]"));
+  torque->setLabel(tr("torque [N·m]"));
   setMinimumHeight(150);
   paintAsTheTheme();
   begin(*haptics::deviceKinds().front(), 1000.0);
@@ -56,7 +58,8 @@ void LivePlot::paintAsTheTheme() {
     axis->grid()->setZeroLinePen(QPen(colours.line));
   };
   paint(plot_->xAxis);
-  const std::array<QColor, 3> channels{colours.force, colours.travel, colours.quiet};
+  const std::array<QColor, 4> channels{
+      colours.force, colours.travel, colours.quiet, colours.torque};
   for (std::size_t i = 0; i < channels.size(); ++i) {
     auto* graph = plot_->graph(static_cast<int>(i));
     graph->setPen(QPen(channels[i], 1));
@@ -83,6 +86,10 @@ void LivePlot::begin(const haptics::devices::DeviceKind& device, double rate) {
   plot_->yAxis->setRange(0.0, device.plot.force);
   plot_->yAxis2->setRange(0.0, device.plot.travel);
   speed->setRange(-device.plot.velocity, device.plot.velocity);
+  const bool hasTorque = device.plot.torque > 0.0;
+  plot_->graph(3)->setVisible(hasTorque);
+  plot_->graph(3)->valueAxis()->setVisible(hasTorque);
+  if (hasTorque) plot_->graph(3)->valueAxis()->setRange(-device.plot.torque, device.plot.torque);
   const auto travel = travelScaleOf(device);
   scale_ = travel.factor;
   plot_->yAxis2->setLabel(tr("travel [%1]").arg(travel.unit));
@@ -99,6 +106,7 @@ void LivePlot::add(const haptics::engine::TickSample& sample) {
   slices_[0].add(time, sample.force);
   slices_[1].add(time, scale_ * sample.travel);
   slices_[2].add(time, scale_ * sample.velocity);
+  slices_[3].add(time, sample.torque);
   last_ = time;
 }
 

@@ -13,7 +13,8 @@ class QCustomPlot;
 
 namespace study::gui {
 
-/// Plots force, position and velocity over the last ten seconds of a running trial.
+/// Plots force, position, velocity and, of a kind of device whose scenes have one, the torque about
+/// the tool's axis over the last ten seconds of a running trial.
 ///
 /// Each slice of 10 ms is drawn as its minimum and maximum, in the order in which they occurred. No
 /// peak is lost, and drawing takes a fifth of the time of drawing every tick. Pens are one pixel
@@ -33,8 +34,8 @@ class LivePlot final : public QWidget {
   /// Draws the samples that were added.
   void refresh();
 
-  /// The points of a channel (0 force, 1 travel, 2 velocity): x is the time [s], y the value in the
-  /// unit of travelScaleOf().
+  /// The points of a channel (0 force [N], 1 travel, 2 velocity, 3 torque [N·m]): x is the time
+  /// [s], y the value, of travel and velocity in the unit of travelScaleOf().
   std::vector<QPointF> channel(int index) const;
 
  protected:
@@ -55,7 +56,7 @@ class LivePlot final : public QWidget {
 
   QCustomPlot* plot_;
   double scale_ = 1.0;  ///< factor for travel and velocity
-  std::array<Slice, 3> slices_;
+  std::array<Slice, 4> slices_;
   double period_ = 0.001;   ///< [s]
   std::int64_t slice_ = 0;  ///< index, counted from the start
   double last_ = 0.0;       ///< [s]

@@ -43,6 +43,7 @@ struct Theme {
   QColor focus;   ///< frame around the focused control
   QColor force;   ///< force curve, on field
   QColor travel;  ///< travel curve, on field
+  QColor torque;  ///< torque curve, on field
 };
 
 const Theme& themeNamed(ThemeName name) noexcept;

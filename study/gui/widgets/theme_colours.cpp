@@ -25,7 +25,8 @@ Theme lightTheme() {
       .line = QColor("#d4d9de"),
       .focus = QColor("#c76a00"),
       .force = QColor("#0072b2"),
-      .travel = QColor("#c14f00")};
+      .travel = QColor("#c14f00"),
+      .torque = QColor("#8f3f73")};
 }
 
 Theme darkTheme() {
@@ -51,7 +52,8 @@ Theme darkTheme() {
       .line = QColor("#434c55"),
       .focus = QColor("#ffb454"),
       .force = QColor("#56b4e9"),
-      .travel = QColor("#ff9a4d")};
+      .travel = QColor("#ff9a4d"),
+      .torque = QColor("#e39ac6")};
 }
 
 Theme highContrastTheme() {
@@ -78,7 +80,8 @@ Theme highContrastTheme() {
       .line = QColor("#c0c0c0"),
       .focus = QColor("#00e5ff"),
       .force = QColor("#80d8ff"),
-      .travel = QColor("#ffb454")};
+      .travel = QColor("#ffb454"),
+      .torque = QColor("#f0b0ff")};
 }
 
 }  // namespace study::gui

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "haptics/devices/hand.h"
+#include "haptics/devices/iiwa/reamer_kind.h"
 #include "haptics/devices/punch/punch_kind.h"
 
 namespace haptics::devices {
@@ -42,8 +43,18 @@ TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
 TEST(SimulatedDevice, StandsStillWhenPushedBackAsHard) {
   SteadyHand hand(2.0);
   SimulatedDevice device(punchKind(), hand);
-  device.command(2.0);
+  device.command(2.0, 0.0);
   EXPECT_EQ(after(device, 500).travel, 0.0);
+}
+
+TEST(SimulatedDevice, TurnsByTheTorqueUntilTheWristHoldsIt) {
+  SteadyHand hand(0.0);
+  SimulatedDevice reamer(reamerKind(), hand);
+  reamer.command(0.0, -3.0);
+  EXPECT_NEAR(after(reamer, 3000).turn, -3.0 / 10.0, 1e-6);  // torque over the wrist's stiffness
+  SimulatedDevice punch(punchKind(), hand);
+  punch.command(0.0, -3.0);
+  EXPECT_EQ(after(punch, 100).turn, 0.0);
 }
 
 TEST(SimulatedDevice, IsHeldByTheStopAtTheEndOfItsTravel) {

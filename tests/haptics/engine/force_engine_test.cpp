@@ -21,10 +21,14 @@ class HeldDevice final : public devices::Device {
  public:
   const devices::Capabilities& capabilities() const noexcept override { return capabilities_; }
   devices::DeviceSample read(double /*dt*/) noexcept override { return sample; }
-  void command(double force) noexcept override { commanded = force; }
+  void command(double force, double torque) noexcept override {
+    commanded = force;
+    commandedTorque = torque;
+  }
 
   devices::DeviceSample sample{.status = devices::DeviceStatus::Ok};
   double commanded = 0.0;
+  double commandedTorque = 0.0;
 
  private:
   devices::Capabilities capabilities_ = devices::simulated(devices::punchKind());

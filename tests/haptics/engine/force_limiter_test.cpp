@@ -46,11 +46,28 @@ TEST(ForceLimiter, LetsGoOfWhatIsNoNumber) {
   }
 }
 
+TEST(ForceLimiter, LimitsATorqueInSizeAndRate) {
+  auto limiter = ForceLimiter::ofTorque({.maxTorque = 2.0, .maxTorqueRate = 50.0});
+  double last = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const auto limited = limiter.limit(i < 100 ? 9.0 : -9.0, kDt);
+    EXPECT_LE(std::abs(limited.force), 2.0);
+    EXPECT_LE(std::abs(limited.force - last), 50.0 * kDt * (1.0 + 1e-12));
+    EXPECT_NE(limited.interventions & ForceLimiter::TorqueSaturated, 0);
+    EXPECT_EQ(limited.interventions & (ForceLimiter::Saturated | ForceLimiter::Slewed), 0);
+    last = limited.force;
+  }
+  EXPECT_EQ(last, -2.0);
+  EXPECT_NE(limiter.limit(2.0, kDt).interventions & ForceLimiter::TorqueSlewed, 0);
+}
+
 TEST(ForceLimiter, RefusesLimitsThatAreNone) {
   EXPECT_THROW(ForceLimiter({.maxForce = 0.0}), std::invalid_argument);
   EXPECT_THROW(ForceLimiter({.maxForce = -1.0}), std::invalid_argument);
   EXPECT_THROW(ForceLimiter({.maxForce = INFINITY}), std::invalid_argument);
   EXPECT_THROW(ForceLimiter({.maxRate = std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter::ofTorque({.maxTorque = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ForceLimiter::ofTorque({.maxTorqueRate = INFINITY}), std::invalid_argument);
 }
 
 }  // namespace force_limiter_test

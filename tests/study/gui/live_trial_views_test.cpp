@@ -126,6 +126,18 @@ TEST(LivePlot, ShowsAReamersTravelInMillimetres) {
   EXPECT_FALSE(plot.channel(1).empty());
 }
 
+TEST(LivePlot, PlotsTheTorqueOfAReamer) {
+  LivePlot plot;
+  plot.begin(haptics::devices::reamerKind(), 1000.0);
+  for (std::uint64_t tick = 0; tick < 40; ++tick) {
+    auto sample = sampleAt(tick, 0.012, 30.0);
+    sample.torque = -0.75;
+    plot.add(sample);
+  }
+  EXPECT_FALSE(plot.channel(3).empty());
+  for (const auto& point : plot.channel(3)) EXPECT_DOUBLE_EQ(point.y(), -0.75);
+}
+
 TEST(CutTable, FillsARowForEachCut) {
   CutTable table;
   table.begin(haptics::devices::punchKind(), 1000.0);

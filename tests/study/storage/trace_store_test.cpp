@@ -14,6 +14,7 @@
 #include "tests/study/made_study.h"
 #include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
+#include "tests/support/scratch_folder.h"
 
 namespace study::storage {
 namespace trace_store_test {
@@ -52,6 +53,41 @@ TEST(TraceStore, ReadsEveryBitBack) {
   EXPECT_TRUE(areSameBits(store.read(kVisit), joined(chunks)));
   EXPECT_EQ(store.sampleCount(kVisit), 2001);
   EXPECT_FALSE(areSameBits(store.read(kVisit), anySamples(2001, 1)));  // the control
+}
+
+/// Samples as release 0.1 kept them: without a torque.
+Samples samplesWithoutTorque(std::size_t count) {
+  auto samples = anySamples(count, 4);
+  for (auto& sample : samples) sample.desiredTorque = sample.torque = 0.0F;
+  return samples;
+}
+
+TEST(TraceStore, KeepsSamplesWithoutTorqueIn28BytesAsRelease01Did) {
+  const tests::ScratchFolder folder;
+  const std::string file = folder / "traces.db";
+  const auto without = samplesWithoutTorque(1000);
+  auto with = without;
+  with.back().torque = 0.25F;
+  {
+    TraceStore store(Database::create(file, traceSchema()));
+    store.add(kVisit, 0, without);
+    store.add(kVisit, 1, with);
+    EXPECT_TRUE(areSameBits(store.read(kVisit), joined({without, with})));
+  }
+  tests::Sql traces(file);
+  EXPECT_EQ(traces.number("SELECT layout FROM chunk WHERE number = 0"), 1);
+  EXPECT_EQ(traces.number("SELECT length(data) FROM chunk WHERE number = 0"), 28'000);
+  EXPECT_EQ(traces.number("SELECT layout FROM chunk WHERE number = 1"), 2);
+  EXPECT_EQ(traces.number("SELECT length(data) FROM chunk WHERE number = 1"), 36'000);
+}
+
+TEST(TraceStore, RefusesALayoutThatItDoesNotKnow) {
+  const tests::ScratchFolder folder;
+  const std::string file = folder / "traces.db";
+  TraceStore store(Database::create(file, traceSchema()));
+  store.add(kVisit, 0, samplesWithoutTorque(10));
+  tests::Sql(file).run("UPDATE chunk SET layout = 3");
+  EXPECT_THROW(store.read(kVisit), StorageError);
 }
 
 TEST(TraceStore, SeparatesTheAttemptsOfAStep) {

@@ -27,7 +27,7 @@ constexpr const char* kBoth = R"({
     {"id": "reamer", "type": "iiwa-fri", "robot_address": "172.31.1.147", "port": 30201,
      "fri_version": "2.7", "model": "iiwa7", "overlay": "torque", "wrench_frame": "base",
      "tool_m": [0, 0, 0.25], "axis": [0, 1, 0], "zero_joints_deg": [0, 30, 0, -90, 0, 60, 0],
-     "most_travel_m": 0.03, "max_force_n": 120, "damping_n_s_per_m": 40,
+     "most_travel_m": 0.03, "max_force_n": 120, "max_torque_nm": 4, "damping_n_s_per_m": 40,
      "margins": {"position_deg": 6, "velocity": 0.5, "torque": 0.4}},
     {"id": "spare", "type": "simulated-reamer"}
   ]
@@ -58,6 +58,7 @@ TEST(DeviceFile, ReadsHowEveryDeviceIsConnected) {
   EXPECT_EQ(punch.punch.expiry, 8);
   const auto& arm = std::get<haptics::devices::IiwaSettings>((*devices)[1].settings);
   EXPECT_EQ(arm.robot, "172.31.1.147");
+  EXPECT_EQ(arm.maxTorque, 4.0);
   EXPECT_EQ(arm.version, haptics::wire::fri::Version::V2_7);
   EXPECT_EQ(arm.model, haptics::devices::IiwaModel::Iiwa7);
   EXPECT_EQ(arm.overlay, haptics::devices::IiwaOverlay::JointTorque);

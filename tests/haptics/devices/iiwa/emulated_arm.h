@@ -118,19 +118,19 @@ class EmulatedArm : public testing::Test {
   }
 
   /// One period and the device's answer to it.
-  DeviceSample turn(double force) {
+  DeviceSample turn(double force, double torque = 0.0) {
     period();
-    return answer(force);
+    return answer(force, torque);
   }
-  DeviceSample answer(double force) {
+  DeviceSample answer(double force, double torque = 0.0) {
     device_->pacer()->wait(soon(kMillisecond));
     const auto sample = device_->read(0.001 * kPeriod);
-    device_->command(force);
+    device_->command(force, torque);
     hear();
     return sample;
   }
-  void turns(double force, int count) {
-    for (int i = 0; i < count; ++i) turn(force);
+  void turns(double force, int count, double torque = 0.0) {
+    for (int i = 0; i < count; ++i) turn(force, torque);
   }
   bool isFaulted() const { return device_->lifecycle() == Lifecycle::Faulted; }
   /// Ticks on until it is over; the last sample.

@@ -53,6 +53,22 @@ TEST_P(IiwaSessionTest, ReachesCommandingAndGivesForceAgainstAdvancing) {
   EXPECT_LT(turn(0.0).travel, 0.0);  // and has been pushed back by it
 }
 
+TEST_P(IiwaSessionTest, GivesATorqueAboutTheAxisAndTurnsByIt) {
+  connect(settings(GetParam().version, GetParam().overlay));
+  openAndArm();
+  for (const double torque : {2.0, -1.5}) {
+    turns(5.0, 100, torque);
+    ASSERT_FALSE(isFaulted()) << device_->fault();
+    EXPECT_NEAR(report().torque, torque, 0.01);
+    EXPECT_NEAR(report().force, -5.0, 0.05);
+    const auto sample = turn(5.0, torque);
+    EXPECT_GT(sample.turn * torque, 0.0) << "the arm turns the way that it is pushed";
+    EXPECT_NEAR(sample.turn, report().turn, 0.01);
+  }
+  turns(0.0, 2);
+  EXPECT_EQ(report().torque, 0.0);
+}
+
 TEST_P(IiwaSessionTest, ComputesTheTravelOfTheController) {
   const auto mine = settings(GetParam().version, GetParam().overlay);
   auto options = controllerFor(mine);
@@ -113,7 +129,7 @@ TEST_F(IiwaDeviceTest, MakesNoForceAfterItIsDisarmed) {
   work(10.0);
   device_->disarm();
   EXPECT_EQ(device_->lifecycle(), Lifecycle::Open);
-  device_->command(10.0);
+  device_->command(10.0, 0.0);
   during([] { timing::sleepUntil(soon(20 * kMillisecond)); });
   EXPECT_EQ(report().force, 0.0);
   EXPECT_EQ(report().state, SessionState::CommandingActive);
@@ -136,6 +152,26 @@ TEST_F(IiwaDeviceTest, ClipsAForceThatItDoesNotGiveAndCountsIt) {
   turns(std::nan(""), 2);
   EXPECT_EQ(report().force, 0.0);
   EXPECT_EQ(device_->link().clipped, before + 12);
+}
+
+TEST_F(IiwaDeviceTest, ClipsATorqueThatItDoesNotGiveAndCountsIt) {
+  auto mine = settings();
+  mine.maxTorque = 1.5;
+  connect(mine);
+  work(10.0);
+  const auto before = device_->link().clipped;
+  turns(10.0, 10, -4.0);
+  EXPECT_EQ(device_->link().clipped, before + 10);
+  EXPECT_NEAR(report().torque, -1.5, 1e-3);
+  turns(10.0, 2, std::nan(""));
+  EXPECT_EQ(report().torque, 0.0);
+}
+
+TEST_F(IiwaDeviceTest, SaysWhetherItRendersATorque) {
+  auto mine = settings();
+  EXPECT_TRUE(IiwaDevice(mine).capabilities().rendersTorque());
+  mine.maxTorque = 0.0;
+  EXPECT_FALSE(IiwaDevice(mine).capabilities().rendersTorque());
 }
 
 TEST_F(IiwaDeviceTest, GivesNoMoreThanTheGuardAllows) {

@@ -234,7 +234,7 @@ TEST_F(IiwaFaultsTest, WorksInRealTimeAndLetsGoInTime) {
     const auto tick = [&](double force) {
       device_->pacer()->wait(soon(10 * kMillisecond));
       device_->read(0.004);
-      device_->command(force);
+      device_->command(force, 0.0);
     };
     for (int k = 0; k < 50; ++k) tick(10.0);
     hasPushed = hasPushed || std::abs(report().force + 10.0) < 0.01;

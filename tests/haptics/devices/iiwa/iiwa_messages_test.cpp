@@ -1,6 +1,8 @@
 // What an arm over FRI answers to single messages, which the test makes.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 #include <functional>
 #include <future>
 #include <memory>
@@ -79,15 +81,35 @@ class IiwaMessagesTest : public testing::Test {
     tick(0.0);  // what was left over
     answers();
   }
-  DeviceSample tick(double force) {
+  DeviceSample tick(double force, double torque = 0.0) {
     device_->pacer()->wait(soon(kMillisecond));
     const auto sample = device_->read(0.005);
-    device_->command(force);
+    device_->command(force, torque);
     return sample;
   }
-  DeviceSample turn(double force) {
+  DeviceSample turn(double force, double torque = 0.0) {
     say();
-    return tick(force);
+    return tick(force, torque);
+  }
+  /// The wrench in the only answer to one message, taken from its bytes without our codec: field 2
+  /// of the command data is a Cartesian vector of six packed doubles (docs/fri.md; golden bytes of
+  /// tests/data/fri).
+  std::array<double, 6> wrenchInBytesFor(double force, double torque) {
+    turn(force, torque);
+    std::array<double, 6> wrench;
+    wrench.fill(std::nan(""));
+    std::array<std::uint8_t, kLargestDatagram + 1> bytes{};
+    const auto received = robot_.receive(bytes);
+    EXPECT_TRUE(received);
+    if (!received) return wrench;
+    constexpr std::array<std::uint8_t, 4> kHead{0x12, 0x32, 0x0a, 0x30};
+    const auto datagram = std::span(bytes).first(received->size);
+    const auto at = std::search(datagram.begin(), datagram.end(), kHead.begin(), kHead.end());
+    const auto left = static_cast<std::size_t>(datagram.end() - at);
+    EXPECT_GE(left, kHead.size() + sizeof(wrench)) << "there is no wrench";
+    if (left < kHead.size() + sizeof(wrench)) return wrench;
+    std::memcpy(wrench.data(), &*at + kHead.size(), sizeof(wrench));
+    return wrench;
   }
   /// The wrench in the only answer to one message.
   Vector6 wrenchFor(double force) {
@@ -117,7 +139,7 @@ TEST_F(IiwaMessagesTest, IsAnsweredOnceAndWithItsOwnJoints) {
   arm();
   (*message_.ipoData->jointPosition)[3] += 0.001;
   turn(10.0);
-  device_->command(10.0);
+  device_->command(10.0, 0.0);
   tick(10.0);
   const auto all = answers();
   ASSERT_EQ(all.size(), 1U);
@@ -149,10 +171,40 @@ TEST_F(IiwaMessagesTest, TakesTheForceInTheAxesOfTheToolOrTheBase) {
   }
 }
 
-TEST_F(IiwaMessagesTest, GivesTorquesThatAddUpToTheForce) {
+TEST_F(IiwaMessagesTest, TakesTheTorqueAboutTheAxisOfTheToolOrTheBase) {
+  arm();
+  // Fx Fy Fz τA τB τC: A is about z. The tool's z is the way of advancing, the base's is against
+  // it.
+  const auto inTool = wrenchInBytesFor(10.0, 1.25);
+  EXPECT_NEAR(inTool[2], -10.0, 1e-9);
+  EXPECT_NEAR(inTool[3], 1.25, 1e-9);
+  EXPECT_NEAR(wrenchInBytesFor(0.0, -0.5)[3], -0.5, 1e-9);
+  EXPECT_EQ(wrenchInBytesFor(10.0, 0.0)[3], 0.0);
+  device_.reset();
+  settings_.wrenchFrame = WrenchFrame::Base;
+  settings_.port = freePort();
+  arm();
+  const auto inBase = wrenchInBytesFor(10.0, 1.25);
+  EXPECT_NEAR(inBase[3], -1.25, 1e-9);
+  for (const std::size_t i : {0U, 1U, 4U, 5U}) {
+    EXPECT_NEAR(inTool[i], 0.0, 1e-9);
+    EXPECT_NEAR(inBase[i], 0.0, 1e-9);
+  }
+}
+
+TEST_F(IiwaMessagesTest, MeasuresTheTurnAboutTheAxis) {
+  arm();
+  // The last joint's axis is the tool's, and so the way of advancing.
+  (*message_.monitorData->measuredPosition)[6] += 0.005;
+  EXPECT_NEAR(turn(0.0).turn, 0.005, 1e-9);
+  (*message_.monitorData->measuredPosition)[6] -= 0.007;
+  EXPECT_NEAR(turn(0.0).turn, -0.002, 1e-9);
+}
+
+TEST_F(IiwaMessagesTest, GivesTorquesThatAddUpToTheForceAndTheTorque) {
   settings_.overlay = IiwaOverlay::JointTorque;
   arm();
-  turn(10.0);
+  turn(10.0, 1.5);
   const auto all = answers();
   ASSERT_EQ(all.size(), 1U);
   ASSERT_TRUE(all[0].data->jointTorque);
@@ -160,6 +212,7 @@ TEST_F(IiwaMessagesTest, GivesTorquesThatAddUpToTheForce) {
   const IiwaKinematics kinematics(settings_.model, settings_.tool);
   Wrench wrench = Wrench::Zero();
   wrench.head<3>() = -10.0 * kDown;
+  wrench.tail<3>() = 1.5 * kDown;
   const JointVector expected = kinematics.torque(JointVector(startOfArm().data()), wrench);
   for (std::size_t i = 0; i < 7; ++i) {
     EXPECT_NEAR((*all[0].data->jointTorque)[i], expected[static_cast<Eigen::Index>(i)], 1e-9);

@@ -108,7 +108,7 @@ class EmulatedPunch : public testing::Test {
   DeviceSample exchange(double force) {
     device_->pacer()->wait(soon(2 * kMillisecond));
     const auto sample = device_->read(0.001);
-    device_->command(force);
+    device_->command(force, 0.0);
     return sample;
   }
   /// One exchange, and the board waits for it.

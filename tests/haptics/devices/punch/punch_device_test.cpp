@@ -178,7 +178,7 @@ TEST_F(PunchDeviceTest, IgnoresAFrameThatCameLate) {
 TEST_F(PunchDeviceTest, TakesNoForceUnlessArmed) {
   connect(atRest());
   EXPECT_TRUE(says(whyNot([&] { device_->arm(); }), "is not ready"));
-  device_->command(5.0);
+  device_->command(5.0, 0.0);
   EXPECT_EQ(device_->read(0.001).status, DeviceStatus::Gone);
 }
 
