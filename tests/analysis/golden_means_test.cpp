@@ -71,7 +71,7 @@ TEST(GoldenEffects, OfTwoSamplesAreReached) {
   EXPECT_EQ(worst.count(), 14 * 12);  // t07 is constant in both groups
 }
 
-TEST(GoldenEffects, SayWhyWhereSomethingIsMissing) {
+TEST(GoldenEffects, GiveAReasonForMissingValues) {
   const auto reasonOf = [](const std::string& dataSet) {
     const auto groups = tests::statsGroups(dataSet);
     return analysis::effectSizes(groups.group1.values, groups.group2.values).reason;

@@ -137,7 +137,7 @@ TEST(GoldenTwoSamples, CoverEveryDataSet) {
   EXPECT_EQ(files, dataSets);
 }
 
-TEST(GoldenTwoSamples, SayWhyWhereSomethingIsMissing) {
+TEST(GoldenTwoSamples, GiveAReasonForMissingValues) {
   const auto golden = tests::statsJson("golden.json")["two"];
   for (const auto& entry : golden.items()) {
     const auto groups = tests::statsGroups(entry.key());

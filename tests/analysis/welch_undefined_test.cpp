@@ -91,7 +91,7 @@ TEST(WelchTest, GivesAReasonForAnInfiniteT) {
   EXPECT_EQ(result.reason.key(), "t_too_large");
 }
 
-TEST(WelchTest, KeepsItsDigitsWhereAConstantGroupIsFarAway) {
+TEST(WelchTest, KeepsItsDigitsIfAConstantGroupIsFarAway) {
   // df = 2: P(|T| ≥ t) = 2 / (√(2 + t²) (√(2 + t²) + t)) → 1/t² for t → ∞
   const auto result = welchTTest(Values{1e120, 1e120, 1e120}, Values{1.0, 2.0, 3.5});
   EXPECT_EQ(result.degreesOfFreedom, 2.0);

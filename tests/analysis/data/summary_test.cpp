@@ -21,7 +21,7 @@ TEST(Summary, HasMeanVarianceAndDeviation) {
   EXPECT_EQ(summary.standardDeviation, std::sqrt(32.0 / 7.0));
 }
 
-TEST(Summary, OfNothingIsNothing) {
+TEST(Summary, OfNoValuesIsEmpty) {
   const auto summary = summarise(Values{});
   EXPECT_EQ(summary.n, 0U);
   EXPECT_FALSE(summary.mean.has_value());

@@ -74,7 +74,7 @@ TEST(BayesFactor, NeverOverflows) {
   EXPECT_FALSE(jzsBayesFactor(1e200, 10.0, 5.0).reason.empty());
 }
 
-TEST(BayesFactor, IsUndefinedWhereTheTestIs) {
+TEST(BayesFactor, IsUndefinedIfTheTestIs) {
   const auto constant = analysis::studentTTest(Values{4.0, 4.0}, Values{5.0, 5.0});
   EXPECT_FALSE(jzsBayesFactor(constant, 2, 2).bf10.has_value());
   EXPECT_FALSE(jzsBayesFactor(constant, 2, 2).reason.empty());

@@ -67,7 +67,7 @@ TEST(EffectSizes, HaveWiderIntervalsForMoreConfidence) {
   EXPECT_LT(usual.cohenD.interval->low, usual.cohenD.value.value());
 }
 
-TEST(EffectSizes, GiveAReasonForWhatIsMissing) {
+TEST(EffectSizes, GiveAReasonForMissingValues) {
   const auto oneConstant = effectSizes(Values{5.0, 5.0, 5.0}, Values{1.0, 2.0, 4.0});
   EXPECT_TRUE(oneConstant.cohenD.value.has_value());
   EXPECT_FALSE(oneConstant.glassDelta1.has_value());
@@ -117,7 +117,7 @@ TEST(PairedEffects, AreStandardisedByTheDifferences) {
       effects.hedgesGz.interval->high, effects.cohenDz.interval->high * *effects.hedgesJ);
 }
 
-TEST(PairedEffects, GiveAReasonForWhatIsMissing) {
+TEST(PairedEffects, GiveAReasonForMissingValues) {
   const auto two = effectSizes(analysis::pairedTTest(Values{5.0, 4.0}, Values{2.0, 3.0}));
   EXPECT_TRUE(two.cohenDz.interval.has_value());
   EXPECT_FALSE(two.hedgesGz.value.has_value());

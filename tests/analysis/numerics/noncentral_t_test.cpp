@@ -71,7 +71,7 @@ TEST(NoncentralityInterval, IsNormalForManyDegreesOfFreedom) {
   EXPECT_NEAR(interval.high, 3.0 + 1.959963984540054, 1e-9);
 }
 
-TEST(NoncentralityInterval, LeavesTheTailsItPromises) {
+TEST(NoncentralityInterval, HasTheTailsOfItsLevel) {
   for (const double t : {-40.0, -0.7, 0.0, 1e-8, 2.2, 300.0, 1e6}) {
     for (const double level : {0.05, 0.9, 0.95, 0.999}) {
       const auto interval = noncentralityInterval(t, 18.0, level);

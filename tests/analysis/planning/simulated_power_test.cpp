@@ -46,7 +46,7 @@ TEST(SimulatedPower, AgreesWithTheFormulaOfThePairedT) {
   EXPECT_LT(simulatePower(simulation).pairedT.rate, fine.pairedT.rate - 0.02);
 }
 
-TEST(SimulatedPower, FindsNothingWhereTheExactTestCannotBeSignificant) {
+TEST(SimulatedPower, IsZeroIfTheExactTestCannotBeSignificant) {
   PowerSimulation simulation{.participants = 6, .studies = 300};
   simulation.model.dz = 10.0;
   const auto six = simulatePower(simulation);

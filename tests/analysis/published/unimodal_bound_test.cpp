@@ -64,7 +64,7 @@ TEST(UnimodalBound, IsThatOfTheUniformDistributionAtTheMiddle) {
   EXPECT_NEAR(largestUnimodalVariance(1, 5, 5.0), 0.0, 1e-14);
 }
 
-TEST(UnimodalBound, DoesNotDependOnWhereTheScaleBegins) {
+TEST(UnimodalBound, DoesNotDependOnTheLowestPoint) {
   EXPECT_NEAR(
       largestUnimodalVariance(100001, 100005, 100002.6), largestUnimodalVariance(1, 5, 2.6), 1e-9);
 }

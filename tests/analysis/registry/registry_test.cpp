@@ -30,7 +30,7 @@ std::string columnsOf(const StatisticalTest& test) {
   return text;
 }
 
-TEST(StatisticalTests, StandInTheManualAsTheyAre) {
+TEST(StatisticalTests, AreListedInTheManual) {
   const auto page = tests::contentOf((tests::repository() / "docs/statistics.md").string());
   const auto begin = page.find("## Tests by name");
   ASSERT_NE(begin, std::string::npos);
@@ -56,7 +56,7 @@ TEST(StatisticalTests, HaveANameOfTheirOwn) {
   EXPECT_GE(ids.size(), 16U);
 }
 
-TEST(StatisticalTests, NameTheNearestWhereOneIsNotThere) {
+TEST(StatisticalTests, SuggestTheNearestNameForAnUnknownOne) {
   EXPECT_EQ(
       errorOf([] { analysis::statisticalTest("fischer_exact"); }),
       "there is no test 'fischer_exact'; did you mean 'fisher_exact'? 'palpate stats test --list' "
@@ -67,7 +67,7 @@ analysis::TestData dataFor(const StatisticalTest& test, std::string_view csv) {
   return analysis::readTestData(csv, test.shape, {});
 }
 
-TEST(StatisticalTests, AskForABoundOnlyWhereTheyNeedOne) {
+TEST(StatisticalTests, NeedABoundOnlyForEquivalence) {
   const auto& tost = analysis::statisticalTest("tost");
   EXPECT_NE(
       errorOf([&] {
@@ -82,7 +82,7 @@ TEST(StatisticalTests, AskForABoundOnlyWhereTheyNeedOne) {
       std::string::npos);
 }
 
-TEST(StatisticalTests, SayWhyTheyAreNotDefined) {
+TEST(StatisticalTests, GiveAReasonIfTheyAreUndefined) {
   for (const auto& [id, csv] : std::vector<std::pair<std::string, std::string>>{
            {"welch", "g,x\na,1\nb,1\n"},
            {"student", "g,x\na,1\nb,1\n"},

@@ -39,7 +39,7 @@ TEST(TestDataOfTwoGroups, ComeInTheOrderOfTheFile) {
   EXPECT_EQ(groups.missing, 0U);
 }
 
-TEST(TestDataOfTwoGroups, LeaveOutAndCountWhatIsMissing) {
+TEST(TestDataOfTwoGroups, LeaveMissingValuesOutAndCountThem) {
   const auto groups = twoGroups("g,x\na,1\na,\nb,NA\n,3\nNA,4\nb,2\n", "g", "x");
 
   EXPECT_EQ(groups.values.at(0).values, Values{1.0});
@@ -70,7 +70,7 @@ TEST(TestDataOfTwoGroups, MayComeFromASpreadsheet) {
   EXPECT_EQ(groups.values.at(1).values, Values{2.0});
 }
 
-TEST(TestDataOfTwoGroups, NameTheColumnsWhereOneIsNotThere) {
+TEST(TestDataOfTwoGroups, ListTheColumnsIfOneIsMissing) {
   EXPECT_EQ(
       errorOf("method,score\na,1\nb,2\n", "methods", "score"),
       "there is no column 'methods'; the columns are 'method' and 'score'; did you mean 'method'?");
@@ -79,7 +79,7 @@ TEST(TestDataOfTwoGroups, NameTheColumnsWhereOneIsNotThere) {
       "there is no column 'Score'; the columns are 'method' and 'score'; did you mean 'score'?");
 }
 
-TEST(TestDataOfTwoGroups, NameTheLinesOfWhatIsNoNumber) {
+TEST(TestDataOfTwoGroups, NameTheLinesWithoutANumber) {
   EXPECT_EQ(
       errorOf("g,x\na,1\nb,good\na,inf\nb,nan\n"),
       "line 3: 'good' is no number\nline 4: 'inf' is no number\nline 5: 'nan' is no number");
@@ -111,7 +111,7 @@ TEST(TestDataOfTwoGroups, NeedRows) {
   EXPECT_EQ(errorOf("g,x\n"), "the file has a header and no rows");
 }
 
-TEST(TestDataOfTwoGroups, PassOnWhatIsWrongWithTheTable) {
+TEST(TestDataOfTwoGroups, PassOnTheProblemsOfTheTable) {
   EXPECT_EQ(
       errorOf("g,x\na,1\nb,\"2\n"), "line 3: a quotation mark is opened here and never closed");
   EXPECT_EQ(errorOf("g,x\na\n"), "line 2 has 1 cell, and the header has 2 columns");
@@ -126,7 +126,7 @@ std::string errorOf(std::string_view csv, DataShape shape, const analysis::Chose
   return "no error";
 }
 
-TEST(TestData, TakesColumnsThatAreNotNamedInTheOrderOfTheFile) {
+TEST(TestData, UsesColumnsInTheOrderOfTheFileByDefault) {
   const auto pairs = readTestData("before,after,age\n1,2,30\n3,5,31\n", DataShape::Pairs, {});
   EXPECT_EQ(pairs.values.at(0).name, "before");
   EXPECT_EQ(pairs.values.at(0).values, (Values{1.0, 3.0}));
@@ -142,7 +142,7 @@ TEST(TestData, LeavesOutALineWithAMissingCell) {
   EXPECT_EQ(data.missing, 1U);
 }
 
-TEST(TestData, TakesOnlyTheColumnsThatAreNamed) {
+TEST(TestData, UsesOnlyTheNamedColumns) {
   const auto data =
       readTestData("who,a,b,c\nP1,1,2,3\n", DataShape::Columns, {{"columns", {"c", "a"}}});
   EXPECT_EQ(data.lines(), (std::vector<Values>{{3.0, 1.0}}));
@@ -164,7 +164,7 @@ TEST(TestData, CountsHowOftenNamesOccurTogether) {
   EXPECT_EQ(table.counts, (std::vector<std::vector<std::uint64_t>>{{2, 3}, {1, 0}}));
 }
 
-TEST(TestData, HasRowsAndColumnsOfItsOwnWhereNamesDiffer) {
+TEST(TestData, HasRowsAndColumnsForDifferentNames) {
   const auto data =
       readTestData("who,said\nstudent,no\nsurgeon,yes\nstudent,yes\n", DataShape::Categories, {});
   const auto table = analysis::crossTableOf(data, false);

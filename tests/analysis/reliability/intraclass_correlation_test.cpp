@@ -79,7 +79,7 @@ TEST(IntraclassCorrelations, OfTheAverageFollowSpearmanAndBrown) {
   expect(all.twoWayMixedSingle, all.twoWayMixedAverage);
 }
 
-TEST(IntraclassCorrelations, TellAgreementFromConsistency) {
+TEST(IntraclassCorrelations, DistinguishAgreementFromConsistency) {
   const auto all = intraclassCorrelations(Table{{1, 2}, {2, 3}, {3, 4}, {5, 6}});
 
   EXPECT_EQ(all.twoWayMixedSingle.value, 1.0);
@@ -89,7 +89,7 @@ TEST(IntraclassCorrelations, TellAgreementFromConsistency) {
   EXPECT_FALSE(all.reason.empty());
 }
 
-TEST(IntraclassCorrelations, SayWhyTheyAreUndefined) {
+TEST(IntraclassCorrelations, GiveAReasonIfTheyAreUndefined) {
   const auto same = intraclassCorrelations(Table{{3, 3}, {3, 3}});
   EXPECT_FALSE(same.oneWaySingle.value.has_value());
   EXPECT_FALSE(same.oneWaySingle.p.has_value());

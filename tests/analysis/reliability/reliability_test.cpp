@@ -61,7 +61,7 @@ TEST(CronbachAlpha, IsNegativeForItemsThatPullApart) {
   EXPECT_LT(cronbachAlpha(Table{{1, 5}, {2, 4.5}, {4, 2}}).value.value(), 0.0);
 }
 
-TEST(CronbachAlpha, SaysWhyItIsUndefined) {
+TEST(CronbachAlpha, GivesAReasonIfItIsUndefined) {
   EXPECT_EQ(cronbachAlpha(Table{{1, 5}, {5, 1}, {3, 3}}).reason.key(), "sums_same");
   EXPECT_FALSE(cronbachAlpha(Table{{1, 5}}).value.has_value());
   EXPECT_FALSE(cronbachAlpha(Table{{1}, {5}}).reason.empty());
@@ -85,7 +85,7 @@ TEST(OmegaTotal, IsAlphaOfParallelItems) {
   EXPECT_FALSE(omega.isImproper);
 }
 
-TEST(OmegaTotal, IsAtLeastAlphaWhereOneFactorFits) {
+TEST(OmegaTotal, IsAtLeastAlphaIfOneFactorFits) {
   // factor levels × independent errors of each item: one factor fits exactly
   Table answers;
   for (const double f : {-1.0, 1.0}) {
@@ -105,7 +105,7 @@ TEST(OmegaTotal, IsAtLeastAlphaWhereOneFactorFits) {
   EXPECT_NEAR(omega.loadings[0], 2.0 / std::sqrt(5.0), 1e-13);
 }
 
-TEST(OmegaTotal, DoesNotMindTheUnits) {
+TEST(OmegaTotal, DoesNotDependOnUnits) {
   Table scaled = kAnswers;
   for (auto& row : scaled) {
     for (double& answer : row) answer *= 1e-200;
@@ -113,7 +113,7 @@ TEST(OmegaTotal, DoesNotMindTheUnits) {
   EXPECT_NEAR(omegaTotal(scaled).value.value(), omegaTotal(kAnswers).value.value(), 1e-12);
 }
 
-TEST(OmegaTotal, SaysWhyItIsUndefined) {
+TEST(OmegaTotal, GivesAReasonIfItIsUndefined) {
   EXPECT_FALSE(omegaTotal(Table{{1, 2}, {2, 3}, {4, 4}}).value.has_value());
   EXPECT_EQ(
       omegaTotal(Table{{1, 2, 4}, {2, 3, 4}, {4, 4, 4}}).reason,

@@ -81,7 +81,7 @@ TEST(Flags, NameStatementsThatCompare) {
   EXPECT_NE(flags[0].inEnglish().find(": 2."), std::string::npos);
 }
 
-TEST(Flags, NameOneOrderForEverybody) {
+TEST(Flags, NameOneOrderForAllParticipants) {
   auto table = balanced();
   for (auto& answer : table.answers) answer.position = static_cast<int>(answer.method) + 1;
   EXPECT_EQ(idsOf(table, kSound), Ids{"order_not_counterbalanced"});
@@ -96,7 +96,7 @@ TEST(Flags, NameOneOrderForEverybody) {
   EXPECT_EQ(idsOf(mirrored, kSound), Ids{});
 }
 
-TEST(Flags, NameCampsAndConstantGroups) {
+TEST(Flags, NameBimodalAndConstantGroups) {
   auto table = balanced();
   for (auto& answer : table.answers) {
     answer.score = answer.method == 0 ? (answer.participant % 2 == 0 ? 1 : 5) : 4;
@@ -110,7 +110,7 @@ TEST(Flags, NameTooFewPeopleForTheFamily) {
   EXPECT_EQ(idsOf(balanced(), facts), Ids{"n_below_minimum_for_alpha"});
 }
 
-TEST(Flags, CountPairsThatAreCompleteWherePeopleAreTooFew) {
+TEST(Flags, CountCompletePairsForTooFewPeople) {
   auto table = balanced();
   std::erase_if(table.answers, [](const auto& answer) {
     return answer.participant > 0 && answer.method == answer.participant % 2;
@@ -123,7 +123,7 @@ TEST(Flags, CountPairsThatAreCompleteWherePeopleAreTooFew) {
   EXPECT_EQ(few->inEnglish().find("With 1 person who judged both methods of a pair no"), 0U);
 }
 
-TEST(Flags, LetEveryRoundBeOffByOne) {
+TEST(Flags, AllowADifferenceOfOneForEachRound) {
   auto table = balanced();
   std::erase_if(table.answers, [](const auto& answer) { return answer.participant > 0; });
   for (auto& answer : table.answers) answer.position = static_cast<int>(answer.method) + 1;
@@ -139,14 +139,14 @@ TEST(Flags, LetEveryRoundBeOffByOne) {
   EXPECT_EQ(idsOf(table, facts), Ids{});
 }
 
-TEST(Flags, BelieveWhatACorrectionAsksOfTheSmallestP) {
+TEST(Flags, UseTheCorrectionsThresholdForTheSmallestP) {
   auto facts = kSound;
   facts.tests = 3;
   facts.threshold = 0.05;  // every p for itself
   EXPECT_EQ(idsOf(balanced(), facts), Ids{});
 }
 
-TEST(Flags, NamePoolingEvenWhereMuchIsMissing) {
+TEST(Flags, NamePoolingAlsoWithManyMissingAnswers) {
   auto table = balanced();
   table.answers = {{0, 0, 0, 0, 1, 3}, {0, 0, 0, 1, 1, 3}, {1, 1, 0, 0, 1, 4}};
   const auto ids = idsOf(table, {.isPooled = true, .threshold = 1.0, .tests = 1});
@@ -163,7 +163,7 @@ TEST(Flags, NameAThresholdThatRoundingMoves) {
   EXPECT_EQ(idsOf(balanced(), facts), Ids{});
 }
 
-TEST(Flags, CountWhatIsMissing) {
+TEST(Flags, CountMissingAnswers) {
   auto table = balanced();
   table.answers.pop_back();
   auto facts = kSound;
@@ -189,7 +189,7 @@ TEST(Flags, NameAnUndeclaredFamilyEvenWithoutAnswers) {
   EXPECT_EQ(idsOf(empty, {.isDeclared = false}), Ids{"family_not_declared"});
 }
 
-TEST(AnswerDependence, IsWholeWhereEverybodyAlwaysSaysTheSame) {
+TEST(AnswerDependence, IsOneIfEachPersonAlwaysAnswersTheSame) {
   auto table = balanced();
   for (auto& answer : table.answers) answer.score = 1 + static_cast<int>(answer.participant % 5);
   const auto dependence = analysis::dependenceOf(table);
@@ -217,7 +217,7 @@ TEST(AnswerDependence, IsThePublishedOne) {
   EXPECT_NEAR(analysis::dependenceOf(table).intraclassCorrelation.value(), 0.1657, 5e-5);
 }
 
-TEST(AnswerDependence, IsNotThereWhereNobodyDiffers) {
+TEST(AnswerDependence, IsUndefinedIfAllAnswersAreEqual) {
   auto table = balanced();
   for (auto& answer : table.answers) answer.score = 3;
   EXPECT_EQ(analysis::dependenceOf(table).intraclassCorrelation, std::nullopt);

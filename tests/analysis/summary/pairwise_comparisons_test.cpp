@@ -29,7 +29,7 @@ TEST(PairwiseComparisons, FollowTheDeclaration) {
   EXPECT_GT(family.rows[2].welch.difference.value(), 0.0);
 }
 
-TEST(PairwiseComparisons, HoldEachTestToAccountForTheirNumber) {
+TEST(PairwiseComparisons, AdjustEachTestForTheirNumber) {
   const auto family = comparePairwise(kMethods, kPairs);
 
   EXPECT_EQ(family.tests, 3U);
@@ -42,7 +42,7 @@ TEST(PairwiseComparisons, HoldEachTestToAccountForTheirNumber) {
   EXPECT_EQ(family.rows[2].isSignificant, false);
 }
 
-TEST(PairwiseComparisons, AreAdjustedAsAsked) {
+TEST(PairwiseComparisons, AreAdjustedByTheRequestedMethod) {
   const auto holm = comparePairwise(kMethods, kPairs, 0.05, analysis::Adjustment::Holm);
   const auto bonferroni = comparePairwise(kMethods, kPairs);
 
@@ -80,7 +80,7 @@ TEST(PairwiseComparisons, AreStricterForASmallerAlpha) {
   EXPECT_EQ(family.rows[1].isSignificant, false);
 }
 
-TEST(PairwiseComparisons, DoNotCountWhatIsNotDefined) {
+TEST(PairwiseComparisons, DoNotCountUndefinedTests) {
   auto methods = kMethods;
   methods.push_back({"A", LikertCounts(1, Counts{0, 0, 0, 0, 6})});
   methods.push_back({"B", LikertCounts(1, Counts{6, 0, 0, 0, 0})});
@@ -104,7 +104,7 @@ TEST(PairwiseComparisons, MayAllBeUndefined) {
   EXPECT_FALSE(family.rows[0].isSignificant.has_value());
 }
 
-TEST(PairwiseComparisons, RefuseAFamilyThatIsNotOne) {
+TEST(PairwiseComparisons, RefuseAnInvalidFamily) {
   const auto compare = [](std::vector<DeclaredPair> pairs, double alpha = 0.05) {
     return comparePairwise(kMethods, pairs, alpha);
   };

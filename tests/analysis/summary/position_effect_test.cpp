@@ -20,7 +20,7 @@ AnswerTable table(const std::vector<std::pair<int, int>>& scores, bool isCrossed
   return table;
 }
 
-TEST(PositionEffect, FindsWhatComesLaterJudgedHigher) {
+TEST(PositionEffect, FindsThatLaterPositionsAreRatedHigher) {
   // Second is one point above first, whichever it is; B is two above A.
   const auto effect = positionEffect(table({{2, 5}, {3, 4}, {3, 6}, {4, 5}}, true));
   ASSERT_EQ(effect.positions.size(), 2U);
@@ -41,7 +41,7 @@ TEST(PositionEffect, HasStudentsIntervalOfTheSlopes) {
   EXPECT_NEAR(effect.slopeInterval->high, 1.899614131812555, 1e-12);
 }
 
-TEST(PositionEffect, SaysThatTheOrderIsTheMethodWhereItIs) {
+TEST(PositionEffect, ReportsThatOrderAndMethodAreConfounded) {
   const auto effect = positionEffect(table({{2, 5}, {3, 7}, {4, 4}}, false));
   EXPECT_TRUE(effect.positions.empty());
   EXPECT_FALSE(effect.slope.p);
@@ -49,7 +49,7 @@ TEST(PositionEffect, SaysThatTheOrderIsTheMethodWhereItIs) {
   EXPECT_EQ(effect.slope.reason.key(), "one_position_each");
 }
 
-TEST(PositionEffect, SaysNothingAboutNobody) {
+TEST(PositionEffect, IsEmptyWithoutParticipants) {
   const auto effect = positionEffect(table({}, true));
   EXPECT_TRUE(effect.positions.empty());
   EXPECT_FALSE(effect.slope.p);

@@ -19,7 +19,7 @@ AnswerTable threeStatements() {
   return table;
 }
 
-TEST(ScaleChecks, TakesTheStatementsOfAMethodForItsItems) {
+TEST(ScaleChecks, UsesTheStatementsAboutAMethodAsItems) {
   const auto checks = scaleChecks(threeStatements());
   ASSERT_EQ(checks.methods.size(), 2U);
   const auto& alpha = checks.methods[0].alpha;
@@ -30,7 +30,7 @@ TEST(ScaleChecks, TakesTheStatementsOfAMethodForItsItems) {
   EXPECT_EQ(checks.methods[0].normality.n, 5U);
 }
 
-TEST(ScaleChecks, LeavesOutWhoLeftOutAStatement) {
+TEST(ScaleChecks, LeavesOutParticipantsWithAMissingStatement) {
   auto table = threeStatements();
   table.answers.pop_back();
   EXPECT_EQ(scaleChecks(table).methods[0].alpha.respondents, 4U);
@@ -47,7 +47,7 @@ TEST(ScaleChecks, AveragesAStatementOverRounds) {
   EXPECT_NEAR(*scaleChecks(table).methods[0].alpha.value, once, 1e-12);
 }
 
-TEST(ScaleChecks, SaysWhyNothingIsKnownOfAMethodWithoutAnswers) {
+TEST(ScaleChecks, GivesAReasonForAMethodWithoutAnswers) {
   const auto checks = scaleChecks(threeStatements());
   EXPECT_FALSE(checks.methods[1].alpha.value);
   EXPECT_FALSE(checks.methods[1].alpha.reason.empty());

@@ -52,7 +52,7 @@ void expectDifference(const analysis::WithinComparison& row, double difference) 
   EXPECT_GT(paired.interval->high, difference);
 }
 
-TEST(WithinAnalysis, TakesTheSecondMethodFromTheFirstInEveryTest) {
+TEST(WithinAnalysis, SubtractsTheSecondMethodFromTheFirstInEveryTest) {
   const std::vector<analysis::DeclaredPair> pairs{
       {"interpolation", "fem"},
       {"fem", "interpolation"},

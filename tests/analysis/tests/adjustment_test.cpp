@@ -24,7 +24,7 @@ TEST(Adjustment, NeverExceedsOne) {
   EXPECT_EQ(adjust(PValues{0.4, 0.5, 0.6}).back(), 1.0);
 }
 
-TEST(Adjustment, DoesNotCountWhatHasNoPValue) {
+TEST(Adjustment, DoesNotCountTestsWithoutAPValue) {
   const auto adjusted = adjust(PValues{0.01, std::nullopt, 0.2});
 
   EXPECT_DOUBLE_EQ(adjusted[0].value(), 0.02);
@@ -36,12 +36,12 @@ TEST(Adjustment, KeepsTheSmallestPValues) {
   EXPECT_EQ(adjust(PValues{0.0, 5e-324}), (PValues{0.0, 1e-323}));
 }
 
-TEST(Adjustment, OfNothingIsNothing) {
+TEST(Adjustment, OfNoTestsIsEmpty) {
   EXPECT_TRUE(adjust(PValues{}).empty());
   EXPECT_EQ(adjust(PValues{std::nullopt}), PValues{std::nullopt});
 }
 
-TEST(Adjustment, RefusesWhatIsNoProbability) {
+TEST(Adjustment, RefusesInvalidProbabilities) {
   EXPECT_THROW(adjust(PValues{1.5}), std::invalid_argument);
   EXPECT_THROW(adjust(PValues{-0.1}), std::invalid_argument);
   EXPECT_THROW(adjust(PValues{std::nan("")}), std::invalid_argument);

@@ -37,7 +37,7 @@ TEST(AttainableP, OfMannAndWhitneyIsThatOfGroupsThatDoNotOverlap) {
   EXPECT_NEAR(smallestMannWhitneyP(5, 6).log10P, std::log10(2.0 / 462.0), 1e-12);
 }
 
-TEST(AttainableP, SaysHowManyParticipantsAFamilyNeeds) {
+TEST(AttainableP, HasTheNumberOfParticipantsThatAFamilyNeeds) {
   EXPECT_EQ(fewestForSignFlip(0.05, 1), 6U);
   EXPECT_EQ(fewestForSignFlip(0.05, 3), 7U);
   EXPECT_EQ(fewestForSignFlip(0.05, 6), 8U);
@@ -47,13 +47,13 @@ TEST(AttainableP, SaysHowManyParticipantsAFamilyNeeds) {
   EXPECT_THROW(fewestForSignFlip(0.05, 0), std::invalid_argument);
 }
 
-TEST(AttainableP, OfVotesIsThatOfOneVoice) {
+TEST(AttainableP, OfVotesIsThatOfAUnanimousVote) {
   EXPECT_DOUBLE_EQ(smallestVoteP(6, 3).p, 1.0 / 243.0);
   EXPECT_EQ(smallestVoteP(0, 3).p, 1.0);
   EXPECT_THROW(smallestVoteP(6, 1), std::invalid_argument);
 }
 
-TEST(AttainableP, SaysHowManyVotesDecide) {
+TEST(AttainableP, HasTheNumberOfVotesForSignificance) {
   // Two options are a sign test: 9 of 10 have p = 22/1024, 8 of 10 have 112/1024.
   EXPECT_EQ(fewestVotesToWin(10, 2, 0.05), 9U);
   EXPECT_EQ(fewestVotesToWin(6, 2, 0.05), 6U);

@@ -35,7 +35,7 @@ TEST(BrownForsythe, IsTheAnalysisOfVarianceOfTheDeviations) {
   EXPECT_DOUBLE_EQ(result.f.value(), 12.0 / 7.0 * 1.5625 / (14.75 / 5.0));
 }
 
-TEST(BrownForsythe, DoesNotMindWhereTheGroupsLie) {
+TEST(BrownForsythe, DoesNotDependOnTheLocationOfTheGroups) {
   const auto here = brownForsytheTest(Groups{{1, 2, 4}, {1, 4, 5, 9}});
   const auto there = brownForsytheTest(Groups{{101, 102, 104}, {-8, -5, -4, 0}});
   EXPECT_DOUBLE_EQ(here.f.value(), there.f.value());
@@ -44,7 +44,7 @@ TEST(BrownForsythe, DoesNotMindWhereTheGroupsLie) {
   EXPECT_TRUE(std::isfinite(huge.f.value()));
 }
 
-TEST(BrownForsythe, SaysWhyItIsUndefined) {
+TEST(BrownForsythe, GivesAReasonIfItIsUndefined) {
   const auto constant = brownForsytheTest(Groups{{1, 1, 1}, {2, 2}});
   EXPECT_FALSE(constant.f.has_value());
   EXPECT_FALSE(constant.reason.empty());

@@ -73,16 +73,16 @@ TEST(EqualShares, AgreeWithWalkingThroughAllOutcomes) {
   }
 }
 
-TEST(EqualShares, DoNotCareForTheOrderOfTheOptions) {
+TEST(EqualShares, DoNotDependOnTheOrderOfTheOptions) {
   EXPECT_EQ(equalSharesP(votes({7, 0, 4})), equalSharesP(votes({4, 7, 0})));
 }
 
-TEST(EqualShares, AreOneWhereNothingIsLessEqual) {
+TEST(EqualShares, AreOneForTheMostEqualOutcome) {
   EXPECT_EQ(equalSharesP(votes({26, 26, 27})), 1.0);
   EXPECT_EQ(equalSharesP(votes({63, 63})), 1.0);
 }
 
-TEST(EqualShares, AreCountedAsFarAsWholeNumbersReach) {
+TEST(EqualShares, AreCountedUpToTheLimitOfIntegers) {
   EXPECT_EQ(equalSharesP(votes({126, 0})), 0x1p-125);
   EXPECT_EQ(equalSharesP(votes({63, 0, 0, 0})), 0x1p-124);
   EXPECT_TRUE(equalSharesP(votes({40, 20, 19})).has_value());

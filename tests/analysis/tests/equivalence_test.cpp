@@ -53,7 +53,7 @@ TEST(Equivalence, CannotBeFoundOutsideTheBounds) {
   EXPECT_NEAR(result.log10P.value(), std::log10(*result.p), 1e-15);
 }
 
-TEST(Equivalence, IsUndefinedWhereTheTestIs) {
+TEST(Equivalence, IsUndefinedIfTheTestIs) {
   const auto welch = analysis::welchTTest(Values{4.0, 4.0}, Values{4.0, 4.0});
   const auto result = equivalenceTest(welch, {.lower = -1.0, .upper = 1.0});
   EXPECT_FALSE(result.p.has_value());
@@ -63,7 +63,7 @@ TEST(Equivalence, IsUndefinedWhereTheTestIs) {
   EXPECT_EQ(equivalenceTest(paired, {.lower = -1.0, .upper = 1.0}).reason, paired.reason);
 }
 
-TEST(Equivalence, RefusesBoundsThatAreNone) {
+TEST(Equivalence, RefusesInvalidBounds) {
   const auto welch = analysis::welchTTest(kA, kB);
   EXPECT_THROW(equivalenceTest(welch, {.lower = 1.0, .upper = -1.0}), std::invalid_argument);
   EXPECT_THROW(equivalenceTest(welch, {.lower = 0.5, .upper = 0.5}), std::invalid_argument);

@@ -79,7 +79,7 @@ TEST(FriedmanTest, KeepsConoversTBesideTheFOfTwoTreatments) {
   EXPECT_LT(pair.conoverT.value(), 0.0);  // the second treatment ranks higher
 }
 
-TEST(FriedmanTest, IsThatOfPlanningWherePeopleAgree) {
+TEST(FriedmanTest, IsThatOfPlanningIfPeopleAgree) {
   const auto result = friedmanTest(Blocks(6, {3.0, 1.0, 2.0}));
   EXPECT_EQ(result.chiSquared, 12.0);
   EXPECT_EQ(result.kendallW, 1.0);
@@ -101,7 +101,7 @@ TEST(FriedmanTest, ReachesFurtherThanADouble) {
   EXPECT_LT(result.pairs.front().nemenyiLog10P, -1000.0);
 }
 
-TEST(FriedmanTest, HasAnExactPForAsManyBlocksAsItSays) {
+TEST(FriedmanTest, HasAnExactPForTheDocumentedNumberOfBlocks) {
   const auto isExact = [](std::size_t blocks, const std::vector<double>& order) {
     return friedmanTest(Blocks(blocks, order)).exactP ==
            smallestFriedmanP(blocks, static_cast<int>(order.size())).p;
@@ -121,7 +121,7 @@ TEST(FriedmanTest, HasAnExactPForAsManyBlocksAsItSays) {
   }
 }
 
-TEST(FriedmanTest, IsUndefinedWhereAllAreTied) {
+TEST(FriedmanTest, IsUndefinedIfAllAreTied) {
   const auto result = friedmanTest(Blocks{{3, 3, 3}, {5, 5, 5}});
   EXPECT_EQ(result.reason.key(), "all_treatments_tied");
   EXPECT_FALSE(result.chiSquared.has_value());
@@ -130,7 +130,7 @@ TEST(FriedmanTest, IsUndefinedWhereAllAreTied) {
   EXPECT_EQ(result.rankSums, (std::vector<double>{4.0, 4.0, 4.0}));
 }
 
-TEST(FriedmanTest, SaysLittleOfOneBlockAndNothingOfNone) {
+TEST(FriedmanTest, IsPartlyDefinedForOneBlockAndUndefinedForNone) {
   const auto one = friedmanTest(Blocks{{1, 2, 3}});
   EXPECT_EQ(one.reason.key(), "one_block");
   EXPECT_EQ(one.exactP, 1.0);
@@ -138,7 +138,7 @@ TEST(FriedmanTest, SaysLittleOfOneBlockAndNothingOfNone) {
   EXPECT_EQ(friedmanTest(Blocks{}).reason.key(), "no_blocks");
 }
 
-TEST(FriedmanTest, RefusesRowsThatAreNoBlocks) {
+TEST(FriedmanTest, RefusesInvalidBlocks) {
   EXPECT_THROW(friedmanTest(Blocks{{1, 2}, {1}}), std::invalid_argument);
   EXPECT_THROW(friedmanTest(Blocks{{1}, {1}}), std::invalid_argument);
   EXPECT_THROW(friedmanTest(Blocks{{1, std::nan("")}}), std::invalid_argument);

@@ -122,7 +122,7 @@ TEST(MannWhitneyTest, ComparesPointsOfUnlikeScalesAsNumbers) {
   EXPECT_EQ(mannWhitneyTest(five, seven).u, slowU({3, 3, 5}, {3, 7, 7}));
 }
 
-TEST(MannWhitneyTest, SaysWhyWhereAllValuesAreEqual) {
+TEST(MannWhitneyTest, GivesAReasonIfAllValuesAreEqual) {
   const auto result = mannWhitneyTest(Values{4, 4, 4}, Values{4, 4});
   EXPECT_EQ(result.reason.key(), "all_values_equal");
   EXPECT_EQ(result.p, 1.0);
@@ -138,7 +138,7 @@ TEST(MannWhitneyTest, IsUndefinedForAnEmptyGroup) {
   EXPECT_THROW(mannWhitneyTest(kBefore, Values{std::nan("")}), std::invalid_argument);
 }
 
-TEST(MannWhitneyTest, TellsWhatIsTooLargeForAnExactP) {
+TEST(MannWhitneyTest, ReportsGroupsTooLargeForAnExactP) {
   LikertCounts a(1, 5);
   LikertCounts b(1, 5);
   a.add(1, 1'000'000);
@@ -180,7 +180,7 @@ TEST(BrunnerMunzelTest, IsUndefinedWithoutOverlap) {
   EXPECT_EQ(result.reason.key(), "no_overlap");
 }
 
-TEST(BrunnerMunzelTest, IsUndefinedForOneVoiceAndForOne) {
+TEST(BrunnerMunzelTest, IsUndefinedForEqualValuesAndForOneValue) {
   const auto one = brunnerMunzelTest(Values{2}, Values{1, 3, 4});
   EXPECT_EQ(one.reason.key(), "fewer_than_two");
   EXPECT_DOUBLE_EQ(one.probability.value(), 2.0 / 3.0);
@@ -222,7 +222,7 @@ TEST(CliffDelta, HasNoIntervalWithoutOverlapOrForOne) {
   EXPECT_THROW(cliffDelta(kPain1, kPain2, 0.0), std::invalid_argument);
 }
 
-TEST(CliffDelta, KeepsAnIntervalWhereAllValuesAreEqual) {
+TEST(CliffDelta, HasAnIntervalIfAllValuesAreEqual) {
   const auto result = cliffDelta(Values{3, 3, 3}, Values{3, 3});
   EXPECT_EQ(result.delta, 0.0);
   EXPECT_EQ(result.variance, 0.0);

@@ -37,7 +37,7 @@ TEST(OneWayAnova, OfTwoGroupsIsStudentsTest) {
   EXPECT_NEAR(anova.p.value(), *student.p, 1e-14);
 }
 
-TEST(OneWayAnova, DoesNotMindAnOffsetOrTinyValues) {
+TEST(OneWayAnova, DoesNotDependOnOffsetsOrTinyScales) {
   const auto plain = oneWayAnova(Groups{{1, 2, 3}, {2, 3, 4}, {6, 7, 9}});
   const auto offset = oneWayAnova(Groups{
       {1e15 + 1, 1e15 + 2, 1e15 + 3},
@@ -52,7 +52,7 @@ TEST(OneWayAnova, DoesNotMindAnOffsetOrTinyValues) {
   EXPECT_FALSE(tiny.reason.empty());
 }
 
-TEST(OneWayAnova, HoldsPBeyondADouble) {
+TEST(OneWayAnova, HasALogarithmOfPBeyondADouble) {
   std::vector<double> low(300, 0.0);
   std::vector<double> high(300, 1e6);
   low[0] = 1.0;
@@ -63,7 +63,7 @@ TEST(OneWayAnova, HoldsPBeyondADouble) {
   EXPECT_LT(result.log10P.value(), -2000.0);
 }
 
-TEST(OneWayAnova, SaysWhyItIsUndefined) {
+TEST(OneWayAnova, GivesAReasonIfItIsUndefined) {
   EXPECT_EQ(oneWayAnova(Groups{}).reason.key(), "two_groups_needed");
   EXPECT_EQ(oneWayAnova(Groups{{1, 2, 3}}).reason.key(), "two_groups_needed");
   EXPECT_EQ(oneWayAnova(Groups{{1, 2, 3}, {}}).reason.key(), "a_group_is_empty");

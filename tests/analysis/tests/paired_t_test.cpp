@@ -37,7 +37,7 @@ TEST(PairedT, ChangesItsSignWithTheOrder) {
   EXPECT_EQ(there.pLess, back.pGreater);
 }
 
-TEST(PairedT, HoldsPBeyondADouble) {
+TEST(PairedT, HasALogarithmOfPBeyondADouble) {
   Values x;
   Values y;
   for (int i = 0; i < 200; ++i) {
@@ -73,7 +73,7 @@ TEST(PairedT, IsUndefinedForFewerThanTwoPairs) {
   EXPECT_EQ(one.reason.key(), "one_pair");
 }
 
-TEST(PairedT, HoldsWhereTheVarianceIsBeyondADouble) {
+TEST(PairedT, IsDefinedIfTheVarianceIsBeyondADouble) {
   // t as of 1, 2, 4 against 0: mean 7/3, variance 7/3
   const auto tiny = pairedTTest(Values{1e-200, 2e-200, 4e-200}, Values{0.0, 0.0, 0.0});
   EXPECT_FALSE(tiny.variance.has_value());
@@ -85,7 +85,7 @@ TEST(PairedT, HoldsWhereTheVarianceIsBeyondADouble) {
   EXPECT_EQ(huge.reason.key(), "difference_beyond_double");
 }
 
-TEST(PairedT, RefusesWhatAreNoPairs) {
+TEST(PairedT, RefusesListsOfDifferentLength) {
   EXPECT_THROW(pairedTTest(Values{1.0, 2.0}, Values{1.0}), std::invalid_argument);
   EXPECT_THROW(pairedTTest(Values{1.0, NAN}, Values{1.0, 2.0}), std::invalid_argument);
   EXPECT_THROW(confidenceInterval(pairedTTest(kSleep1, kSleep2), 1.0), std::invalid_argument);

@@ -23,7 +23,7 @@ TEST(RepeatedMeasuresAnova, OfTwoConditionsIsThePairedTest) {
   EXPECT_DOUBLE_EQ(anova.pGreenhouseGeisser.value(), *anova.p);
 }
 
-TEST(RepeatedMeasuresAnova, DoesNotMindWhatIsAddedToAParticipantOrMultiplied) {
+TEST(RepeatedMeasuresAnova, DoesNotDependOnOffsetsOfParticipantsAndUnits) {
   const auto plain = repeatedMeasuresAnova(Table{{3, 1, 2}, {4, 4, 1}, {5, 2, 2}, {2, 1, 3}});
   const auto moved =
       repeatedMeasuresAnova(Table{{1e9 + 3, 1e9 + 1, 1e9 + 2}, {4, 4, 1}, {-5, -8, -8}, {2, 1, 3}});
@@ -38,14 +38,14 @@ TEST(RepeatedMeasuresAnova, DoesNotMindWhatIsAddedToAParticipantOrMultiplied) {
   EXPECT_NEAR(tiny.f.value(), plain.f.value(), 1e-13);
 }
 
-TEST(RepeatedMeasuresAnova, HasTheSmallestEpsilonWhereOneContrastHasAllTheSpread) {
+TEST(RepeatedMeasuresAnova, HasTheSmallestEpsilonIfOneContrastHasAllTheSpread) {
   // every participant's residuals are a multiple of (1, −1, 0): ε = 1 / (k − 1)
   const auto result = repeatedMeasuresAnova(Table{{1, -1, 0}, {2, -2, 0}, {-1, 1, 0}, {5, -5, 0}});
   EXPECT_NEAR(result.greenhouseGeisser.value(), 0.5, 1e-15);
   EXPECT_GT(result.pGreenhouseGeisser.value(), result.p.value());
 }
 
-TEST(RepeatedMeasuresAnova, SaysWhyItIsUndefined) {
+TEST(RepeatedMeasuresAnova, GivesAReasonIfItIsUndefined) {
   const auto alike = repeatedMeasuresAnova(Table{{1, 2, 3}, {4, 5, 6}});
   EXPECT_EQ(alike.f, INFINITY);
   EXPECT_FALSE(alike.p.has_value());
@@ -62,7 +62,7 @@ TEST(RepeatedMeasuresAnova, SaysWhyItIsUndefined) {
   EXPECT_EQ(repeatedMeasuresAnova(Table{{1}, {2}}).reason.key(), "two_conditions_needed");
 }
 
-TEST(RepeatedMeasuresAnova, RefusesATableWithHoles) {
+TEST(RepeatedMeasuresAnova, RefusesAnIncompleteTable) {
   EXPECT_THROW(repeatedMeasuresAnova(Table{{1, 2}, {1}}), std::invalid_argument);
   EXPECT_THROW(repeatedMeasuresAnova(Table{{1, 2}, {1, NAN}}), std::invalid_argument);
 }

@@ -69,7 +69,7 @@ TEST(ShapiroWilk, IsExactForThreeValues) {
       1e-14);
 }
 
-TEST(ShapiroWilk, DoesNotMindUnitsOrOrder) {
+TEST(ShapiroWilk, DoesNotDependOnUnitsOrOrder) {
   Values moved;
   for (auto value = kWeights.rbegin(); value != kWeights.rend(); ++value) {
     moved.push_back(-1e6 + 0.25 * *value);
@@ -82,7 +82,7 @@ TEST(ShapiroWilk, DoesNotMindUnitsOrOrder) {
   EXPECT_NEAR(shapiroWilkTest(huge).w.value(), plain.w.value(), 1e-14);
 }
 
-TEST(ShapiroWilk, RejectsTwoHeapsAndAcceptsNormalQuantiles) {
+TEST(ShapiroWilk, RejectsABimodalSampleAndAcceptsNormalQuantiles) {
   Values heaps;
   for (int i = 0; i < 50; ++i) heaps.push_back(i < 25 ? 1.0 : 5.0);
   EXPECT_LT(shapiroWilkTest(heaps).p.value(), 1e-6);

@@ -46,7 +46,7 @@ TEST(SignFlipTest, IsTheSameInInches) {
   EXPECT_EQ(signFlipTest(inches).p, 1726.0 / 32768.0);
 }
 
-TEST(SignFlipTest, TakesMeansOfThreeAsThirds) {
+TEST(SignFlipTest, TreatsMeansOfThreeAsThirds) {
   const Values thirds{1.0 / 3.0, 4.0 - 11.0 / 3.0, -2.0 / 3.0, 5.0 - 13.0 / 3.0, 1.0, 1.0 / 3.0};
   EXPECT_EQ(signFlipTest(thirds).p, slowP(thirds));
 }
@@ -76,7 +76,7 @@ TEST(SignFlipTest, FlipsThirtySixMeasuredValues) {
   EXPECT_EQ(signFlipTest(many).p, std::ldexp(1.0, -35));
 }
 
-TEST(SignFlipTest, TellsWhereItCannotFlip) {
+TEST(SignFlipTest, ReportsDifferencesThatItCannotFlip) {
   Values many;
   for (int i = 1; i <= 60; ++i) many.push_back(std::sqrt(i));
   EXPECT_EQ(signFlipTest(many).reason.key(), "too_many_to_flip");
@@ -85,7 +85,7 @@ TEST(SignFlipTest, TellsWhereItCannotFlip) {
       "sizes_too_unlike");
 }
 
-TEST(SignFlipTest, SaysWhyWhereThereIsNoSign) {
+TEST(SignFlipTest, GivesAReasonIfThereIsNoSign) {
   EXPECT_EQ(signFlipTest(Values{}).reason.key(), "no_differences");
   EXPECT_EQ(signFlipTest(Values{0.0, 0.0}).reason.key(), "no_sign_to_flip");
   EXPECT_EQ(signFlipTest(Values{-3.0}).p, 1.0);
@@ -101,7 +101,7 @@ TEST(CommonUnit, IsTheSmallestThatFits) {
   EXPECT_FALSE(commonUnitOf(Values{1e-200, 2e-200}).has_value());
 }
 
-TEST(CommonUnit, MakesEqualWhatShouldBe) {
+TEST(CommonUnit, RestoresTiesLostByRounding) {
   const auto cleaned = analysis::withoutRoundingNoise(Values{0.1 + 0.2, 0.3, 4.0 / 3.0});
   EXPECT_EQ(cleaned[0], cleaned[1]);
   EXPECT_EQ(cleaned[2], 4.0 / 3.0);

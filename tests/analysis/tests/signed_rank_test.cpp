@@ -53,7 +53,7 @@ TEST(SignedRankTest, CountsTiesAsGoingThroughAllSigns) {
   EXPECT_EQ(result.p, slowP(midranks, 38.0));
 }
 
-TEST(SignedRankTest, LetsZerosPushRanksUpAfterPratt) {
+TEST(SignedRankTest, RanksZerosWithPrattsMethod) {
   const Values differences{0, 0, 1, -2, 3, 4};
   EXPECT_EQ(signedRankTest(differences).v, 8.0);                             // ranks 1 … 4
   EXPECT_EQ(signedRankTest(differences, Zeros::RankedThenDropped).v, 14.0);  // ranks 3 … 6
@@ -72,7 +72,7 @@ TEST(SignedRankTest, MirrorsWithTheSign) {
   EXPECT_EQ(result.pAsymptoticContinuity, mirror.pAsymptoticContinuity);
 }
 
-TEST(SignedRankTest, SaysWhyWhereThereIsNothingToTest) {
+TEST(SignedRankTest, GivesAReasonIfThereIsNothingToTest) {
   const auto none = signedRankTest(Values{});
   const auto zeros = signedRankTest(Values{0.0, 0.0, -0.0});
   EXPECT_EQ(none.reason.key(), "no_differences");
@@ -108,7 +108,7 @@ TEST(SignedRankTest, HasTheSmallestPOfTheLawAtTheLargestV) {
   EXPECT_EQ(signedRankTest(all).p, std::ldexp(1.0, -299));
 }
 
-TEST(SignedRankTest, RefusesWhatHasNoRank) {
+TEST(SignedRankTest, RefusesValuesWithoutARank) {
   EXPECT_THROW(signedRankTest(Values{1.0, std::nan("")}), std::invalid_argument);
   EXPECT_THROW(signedRankTest(Values{1.0, HUGE_VAL}), std::invalid_argument);
 }
@@ -129,7 +129,7 @@ TEST(HodgesLehmann, IsThatOfDepressionScores) {
   EXPECT_DOUBLE_EQ(result.interval.value().high, averages[45 - 6]);
 }
 
-TEST(HodgesLehmann, HasNoIntervalThatSoFewCannotHold) {
+TEST(HodgesLehmann, HasNoIntervalForTooFewValues) {
   const auto five = hodgesLehmann(Values{1, 2, 3, 4, 6});
   EXPECT_EQ(five.estimate, 3.0);
   EXPECT_FALSE(five.interval.has_value());
@@ -147,7 +147,7 @@ TEST(HodgesLehmann, IsUndefinedForNone) {
   EXPECT_THROW(hodgesLehmann(Values{7.0}, 1.0), std::invalid_argument);
 }
 
-TEST(HodgesLehmann, HoldsWhatTheTestDoesNotReject) {
+TEST(HodgesLehmann, HasTheValuesThatTheTestDoesNotReject) {
   const auto result = hodgesLehmann(kDepression);
   const auto pOfShift = [](double shift) {
     Values shifted = kDepression;
@@ -180,7 +180,7 @@ TEST(SignTest, CountsVeryMany) {
   EXPECT_NEAR(signTest(4900, 5100).p.value(), std::erfc(1.99 / std::sqrt(2.0)), 1e-5);
 }
 
-TEST(SignTest, SaysWhyWhereThereIsNoSign) {
+TEST(SignTest, GivesAReasonIfThereIsNoSign) {
   EXPECT_EQ(signTest(Values{}).reason.key(), "no_differences");
   EXPECT_EQ(signTest(Values{0.0}).reason.key(), "no_sign_to_test");
   EXPECT_FALSE(signTest(Values{0.0}).p.has_value());

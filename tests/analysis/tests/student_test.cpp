@@ -26,7 +26,7 @@ TEST(StudentTest, IsThatOfStudentsOwnData) {
   EXPECT_NEAR(result.p.value(), 0.07918671421593811, 1e-15);
 }
 
-TEST(StudentTest, EqualsWelchsForGroupsAlikeInSizeAndVariance) {
+TEST(StudentTest, EqualsWelchsForEqualSizesAndVariances) {
   const Values a{1.0, 2.0, 3.0, 4.0};
   const Values b{3.0, 4.0, 5.0, 6.0};
   const auto student = studentTTest(a, b);
@@ -37,7 +37,7 @@ TEST(StudentTest, EqualsWelchsForGroupsAlikeInSizeAndVariance) {
   EXPECT_EQ(student.p, welch.p);
 }
 
-TEST(StudentTest, IsContentWithOneValueInOneGroup) {
+TEST(StudentTest, NeedsOnlyOneValueInOneGroup) {
   // R: t.test(5, c(1, 2, 4), var.equal = TRUE) has t = (5 − 7/3) / √(7/3 · 4/3), df = 2
   const auto result = studentTTest(Values{5.0}, Values{1.0, 2.0, 4.0});
 

@@ -42,7 +42,7 @@ TEST(EqualSharesTest, IsThatOfTable4) {
   EXPECT_NEAR(equalSharesTest(preferences(11, 1, 9)).exactP.value(), 0.0081, 0.00005);
 }
 
-TEST(EqualSharesTest, SaysWhyWhereSomethingIsMissing) {
+TEST(EqualSharesTest, GivesAReasonForMissingValues) {
   const auto none = equalSharesTest(preferences(0, 0, 0));
   EXPECT_EQ(none.reason.key(), "nobody_voted");
   EXPECT_FALSE(none.p.has_value());
@@ -52,7 +52,7 @@ TEST(EqualSharesTest, SaysWhyWhereSomethingIsMissing) {
   EXPECT_NEAR(many.log10P.value(), -3500.0 / std::log(10.0), 1e-9);  // two degrees: e^(−χ²/2)
 }
 
-TEST(ShareIntervals, CloseAtNobodyAndEverybody) {
+TEST(ShareIntervals, EndAtZeroAndOneForNoVotesAndAllVotes) {
   EXPECT_EQ(wilsonInterval(0, 11)->low, 0.0);
   EXPECT_EQ(wilsonInterval(11, 11)->high, 1.0);
   // (α/2)^(1/n)
@@ -78,7 +78,7 @@ TEST(ShareIntervals, AreUndefinedWithoutVotes) {
   EXPECT_THROW(clopperPearsonInterval(1, 2, 1.0), std::invalid_argument);
 }
 
-TEST(McNemarTest, CountsWhoChanged) {
+TEST(McNemarTest, CountsChangedAnswers) {
   // R: binom.test(59, 59 + 6)$p.value is tiny; by hand: 2 (1 + 10)/2^10 for 1 against 9
   EXPECT_EQ(mcNemarTest(1, 9).p, 22.0 / 1024.0);
   EXPECT_EQ(mcNemarTest(9, 1).chiSquared, 6.4);
@@ -97,7 +97,7 @@ TEST(McNemarTest, HasThePublishedChiSquaredOfApproval) {
   EXPECT_NEAR(result.pAsymptotic.value(), std::erfc(std::sqrt(2048.0 / 236.0)), 1e-18);
 }
 
-TEST(McNemarTest, SaysWhyWhereNobodyChanged) {
+TEST(McNemarTest, GivesAReasonIfNobodyChanged) {
   EXPECT_EQ(mcNemarTest(0, 0).reason.key(), "nobody_changed");
   EXPECT_FALSE(mcNemarTestOfPairs({true}, {true}).p.has_value());
   EXPECT_THROW(mcNemarTestOfPairs({true}, {}), std::invalid_argument);
@@ -122,7 +122,7 @@ TEST(StuartMaxwellTest, HasThePublishedValueOfVision) {
   EXPECT_NEAR(result.p.value(), 0.0075, 0.00005);
 }
 
-TEST(StuartMaxwellTest, LeavesOptionsOutThatNobodyChangedToOrFrom) {
+TEST(StuartMaxwellTest, LeavesOutOptionsWithoutChanges) {
   const auto three = stuartMaxwellTest(Table{{5, 0, 3}, {0, 4, 0}, {1, 0, 2}});
   EXPECT_EQ(three.degreesOfFreedom, 1.0);
   EXPECT_DOUBLE_EQ(three.chiSquared.value(), 1.0);  // (3 − 1)²/4
@@ -132,7 +132,7 @@ TEST(StuartMaxwellTest, LeavesOptionsOutThatNobodyChangedToOrFrom) {
   EXPECT_DOUBLE_EQ(apart.chiSquared.value(), 1.0 + 5.0);
 }
 
-TEST(StuartMaxwellTest, IsUndefinedWhereNobodyChanged) {
+TEST(StuartMaxwellTest, IsUndefinedWithoutChanges) {
   EXPECT_EQ(stuartMaxwellTest(Table{{5, 0}, {0, 4}}).reason.key(), "nobody_changed");
   EXPECT_EQ(stuartMaxwellTest(Table{{0, 0}, {0, 0}}).reason.key(), "nobody_voted");
   EXPECT_THROW(stuartMaxwellTest(Table{{5, 0}, {0}}), std::invalid_argument);
@@ -171,7 +171,7 @@ TEST(CochranQTest, IsMcNemarsTestOfTwoOptions) {
   EXPECT_EQ(cochranQTest(answers).exactP, mcNemarTest(1, 3).p);
 }
 
-TEST(CochranQTest, SaysWhyWhereThereIsNothingToCompare) {
+TEST(CochranQTest, GivesAReasonIfThereIsNothingToCompare) {
   EXPECT_EQ(cochranQTest(Answers{}).reason.key(), "nobody_answered");
   EXPECT_EQ(cochranQTest(Answers{{true, true}, {false, false}}).reason.key(), "same_to_all");
   EXPECT_THROW(cochranQTest(Answers{{true, true}, {false}}), std::invalid_argument);
@@ -202,7 +202,7 @@ double slowFisher(const Counts& top, const Counts& bottom) {
   return rare / all;
 }
 
-TEST(FisherExactTest, TastesTea) {
+TEST(FisherExactTest, HasThePublishedPOfTheTeaExperiment) {
   // Fisher 1935: 34/70; R: fisher.test(matrix(c(3, 1, 1, 3), 2))
   EXPECT_DOUBLE_EQ(fisherExactTest(Table{{3, 1}, {1, 3}}).p.value(), 34.0 / 70.0);
   EXPECT_DOUBLE_EQ(fisherExactTest(Table{{4, 0}, {0, 4}}).p.value(), 2.0 / 70.0);
@@ -225,14 +225,14 @@ TEST(FisherExactTest, AgreesWithGoingThroughAllTables) {
       1e-14);
 }
 
-TEST(FisherExactTest, DoesNotCareForOrderNorEmptyRows) {
+TEST(FisherExactTest, DoesNotDependOnOrderOrEmptyRows) {
   const double p = fisherExactTest(Table{{3, 1, 0}, {0, 2, 4}, {1, 1, 5}}).p.value();
   EXPECT_DOUBLE_EQ(fisherExactTest(Table{{3, 0, 1}, {1, 2, 1}, {0, 4, 5}}).p.value(), p);
   EXPECT_DOUBLE_EQ(
       fisherExactTest(Table{{0, 2, 0, 4}, {0, 0, 0, 0}, {1, 1, 0, 5}, {3, 1, 0, 0}}).p.value(), p);
 }
 
-TEST(FisherExactTest, SaysWhyWhereItGivesNoP) {
+TEST(FisherExactTest, GivesAReasonIfThereIsNoP) {
   EXPECT_EQ(fisherExactTest(Table{{3, 1}, {0, 0}}).reason.key(), "one_row_or_column");
   EXPECT_EQ(fisherExactTest(Table{{300, 1}, {1, 3}}).reason.key(), "too_many_counts");
   EXPECT_EQ(

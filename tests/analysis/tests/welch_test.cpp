@@ -84,7 +84,7 @@ TEST(WelchTest, HasAClosedFormForTwoAgainstTwo) {
   EXPECT_NEAR(result.p.value(), 1.0 - std::sqrt(18.0 / 20.0), 1e-16);
 }
 
-TEST(WelchTest, OnlyTurnsItsSignWhenTheGroupsAreSwapped) {
+TEST(WelchTest, ChangesOnlyItsSignIfTheGroupsAreSwapped) {
   const auto forth = welchTTest(kSleep1, kSleep2);
   const auto back = welchTTest(kSleep2, kSleep1);
 
@@ -96,7 +96,7 @@ TEST(WelchTest, OnlyTurnsItsSignWhenTheGroupsAreSwapped) {
   EXPECT_EQ(back.pGreater, forth.pLess);
 }
 
-TEST(WelchTest, DoesNotCareWhereZeroIs) {
+TEST(WelchTest, DoesNotDependOnAnOffset) {
   // Halves and quarters survive an offset of 1e9 unrounded.
   const Values a{0.5, 1.75, 4.0, 2.25};
   const Values b{-1.0, 0.25, 0.5};
@@ -110,7 +110,7 @@ TEST(WelchTest, DoesNotCareWhereZeroIs) {
   }
 }
 
-TEST(WelchTest, DoesNotCareForTheUnit) {
+TEST(WelchTest, DoesNotDependOnTheUnit) {
   const auto here = welchTTest(kSleep1, kSleep2);
   for (const double unit : {0x1p-700, 0x1p-40, 0x1p3, 0x1p900}) {
     const auto there = welchTTest(stretched(kSleep1, unit), stretched(kSleep2, unit));
@@ -120,7 +120,7 @@ TEST(WelchTest, DoesNotCareForTheUnit) {
   }
 }
 
-TEST(WelchTest, TakesTheDifferenceBeforeItRoundsTheMeans) {
+TEST(WelchTest, ComputesTheDifferenceBeforeRoundingTheMeans) {
   const auto result =
       welchTTest(Values{1e15, 1e15, 1e15 + 1}, Values{1e15, 1e15, 1e15, 1e15, 1e15 + 1});
   EXPECT_DOUBLE_EQ(result.difference.value(), 1.0 / 3.0 - 1.0 / 5.0);
@@ -158,7 +158,7 @@ TEST(WelchTest, FindsNoDifferenceBetweenEqualGroups) {
   EXPECT_EQ(result.pGreater, 0.5);
 }
 
-TEST(WelchTest, TellsHowSmallAPIsThatADoubleCannotHold) {
+TEST(WelchTest, HasALogarithmOfPBeyondADouble) {
   // Python: mpmath with 50 digits, as in student_distribution_test.cpp: p = 1.33e-2001
   const LikertCounts a(1, Counts{0, 0, 0, 1000, 1000});
   const LikertCounts b(1, Counts{1000, 1000, 0, 0, 0});
@@ -169,7 +169,7 @@ TEST(WelchTest, TellsHowSmallAPIsThatADoubleCannotHold) {
   EXPECT_EQ(result.reason.key(), "");
 }
 
-TEST(WelchTest, RefusesWhatIsNoNumber) {
+TEST(WelchTest, RefusesNaNAndInfinity) {
   EXPECT_THROW(welchTTest(Values{1.0, std::nan("")}, kSleep2), std::invalid_argument);
 }
 
@@ -188,7 +188,7 @@ TEST(ConfidenceInterval, EndsAtZeroWhereItsLevelIsOneMinusP) {
   EXPECT_NEAR(confidenceInterval(result, 1.0 - result.p.value()).value().high, 0.0, 1e-13);
 }
 
-TEST(ConfidenceInterval, RefusesLevelsThatAreNone) {
+TEST(ConfidenceInterval, RefusesInvalidLevels) {
   const auto result = welchTTest(kSleep1, kSleep2);
   for (const double level : {0.0, 1.0, 95.0, -0.5, std::nan("")}) {
     EXPECT_THROW(confidenceInterval(result, level), std::invalid_argument) << level;

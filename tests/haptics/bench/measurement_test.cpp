@@ -11,7 +11,7 @@
 namespace haptics::bench {
 namespace measurement_test {
 
-TEST(MeasurementText, ComesBackAsItWas) {
+TEST(MeasurementText, IsReadBackUnchanged) {
   const Measurement m{
       .family = "splines",
       .setting = "random",
@@ -39,7 +39,7 @@ TEST(MeasurementText, ComesBackAsItWas) {
   EXPECT_EQ(endless->error, INFINITY);
 }
 
-TEST(MeasurementText, TakesNothingElseForAMeasurement) {
+TEST(MeasurementText, RefusesOtherText) {
   for (const char* line : {"", "splines", "a\tb\tc\td\t-\t-\t-\t-", "a\tb\tc\t1\t-\t-\t-"}) {
     EXPECT_FALSE(fromLine(line)) << line;
   }
@@ -78,7 +78,7 @@ TEST(Measurement, IsWithinItsBoundOnlyWithAnErrorThatIsANumber) {
   EXPECT_FALSE(isWithin(std::nullopt, 1.0));
 }
 
-TEST(Encoders, DisturbWhatTheyShould) {
+TEST(Encoders, ChangeTheForcesAsExpected) {
   std::map<std::string, double> found;
   measureEncoders({.report = [&](const Measurement& m) {
     found[m.setting + "/" + m.method + "/" + std::to_string(m.parameter)] = *m.error;

@@ -14,7 +14,7 @@ TEST(DatagramSocket, ReadsAndWritesAddresses) {
   }
 }
 
-TEST(DatagramSocket, SaysWhichPortCannotBeHad) {
+TEST(DatagramSocket, NamesAPortThatIsInUse) {
   const DatagramSocket first(Endpoint{});
   EXPECT_THROW(DatagramSocket{first.local()}, NetworkError);
 }

@@ -40,7 +40,7 @@ TEST(SimulatedDevice, ReachesTheSpeedAtWhichFrictionBalancesThePush) {
   EXPECT_NEAR(after(device, 2000).velocity, 2.0 / 0.1, 1e-6);
 }
 
-TEST(SimulatedDevice, StandsStillWhenPushedBackAsHard) {
+TEST(SimulatedDevice, StandsStillIfTheForcesAreEqual) {
   SteadyHand hand(2.0);
   SimulatedDevice device(punchKind(), hand);
   device.command(2.0, 0.0);
@@ -82,7 +82,7 @@ TEST(SimulatedDevice, GivesNoMeasurementWhileItIsUnplugged) {
   EXPECT_EQ(after(device, 1).status, DeviceStatus::Ok);
 }
 
-TEST(SimulatedDevice, SaysThatItIsFaultyRatherThanFlyAway) {
+TEST(SimulatedDevice, ReportsAFaultIfItBecomesTooFast) {
   SteadyHand hand(INFINITY);
   SimulatedDevice device(punchKind(), hand);
   bool wasFaulty = false;

@@ -65,13 +65,13 @@ TEST(SimulatedHand, VariesFromCutToCutTheSameWayForASeed) {
   EXPECT_LE(*most, 10.0 * 1.09 + 1e-9);  // reach varies by 0.3 of the variation
 }
 
-TEST(SimulatedHand, PushesLessFarIntoWhatIsStiffer) {
+TEST(SimulatedHand, PushesLessFarIntoStifferTissue) {
   SimulatedHand hand(kCalm);
   for (int i = 0; i < 750; ++i) hand.push(0.0, 0.0, kDt);
   EXPECT_NEAR(hand.push(8.0, 0.0, kDt), kCalm.stiffness * 2.0, 1e-9);
 }
 
-TEST(SimulatedHand, RefusesAPersonWhoMakesNoSense) {
+TEST(SimulatedHand, RefusesInvalidParameters) {
   EXPECT_THROW(SimulatedHand({.closeTime = 0.0}), std::invalid_argument);
   EXPECT_THROW(SimulatedHand({.stiffness = -1.0}), std::invalid_argument);
   EXPECT_THROW(SimulatedHand({.variation = 2.0}), std::invalid_argument);

@@ -16,7 +16,7 @@ struct Row {
 
 class ConnectionQualityTable : public testing::TestWithParam<Row> {};
 
-TEST_P(ConnectionQualityTable, SaysWhatItsTableSays) {
+TEST_P(ConnectionQualityTable, HasTheDocumentedThresholds) {
   EXPECT_EQ(ConnectionQuality::levelOf(GetParam().measures), GetParam().level);
 }
 
@@ -80,7 +80,7 @@ TEST(ConnectionQuality, FallsWithAnswersThatAreMissed) {
   EXPECT_EQ(quality.level(), Level::Poor);
 }
 
-TEST(ConnectionQuality, RecoversWhenWhatWasMissedIsLongAgo) {
+TEST(ConnectionQuality, RecoversLongAfterMissedAnswers) {
   ConnectionQuality quality;
   answer(quality, 100);
   miss(quality, 50);
@@ -100,7 +100,7 @@ TEST(ConnectionQuality, MeasuresLatencyAndJitter) {
   EXPECT_EQ(quality.level(), Level::Good);
 }
 
-TEST(ConnectionQuality, IsPoorWhereAnswersComeAfterMoreThanAPeriod) {
+TEST(ConnectionQuality, IsPoorIfAnswersTakeLongerThanAPeriod) {
   ConnectionQuality quality;
   answer(quality, 100, 1.2);
   EXPECT_EQ(quality.level(), Level::Poor);

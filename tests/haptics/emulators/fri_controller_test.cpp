@@ -119,7 +119,7 @@ TEST(FriController, DoesNotTryAgainUnlessTheProgramDoes) {
   EXPECT_TRUE(session.goTo(State::CommandingActive));
 }
 
-TEST(FriController, WantsTorqueEveryFiveMilliseconds) {
+TEST(FriController, NeedsTorqueEveryFiveMilliseconds) {
   SteppedSession session(torque());
   session.client.torque = wire::fri::Joints{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5};
   ASSERT_TRUE(session.goTo(State::CommandingActive));
@@ -202,7 +202,7 @@ TEST(FriController, WaitsForAMirrorAndEndsAfterTenSeconds) {
   EXPECT_EQ(session.report().lastEnd, FriEnd::NotMirrored);
 }
 
-TEST(FriController, AsksOnlyForEveryThirdAnswerWhereThatIsAgreed) {
+TEST(FriController, NeedsOnlyEveryThirdAnswerWithAMultiplierOfThree) {
   auto options = quick();
   options.receiveMultiplier = 3;
   SteppedSession session(options);
@@ -289,7 +289,7 @@ TEST(FriController, RunsOnItsOwnThread) {
   EXPECT_GE(controller.report().answers.taken, 100U);
 }
 
-TEST(FriController, RefusesOptionsThatMakeNoSense) {
+TEST(FriController, RefusesInvalidOptions) {
   const auto refuses = [](const auto& change) {
     FriController::Options options;
     change(options);

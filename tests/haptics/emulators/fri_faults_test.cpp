@@ -88,7 +88,7 @@ TEST_F(FriFaults, DelayHoldsMessagesBackForItsTime) {
   EXPECT_EQ(session_.report().injected[Fault::Delay], 4U);
 }
 
-TEST_F(FriFaults, GarbageComesBesidesMessages) {
+TEST_F(FriFaults, GarbageIsSentBetweenMessages) {
   session_.order("garbage 5");
   session_.go(20);
   EXPECT_EQ(seen().malformed, 5U);
@@ -105,7 +105,7 @@ TEST_F(FriFaults, DamageSpoilsMessages) {
   EXPECT_EQ(session_.report().injected[Fault::Damage], 6U);
 }
 
-TEST_F(FriFaults, SixJointsAreSeenAsSix) {
+TEST_F(FriFaults, SixJointsAreDetected) {
   session_.order("six-joints 4");
   session_.go(20);
   EXPECT_EQ(seen().jointCount, 4U);
@@ -113,7 +113,7 @@ TEST_F(FriFaults, SixJointsAreSeenAsSix) {
   EXPECT_EQ(session_.report().sixJoints, 4U);
 }
 
-TEST_F(FriFaults, NanIsSeenAsNoNumber) {
+TEST_F(FriFaults, NanIsDetected) {
   session_.order("nan 4");
   session_.go(20);
   EXPECT_EQ(seen().notFinite, 4U);
@@ -198,7 +198,7 @@ TEST_F(FriFaults, SafetyStopIsReportedAndEndsTheMotion) {
   EXPECT_TRUE(session_.goTo(State::CommandingActive));
 }
 
-TEST_F(FriFaults, RestartCountsFromNothing) {
+TEST_F(FriFaults, RestartCountsFromZero) {
   session_.order("restart");
   session_.go(1);
   EXPECT_EQ(session_.report().state, State::Idle);
@@ -259,7 +259,7 @@ TEST_F(FriFaults, FromOtherSendersAreCounted) {
   EXPECT_EQ(session_.report().answers.undecodable, 0U);
 }
 
-TEST_F(FriFaults, OrdersThatAreNotUnderstoodAreExplained) {
+TEST_F(FriFaults, InvalidCommandsAreExplained) {
   for (const auto* line :
        {"",
         "  ",

@@ -222,7 +222,7 @@ TEST(IiwaArm, GainsNoEnergyEvenWithoutAnyDamping) {
   EXPECT_LT(mostEnergy(joints, 0.005), 1.02);
 }
 
-TEST(IiwaArm, StaysInItsLimitsHoweverHardItIsPushed) {
+TEST(IiwaArm, StaysInItsLimitsWithAnyPush) {
   IiwaArm arm = anArm();
   arm.setControl(JointImpedance{.stiffness = JointVector::Zero(), .damping = JointVector::Zero()});
   const auto& limits = arm.kinematics().properties().maxPosition;
@@ -263,7 +263,7 @@ TEST(IiwaArm, IsStableAtTheCoarsestStepAndTheStiffestSettings) {
   EXPECT_LE(mostEnergy(joints, 0.005), 1.0);
 }
 
-TEST(IiwaArm, IsStableWhereItCannotMoveStraightUp) {
+TEST(IiwaArm, IsStableInASingularPose) {
   IiwaArm arm(devices::IiwaKinematics(devices::IiwaModel::Iiwa7), JointVector::Zero());
   arm.setControl(firmAcross());
   arm.setExternalWrench(force({3.0, 2.0, 20.0}));
@@ -271,7 +271,7 @@ TEST(IiwaArm, IsStableWhereItCannotMoveStraightUp) {
   EXPECT_LT(arm.position().cwiseAbs().maxCoeff(), 0.3);
 }
 
-TEST(IiwaArm, IsNotPoisonedByWhatIsNoNumber) {
+TEST(IiwaArm, IgnoresNaN) {
   IiwaArm arm = anArm();
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(arm.setOverlayWrench(Wrench::Constant(none)));
@@ -283,7 +283,7 @@ TEST(IiwaArm, IsNotPoisonedByWhatIsNoNumber) {
   EXPECT_EQ(arm.position(), overTheTable());
 }
 
-TEST(IiwaArm, RefusesWhatMakesNoSense) {
+TEST(IiwaArm, RefusesInvalidOptions) {
   const devices::IiwaKinematics kinematics(devices::IiwaModel::Iiwa7);
   EXPECT_THROW(IiwaArm(kinematics, JointVector::Constant(3.0)), std::invalid_argument);
   EXPECT_THROW(anArm({.inertia = JointVector::Zero()}), std::invalid_argument);

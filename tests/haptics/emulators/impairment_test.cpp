@@ -140,14 +140,14 @@ TEST(Impairment, ServesEveryOrderOnceAndOneToAFrame) {
   EXPECT_EQ(impairment.held(), 0U);
 }
 
-TEST(Impairment, PassesWhatIsNotImpaired) {
+TEST(Impairment, PassesOtherFramesUnchanged) {
   Impairment impairment;
   Receiver receiver(3);
   passAll(impairment, receiver, 3);
   EXPECT_EQ(receiver.order, (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
-TEST(Impairment, LetsTwoFramesChangePlaces) {
+TEST(Impairment, SwapsTwoFrames) {
   Impairment impairment;
   impairment.order(Fault::Reorder, 2);
   Receiver receiver(5);
@@ -163,7 +163,7 @@ TEST(Impairment, HoldsFramesBackForTheirTime) {
   EXPECT_EQ(receiver.order, (std::vector<std::uint32_t>{2, 3, 0, 4, 1, 5, 6}));
 }
 
-TEST(Impairment, LetsGoOfAFrameOnlyAfterALaterOne) {
+TEST(Impairment, SendsAHeldFrameOnlyAfterALaterOne) {
   Impairment impairment({.delay = 1});
   impairment.order(Fault::Delay, 1);
   Receiver receiver(4);
@@ -178,7 +178,7 @@ TEST(Impairment, LetsGoOfAFrameOnlyAfterALaterOne) {
   EXPECT_EQ(impairment.counts()[Fault::Delay], 1U);
 }
 
-TEST(Impairment, GivesUpWhatItHoldsAtTheEndAndCountsOnlyWhatWasOvertaken) {
+TEST(Impairment, SendsHeldFramesAtTheEndAndCountsOnlyOvertakenOnes) {
   Impairment impairment({.delay = 100});
   Receiver receiver(4);
   impairment.order(Fault::Delay, 1);
@@ -191,7 +191,7 @@ TEST(Impairment, GivesUpWhatItHoldsAtTheEndAndCountsOnlyWhatWasOvertaken) {
   EXPECT_EQ(impairment.counts()[Fault::Reorder], 0U);
 }
 
-TEST(Impairment, LetsAnOrderWaitWhereThereIsNoRoom) {
+TEST(Impairment, DelaysAFaultIfThereIsNoRoom) {
   constexpr auto kMost = static_cast<int>(Impairment::kMostHeld);
   Impairment impairment({.delay = 1000});
   impairment.order(Fault::Delay, kMost + 5);
@@ -202,7 +202,7 @@ TEST(Impairment, LetsAnOrderWaitWhereThereIsNoRoom) {
   EXPECT_EQ(receiver.order.size(), 500U - Impairment::kMostHeld);
 }
 
-TEST(Impairment, SparesFramesThatAreSpoiledAlready) {
+TEST(Impairment, ChangesNoFrameTwice) {
   Impairment impairment;
   impairment.order(Fault::Drop, 1);
   Receiver receiver(1);
@@ -237,7 +237,7 @@ TEST(Impairment, SpoilsOneFrameOfASerialLineAndNotItsNeighbours) {
   expectSeen(injected, receiver);
 }
 
-TEST(Impairment, PassesWhatIsEmptyOrTooLongAsItIs) {
+TEST(Impairment, PassesEmptyAndTooLongFramesUnchanged) {
   Impairment impairment;
   impairment.order(Fault::Drop, 2);
   const std::vector<std::uint8_t> huge(Impairment::kLongestFrame + 1);
@@ -262,7 +262,7 @@ TEST(Impairment, AllocatesNothingWhenFramesPass) {
   EXPECT_GT(bytes, 0U);
 }
 
-TEST(Impairment, TakesOrdersFromAnotherThread) {
+TEST(Impairment, AcceptsCommandsFromAnotherThread) {
   constexpr int kOrders = 1000;
   Impairment impairment;
   std::uint64_t sent = 0;
@@ -279,7 +279,7 @@ TEST(Impairment, TakesOrdersFromAnotherThread) {
   EXPECT_EQ(passed - sent, static_cast<std::uint64_t>(kOrders));
 }
 
-TEST(Impairment, RefusesOptionsThatMakeNoSense) {
+TEST(Impairment, RefusesInvalidOptions) {
   EXPECT_THROW(Impairment({.shares = {0.6, 0.6}}), std::invalid_argument);
   EXPECT_THROW(Impairment({.shares = {-0.1}}), std::invalid_argument);
   EXPECT_THROW(Impairment({.delay = 0}), std::invalid_argument);

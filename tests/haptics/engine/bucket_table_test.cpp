@@ -44,14 +44,14 @@ std::vector<double> jittered(std::size_t count, unsigned seed) {
   return knots;
 }
 
-TEST(BucketTable, FindsWhatSearchingFinds) {
+TEST(BucketTable, FindsTheSameAsASearch) {
   for (const std::size_t count : {2U, 3U, 4U, 5U, 12U, 100U, 10'000U}) {
     const auto knots = jittered(count, static_cast<unsigned>(count));
     expectAgreement(knots, BucketTable(knots));
   }
 }
 
-TEST(BucketTable, StaysWithinAFewComparisonsWhereNodesCrowd) {
+TEST(BucketTable, NeedsFewComparisonsForDenseNodes) {
   // Twelve nodes over nine natural logarithms, as an adaptive choice of nodes leaves them.
   std::vector<double> knots;
   for (int i = 0; i < 12; ++i) knots.push_back(std::exp(9.0 * i / 11.0 - 9.0));
@@ -61,7 +61,7 @@ TEST(BucketTable, StaysWithinAFewComparisonsWhereNodesCrowd) {
   EXPECT_LE(table.buckets(), 8192U);
 }
 
-TEST(BucketTable, IsBoundedWhereNodesCrowdBeyondAnyTable) {
+TEST(BucketTable, IsBoundedForNodesDenserThanAnyTable) {
   std::vector<double> knots{0.0};
   for (int i = 1; i <= 1000; ++i) knots.push_back(i * 1e-15);
   knots.push_back(1.0);
@@ -71,7 +71,7 @@ TEST(BucketTable, IsBoundedWhereNodesCrowdBeyondAnyTable) {
   EXPECT_LE(table.worstComparisons(), 10);           // log2 of what shares a bucket
 }
 
-TEST(BucketTable, DoesWithoutWhereTheSpanDefiesOne) {
+TEST(BucketTable, IsOmittedIfTheSpanAllowsNone) {
   constexpr double kTiny = std::numeric_limits<double>::denorm_min();
   const std::vector<double> tiny{0.0, kTiny, 2 * kTiny, 3 * kTiny, 4 * kTiny};
   const BucketTable none(tiny);

@@ -34,7 +34,7 @@ TEST(CompiledScene, HoldsNoFiniteElementsForInterpolationAlone) {
   EXPECT_FALSE(isIn(scene, "Kalman filter"));
 }
 
-TEST(CompiledScene, HoldsAMeshOnlyWhereItIsVisualised) {
+TEST(CompiledScene, HasAMeshOnlyIfItIsVisualised) {
   EXPECT_EQ(CompiledScene({.model = kCut}).mesh(), nullptr);
   const CompiledScene seen({.model = kCut, .isVisualised = true});
   ASSERT_NE(seen.mesh(), nullptr);
@@ -65,7 +65,7 @@ TEST(MeshView, StaysAtTheToolAsThePenetrationDoes) {
   }
 }
 
-TEST(MeshView, FollowsTheForceWhereThatIsAskedFor) {
+TEST(MeshView, FollowsTheForceOnRequest) {
   const MeshView mesh(FiniteElementsSpec{}, SeenTissue::Force);
   EXPECT_NEAR(seenAtTheTool(mesh, 1.5, 8.0, 3.76), 3.76 / (12.0 / 7.0), 1e-12);  // 2.19
 }
@@ -83,7 +83,7 @@ TEST(MeshView, OfARecordedCutBeginsAndIsStiffAsTheCut) {
   EXPECT_NEAR(seenAtTheTool(*follows.mesh(), 1.5, 10.0, 3.3), 10.0 - like.parameters.contact, 1e-9);
 }
 
-TEST(CompiledScene, SaysWhyForEveryPass) {
+TEST(CompiledScene, GivesAReasonForEveryPass) {
   const CompiledScene scene({.model = KalmanSpec{.interpolation = kCut}});
   for (const auto& pass : scene.passes()) {
     EXPECT_FALSE(pass.why.empty()) << pass.name;
@@ -95,7 +95,7 @@ TEST(CompiledScene, NamesTheReasonWhenItRefusesAnUnsoundSpec) {
   EXPECT_THROW(CompiledScene({.model = bone(1.5)}), std::invalid_argument);
 }
 
-TEST(SceneSpec, KnowsWhereItsDataEnd) {
+TEST(SceneSpec, HasTheEndOfItsData) {
   auto ramp = kCut;
   ramp.options.rampLength = 2.0;
   EXPECT_DOUBLE_EQ(endOfData(ramp).value(), 12.3);
@@ -151,7 +151,7 @@ TEST(MaterialModel, NeverOvershootsItsNodes) {
   }
 }
 
-TEST(CompiledScene, SaysWhichReadingOfThePaperItRenders) {
+TEST(CompiledScene, NamesTheInterpretationOfThePaper) {
   FiniteElementsSpec elements;
   elements.parameters.boundary = models::Boundary::B;
   elements.parameters.weights = models::ToolWeights::AuthorsFirmware;

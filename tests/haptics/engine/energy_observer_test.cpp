@@ -28,7 +28,7 @@ double leastEnergyOfAWall(double stiffness, double speed, double damping, double
   return least;
 }
 
-TEST(EnergyObserver, SeesWhatHoldingAForceGives) {
+TEST(EnergyObserver, CountsTheEnergyOfAHeldForce) {
   // Held too small on the way in and too large on the way out: K v T x in all, over x = 1000 v T.
   const double stiffness = 4.39;
   const double speed = 7.0;
@@ -59,7 +59,7 @@ TEST(EnergyObserver, CountsEnergyForEachContactSeparately) {
   EXPECT_NEAR(observer.least(), -0.2, 1e-12);
 }
 
-TEST(EnergyObserver, NeverDividesByAVelocityThatIsNone) {
+TEST(EnergyObserver, NeverDividesByZeroVelocity) {
   EnergyObserver observer({.mostDamping = 2.0, .leastVelocity = 1e-6});
   observer.observe(3.0, -1.0, -1000.0, kDt);
   ASSERT_TRUE(observer.isActive());
@@ -72,7 +72,7 @@ TEST(EnergyObserver, NeverDividesByAVelocityThatIsNone) {
   EXPECT_EQ(observer.damped(1.5, 10.0, 0.0), 1.5);
 }
 
-TEST(EnergyObserver, IsNotPoisonedByWhatIsNoNumber) {
+TEST(EnergyObserver, IgnoresNaN) {
   EnergyObserver observer({.deviceDamping = 0.1, .mostDamping = 1.0});
   for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}, 1e308}) {
     observer.observe(bad, 1e10, 1.0, kDt);

@@ -58,7 +58,7 @@ class ForceEngineTest : public testing::Test {
   CompiledScene scene_{finiteElements()};
 };
 
-TEST_F(ForceEngineTest, LetsTheHandFeelTheScene) {
+TEST_F(ForceEngineTest, RendersTheScene) {
   engine_.setScene(&scene_);
   EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);  // one unit into the tissue at 1.714 N/unit
   EXPECT_EQ(device_.commanded, feelAt(5.0));
@@ -69,7 +69,7 @@ TEST_F(ForceEngineTest, GivesNoForceWithoutAScene) {
   EXPECT_TRUE((engine_.tick(kDt).marks & TickSample::Bare) != 0);
 }
 
-TEST_F(ForceEngineTest, SaysWhenTheSceneAsksForMoreThanIsAllowed) {
+TEST_F(ForceEngineTest, ReportsSaturation) {
   engine_.setScene(&scene_);
   EXPECT_EQ(feelAt(9.0), 6.0);  // the scene wants 7 N
   const auto sample = engine_.tick(kDt);
@@ -77,7 +77,7 @@ TEST_F(ForceEngineTest, SaysWhenTheSceneAsksForMoreThanIsAllowed) {
   EXPECT_TRUE((sample.interventions & ForceLimiter::Saturated) != 0);
 }
 
-TEST_F(ForceEngineTest, LetsGoInTheSameTickWhenStopped) {
+TEST_F(ForceEngineTest, HasNoForceInTheTickOfAStop) {
   engine_.setScene(&scene_);
   feelAt(6.0);
   engine_.stop();
@@ -105,7 +105,7 @@ TEST_F(ForceEngineTest, StartsSoftlyAfterItIsArmedAgain) {
   EXPECT_EQ(engine_.tick(kDt).marks, TickSample::None);
 }
 
-TEST_F(ForceEngineTest, CommandsNothingInTheFirstTickAfterItIsArmedAgain) {
+TEST_F(ForceEngineTest, CommandsNoForceInTheFirstTickAfterRearming) {
   engine_.setScene(&scene_);
   ASSERT_GT(feelAt(6.0), 3.0);  // ten times what the limit lets the force change in a tick
   engine_.stop();
@@ -143,7 +143,7 @@ TEST_F(ForceEngineTest, FadesWhileTheSwitchIsReleased) {
   EXPECT_NEAR(feelAt(5.0), 1.714, 5e-4);
 }
 
-TEST_F(ForceEngineTest, FadesWhereTheToolIsTooFastForAHand) {
+TEST_F(ForceEngineTest, FadesIfTheToolIsTooFast) {
   ForceEngine engine(device_, {.maxForce = 6.0, .maxRate = 300.0, .maxVelocity = 50.0});
   engine.setScene(&scene_);
   for (int i = 0; i < 150; ++i) engine.tick(kDt);
@@ -157,7 +157,7 @@ TEST_F(ForceEngineTest, FadesWhereTheToolIsTooFastForAHand) {
   EXPECT_EQ(device_.commanded, 0.0);
 }
 
-TEST_F(ForceEngineTest, FadesWhereTheClockLosesMoreThanABeat) {
+TEST_F(ForceEngineTest, FadesIfMoreThanOnePeriodIsMissed) {
   engine_.setScene(&scene_);
   const double full = feelAt(5.0);
   EXPECT_EQ(engine_.tick(kDt, 1).force, full);  // one missed period is bridged
@@ -188,7 +188,7 @@ TEST_F(ForceEngineTest, WatchesTheEnergyOfASceneThatGivesMoreThanItGets) {
   EXPECT_TRUE(wasActive);
 }
 
-TEST_F(ForceEngineTest, DampsSuchASceneWhereItIsAskedTo) {
+TEST_F(ForceEngineTest, DampsAnActiveSceneOnRequest) {
   const auto given = [&](bool isControlled) {
     ForceEngine engine(
         device_, {.maxForce = 9.0, .maxRate = 1e6, .isPassivityControlled = isControlled});
@@ -208,7 +208,7 @@ TEST_F(ForceEngineTest, DampsSuchASceneWhereItIsAskedTo) {
   EXPECT_GT(given(true), given(false) + 1.0);
 }
 
-TEST(SafetyLimits, AreRefusedWhereTheyMakeNoSense) {
+TEST(SafetyLimits, AreRefusedIfTheyAreInvalid) {
   HeldDevice device;
   for (const SafetyLimits& limits :
        {SafetyLimits{.maxForce = 0.0},
@@ -223,7 +223,7 @@ TEST(SafetyLimits, AreRefusedWhereTheyMakeNoSense) {
   }
 }
 
-TEST_F(ForceEngineTest, LetsGoOfADeviceThatIsGoneAndStaysStoppedWhenItIsBack) {
+TEST_F(ForceEngineTest, StopsIfTheDeviceFailsAndStaysStopped) {
   engine_.setScene(&scene_);
   feelAt(6.0);
   device_.sample.status = devices::DeviceStatus::Gone;
@@ -236,7 +236,7 @@ TEST_F(ForceEngineTest, LetsGoOfADeviceThatIsGoneAndStaysStoppedWhenItIsBack) {
   EXPECT_TRUE(engine_.isStopped());
 }
 
-TEST_F(ForceEngineTest, StopsForADeviceThatSaysItIsFaulty) {
+TEST_F(ForceEngineTest, StopsIfTheDeviceReportsAFault) {
   engine_.setScene(&scene_);
   ASSERT_GT(feelAt(6.0), 3.0);
   device_.sample.status = devices::DeviceStatus::Faulted;
@@ -280,7 +280,7 @@ TEST_F(ForceEngineTest, FadesFromTheSecondMissingSampleOn) {
   }
 }
 
-TEST_F(ForceEngineTest, NeverCommandsWhatIsNoNumber) {
+TEST_F(ForceEngineTest, NeverCommandsNaN) {
   engine_.setScene(&scene_);
   for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}, 1e308, -1e308}) {
     device_.sample.travel = bad;
@@ -290,7 +290,7 @@ TEST_F(ForceEngineTest, NeverCommandsWhatIsNoNumber) {
   }
 }
 
-TEST_F(ForceEngineTest, FeelsAgainAfterALeapThatNoHandMakes) {
+TEST_F(ForceEngineTest, RendersAgainAfterAnImpossibleJump) {
   KalmanSpec both;
   both.interpolation.curve = {{3.0, 0.0}, {7.0, 4.0}, {9.0, 2.0}};
   CompiledScene kalman({.model = both});

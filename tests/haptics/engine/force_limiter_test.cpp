@@ -36,7 +36,7 @@ TEST(ForceLimiter, NeverChangesFasterThanAllowed) {
   }
 }
 
-TEST(ForceLimiter, LetsGoOfWhatIsNoNumber) {
+TEST(ForceLimiter, HasNoForceForNaN) {
   ForceLimiter limiter({.maxForce = 5.0, .maxRate = 1e6});
   limiter.limit(4.0, kDt);
   for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {

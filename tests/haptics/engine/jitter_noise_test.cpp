@@ -34,7 +34,7 @@ TEST(JitterNoise, IsTheSameForASeedAndAfterAReset) {
   EXPECT_EQ(one.step(100.0, 0.001), first);
 }
 
-TEST(JitterNoise, IsNothingWhereThereIsNoForceAndNeverPulls) {
+TEST(JitterNoise, IsZeroWithoutForceAndNeverPulls) {
   JitterNoise noise(kJitter, 1.0, 9);
   for (int i = 0; i < 10'000; ++i) {
     EXPECT_EQ(noise.step(0.0, 0.001), 0.0);

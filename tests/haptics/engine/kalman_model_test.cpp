@@ -29,7 +29,7 @@ std::vector<double> thereAndBack(double speed) {
   return travels;
 }
 
-TEST(KalmanModel, FeelsTheFiniteElementsAloneWhereNothingWasRecorded) {
+TEST(KalmanModel, UsesOnlyTheFiniteElementsOutsideTheRecording) {
   // The cut of our own ends at 11; there the finite elements give 7 N.
   for (const auto scheme :
        {KalmanScheme::AuthorsFirmware, KalmanScheme::Sequential, KalmanScheme::SpaceDomain}) {
@@ -49,7 +49,7 @@ TEST(KalmanModel, FeelsTheFiniteElementsAloneWhereNothingWasRecorded) {
   EXPECT_NEAR(told, 7.0 * (1.0 - 0.44), 0.1);  // 0 N is taken for a measurement
 }
 
-TEST(KalmanModel, StepsNoFurtherThanTheSlewLimitWhereTheRecordingBeginsAgain) {
+TEST(KalmanModel, StaysWithinTheSlewLimitAtTheEndOfTheRecording) {
   constexpr double kSlew = 300.0;  // [N/s]; the shipped protocols allow 500
   for (const auto scheme :
        {KalmanScheme::PaperText,

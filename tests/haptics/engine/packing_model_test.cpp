@@ -17,7 +17,7 @@ PackingSpec spec(bool isRemoved) {
   return {.bone = parametricBone(), .hardness = 0.5, .forceScale = 0.15, .isRemoved = isRemoved};
 }
 
-TEST(PackingModel, FeelsLikeTheMaterialAndHeals) {
+TEST(PackingModel, HasTheForceOfItsMaterialWithoutRemoval) {
   PackingModel model(spec(false));
   const auto curve = reaming::curveOf(parametricCurves(), 0.5);
   for (int round = 0; round < 2; ++round) {
@@ -58,7 +58,7 @@ TEST(RemovalModel, RendersTheMaterialOnceAndReportsRemovedSpheresToTheView) {
   EXPECT_TRUE(isToldAnew);
 }
 
-TEST(CompiledScene, ReportsChangesOfABoneOnlyWhereItIsVisualised) {
+TEST(CompiledScene, ReportsChangesOfABoneOnlyIfItIsVisualised) {
   SceneSpec scene{.model = spec(true)};
   EXPECT_EQ(CompiledScene(scene).bone(), nullptr);
   scene.isVisualised = true;

@@ -12,7 +12,7 @@
 namespace haptics::engine {
 namespace realtime_loop_test {
 
-TEST(RealtimeLoop, TicksAndReportsWhatItDid) {
+TEST(RealtimeLoop, TicksAndReportsItsTiming) {
   std::atomic<int> calls{0};
   RealtimeLoop loop({.rate = 1000.0}, [&](double dt, double lateness) {
     EXPECT_EQ(dt, 0.001);
@@ -96,7 +96,7 @@ class ThreadPacer final : public devices::Pacer {
   int pending_ = 0;
 };
 
-TEST(RealtimeLoop, GoesAtThePaceOfADeviceThatSetsIt) {
+TEST(RealtimeLoop, FollowsThePaceOfADevice) {
   ThreadPacer pacer;
   std::atomic<std::uint64_t> calls{0};
   RealtimeLoop loop({.rate = 20.0, .pacer = &pacer}, [&](double dt, double) {

@@ -63,7 +63,7 @@ TEST(RenderedSlope, OfAFilterIsSteeperThanTheTwoThatItFuses) {
   EXPECT_TRUE(passivity.isPassiveWith(devices::punchKind().mechanism.damping));
 }
 
-TEST(RenderedSlope, IsTheBoundOfACurveWhereThereIsOne) {
+TEST(RenderedSlope, IsTheBoundOfACurveIfThereIsOne) {
   const auto elements = slopeOf(publishedElements(5), 1000.0);
   EXPECT_TRUE(elements.isProved);
   EXPECT_DOUBLE_EQ(elements.steepest, 12.0 / 7.0);
@@ -72,7 +72,7 @@ TEST(RenderedSlope, IsTheBoundOfACurveWhereThereIsOne) {
   EXPECT_TRUE(renderedSlope({.model = bone}, devices::reamerKind(), 1000.0).isProved);
 }
 
-TEST(RenderedSlope, SeesTheJumpAtTheEndOfACut) {
+TEST(RenderedSlope, FindsTheJumpAtTheEndOfACut) {
   auto cut = publishedInterpolation();
   cut.options.beyond = models::BeyondCurve::Zero;
   const auto slope = slopeOf(cut, 1000.0);

@@ -49,7 +49,7 @@ TEST_P(PunchProgramLatches, UntilItIsArmedAgain) {
   EXPECT_EQ(state().faults, 0);
 }
 
-TEST_P(PunchProgramLatches, BeginsToLetGoInTheSameLoop) {
+TEST_P(PunchProgramLatches, ReducesTheForceInTheSameIteration) {
   greetAndArm();
   ASSERT_EQ(hold(6000, 10), 6000);
   if (GetParam().fault == kTooFast) return;  // takes some loops to be seen
@@ -75,7 +75,7 @@ TEST_F(PunchProgramFaultsTest, LatchesADriverThatIsStillBrokenAgain) {
   EXPECT_TRUE(has(kDriverFault));
 }
 
-TEST_F(PunchProgramFaultsTest, TakesAnyCountsForWhatTheyAre) {
+TEST_F(PunchProgramFaultsTest, AcceptsAnyCountsOfTheEncoder) {
   greetAndArm();
   constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
   for (const std::int32_t position : {kMost, 0, -kMost - 1, 20'000'000, -20'000'000}) {
@@ -89,7 +89,7 @@ TEST_F(PunchProgramFaultsTest, TakesAnyCountsForWhatTheyAre) {
   }
 }
 
-TEST_F(PunchProgramFaultsTest, CountsOnWhereTheEncoderGoesRound) {
+TEST_F(PunchProgramFaultsTest, CountsOnWhenTheEncoderWrapsAround) {
   bench_.position = std::numeric_limits<std::int32_t>::max() - 250;
   program_.emplace(bench_, limits());
   greetAndArm();
@@ -102,7 +102,7 @@ TEST_F(PunchProgramFaultsTest, CountsOnWhereTheEncoderGoesRound) {
   EXPECT_EQ(state().faults, 0);
 }
 
-TEST_F(PunchProgramFaultsTest, AllowsWhatAHandDoes) {
+TEST_F(PunchProgramFaultsTest, AllowsTheMovementsOfAHand) {
   greetAndArm();
   for (int i = 0; i < 100; ++i) {
     bench_.position += 100;  // 100,000 counts/s

@@ -217,7 +217,7 @@ TEST_F(PunchRendersTest, RendersOnlyTheSceneThatIsMeant) {
   EXPECT_FALSE(state().isRendering);
 }
 
-TEST_F(PunchRendersTest, RendersNothingOfASceneThatIsIncompleteOrNone) {
+TEST_F(PunchRendersTest, RendersNoIncompleteOrMissingScene) {
   greet();
   bench_.position = 1300;
   steps(20);
@@ -230,7 +230,7 @@ TEST_F(PunchRendersTest, RendersNothingOfASceneThatIsIncompleteOrNone) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(render(0), 0);
 }
 
-TEST_F(PunchRendersTest, StopsToRenderWhenItIsNotToldToGoOn) {
+TEST_F(PunchRendersTest, StopsRenderingWithoutCommands) {
   greet();
   bench_.position = 1300;
   steps(20);

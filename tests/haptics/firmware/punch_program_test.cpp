@@ -87,7 +87,7 @@ TEST_F(PunchProgramTest, MovesNoFurtherThanFiveMillisecondsAfterALongerPause) {
   EXPECT_EQ(step(1'000'000), 5 * 1200);
 }
 
-TEST_F(PunchProgramTest, SaturatesAndSaysSo) {
+TEST_F(PunchProgramTest, ReportsSaturation) {
   greetAndArm();
   for (const int asked : {12001, 32767, -32768}) {
     EXPECT_EQ(hold(asked, 30), asked > 0 ? 12000 : -12000);
@@ -97,7 +97,7 @@ TEST_F(PunchProgramTest, SaturatesAndSaysSo) {
   }
 }
 
-TEST_F(PunchProgramTest, LetsGoWhenAForceExpires) {
+TEST_F(PunchProgramTest, SwitchesTheForceOffWhenItExpires) {
   greetAndArm();
   for (const std::uint8_t expiry : std::initializer_list<std::uint8_t>{1, 5, 10, 20}) {
     ASSERT_EQ(hold(12000, 30, expiry), 12000);
@@ -191,7 +191,7 @@ TEST_F(PunchProgramTest, IsNotDisturbedWhenTheClockWraps) {
   EXPECT_EQ(said_.count(EventCode::WatchdogFired), 0);
 }
 
-TEST_F(PunchProgramTest, LetsGoInTimeWhereTheClockWrapsMeanwhile) {
+TEST_F(PunchProgramTest, SwitchesTheForceOffInTimeWhenTheClockWraps) {
   begin(limits(), 0U - 27'500U);
   greetAndArm();
   ASSERT_EQ(hold(6000, 20), 6000);  // five milliseconds are left

@@ -108,7 +108,7 @@ TEST(CutDetector, FindsThePointsOfThePrintedReferenceCut) {
   EXPECT_EQ(cut.opening.travel, 10.820);
 }
 
-TEST(CutDetector, SaysEachPointOnceAndInOrder) {
+TEST(CutDetector, ReportsEachPointOnceAndInOrder) {
   Detector detector;
   const std::vector<Event> expected{
       Event::Interception, Event::Yield, Event::BottomOut, Event::Opening, Event::CutCompleted};
@@ -147,7 +147,7 @@ TEST(CutDetector, CountsNoCutThatWasNotClosed) {
   EXPECT_FALSE(detector.cut().interception.found);
 }
 
-TEST(CutDetector, FindsNoPointsWhereNothingWasCut) {
+TEST(CutDetector, FindsNoPointsWithoutACut) {
   const Detector::Cut cut = cutAlong({{0.0, 0.0}, {10.5, 0.0}, {0.0, 0.0}});
 
   EXPECT_FALSE(cut.interception.found);
@@ -157,7 +157,7 @@ TEST(CutDetector, FindsNoPointsWhereNothingWasCut) {
   EXPECT_EQ(cut.peakForce, 0.0);
 }
 
-TEST(CutDetector, TakesAHandThatLetsGoForNoYield) {
+TEST(CutDetector, FindsNoYieldWhenTheHandLetsGo) {
   const Detector::Cut cut =
       cutAlong({{0.0, 0.0}, {4.0, 0.0}, {10.5, 6.0}, {10.5, 1.0}, {9.0, 0.0}, {0.0, 0.0}});
 
@@ -167,7 +167,7 @@ TEST(CutDetector, TakesAHandThatLetsGoForNoYield) {
   expectAt(cut.opening, 10.5, 6.0);
 }
 
-TEST(CutDetector, HasNoOpeningWhereTheForceNeverRoseAgain) {
+TEST(CutDetector, HasNoOpeningIfTheForceNeverRisesAgain) {
   const Detector::Cut cut =
       cutAlong({{0.0, 0.0}, {4.0, 0.0}, {6.0, 4.0}, {10.5, 2.0}, {9.0, 0.0}, {0.0, 0.0}});
 
@@ -193,7 +193,7 @@ TEST(CutDetector, StartsFromAnyBiasOfTheSensor) {
   expectAt(cut.bottomOut, 10.3, 6.06);
 }
 
-TEST(CutDetector, ForgetsATouchThatWasLetGo) {
+TEST(CutDetector, ForgetsATouchWithoutACut) {
   const Detector::Cut cut = cutAlong(
       {{0.0, 0.0},
        {1.0, 0.0},
@@ -216,7 +216,7 @@ TEST(CutDetector, KeepsTheLargerOfTwoTouchesInOneClosure) {
   expectAt(cut.opening, 10.0, 3.0);
 }
 
-TEST(CutDetector, TakesAYieldBackWhereTheForceClimbsFurther) {
+TEST(CutDetector, RetractsAYieldIfTheForceRisesFurther) {
   Detector detector;
   const std::vector<Event> events = eventsOf(
       detector,
@@ -272,7 +272,7 @@ TEST(CutDetector, FollowsAHandThatEasesAndClosesFurther) {
   expectAt(cut.opening, 10.6, 5.5);
 }
 
-TEST(CutDetector, IsNotMovedByWhatIsNoNumber) {
+TEST(CutDetector, IgnoresNaN) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Detector detector;

@@ -157,7 +157,7 @@ double stiffnessOf(const std::vector<double>& stiffnesses, double tool, ToolWeig
       .stiffness();
 }
 
-TEST(FiniteElementContrast, KnowsElementsOfNoStiffnessAndOfAll) {
+TEST(FiniteElementContrast, AllowsZeroAndInfiniteStiffness) {
   const double endless = std::numeric_limits<double>::infinity();
   for (const auto weights : {ToolWeights::Paper, ToolWeights::ExactKink}) {
     // Three elements, the tool at the middle of the second one: 1.5 of flexibility on each side.
@@ -171,7 +171,7 @@ TEST(FiniteElementContrast, KnowsElementsOfNoStiffnessAndOfAll) {
   }
 }
 
-TEST(FiniteElementContrast, YieldsAtOnceWhereTheTissueIsRigid) {
+TEST(FiniteElementContrast, YieldsAtOnceIfTheTissueIsRigid) {
   const double endless = std::numeric_limits<double>::infinity();
   const Elements rigid({.elementStiffness = endless});
   Elements::State state;

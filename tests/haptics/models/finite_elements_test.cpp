@@ -61,7 +61,7 @@ TEST(FiniteElements, ReproduceWhatTheAuthorsFirmwareRenders) {
   EXPECT_NEAR(stiffness(15, Boundary::B, ToolWeights::AuthorsFirmware), 1.147, 5e-4);
 }
 
-TEST(FiniteElements, HaveNoRippleWhereTheStringBendsAtTheTool) {
+TEST(FiniteElements, HaveNoRippleWithExactKink) {
   // Exactly a string of tension kᵉ/2, wherever the tool is; the paper's weights add up to 48 %
   // between the first midpoint and the last.
   double ripple = 0.0;
@@ -143,7 +143,7 @@ TEST(FiniteElements, AreElasticThenYieldAndNeverPull) {
   EXPECT_EQ(elements.at(1e300, state).force, 7.0);
 }
 
-TEST(FiniteElements, ReplayTheCutOnOpeningWhereTheForceIsClipped) {
+TEST(FiniteElements, ReplayTheCutOnOpeningWithClip) {
   const Elements elements({});
   Elements::State state;
   const double closing = elements.at(5.0, state).force;
@@ -151,7 +151,7 @@ TEST(FiniteElements, ReplayTheCutOnOpeningWhereTheForceIsClipped) {
   EXPECT_EQ(elements.at(5.0, state).force, closing);
 }
 
-TEST(FiniteElements, GiveWayForGoodWhereTheTissueReallyYields) {
+TEST(FiniteElements, DeformPermanentlyWithReturnMap) {
   const Elements elements({.yielding = Yielding::ReturnMap});
   Elements::State state;
   elements.at(10.0, state);
@@ -163,7 +163,7 @@ TEST(FiniteElements, GiveWayForGoodWhereTheTissueReallyYields) {
   EXPECT_DOUBLE_EQ(elements.at(5.0, state).force, elements.stiffness());
 }
 
-TEST(FiniteElements, TakeUpTheEnergyOfACutWhereTheTissueReallyYields) {
+TEST(FiniteElements, DissipateTheEnergyOfACutWithReturnMap) {
   const auto energyOf = [](Yielding yielding) {
     const Elements elements({.yielding = yielding});
     Elements::State state;
@@ -179,7 +179,7 @@ TEST(FiniteElements, TakeUpTheEnergyOfACutWhereTheTissueReallyYields) {
   EXPECT_NEAR(energyOf(Yielding::ReturnMap), 7.0 * (6.0 - 7.0 / stiffness), 0.02);
 }
 
-TEST(FiniteElements, HaveNoForceForWhatIsNoNumber) {
+TEST(FiniteElements, HaveNoForceForNaN) {
   Elements::State state;
   const auto response = Elements({}).at(std::nan(""), state);
   EXPECT_FALSE(response.isDefined);

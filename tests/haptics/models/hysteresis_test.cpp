@@ -108,7 +108,7 @@ TEST(Hysteresis, KnowsItsStiffness) {
   }
 }
 
-TEST(Hysteresis, HasNoForceForWhatIsNoNumber) {
+TEST(Hysteresis, HasNoForceForNaN) {
   const auto model = cut();
   Hysteresis<double>::State state;
   EXPECT_FALSE(model.at(std::nan(""), state).isDefined);

@@ -51,12 +51,12 @@ TEST(Interpolation, FadesBeyondItsEndsOverTheRamp) {
   EXPECT_DOUBLE_EQ(forceAt(50.0), 0.0);
 }
 
-TEST(Interpolation, HoldsOrDropsItsEndWhereAskedTo) {
+TEST(Interpolation, HoldsOrDropsItsEndOnRequest) {
   EXPECT_DOUBLE_EQ(forceAt(50.0, {.beyond = BeyondCurve::Hold}), 2.0);
   EXPECT_DOUBLE_EQ(forceAt(9.001, {.beyond = BeyondCurve::Zero}), 0.0);
 }
 
-TEST(Interpolation, HasNoForceForWhatIsNoNumber) {
+TEST(Interpolation, HasNoForceForNaN) {
   std::size_t hint = 2;
   const Curve curve(kNodes.data(), kNodes.size(), {.beyond = BeyondCurve::Hold});
   const auto response = curve.at(std::numeric_limits<double>::quiet_NaN(), hint);

@@ -106,7 +106,7 @@ TEST(KalmanFilter, EqualsTheTextbookWithMatricesInEveryScheme) {
   }
 }
 
-TEST(KalmanFilter, EqualsTheTextbookWhereTheProcessNoiseIsAsPrinted) {
+TEST(KalmanFilter, EqualsTheTextbookWithTheProcessNoiseAsPrinted) {
   Eigen::Matrix2d printed;
   printed << 7.0275, 0.02772, 0.2772, 6.1024;
   using Printed = KalmanFilter<double, TextbookCovariance>;
@@ -150,7 +150,7 @@ TEST(KalmanFilter, WeighsByTheMeasurementNoiseAlone) {
   }
 }
 
-TEST(KalmanFilter, WeighsBothAlikeOverTheWayWhereTheyAreEquallyCertain) {
+TEST(KalmanFilter, WeighsEquallyCertainForcesEquallyInTheSpaceDomain) {
   const Noise noise{.finiteElements = 0.32, .interpolation = 0.32};
   EXPECT_NEAR(weightOfInterpolation(KalmanScheme::SpaceDomain, noise, 0.001), 0.5, 0.005);
   EXPECT_NEAR(weightOfInterpolation(KalmanScheme::SpaceDomain, noise, 0.0), 0.5, 1e-3);
@@ -182,7 +182,7 @@ double forceAtSix(KalmanScheme scheme, double rate) {
   return force;
 }
 
-TEST(KalmanFilter, FeelsTheSameAtEveryRateOverTheWay) {
+TEST(KalmanFilter, IsIndependentOfTheRateInTheSpaceDomain) {
   const double slow = forceAtSix(KalmanScheme::SpaceDomain, 375.0);
   EXPECT_NEAR(forceAtSix(KalmanScheme::SpaceDomain, 1000.0), slow, 0.01);
   EXPECT_NEAR(forceAtSix(KalmanScheme::SpaceDomain, 4000.0), slow, 0.01);
@@ -207,7 +207,7 @@ TEST(KalmanFilter, ForgetsWhenReset) {
   }
 }
 
-TEST(KalmanNoise, SaysWhyAFilterCannotBeRunWithIt) {
+TEST(KalmanNoise, GivesAReasonIfItIsInvalid) {
   const auto why = [](const Noise& noise) {
     const char* reason = noise.whyUnsound();
     return std::string(reason == nullptr ? "" : reason);

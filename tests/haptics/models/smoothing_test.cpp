@@ -5,7 +5,7 @@
 namespace haptics::models {
 namespace smoothing_test {
 
-TEST(MovingAverage, ChangesNothingWhereThereIsNone) {
+TEST(MovingAverage, ChangesNothingIfThereIsNone) {
   MovingAverage<double> average(Smoothing::None);
   EXPECT_EQ(average.feed(1.0), 1.0);
   EXPECT_EQ(average.feed(5.0), 5.0);

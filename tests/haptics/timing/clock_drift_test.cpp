@@ -24,7 +24,7 @@ TEST(ClockDrift, IsFoundUnderDelaysThatAreOftenLong) {
   }
 }
 
-TEST(ClockDrift, ReportsNothingBeforeThreeWindows) {
+TEST(ClockDrift, IsUndefinedBeforeThreeWindows) {
   ClockDrift drift;
   EXPECT_FALSE(drift.partsPerMillion());
   for (std::int64_t i = 0; i < 1000; ++i) drift.add(1'000'000 * i, 1'000'000 * i);

@@ -25,7 +25,7 @@ TEST(LatenessHistogram, NeverUnderstates) {
   }
 }
 
-TEST(LatenessHistogram, TakesWhatIsEarlyOrNoNumberForPunctual) {
+TEST(LatenessHistogram, CountsEarlyTicksAndNaNAsPunctual) {
   LatenessHistogram histogram;
   histogram.add(-5.0);
   histogram.add(__builtin_nan(""));
@@ -33,7 +33,7 @@ TEST(LatenessHistogram, TakesWhatIsEarlyOrNoNumberForPunctual) {
   EXPECT_EQ(histogram.largest(), 0.0);
 }
 
-TEST(LatenessHistogram, SaysNothingOfNothing) {
+TEST(LatenessHistogram, IsZeroWithoutTicks) {
   EXPECT_EQ(LatenessHistogram().quantile(0.99), 0.0);
 }
 

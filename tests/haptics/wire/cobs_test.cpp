@@ -33,7 +33,7 @@ TEST(Crc32, IsThatOfZlib) {
 }
 
 // The examples of the paper and of RFC-like collections: (plain, coded).
-TEST(Cobs, CodesWhatIsPublished) {
+TEST(Cobs, HasThePublishedEncodings) {
   EXPECT_EQ(stuffed({0x00}), (Bytes{0x01, 0x01}));
   EXPECT_EQ(stuffed({0x00, 0x00}), (Bytes{0x01, 0x01, 0x01}));
   EXPECT_EQ(stuffed({0x00, 0x11, 0x00}), (Bytes{0x01, 0x02, 0x11, 0x01}));

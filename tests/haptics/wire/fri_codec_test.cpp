@@ -23,7 +23,7 @@ CommandMessage observed() {
   return {.header = {kCommand, 599, 599}, .data = CommandData{.jointPosition = kJoints}};
 }
 
-TEST(FriCodec, WritesAndReadsWhatWasObserved) {
+TEST(FriCodec, WritesAndReadsObservedMessages) {
   const Bytes expected = bytesOf(kObserved);
   ASSERT_EQ(expected.size(), 79U);
   EXPECT_EQ(encoded(observed(), Version::V1_15), expected);
@@ -101,7 +101,7 @@ TEST(FriCodec, FramesWithTheChecksumOfZlib) {
   EXPECT_EQ(encoded(observed(), Version::V2_7), framed(bytesOf(kObserved)));
 }
 
-TEST(FriCodec, LeavesOutWhatAVersionDoesNotKnow) {
+TEST(FriCodec, LeavesOutFieldsThatAVersionDoesNotHave) {
   const MonitoringMessage whole = full();
   for (const std::string_view name : kVersionNames) {
     SCOPED_TRACE(name);
@@ -132,7 +132,7 @@ TEST(FriCodec, KnowsItsVersionsByName) {
   }
 }
 
-TEST(FriCodec, NeverSendsWhatIsNotFiniteOrDoesNotExist) {
+TEST(FriCodec, NeverSendsNonFiniteOrInvalidValues) {
   for (const double bad : {std::nan(""), double{INFINITY}, -double{INFINITY}}) {
     CommandMessage message = observed();
     message.data->jointTorque = kJoints;
@@ -206,7 +206,7 @@ TEST(FriCodec, PassesOverGroupsAsDeepAsProtobufDoes) {
       << "open at the end of its message";
 }
 
-TEST(FriCodec, RefusesWhatProtobufCannotRead) {
+TEST(FriCodec, RefusesInvalidProtobuf) {
   const std::string doubles = repeated("00", 48);
   EXPECT_EQ(
       refusalWith(

@@ -372,7 +372,7 @@ void expectSameBytes(unsigned seed, Version version, int times) {
   EXPECT_LT(tooLong, times / 4);
 }
 
-TEST(FriOracle, ReadsAndWritesWhatProtobufDoes) {
+TEST(FriOracle, ReadsAndWritesLikeProtobuf) {
   unsigned seed = 2707;
   for (const std::string_view name : kVersionNames) {
     SCOPED_TRACE(name);
@@ -549,7 +549,7 @@ void expectSameVerdict(
   }
 }
 
-TEST(FriOracle, SaysTheSameOfDamagedDatagramsAsProtobufDoes) {
+TEST(FriOracle, JudgesDamagedDatagramsLikeProtobuf) {
   const google::protobuf::LogSilencer quiet;  // it complains about names that are no UTF-8
   std::map<std::string_view, int> counts;
   unsigned seed = 3112;

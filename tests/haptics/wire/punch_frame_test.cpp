@@ -92,7 +92,7 @@ TEST(PunchCodec, RoundTripsEveryMessage) {
   EXPECT_EQ(roundTrip(Stop{StopReason::HostFault}).reason, StopReason::HostFault);
 }
 
-TEST(PunchCodec, RefusesWhatAMessageCannotHold) {
+TEST(PunchCodec, RefusesInvalidValuesOfMessages) {
   const auto isRead = [](const auto& message, auto into) {
     FrameDecoder decoder;
     Frame frame;
@@ -150,7 +150,7 @@ TEST(FrameDecoder, TakesNoFrameLongerThanAnyMessage) {
   EXPECT_EQ(framesIn(onWire(Stop{}), decoder).size(), 1U);
 }
 
-TEST(FrameDecoder, SeesEverySingleDamagedBit) {
+TEST(FrameDecoder, DetectsEverySingleDamagedBit) {
   const Bytes good = onWire(SetForce{.voltage = 4321, .expiry = 10}, 77, 88);
   for (size_t bit = 0; bit < 8 * (good.size() - 1); ++bit) {
     Bytes bytes = good;

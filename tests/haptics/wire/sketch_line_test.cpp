@@ -57,7 +57,7 @@ TEST(SketchLine, ReadsForces) {
   EXPECT_DOUBLE_EQ(forces.average, 3.85);
 }
 
-TEST(SketchLine, RefusesWhatIsNoSuchLine) {
+TEST(SketchLine, RefusesOtherLines) {
   for (const std::string_view line :
        {"",
         "\r\n",

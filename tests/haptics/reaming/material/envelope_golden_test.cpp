@@ -42,7 +42,7 @@ double measuredAt(const Series& series, double depth) {
   return sum / count;
 }
 
-TEST(FittedMaterial, IsWhatWasMeasuredAtItsDepths) {
+TEST(FittedMaterial, EqualsTheMeasurementsAtTheirDepths) {
   const auto study = staticTests();
   const auto fit = fitMaterial(study, {});
   const auto& force = fit.sets[0].force;

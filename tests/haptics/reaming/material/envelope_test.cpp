@@ -101,7 +101,7 @@ TEST(Envelope, BlendsOutASpecimenThatStalled) {
   EXPECT_EQ(envelope.held[11], 0);
 }
 
-TEST(Envelope, FallsNowhereBecauseASpecimenLeaves) {
+TEST(Envelope, NeverFallsBecauseASpecimenEnds) {
   // The hardest leaves at 1 mm; what is left rises, but to 1.6 mm not above it.
   const std::vector specimens{
       specimen(line(50.0, 5.0, 11)), specimen(line(20.0, 3.0, 41)), specimen(line(10.0, 2.0, 41))};
@@ -115,7 +115,7 @@ TEST(Envelope, FallsNowhereBecauseASpecimenLeaves) {
   EXPECT_NEAR(curves.average.y[40], 0.5 * (140.0 + 90.0), 1e-9);
 }
 
-TEST(Envelope, FallsWhereTheSpecimensThatAreLeftDo) {
+TEST(Envelope, FallsWithTheRemainingSpecimens) {
   auto softening = line(60.0, 0.0, 21);
   for (std::size_t i = 0; i < 20; ++i) softening.push_back(60.0 - 2.0 * static_cast<double>(i + 1));
   const std::vector specimens{specimen(line(100.0, 0.0, 11)), specimen(softening)};
@@ -124,7 +124,7 @@ TEST(Envelope, FallsWhereTheSpecimensThatAreLeftDo) {
   EXPECT_NEAR(maximum.y[40], 60.0, 1e-9);
 }
 
-TEST(Envelope, OfThosePresentStepsWhereATestEnds) {
+TEST(Envelope, OfPresentSpecimensHasAStepWhereATestEnds) {
   const std::vector specimens{specimen({5.0, 9.0}), specimen({1.0, 2.0, 3.0})};
   const auto envelope = presentEnvelopeOf(specimens, EnvelopeRule::Pointwise);
   EXPECT_EQ(envelope.curves.maximum.y, (std::vector<double>{5.0, 9.0, 3.0}));

@@ -29,7 +29,7 @@ TEST(Exclusion, FindsThePapersTenOfSeventyTwoAndNoOther) {
   }
 }
 
-TEST(Exclusion, SaysWhatIsWrongWithWhatIsNoMeasurement) {
+TEST(Exclusion, GivesAReasonForInvalidData) {
   const auto sound = syntheticSeries({});
   const auto wordsOf = [](const Series& series) {
     const auto exclusion = exclusionOf(series);

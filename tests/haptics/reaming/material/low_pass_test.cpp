@@ -51,7 +51,7 @@ TEST(ZeroPhaseLowPass, LeavesStraightLinesAsTheyAreUpToTheEnds) {
   }
 }
 
-TEST(ZeroPhaseLowPass, RefusesACutoffThatIsNone) {
+TEST(ZeroPhaseLowPass, RefusesAnInvalidCutoff) {
   const std::vector<double> samples(100, 1.0);
   for (const double cutoff : {0.0, -1.0, 50.0, 1e9, std::nan("")}) {
     EXPECT_THROW(zeroPhaseLowPass(samples, kRate, cutoff), std::invalid_argument) << cutoff;

@@ -151,7 +151,7 @@ Series ramp(double start, double slope, double end) {
   return series;
 }
 
-TEST(MaterialFit, SaysWhereCurvesCrossAndWhatKeepsTheirOrder) {
+TEST(MaterialFit, ReportsWhereCurvesCrossAndTheRemedy) {
   const std::vector study{ramp(30.0, 10e3, 0.010), ramp(10.0, 20e3, 0.010)};
   const FitOptions options{
       .envelope = EnvelopeRule::SingleSample, .spline = SplineKind::NaturalCubic};
@@ -227,7 +227,7 @@ TEST(MaterialFit, TakesTheNodesOfAnotherSpline) {
   EXPECT_NE(nodesWith(SplineKind::HermiteDataSlope, {}), ofCubic);
 }
 
-TEST(MaterialFit, LeavesASetOutOfWhichNothingIsLeft) {
+TEST(MaterialFit, LeavesOutASetWithoutValidSeries) {
   const std::vector study{syntheticSeries({.mishap = Mishap::FeedChange})};
   const auto fit = fitMaterial(study, {});
   EXPECT_TRUE(fit.sets.empty());

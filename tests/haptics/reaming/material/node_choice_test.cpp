@@ -62,7 +62,7 @@ TEST(NodeChoice, MeetsTheErrorThatWasWanted) {
   }
 }
 
-TEST(NodeChoice, MeetsTheErrorOfTheSplineThatIsAskedFor) {
+TEST(NodeChoice, MeetsTheErrorOfTheRequestedSpline) {
   const auto curve = curveOfSpecimen(2000);
   for (const auto kind : kKinds) {
     for (const double wanted : {0.41, 0.05, 0.01}) {
@@ -75,7 +75,7 @@ TEST(NodeChoice, MeetsTheErrorOfTheSplineThatIsAskedFor) {
   }
 }
 
-TEST(NodeChoice, SaysWhereTheErrorIsNotMet) {
+TEST(NodeChoice, ReportsIfTheErrorIsNotMet) {
   const auto curve = curveOfSpecimen(2000);
   const auto choice = chooseNodes(curve, wish(1e-6, NodeRule::Thinned));
   EXPECT_FALSE(choice.isMet);

@@ -114,7 +114,7 @@ TEST(DataSlopes, AreExactForAParabola) {
   }
 }
 
-TEST(ApproximationError, TellsThePapersErrorFromOneThatIsDefinedWhereTheForceIsNone) {
+TEST(ApproximationError, DistinguishesThePapersErrorFromOneDefinedAtZeroForce) {
   auto curve = sampled(cubic, 2.0, 201);
   curve.y[3] = 1e-9;  // nearly nothing: the published error explodes there
   const auto spline = through(curve, 10, SplineKind::Linear);

@@ -21,7 +21,7 @@ void expectMentions(const std::string& text, const std::string& words) {
   EXPECT_NE(text.find(words), std::string::npos) << text << "\n  does not mention: " << words;
 }
 
-TEST(SeriesText, ComesBackAsItWas) {
+TEST(SeriesText, IsReadBackUnchanged) {
   const auto series = syntheticSeries({.seed = 2});
   const auto back = readSeries(asText(series), series.name, {});
   EXPECT_NEAR(back.rate, 100.0, 1e-9);
@@ -44,7 +44,7 @@ TEST(SeriesText, ReadsATableAsAGermanMachineWritesIt) {
   EXPECT_TRUE(series.torque.empty());
 }
 
-TEST(SeriesText, TakesAMappingWhereTheHeadsSayNothing) {
+TEST(SeriesText, UsesAMappingForUnknownHeadings) {
   const std::string text = "a\tb\tc\n0\t0\t1\n0.01\t2\t3\n0.02\t4\t5\n";
   const SeriesMapping mapping{
       .heads = {{"time", "a"}, {"displacement", "b"}, {"force", "c"}},
@@ -53,7 +53,7 @@ TEST(SeriesText, TakesAMappingWhereTheHeadsSayNothing) {
   EXPECT_NEAR(series.displacement.back(), 4e-6, 1e-18);
 }
 
-TEST(SeriesText, KeepsTheMarkOfWhatNobodyMeasured) {
+TEST(SeriesText, KeepsTheMarkOfSyntheticData) {
   EXPECT_TRUE(readSeries(asText(syntheticSeries({.seed = 2})), "s.csv", {}).isSynthetic);
   const std::string measured = "time_s,displacement_mm,force_n\n0,0,1\n0.01,1,2\n0.02,2,3\n";
   EXPECT_FALSE(readSeries(measured, "m.csv", {}).isSynthetic);
@@ -71,7 +71,7 @@ TEST(SeriesText, RefusesWhatIsInAnotherUnit) {
       "the force goes to 800.0 kN");
 }
 
-TEST(SeriesText, SaysInASentenceWhatIsWrong) {
+TEST(SeriesText, DescribesErrorsInASentence) {
   const std::string head = "time_s,displacement_mm,force_n\n";
   expectMentions(complaintAbout(head + "0,0,1\n"), "has 1 rows below its head");
   expectMentions(complaintAbout(""), "has 0 rows");

@@ -41,7 +41,7 @@ const Problem& problem() {
   return made;
 }
 
-TEST(ContactMatrix, SaysWhatTheFieldFeels) {
+TEST(ContactMatrix, EqualsTheForceOfTheField) {
   const auto& p = problem();
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> density(0.0, 3e5);
@@ -116,7 +116,7 @@ struct Row {
   }
 };
 
-TEST(DensityFit, ReachesTheOptimumFromAPriorOfNothing) {
+TEST(DensityFit, ReachesTheOptimumFromAZeroPrior) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Row row(seed);
     std::vector<double> rising;
@@ -170,7 +170,7 @@ TEST(DensityFit, TheSwarmReachesTheOptimumOfAFewLayersAndNotOfAllSpheres) {
   EXPECT_EQ(alone.densities, three.densities);
 }
 
-TEST(DensityFit, StandsACurveOfNothing) {
+TEST(DensityFit, AcceptsACurveOfZero) {
   const auto& p = problem();
   const std::vector<double> nothing(p.forces.size(), 0.0);
   EXPECT_EQ(fitBone(p.matrix, nothing).spheres.error, 0.0);
@@ -193,7 +193,7 @@ TEST(DensityFit, OfABoneByASwarmGivesEverySphereADensity) {
   EXPECT_NEAR(errorOf(p.matrix, alone.densities, p.forces), alone.spheres.error, 1e-9);
 }
 
-TEST(PackedBone, FeelsLikeItsMaterialAtEveryHardness) {
+TEST(PackedBone, HasTheForceOfItsMaterialAtEveryHardness) {
   PackedBone bone{.packing = problem().packing};
   const auto curve = [](double scale) {
     return CurveNodes{

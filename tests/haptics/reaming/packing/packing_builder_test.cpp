@@ -44,7 +44,7 @@ TEST(PackingBuilder, FindsEveryOverlapThatThereIs) {
   EXPECT_NEAR(flawsOf(packing, cup).overlap, worst, 1e-9);
 }
 
-TEST(PackingBuilder, IsTheSameForASeedHoweverManyThreads) {
+TEST(PackingBuilder, IsTheSameForASeedWithAnyNumberOfThreads) {
   const Acetabulum cup;
   const auto one = *pack(cup, {.count = 2000, .seed = 5, .threads = 1});
   const auto three = *pack(cup, {.count = 2000, .seed = 5, .threads = 3});
@@ -78,7 +78,7 @@ TEST(PackingBuilder, ReportsProgressAndCanBeCancelled) {
   EXPECT_EQ(told, 3);
 }
 
-TEST(PackingBuilder, RefusesWhatMakesNoSense) {
+TEST(PackingBuilder, RefusesInvalidOptions) {
   const Acetabulum cup;
   const PackingOptions wrong[]{
       {},

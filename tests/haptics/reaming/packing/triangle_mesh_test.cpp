@@ -53,7 +53,7 @@ TEST(TriangleMesh, ABoxHasAnInside) {
   EXPECT_EQ(likelyUnit(box({}, {1e-4, 1e-4, 1e-4})), 0.0);
 }
 
-TEST(TriangleMesh, SaysWhatKeepsItFromHavingOne) {
+TEST(TriangleMesh, GivesTheReasonsWhyItHasNoInterior) {
   auto open = box({}, {0.03, 0.02, 0.01});
   open.triangles.pop_back();
   EXPECT_NE(all(problemsOf(open)).find("open: 3 edges"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(TriangleMesh, CutsItselfAlsoWhereOnlyEdgesMeet) {
   EXPECT_NE(all(problemsOf(cut)).find("cuts itself"), std::string::npos);
 }
 
-TEST(TriangleMesh, IsNotMendedWhereACornerIsNowhere) {
+TEST(TriangleMesh, IsNotRepairedIfAVertexIsNaN) {
   auto mesh = box({}, {0.03, 0.02, 0.01});
   mesh.vertices[0].x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(repair(mesh).empty());
@@ -144,7 +144,7 @@ double exactly(Vec3 p, Vec3 high) {
   return -length(off);
 }
 
-TEST(MeshSolid, KnowsEveryDistanceOfABox) {
+TEST(MeshSolid, HasEveryDistanceOfABox) {
   const Vec3 high{0.03, 0.02, 0.01};
   const MeshSolid solid(box({}, high));
   std::mt19937_64 random(1);
