@@ -60,6 +60,7 @@ std::string SimulatedParticipant::preferred(
                           step.phase == phase->block &&
                           std::find(labels.begin(), labels.end(), label) != labels.end();
     if (!isChoice) continue;
+    // direct comparison is assumed to spread half as much as an answer on a scale
     const double felt = realismOf(step.condition) +
                         0.5 * truth_.answerDeviation * stream(purpose + "/" + label).normal();
     if (felt > most) {

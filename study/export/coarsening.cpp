@@ -17,6 +17,7 @@ using questionnaires::Option;
 double roundWidth(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double times : {1.0, 2.0, 5.0}) {
+    // with the tolerance, a rounding error in `power` does not lead to the next wider band
     if (times * power >= least * (1.0 - 1e-12)) return times * power;
   }
   return 10.0 * power;
@@ -88,6 +89,7 @@ void Coarsening::addOptions(const Item& item, std::string_view language) {
 }
 
 std::string Coarsening::band(double from, double width) const {
+  // nine decimals remove the rounding errors of sums of widths; + 0.0 makes -0 a plain 0
   const auto rounded = [](double value) { return exactly(std::round(value * 1e9) / 1e9 + 0.0); };
   return rounded(from) + " to " +
          (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));

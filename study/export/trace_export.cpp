@@ -94,6 +94,7 @@ std::size_t writeTraces(Study& study, const fs::path& folder, const ExportOption
     const auto session = sessions.find(trial.step.visit.session);
     if (session == sessions.end() || trial.traceSamples == 0) continue;
     const auto samples = traces.read(trial.step.visit);
+    // simulations without torque record zeros; their files do not get the columns
     const bool hasTorque = std::any_of(samples.begin(), samples.end(), [](const auto& sample) {
       return sample.desiredTorque != 0.0F || sample.torque != 0.0F;
     });

@@ -46,10 +46,13 @@ std::vector<AxisScale::Tick> AxisScale::ticks(int wanted) const {
 
 std::vector<AxisScale::Tick> AxisScale::decades() const {
   std::vector<Tick> ticks;
+  // the tolerance keeps the decades at the ends of the axis in spite of rounding errors
   const int first = static_cast<int>(std::ceil(least_ - 1e-9));
   const int last = static_cast<int>(std::floor(most_ + 1e-9));
+  // at most nine labels, so that they do not overlap
   const int stride = std::max(1, (last - first + 7) / 8);
   const bool isShort = most_ - least_ < 1.6;
+  // one decade early: its 2 and 5 may lie on a short axis
   for (int decade = first - 1; decade <= last; decade += stride) {
     const double power = std::pow(10.0, decade);
     if (decade >= first) ticks.push_back({power, powerOfTen(decade)});
@@ -75,6 +78,7 @@ std::vector<AxisScale::Tick> AxisScale::steps(int wanted) const {
     }
   }
   for (double at = std::ceil(least_ / step - 1e-9) * step; at <= most_ + 1e-9 * step; at += step) {
+    // near zero, the sum of steps leaves a rounding error, which would be the label
     const double value = std::abs(at) < 1e-9 * step ? 0.0 : at;
     ticks.push_back({value, QString::number(value)});
   }
