@@ -8,7 +8,7 @@ namespace analysis {
 // The smallest exact two-sided p that any answers can give: with few participants it may be above
 // the level of significance. log₁₀ is right also where p is too small for a double.
 
-/// An exact p at its smallest.
+/// The smallest value that an exact p can have.
 struct AttainableP {
   double p = 1.0;
   double log10P = 0.0;

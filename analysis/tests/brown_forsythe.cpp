@@ -30,7 +30,7 @@ void tidy(std::vector<std::vector<double>>& groups) {
 }
 
 std::vector<double> deviationsOf(const std::vector<double>& values) {
-  constexpr double kQuarter = 0.25;  // so that no deviation overflows; F does not mind
+  constexpr double kQuarter = 0.25;  // so that no deviation overflows; F is the same for any scale
   const double median = kQuarter * medianOf(values);
   std::vector<double> deviations;
   deviations.reserve(values.size());

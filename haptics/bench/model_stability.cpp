@@ -172,7 +172,7 @@ StateTally attackAll(
   return tally;
 }
 
-/// An hour at 1 kHz on a hand that does not move: the worst distance from what was felt at once.
+/// How far the force of a hand at rest drifts from its first value, e.g. in an hour at 1 kHz.
 double driftAtRest(const StabilityKernels& way, int scheme, long steps) {
   FilterAttack a{
       .q11 = 6.1024,

@@ -126,7 +126,7 @@ bool IiwaArm::setExternalWrench(const Wrench& wrench) noexcept {
 bool IiwaArm::step(double dt) noexcept {
   bool isSound = dt > 0.0 && dt <= kLongestStep;
   if (isSound) {
-    // A hair less, so that rounding does not add a step.
+    // Slightly less, so that rounding does not add a step.
     const int count = std::max(1, static_cast<int>(std::ceil(dt / kLongestSubstep - 1e-9)));
     for (int i = 0; i < count && isSound; ++i) isSound = advance(dt / count);
   }

@@ -80,7 +80,8 @@ class IiwaArm {
   bool setOverlayWrench(const devices::Wrench& wrench) noexcept;
   bool setOverlayTorque(const devices::JointVector& torque) noexcept;  ///< [N·m]
 
-  /// What the world does to the tool besides the hand, held. Not a number: none, and false.
+  /// External force and moment on the tool besides the hand's, held until the next call. NaN sets
+  /// them to zero and returns false.
   bool setExternalWrench(const devices::Wrench& wrench) noexcept;
 
   /// The hand on the tool; nullptr: none. It must outlive the arm or be removed with

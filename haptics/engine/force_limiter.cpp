@@ -67,7 +67,7 @@ ForceGate::Output ForceGate::step(const Input& input, double dt) noexcept {
     gain_ = std::max(0.0, gain_ - (input.missedPeriods - 1) * step);  // as if they had been ticked
   }
 
-  // One missing sample is held, by a hair more than a tick so that rounding does not decide.
+  // One missing sample is held, for slightly more than a tick so that rounding does not decide.
   const bool isBridged = output.reasons == NoSample && silence_ < 1.5 * dt;
   constexpr std::uint8_t kClosing = TooFast | Released | NoSample;
   if ((output.reasons & kClosing) != 0) {

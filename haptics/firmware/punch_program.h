@@ -204,7 +204,8 @@ class PunchProgram {
     say(answer);
   }
 
-  /// Counts and velocity; counts that no mechanism makes end all force.
+  /// Reads the encoder and estimates the velocity. A change of counts or a velocity that no
+  /// mechanism can reach is a fault, which ends all force.
   void observe() noexcept {
     const int32_t counts = hardware_.counts();
     const int32_t leap = way(lastCounts_, counts);

@@ -56,9 +56,9 @@ struct PreparedSeries {
   std::string name;
   TestSet set = TestSet::Dynamic1;
   Exclusion exclusion;
-  double cutoff = 0.0;               ///< of its low-pass [Hz]; 0 where there was none
-  double torqueCutoff = 0.0;         ///< of the torque's own [Hz]; 0 where there was none
-  double jitter = 0.0;               ///< of what the low-pass took from the force, RMS [N]
+  double cutoff = 0.0;               ///< of the force's low-pass [Hz]; 0: not filtered
+  double torqueCutoff = 0.0;         ///< of the torque's low-pass [Hz]; 0: not filtered
+  double jitter = 0.0;               ///< what the low-pass removed from the force, RMS [N]
   double largestDisplacement = 0.0;  ///< [m]
   bool isCensored = false;           ///< a static test that ended at its force limit
   SampledCurve force;                ///< filtered [N], at kPlaces of depth from the beginning [m]

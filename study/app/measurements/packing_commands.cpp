@@ -62,7 +62,7 @@ std::unique_ptr<reaming::Solid> bodyOf(const BuildCommand& command) {
   return std::make_unique<reaming::MeshSolid>(std::move(body.mesh));
 }
 
-void printMark(const reaming::PackedBone& bone) {
+void printSyntheticMark(const reaming::PackedBone& bone) {
   if (bone.isSynthetic) fmt::print("{}\n", syntheticMark(bone));
 }
 
@@ -124,7 +124,7 @@ int buildPacking(BuildCommand& command) {
       std::max(flaws.overlap, 0.0),
       std::max(flaws.protrusion, 0.0),
       command.out);
-  printMark(bone);
+  printSyntheticMark(bone);
   return 0;
 }
 
@@ -260,7 +260,7 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
   fmt::print(
       "{0} holds the bone. Put it beside a protocol and name it there: \"packing\": \"{0}\".\n",
       fs::path(command.out).filename().string());
-  printMark(bone);
+  printSyntheticMark(bone);
   if (!command.report.empty()) {
     writeDocument(command.report, "packing", packingReport(bone, report));
     fmt::print("{}/packing.html holds tables and figures.\n", command.report);

@@ -174,7 +174,7 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
   Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::None);
-  // A hair higher, and still 17.69 Hz: the best fit to the 76 printed angles.
+  // Slightly higher, and still 17.69 Hz: the best fit to the 76 printed angles.
   const KaiserLowPass filter({.cutoff = 17.6925});
   trace.travel = filter.filtered(trace.travel);
   const ProcessNoise found = ofTenCuts(trace);

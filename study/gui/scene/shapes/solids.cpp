@@ -48,7 +48,7 @@ void cap(Mesh& mesh, std::size_t corners, std::size_t at, bool isFirst) {
   }
 }
 
-void turnRightWayOut(Mesh& mesh) {
+void orientOutwards(Mesh& mesh) {
   if (volumeOf(mesh) >= 0.0) return;
   for (auto& t : mesh.triangles) std::swap(t.b, t.c);
 }
@@ -61,7 +61,7 @@ Mesh loft(const std::vector<Ring>& rings) {
   for (std::size_t i = 0; i + 1 < rings.size(); ++i) join(mesh, corners, i, i + 1);
   cap(mesh, corners, 0, true);
   cap(mesh, corners, rings.size() - 1, false);
-  turnRightWayOut(mesh);
+  orientOutwards(mesh);
   return mesh;
 }
 
@@ -70,7 +70,7 @@ Mesh loop(const std::vector<Ring>& rings) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     join(mesh, rings.front().size(), i, (i + 1) % rings.size());
   }
-  turnRightWayOut(mesh);
+  orientOutwards(mesh);
   return mesh;
 }
 
