@@ -74,8 +74,8 @@ class RestrictedDeviance {
   std::vector<Eigen::Index> from_;    ///< its first level among the random effects
   double offset_ = 0.0;               ///< y of the first answer, taken from all
   double sumOfSquares_ = 0.0;         ///< of y around its mean
-  double leastSquares_ = 0.0;         ///< of what the fixed effects leave
-  Eigen::VectorXd rest_;              ///< what they leave
+  double leastSquares_ = 0.0;         ///< sum of squares of rest_
+  Eigen::VectorXd rest_;              ///< y without the fixed effects
   Eigen::MatrixXd triangle_;          ///< X = orthonormal × triangle
   Eigen::VectorXd coefficients_;      ///< of least squares, orthonormal
   Eigen::MatrixXd ztz_;

@@ -6,7 +6,7 @@
 namespace haptics::emulators {
 namespace {
 
-constexpr double kHair = 1e-9;  // so that rounding at a limit does not decide
+constexpr double kTolerance = 1e-9;  // so that rounding at a limit does not decide
 
 int numberOf(std::size_t joint) noexcept {
   return static_cast<int>(joint) + 1;
@@ -48,10 +48,10 @@ FriVerdict FriJudge::judgePosition(
     const wire::fri::Joints& before,
     double seconds) const noexcept {
   for (std::size_t i = 0; i < position.size(); ++i) {
-    if (!(std::abs(position[i]) <= arm_.maxPosition[i] + kHair)) {
+    if (!(std::abs(position[i]) <= arm_.maxPosition[i] + kTolerance)) {
       return {.end = FriEnd::PositionLimit, .joint = numberOf(i)};
     }
-    if (!(std::abs(position[i] - before[i]) <= arm_.maxVelocity[i] * seconds + kHair)) {
+    if (!(std::abs(position[i] - before[i]) <= arm_.maxVelocity[i] * seconds + kTolerance)) {
       return {.end = FriEnd::PositionLeap, .joint = numberOf(i)};
     }
   }
@@ -60,7 +60,7 @@ FriVerdict FriJudge::judgePosition(
 
 FriVerdict FriJudge::judgeTorque(const wire::fri::Joints& torque) const noexcept {
   for (std::size_t i = 0; i < torque.size(); ++i) {
-    if (!(std::abs(torque[i]) <= arm_.maxTorque[i] + kHair)) {
+    if (!(std::abs(torque[i]) <= arm_.maxTorque[i] + kTolerance)) {
       return {.end = FriEnd::TorqueLimit, .joint = numberOf(i)};
     }
   }
@@ -70,7 +70,8 @@ FriVerdict FriJudge::judgeTorque(const wire::fri::Joints& torque) const noexcept
 FriVerdict FriJudge::judgeWrench(const wire::fri::Vector6& wrench) const noexcept {
   const double force = std::hypot(wrench[0], wrench[1], wrench[2]);
   const double moment = std::hypot(wrench[3], wrench[4], wrench[5]);
-  const bool isWithin = force <= limits_.maxForce + kHair && moment <= limits_.maxMoment + kHair;
+  const bool isWithin =
+      force <= limits_.maxForce + kTolerance && moment <= limits_.maxMoment + kTolerance;
   return {.end = isWithin ? FriEnd::None : FriEnd::WrenchLimit};
 }
 

@@ -67,7 +67,7 @@ class JitterNoise {
 /// evaluates a single cubic.
 class MaterialModel final : public ForceModel {
  public:
-  /// @param spec  sound.
+  /// @param spec  valid, see problemsOf().
   explicit MaterialModel(const MaterialSpec& spec);
 
   models::Response<double> respond(const ToolState& tool) noexcept override {
@@ -98,7 +98,7 @@ std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& sp
 /// A bone of spheres that stays as it is: a force for every depth of the plunge.
 class PackingModel final : public ForceModel {
  public:
-  /// @param spec  sound.
+  /// @param spec  valid, see problemsOf().
   explicit PackingModel(const PackingSpec& spec);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -118,7 +118,8 @@ class PackingModel final : public ForceModel {
 /// A bone of spheres with removal by the reamer.
 class RemovalModel final : public ForceModel {
  public:
-  /// @param spec  sound. @param isSeen  it is drawn: only then is there a view of it.
+  /// @param spec  valid, see problemsOf().
+  /// @param isSeen  whether it is drawn: only then is there a view of it.
   explicit RemovalModel(const PackingSpec& spec, bool isSeen = false);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;

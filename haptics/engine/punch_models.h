@@ -16,7 +16,7 @@ namespace haptics::engine {
 /// The nodes of a curve with the index for searching them.
 class IndexedCurve {
  public:
-  /// @param nodes  sound.
+  /// @param nodes  valid, see problemsOf().
   IndexedCurve(
       std::vector<models::CurveNode<double>> nodes,
       const models::Interpolation<double>::Options& options);
@@ -38,7 +38,7 @@ class IndexedCurve {
 /// The recorded cut over travel; the opening branch exists only with hysteresis.
 class InterpolationModel final : public ForceModel {
  public:
-  /// @param spec  sound.
+  /// @param spec  valid, see problemsOf().
   explicit InterpolationModel(const InterpolationSpec& spec);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -66,7 +66,7 @@ class InterpolationModel final : public ForceModel {
 /// The elastic, ideally plastic reference.
 class FiniteElementModel final : public ForceModel {
  public:
-  /// @param spec  sound.
+  /// @param spec  valid, see problemsOf().
   explicit FiniteElementModel(FiniteElementsSpec spec)
       : spec_(std::move(spec)), elements_(spec_.asParameters()) {}
 
@@ -86,7 +86,7 @@ class FiniteElementModel final : public ForceModel {
 template <typename Filter>
 class KalmanModel final : public ForceModel {
  public:
-  /// @param spec  sound.
+  /// @param spec  valid, see problemsOf().
   KalmanModel(const KalmanSpec& spec, const typename Filter::Noise& noise);
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
@@ -116,7 +116,7 @@ extern template class KalmanModel<models::KalmanFilter<double, models::TextbookC
 /// alone) to 1 (the recording alone), for a hand that moves 0.02 travel units a step; the mean of
 /// two steps where both forces take turns. Smoothing changes nothing of it.
 ///
-/// @param spec  sound.
+/// @param spec  valid, see problemsOf().
 double interpolationWeight(const KalmanSpec& spec) noexcept;
 
 }  // namespace haptics::engine

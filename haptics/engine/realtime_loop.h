@@ -69,7 +69,7 @@ class RealtimeLoop {
     std::uint64_t lateTicks = 0;  ///< later than a whole period: at least one period was missed
     std::uint64_t lateTicksOfOurs = 0;  ///< … which this machine answers for, not a hole
     std::uint64_t missedPeriods = 0;
-    std::uint64_t holes = 0;                ///< late ticks that the machine below us caused
+    std::uint64_t holes = 0;                ///< late ticks that the host machine caused
     double longestHole = 0.0;               ///< [µs]
     bool knowsHoles = false;                ///< the kernel tells them apart
     double seconds = 0.0;                   ///< from the first tick to the last

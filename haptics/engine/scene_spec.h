@@ -139,7 +139,7 @@ enum class SeenTissue {
 
 /// The elements whose mesh shows a recorded cut: five alike, which begin to give way where the
 /// recorded force begins and are as stiff at the tool as the cut is on the way to its yield.
-/// @param cut  sound.
+/// @param cut  valid, see problemsOf().
 FiniteElementsSpec elementsLike(const InterpolationSpec& cut);
 
 /// Everything that is rendered and shown in a condition.

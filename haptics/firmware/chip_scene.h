@@ -10,7 +10,7 @@
 namespace haptics::firmware {
 
 /// A scene that the punch renders by itself: the models of the engine in single precision, with
-/// parameters that came over the wire. Nothing is rendered before all of it has come and is sound.
+/// parameters that came over the wire. Nothing is rendered before all of it has come and is valid.
 class ChipScene {
  public:
   /// Starts a new scene with @p model, whose payload was @p bytes.

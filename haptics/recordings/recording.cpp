@@ -120,7 +120,7 @@ std::string quoted(std::string_view piece) {
   return shown + (piece.size() > kLongestQuote ? "…'" : "'");
 }
 
-/// A line without what its end brought along.
+/// A line without '\r', '\\' and '}' at its end.
 struct Core {
   std::string_view text;
   bool hadBrace = false;

@@ -10,7 +10,7 @@
 /// checksum. Read so that a recording of it, or a punch that still runs it, can be looked at.
 namespace haptics::wire {
 
-/// How far the midpoints of the sketch's string have given way [travel units]: "y0,y1,…,yN-1".
+/// Displacements of the midpoints of the sketch's string [travel units]: "y0,y1,…,yN-1".
 struct SketchMesh {
   static constexpr std::size_t kMost = 64;  ///< the sketch has 5, its visualiser wants 10
   static constexpr double kStart = 0.5;     ///< of the string [string units]

@@ -8,11 +8,12 @@
 
 namespace questionnaires {
 
-/// An instrument as JSON says it (docs/questionnaire-format.md), and everything that is wrong with
-/// it, problemsOf() included; std::nullopt if there are errors. Warnings come once there are none.
+/// Reads an instrument from JSON (docs/questionnaire-format.md) and reports all problems, those of
+/// problemsOf() included; std::nullopt if there are errors. Warnings are only reported if there are
+/// no errors.
 std::optional<Instrument> readInstrument(std::string_view json, Problems& problems);
 
-/// The same, from one that must be sound.
+/// The same, from JSON that must be valid.
 /// @throws Error  listing all problems of the instrument called @p name.
 Instrument readSoundInstrument(std::string_view json, const std::string& name);
 

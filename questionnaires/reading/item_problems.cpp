@@ -9,7 +9,7 @@
 namespace questionnaires {
 namespace {
 
-/// One item under the lamp.
+/// Checks one item and reports its problems.
 class ItemInspection {
  public:
   ItemInspection(

@@ -66,7 +66,7 @@ Row rowIn(const Statement& statement) {
 struct EventText {
   std::string_view kind;  ///< one that ends with '_' matches all kinds with that prefix
   std::string_view english;
-  std::string_view counted = {};  ///< the value that selects ofOne if it is 1
+  std::string_view counted = {};  ///< the value with a singular: if it is 1, ofOne is used
   std::string_view ofOne = {};
 };
 

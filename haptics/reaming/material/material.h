@@ -24,7 +24,7 @@ struct HardnessCurves {
 /// The curve of a hardness h: minimum at 0, average at 0.5, maximum at 1, in between straight from
 /// one to the next. A cubic on every interval between the nodes of all three, exactly.
 ///
-/// @param curves  sound, not empty. @param h  in [0, 1].
+/// @param curves  valid, not empty. @param h  in [0, 1].
 CurveNodes curveOf(const HardnessCurves& curves, double h);
 
 /// The force of a curve at @p depth [m]; beyond its ends, that of the end.

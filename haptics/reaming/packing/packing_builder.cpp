@@ -259,7 +259,7 @@ class Builder {
   void fillAt(Vec3 place, const std::array<int, 3>& block, bool isMixed, double radius) {
     auto nearest = around(place, isMixed);
     double room = nearest.room();
-    if (room < -0.2 * radius) return;  // deep in something
+    if (room < -0.2 * radius) return;  // deep inside a sphere or outside the body
     constexpr int kMostMoves = 5;
     Vec3 best = place;
     Vec3 from = place;

@@ -1,4 +1,4 @@
-// What ships is sound, is what its description says, and is as balanced as it claims.
+// The library's protocols are valid, match their descriptions and are as balanced as they claim.
 #include "protocols/model/library.h"
 
 #include <algorithm>
