@@ -8,7 +8,7 @@
 namespace analysis {
 namespace {
 
-/// Where the spread comes from [4^exponent].
+/// Sums of squares between and within groups [4^exponent].
 struct Squares {
   int exponent = 0;
   DoubleDouble between;

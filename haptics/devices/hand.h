@@ -43,7 +43,7 @@ class SimulatedHand final : public Hand {
     std::uint64_t seed = 0;  ///< of these differences
   };
 
-  /// @throws std::invalid_argument  if a time or the stiffness makes no sense.
+  /// @throws std::invalid_argument  if a time or the stiffness is out of range.
   explicit SimulatedHand(const Person& person);
 
   double push(double travel, double velocity, double dt) noexcept override;

@@ -19,7 +19,7 @@ namespace haptics::devices {
 /// It moves when it is read: dt is its only clock. The hand must outlive it.
 class SimulatedDevice final : public Device {
  public:
-  /// @throws std::invalid_argument  if the mechanism makes no sense.
+  /// @throws std::invalid_argument  if the mechanism is not valid.
   SimulatedDevice(Capabilities capabilities, const Mechanism& mechanism, Hand& hand);
   /// One of @p kind as it is registered.
   SimulatedDevice(const DeviceKind& kind, Hand& hand);

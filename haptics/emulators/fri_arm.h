@@ -26,11 +26,11 @@ class FriArm {
     Eigen::Vector3d reamingAxis = Eigen::Vector3d::UnitZ();  ///< in the tool's axes
     wire::fri::ControlMode control = wire::fri::ControlMode::CartesianImpedance;
     wire::fri::ClientCommandMode command = wire::fri::ClientCommandMode::Wrench;
-    /// For control by either; the task frame's z is turned to the reaming axis. Along and about
-    /// that axis there is no spring: what is felt there is the overlay.
+    /// The task frame's z is turned to the reaming axis. There is no spring along and about that
+    /// axis, so the hand feels only the overlay there.
     CartesianImpedance cartesian{
         .stiffness{2000.0, 2000.0, 0.0, 200.0, 200.0, 0.0}, .damping{0.0, 0.0, 0.0, 0.0, 0.0, 1.0}};
-    /// No spring and next to no damper: the overlay alone, as for pure torque.
+    /// No spring and hardly any damping, so the hand feels only the overlay.
     JointImpedance joint{
         .stiffness = devices::JointVector::Zero(), .damping = devices::JointVector::Constant(1.0)};
     bool hasHand = true;
@@ -40,7 +40,7 @@ class FriArm {
     SurgeonHand::Grip grip;  ///< axis and start are set by the arm's own
   };
 
-  /// @throws std::invalid_argument  if something makes no sense, or a command mode lacks the
+  /// @throws std::invalid_argument  if an option is not valid, or a command mode lacks the
   /// control mode that it needs: a wrench Cartesian impedance, a torque joint impedance.
   explicit FriArm(const Options& options);
   FriArm(const FriArm&) = delete;
@@ -54,7 +54,7 @@ class FriArm {
   void beGripped() noexcept;
   void beLetGo() noexcept { arm_.setHand(nullptr); }
 
-  /// Follows a command that has been judged.
+  /// Follows a command that FriJudge has accepted.
   void obey(const wire::fri::CommandData& command) noexcept;
 
   /// @p dt [s], in (0, 0.1].

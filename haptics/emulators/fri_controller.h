@@ -50,7 +50,7 @@ class FriController {
     std::int64_t (*clock)() noexcept = monotonicTime;  ///< [ns], for latencies and zeroAt
   };
 
-  /// @throws std::invalid_argument  if the options make no sense.
+  /// @throws std::invalid_argument  if the options are not valid.
   /// @throws devices::NetworkError  if the local address cannot be had.
   explicit FriController(const Options& options);
 

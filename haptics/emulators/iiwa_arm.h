@@ -62,7 +62,7 @@ class IiwaArm {
  public:
   /// At rest at @p start [rad], and commanded to be there; by default it stands on a joint
   /// impedance.
-  /// @throws std::invalid_argument  if the start is out of limits or the mechanics make no sense.
+  /// @throws std::invalid_argument  if the start is out of limits or the mechanics are not valid.
   IiwaArm(
       const devices::IiwaKinematics& kinematics,
       const devices::JointVector& start,

@@ -65,7 +65,7 @@ class Impairment {
   };
 
   Impairment() : Impairment(Options{}) {}
-  /// @throws std::invalid_argument  if the options make no sense.
+  /// @throws std::invalid_argument  if the options are not valid.
   explicit Impairment(const Options& options);
 
   /// Any thread: the next @p howMany frames that can meet @p fault do, after those of earlier

@@ -43,7 +43,8 @@ class ClockDrift {
   /// A message that was stamped @p device and received at @p host, both [ns] and both rising.
   void add(std::int64_t device, std::int64_t host) noexcept;
 
-  /// How much faster our clock goes [parts per million]; nothing before three windows.
+  /// How much faster our clock goes [parts per million]; std::nullopt before the
+  /// third window.
   std::optional<double> partsPerMillion() const noexcept;
 
   /// Time of the device that is 0, on our clock [ns], from what was received first.

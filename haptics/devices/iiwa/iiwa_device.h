@@ -54,7 +54,7 @@ struct IiwaSettings {
 /// less, the device is faulted until open().
 class IiwaDevice final : public WireDevice {
  public:
-  /// @throws DeviceError  if the settings make no sense.
+  /// @throws DeviceError  if the settings are not valid.
   explicit IiwaDevice(IiwaSettings settings);
   ~IiwaDevice() override;
 

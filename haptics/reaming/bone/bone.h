@@ -31,7 +31,7 @@ struct BoneOptions {
 /// A step is bounded, allocates nothing and throws nothing.
 class Bone {
  public:
-  /// @throws std::invalid_argument  if packing, densities or options make no sense.
+  /// @throws std::invalid_argument  if packing, densities or options are not valid.
   Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options);
 
   struct Felt {

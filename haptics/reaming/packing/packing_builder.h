@@ -33,7 +33,7 @@ struct PackingProgress {
 ///
 /// @param goesOn  is called with the progress; false cancels. May be empty.
 /// @return std::nullopt if it was cancelled.
-/// @throws std::invalid_argument  if the options make no sense, or the body has no room for what is
+/// @throws std::invalid_argument  if the options are not valid, or the body has no room for what is
 /// asked for, in words.
 std::optional<Packing> pack(
     const Solid& body,

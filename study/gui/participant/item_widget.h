@@ -27,7 +27,7 @@ class ItemWidget : public QWidget {
 
   const questionnaires::Item& item() const noexcept { return item_; }
 
-  /// The response; nothing while the item is unanswered.
+  /// The response; std::nullopt while the item is unanswered.
   virtual std::optional<questionnaires::Response> response() const = 0;
   /// Shows an earlier response without emitting changed().
   virtual void show(const questionnaires::Response& response) = 0;
