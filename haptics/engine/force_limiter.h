@@ -80,8 +80,7 @@ class ForceLimiter {
 
 /// The gain of a force, from 0 to 1: 0 during a fault, and 1 only after a soft start.
 ///
-/// - A scene that is new, and a stop that is over, start softly: no force until the scene asks for
-/// a
+/// - A new scene, and the time after a stop, start softly: no force until the scene asks for a
 ///   small force, then more and more over the ramp. So does a hand that takes the switch again, and
 ///   one that has become slow again.
 /// - A sample that is missing is bridged by the last force for one tick; then the force fades.

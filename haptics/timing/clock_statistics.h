@@ -43,8 +43,8 @@ class ClockDrift {
   /// A message that was stamped @p device and received at @p host, both [ns] and both rising.
   void add(std::int64_t device, std::int64_t host) noexcept;
 
-  /// How much faster our clock goes [parts per million]; std::nullopt before the
-  /// third window.
+  /// How much faster our clock goes [parts per million]; std::nullopt before three
+  /// windows.
   std::optional<double> partsPerMillion() const noexcept;
 
   /// Time of the device that is 0, on our clock [ns], from what was received first.
