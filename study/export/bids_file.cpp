@@ -19,27 +19,15 @@ using Json = nlohmann::ordered_json;
 
 /// A cell of a tab-separated table. It cannot contain tabs or line breaks: they become spaces.
 std::string tsvCell(const Cell& cell) {
-  std::string text;
-  if (const auto* flag = std::get_if<bool>(&cell)) text = *flag ? "true" : "false";
-  if (const auto* whole = std::get_if<std::int64_t>(&cell)) text = std::to_string(*whole);
-  if (const auto* number = std::get_if<double>(&cell)) text = exactly(*number);
-  if (const auto* words = std::get_if<std::string>(&cell)) text = *words;
+  const auto* words = std::get_if<std::string>(&cell);
+  std::string text = words != nullptr ? *words : csvCell(cell);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
   return text.empty() ? "n/a" : text;
 }
 
 std::string asTsv(const ExportedTable& table) {
-  std::string text;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    text += (i == 0 ? "" : "\t") + table.columns[i].name;
-  }
-  text += '\n';
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : "\t") + tsvCell(row[i]);
-    text += '\n';
-  }
-  return text;
+  return asLines(table, '\t', [](const Cell& cell, const auto&) { return tsvCell(cell); });
 }
 
 Json sidecarOf(const ExportedTable& table) {

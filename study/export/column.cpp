@@ -19,20 +19,4 @@ std::string Readers::inTheirWords(const std::string& description) const {
   return description;
 }
 
-std::string asCsv(const ExportedTable& table) {
-  std::string csv;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    csv += (i == 0 ? "" : ",") + table.columns[i].name;
-  }
-  csv += '\n';
-  for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) csv += ',';
-      csv += csvCell(row[i], table.columns[i].isFreeText);
-    }
-    csv += '\n';
-  }
-  return csv;
-}
-
 }  // namespace study

@@ -88,9 +88,6 @@ struct ExportedTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// Like asCsv() of a DataTable.
-std::string asCsv(const ExportedTable& table);
-
 /// The types of columns. A column has one of these, and its getter must return a value of that
 /// type, a std::optional of it, or a Cell. Lines of tables read as
 ///

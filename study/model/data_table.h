@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,13 +34,39 @@ struct DataTable {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// RFC 4180 in UTF-8, lines ended by LF, numbers with a point and as many digits as read back
-/// exactly, in every locale. A missing value is an empty cell. Free text that begins like a formula
-/// (= + - @ or a tab) gets an apostrophe before it.
-std::string asCsv(const DataTable& table);
-
-/// One cell of such a file.
+/// One cell of a CSV file. Numbers have a point and as many digits as read back exactly, in every
+/// locale. A missing value is an empty cell. Free text that begins like a formula (= + - @ or a
+/// tab) gets an apostrophe before it.
 std::string csvCell(const Cell& cell, bool isFreeText = false);
+
+/// The names of the columns, then the rows, each on a line that ends with LF.
+/// @param table  a DataTable, or an ExportedTable (study/export/column.h)
+/// @param textOf  the text of a cell, given the cell and its column
+template <typename Table, typename TextOf>
+std::string asLines(const Table& table, char separator, const TextOf& textOf) {
+  std::string text;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (i > 0) text += separator;
+    text += table.columns[i].name;
+  }
+  text += '\n';
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0) text += separator;
+      text += textOf(row[i], table.columns[i]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// RFC 4180 in UTF-8, but lines end with LF; csvCell() says how cells are written.
+template <typename Table>
+std::string asCsv(const Table& table) {
+  return asLines(table, ',', [](const Cell& cell, const auto& column) {
+    return csvCell(cell, column.isFreeText);
+  });
+}
 
 /// A number that reads back exactly, with a point.
 std::string exactly(double value);
