@@ -9,7 +9,6 @@
 #include "study/export/statistics_table.h"
 #include "study/export/study_tables.h"
 #include "study/export/value_lists.h"
-#include "study/export/votes_table.h"
 
 namespace study {
 
@@ -58,8 +57,9 @@ std::vector<ExportedTable> tablesFor(Study& study, const ExportOptions& options)
   auto tables = options.publicClass ? publicTables(study, options) : exportTables(study, options);
   tables.push_back(itemsTable(study, readers));
   if (!options.isBlinded && !options.publicClass) {
-    tables.push_back(statisticsTable(study, options));
-    tables.push_back(votesTable(study, options));
+    const auto results = resultsFor(study, options);
+    tables.push_back(statisticsTable(study, options, results));
+    tables.push_back(votesTable(study, options, results));
   }
   return tables;
 }

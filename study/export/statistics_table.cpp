@@ -122,10 +122,9 @@ class FamilyRows {
 
 /// The rows of one run mode.
 std::vector<Row> rowsOf(
-    Study& study, RunMode mode, const std::map<std::string, std::string>& codes) {
-  const auto results = computeResults(study, mode);
+    Study& study, const Results& results, const std::map<std::string, std::string>& codes) {
+  const auto mode = results.runMode;
   std::vector<Row> rows;
-  if (results.completed() == 0) return rows;
   const auto add = [&](std::vector<Row> more) {
     for (auto& row : more) rows.push_back(std::move(row));
   };
@@ -140,13 +139,22 @@ std::vector<Row> rowsOf(
 
 }  // namespace
 
-ExportedTable statisticsTable(Study& study, const ExportOptions& options) {
+std::vector<Results> resultsFor(Study& study, const ExportOptions& options) {
+  std::vector<Results> results;
+  for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
+    if (options.runMode && *options.runMode != mode) continue;
+    auto one = computeResults(study, mode);
+    if (one.completed() > 0) results.push_back(std::move(one));
+  }
+  return results;
+}
+
+ExportedTable statisticsTable(
+    Study& study, const ExportOptions& options, const std::vector<Results>& results) {
   const auto codes = conditionCodes(study);
-  std::vector<RunMode> modes{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
-  if (options.runMode) modes = {*options.runMode};
   std::vector<Row> rows;
-  for (const auto mode : modes) {
-    for (auto& row : rowsOf(study, mode, codes)) rows.push_back(std::move(row));
+  for (const auto& one : results) {
+    for (auto& row : rowsOf(study, one, codes)) rows.push_back(std::move(row));
   }
   const Table<Row> table{
       .name = "statistics",

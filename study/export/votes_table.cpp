@@ -1,9 +1,7 @@
-#include "study/export/votes_table.h"
-
 #include "analysis/effects/share_interval.h"
 #include "study/export/export_parts.h"
+#include "study/export/statistics_table.h"
 #include "study/export/study_columns.h"
-#include "study/results/results.h"
 
 namespace study {
 namespace {
@@ -116,20 +114,16 @@ std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& 
 
 }  // namespace
 
-ExportedTable votesTable(Study& study, const ExportOptions& options) {
+ExportedTable votesTable(
+    Study& study, const ExportOptions& options, const std::vector<Results>& results) {
   const auto codes = conditionCodes(study);
-  std::vector<RunMode> modes{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
-  if (options.runMode) modes = {*options.runMode};
-  std::vector<Results> results;  // rows point into it
   std::vector<ExportedVote> rows;
-  for (const auto mode : modes) results.push_back(computeResults(study, mode));
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (results[i].completed() == 0) continue;
-    for (const auto& vote : results[i].votes) {
+  for (const auto& one : results) {
+    for (const auto& vote : one.votes) {
       const auto total = vote.votes.total();
       for (const auto& share : vote.votes.shares()) {
         rows.push_back(
-            {.mode = modes[i],
+            {.mode = one.runMode,
              .result = &vote,
              .items = votedOn(study.protocol(), vote.phase),
              .share = share,

@@ -33,9 +33,10 @@ class StatisticsJson : public testing::Test {
   /// Computes the results of the present study in both forms.
   void compute() {
     rows_.clear();
-    json_ = json::parse(app::resultsAsJson(**study_, computeResults(**study_, RunMode::Simulated)));
-    const auto table =
-        statisticsTable(**study_, {.runMode = RunMode::Simulated, .isBlinded = false});
+    const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
+    const std::vector<Results> results{computeResults(**study_, RunMode::Simulated)};
+    json_ = json::parse(app::resultsAsJson(**study_, results.front()));
+    const auto table = statisticsTable(**study_, options, results);
     for (const auto& cells : table.rows) {
       auto& row = rows_.emplace_back();
       for (std::size_t i = 0; i < cells.size(); ++i) row[table.columns[i].name] = cells[i];

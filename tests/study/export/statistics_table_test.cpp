@@ -45,7 +45,7 @@ class StatisticsTableTest : public testing::Test {
   StatisticsTableTest() {
     simulateCohorts(*study_, study_.clock, 8, 3, [](const auto&) {});
     const ExportOptions options{.runMode = RunMode::Simulated, .isBlinded = false};
-    statistics_ = rowsOf(statisticsTable(*study_, options));
+    statistics_ = rowsOf(statisticsTable(*study_, options, resultsFor(*study_, options)));
     for (const auto& table : exportTables(*study_, options)) {
       if (table.name == "responses") responses_ = rowsOf(table);
     }
