@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "analysis/registry/registry.h"
 #include "study/export/statistics_row.h"
 #include "study/export/study_tables.h"
@@ -5,13 +7,53 @@
 namespace study {
 namespace {
 
-/// A getter of a cell by the column's name.
-template <typename Holding>
-Column<StatisticsRow> statisticsColumn(const char* name, Holding holding, std::string description) {
-  return {name, holding, std::move(description), [name](const StatisticsRow& row) {
-            const auto cell = row.find(name);
-            return cell == row.end() ? Cell() : cell->second;
-          }};
+using Row = StatisticsRow;
+using analysis::TestRow;
+
+/// Infinite numbers become missing values; their row has the reason.
+std::optional<double> finite(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// A getter of what a test has.
+template <typename Value>
+auto ofTest(Value TestRow::*member) {
+  return [member](const Row& row) { return row.test.*member; };
+}
+
+/// A getter of a number that has a name in its test.
+auto nameOfNumber(analysis::NamedNumber TestRow::*number) {
+  return [number](const Row& row) { return (row.test.*number).name; };
+}
+auto valueOfNumber(analysis::NamedNumber TestRow::*number) {
+  return [number](const Row& row) { return finite((row.test.*number).value); };
+}
+
+/// A getter of a number that only some tests have.
+auto extra(const char* name) {
+  return [name](const Row& row) { return row.test.also(name); };
+}
+
+/// A getter of an end of an interval, where there is one.
+auto endOf(std::optional<analysis::Interval> TestRow::*interval, double analysis::Interval::*end) {
+  return [interval, end](const Row& row) {
+    const auto& known = row.test.*interval;
+    return known ? finite((*known).*end) : std::nullopt;
+  };
+}
+
+/// Getters of the mean and the standard deviation of one of two groups.
+auto meanOf(std::size_t group) {
+  return [group](const Row& row) {
+    return row.test.moments ? (*row.test.moments)[group].mean : std::nullopt;
+  };
+}
+auto deviationOf(std::size_t group) {
+  return [group](const Row& row) {
+    auto variance = row.test.moments ? (*row.test.moments)[group].variance : std::nullopt;
+    if (variance) *variance = std::sqrt(*variance);
+    return variance;
+  };
 }
 
 /// A row of every registered test of studies, from made-up data: for the names of its statistic and
@@ -47,101 +89,133 @@ std::string listed(
 
 Columns<StatisticsRow> statisticsColumns() {
   using namespace holds;
+  using analysis::Interval;
   const auto tests = exampleRows();
   return {
-      statisticsColumn("run_mode", OneOf{ValueList::RunModes}, kRunModeInWords),
-      statisticsColumn("cohort", OneOf{ValueList::Cohorts}, kCohortInWords),
-      statisticsColumn("cohort2", Text{}, "The other group, where two are compared"),
-      statisticsColumn("family_id", Text{}, "Comparisons that belong together"),
-      statisticsColumn("instrument", Text{}, "Questionnaire"),
-      statisticsColumn("score", Text{}, "Of a questionnaire: which of its scores"),
-      statisticsColumn("item_id", Text{}, "Question"),
-      statisticsColumn(
-          "occasion", Text{}, "before, after or change, where a score counts the change"),
-      statisticsColumn(
-          "acceptable_from", Number{}, "From which answer on an item counts as acceptable"),
-      statisticsColumn(
-          "n_missing", Integer{}, "Forms that answered some of a score's items and gave no score"),
-      statisticsColumn("blocks", Text{}, "Phases whose answers count, separated by spaces"),
-      statisticsColumn("m", Integer{}, "Tests in the family"),
-      statisticsColumn(
-          "group1", Text{}, "Condition code; the sign is group1 - group2 (cohort - cohort2)"),
-      statisticsColumn("group2", Text{}, "Condition code"),
-      statisticsColumn("groups", Text{}, "Condition codes of an overall test, separated by spaces"),
-      statisticsColumn("design", Text{}, "unpaired, paired or mixed"),
-      statisticsColumn("unit", Text{}, "answer or participant"),
-      statisticsColumn(
-          "method",
-          Text{},
-          listed(
-              "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
-              "rm_anova, mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
-              "brown_forsythe, tost, bayes_factor, omega_total",
-              tests,
-              [](const auto& row) { return row.id; }) +
-              "; not of a family: score, acceptability, felt_difference"),
-      statisticsColumn(
-          "declared",
-          Boolean{},
-          "Whether the protocol declared it, before the first participant; all else is "
-          "exploratory"),
-      statisticsColumn(
-          "n1", Integer{}, "Units in group 1; pairs or participants where the design is paired"),
-      statisticsColumn("n2", Integer{}, "Units in group 2"),
-      statisticsColumn("mean1", Number{}, "Mean of group 1"),
-      statisticsColumn("mean2", Number{}, "Mean of group 2"),
-      statisticsColumn("sd1", Number{}, "Standard deviation of group 1, with n - 1"),
-      statisticsColumn("sd2", Number{}, "Standard deviation of group 2, with n - 1"),
-      statisticsColumn(
-          "estimate",
-          Number{},
-          "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; slope over "
-          "positions; of felt_difference the mean over participants [N]"),
-      statisticsColumn("se", Number{}, "Its standard error"),
-      statisticsColumn(
-          "statistic_name",
-          Text{},
-          listed(
-              "t, z, V, U, chi2, F, W", tests, [](const auto& row) { return row.statistic.name; })),
-      statisticsColumn("statistic", Number{}, "Its value"),
-      statisticsColumn("df", Number{}, "Degrees of freedom; of F its first"),
-      statisticsColumn("df2", Number{}, "Second degrees of freedom of F"),
-      statisticsColumn(
-          "p", Number{}, "Two-sided; of tost the larger of two one-sided ones; not corrected"),
-      statisticsColumn("log10_p", Number{}, "Decimal logarithm of p"),
-      statisticsColumn(
-          "p_permutation", Number{}, "Of Friedman's test: exact, all permutations within people"),
-      statisticsColumn(
-          "epsilon", Number{}, "Greenhouse and Geisser's: how spherical the conditions are"),
-      statisticsColumn(
-          "p_epsilon", Number{}, "Of rm_anova: p with both degrees of freedom times epsilon"),
-      statisticsColumn(
-          "equivalence_bound", Number{}, "Of tost: differences below it count as none [points]"),
-      statisticsColumn(
-          "p_adj_method", Text{}, "bonferroni, holm, hochberg, hommel, bh, by, holm-sidak or none"),
-      statisticsColumn("p_adj", Number{}, "Corrected for the family"),
-      statisticsColumn("alpha", Number{}, "Of the family"),
-      statisticsColumn("alpha_per_test", Number{}, "alpha / m, for the adjusted interval"),
-      statisticsColumn("conf_level", Number{}, "Confidence of the intervals"),
-      statisticsColumn(
-          "conf_low", Number{}, "Confidence interval of the estimate; of a score its mean's"),
-      statisticsColumn("conf_high", Number{}, "…"),
-      statisticsColumn("conf_low_adj", Number{}, "… at 1 - alpha_per_test"),
-      statisticsColumn("conf_high_adj", Number{}, "…"),
-      statisticsColumn(
-          "effect_name",
-          Text{},
-          listed(
-              "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
-              "rank_biserial, bf10",
-              tests,
-              [](const auto& row) { return row.effect.name; }) +
-              ", share or rms_pooled [N]"),
-      statisticsColumn("effect", Number{}, "Its value"),
-      statisticsColumn("effect_low", Number{}, "Its confidence interval"),
-      statisticsColumn("effect_high", Number{}, "…"),
-      statisticsColumn("flags", Text{}, "What a reader has to know, separated by spaces"),
-      statisticsColumn("reason", Text{}, "Why something is missing")};
+      {"run_mode", OneOf{ValueList::RunModes}, kRunModeInWords, &Row::runMode},
+      {"cohort", OneOf{ValueList::Cohorts}, kCohortInWords, &Row::cohort},
+      {"cohort2", Text{}, "The other group, where two are compared", &Row::cohort2},
+      {"family_id", Text{}, "Comparisons that belong together", &Row::family},
+      {"instrument", Text{}, "Questionnaire", &Row::instrument},
+      {"score", Text{}, "Of a questionnaire: which of its scores", &Row::score},
+      {"item_id", Text{}, "Question", &Row::item},
+      {"occasion",
+       Text{},
+       "before, after or change, where a score counts the change",
+       &Row::occasion},
+      {"acceptable_from",
+       Number{},
+       "From which answer on an item counts as acceptable",
+       &Row::acceptableFrom},
+      {"n_missing",
+       Integer{},
+       "Forms that answered some of a score's items and gave no score",
+       &Row::missing},
+      {"blocks", Text{}, "Phases whose answers count, separated by spaces", &Row::blocks},
+      {"m", Integer{}, "Tests in the family", &Row::tests},
+      {"group1",
+       Text{},
+       "Condition code; the sign is group1 - group2 (cohort - cohort2)",
+       &Row::group1},
+      {"group2", Text{}, "Condition code", &Row::group2},
+      {"groups", Text{}, "Condition codes of an overall test, separated by spaces", &Row::groups},
+      {"design", Text{}, "unpaired, paired or mixed", &Row::design},
+      {"unit", Text{}, "answer or participant", &Row::unit},
+      {"method",
+       Text{},
+       listed(
+           "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
+           "rm_anova, mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
+           "brown_forsythe, tost, bayes_factor, omega_total",
+           tests,
+           [](const auto& row) { return row.id; }) +
+           "; not of a family: score, acceptability, felt_difference",
+       ofTest(&TestRow::id)},
+      {"declared",
+       Boolean{},
+       "Whether the protocol declared it, before the first participant; all else is "
+       "exploratory",
+       &Row::isDeclared},
+      {"n1",
+       Integer{},
+       "Units in group 1; pairs or participants where the design is paired",
+       ofTest(&TestRow::n1)},
+      {"n2", Integer{}, "Units in group 2", ofTest(&TestRow::n2)},
+      {"mean1", Number{}, "Mean of group 1", meanOf(0)},
+      {"mean2", Number{}, "Mean of group 2", meanOf(1)},
+      {"sd1", Number{}, "Standard deviation of group 1, with n - 1", deviationOf(0)},
+      {"sd2", Number{}, "Standard deviation of group 2, with n - 1", deviationOf(1)},
+      {"estimate",
+       Number{},
+       "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; slope over "
+       "positions; of felt_difference the mean over participants [N]",
+       [](const Row& row) { return row.test.estimate.value; }},
+      {"se", Number{}, "Its standard error", ofTest(&TestRow::standardError)},
+      {"statistic_name",
+       Text{},
+       listed("t, z, V, U, chi2, F, W", tests, [](const auto& row) { return row.statistic.name; }),
+       nameOfNumber(&TestRow::statistic)},
+      {"statistic", Number{}, "Its value", valueOfNumber(&TestRow::statistic)},
+      {"df", Number{}, "Degrees of freedom; of F its first", ofTest(&TestRow::df)},
+      {"df2", Number{}, "Second degrees of freedom of F", ofTest(&TestRow::df2)},
+      {"p",
+       Number{},
+       "Two-sided; of tost the larger of two one-sided ones; not corrected",
+       ofTest(&TestRow::p)},
+      {"log10_p", Number{}, "Decimal logarithm of p", ofTest(&TestRow::log10P)},
+      {"p_permutation",
+       Number{},
+       "Of Friedman's test: exact, all permutations within people",
+       extra("p_permutation")},
+      {"epsilon",
+       Number{},
+       "Greenhouse and Geisser's: how spherical the conditions are",
+       extra("epsilon")},
+      {"p_epsilon",
+       Number{},
+       "Of rm_anova: p with both degrees of freedom times epsilon",
+       extra("p_epsilon")},
+      {"equivalence_bound",
+       Number{},
+       "Of tost: differences below it count as none [points]",
+       extra("equivalence_bound")},
+      {"p_adj_method",
+       Text{},
+       "bonferroni, holm, hochberg, hommel, bh, by, holm-sidak or none",
+       &Row::adjustment},
+      {"p_adj", Number{}, "Corrected for the family", ofTest(&TestRow::adjusted)},
+      {"alpha", Number{}, "Of the family", &Row::alpha},
+      {"alpha_per_test", Number{}, "alpha / m, for the adjusted interval", &Row::alphaPerTest},
+      {"conf_level", Number{}, "Confidence of the intervals", &Row::level},
+      {"conf_low",
+       Number{},
+       "Confidence interval of the estimate; of a score its mean's",
+       endOf(&TestRow::interval, &Interval::low)},
+      {"conf_high", Number{}, "…", endOf(&TestRow::interval, &Interval::high)},
+      {"conf_low_adj",
+       Number{},
+       "… at 1 - alpha_per_test",
+       endOf(&TestRow::adjustedInterval, &Interval::low)},
+      {"conf_high_adj", Number{}, "…", endOf(&TestRow::adjustedInterval, &Interval::high)},
+      {"effect_name",
+       Text{},
+       listed(
+           "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
+           "rank_biserial, bf10",
+           tests,
+           [](const auto& row) { return row.effect.name; }) +
+           ", share or rms_pooled [N]",
+       nameOfNumber(&TestRow::effect)},
+      {"effect", Number{}, "Its value", valueOfNumber(&TestRow::effect)},
+      {"effect_low",
+       Number{},
+       "Its confidence interval",
+       endOf(&TestRow::effectInterval, &Interval::low)},
+      {"effect_high", Number{}, "…", endOf(&TestRow::effectInterval, &Interval::high)},
+      {"flags", Text{}, "What a reader has to know, separated by spaces", &Row::flags},
+      {"reason", Text{}, "Why something is missing", [](const Row& row) {
+         return base::describe(row.test.reason);
+       }}};
 }
 
 }  // namespace study

@@ -1,41 +1,63 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "analysis/numerics/interval.h"
+#include "analysis/data/test_row.h"
 #include "study/export/column.h"
 #include "study/results/felt_curves.h"
 #include "study/results/results.h"
 
 namespace study {
 
-/// A row of the statistics table by the names of its columns.
-using StatisticsRow = std::map<std::string, Cell>;
+/// A row of the statistics table: a test, a score or a check, and what it is about.
+struct StatisticsRow {
+  RunMode runMode = RunMode::Live;
+  std::string cohort;
+  std::string cohort2;     ///< the other one, where two are compared
+  std::string family;      ///< its id; empty where it belongs to none
+  std::string instrument;  ///< its id
+  std::string blocks;      ///< phases whose answers count, separated by spaces
+  std::string score;       ///< of a questionnaire
+  std::string item;        ///< its id
+  std::string occasion;    ///< "before", "after", "change"
+  std::optional<double> acceptableFrom;
+  std::optional<std::size_t> missing;  ///< forms that gave no score
+  std::string group1;                  ///< condition codes, not what the test calls its groups
+  std::string group2;
+  std::string groups;  ///< of an overall test, separated by spaces
+  std::string_view design;
+  std::string_view unit;
+  std::optional<std::size_t> tests;  ///< m, in the family
+  bool isDeclared = false;
+  std::string_view adjustment;  ///< for the size of the family
+  std::optional<double> alpha;
+  std::optional<double> alphaPerTest;
+  std::optional<double> level;  ///< confidence of the intervals
+  std::string flags;            ///< separated by spaces
+  analysis::TestRow test;       ///< what was found
+};
 
 Columns<StatisticsRow> statisticsColumns();
 
-/// The cells that all rows of a family begin with: cohort, instrument, blocks, and level of
+/// What all rows of a family and cohort have in common: cohort, instrument, blocks, and level of
 /// significance.
-StatisticsRow headOfRow(
+StatisticsRow familyRow(
     const protocols::Family& family,
     const protocols::Protocol& protocol,
-    std::string_view runMode,
     const std::string& cohort);
 
-/// Adds the results of a test.
-void addTest(StatisticsRow& row, const analysis::TestRow& test);
-
-/// Rows on a cohort as a whole, without their first cells: overall tests, order, reliability and
-/// distribution.
+/// Rows on a cohort as a whole: overall tests, order, reliability and distribution.
+/// @param family  by familyRow()
 /// @param codes  of conditions
 std::vector<StatisticsRow> overallRows(
-    const CohortResult& cohort, const std::map<std::string, std::string>& codes);
+    const StatisticsRow& family,
+    const CohortResult& cohort,
+    const std::map<std::string, std::string>& codes);
 
 /// Rows on questionnaires: one for each score, and one for each item with a threshold.
 std::vector<StatisticsRow> instrumentRows(
@@ -54,33 +76,5 @@ FeltResult feltResult(Study& study, RunMode mode);
 /// with the reason if they are not known.
 std::vector<StatisticsRow> feltRows(
     const FeltResult& felt, const std::map<std::string, std::string>& codes);
-
-/// Infinite statistics become missing values; their row has the reason.
-inline Cell finite(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Cell(*value) : Cell();
-}
-
-inline std::int64_t whole(std::uint64_t value) {
-  return static_cast<std::int64_t>(value);
-}
-
-inline void addInterval(
-    StatisticsRow& row,
-    const std::string& name,
-    const std::optional<analysis::Interval>& interval,
-    const std::string& suffix = "") {
-  if (!interval) return;
-  row[name + "_low" + suffix] = interval->low;
-  row[name + "_high" + suffix] = interval->high;
-}
-
-/// A name; an empty one becomes a missing value.
-inline void addName(StatisticsRow& row, const std::string& column, const std::string& name) {
-  if (!name.empty()) row[column] = name;
-}
-
-inline void addReason(StatisticsRow& row, const base::Message& reason) {
-  if (!reason.empty()) row["reason"] = base::describe(reason);
-}
 
 }  // namespace study

@@ -9,29 +9,27 @@ namespace {
 
 constexpr double kStudyRowLevel = 0.95;
 
-StatisticsRow studyRow(const char* method) {
-  return {
-      {"unit", std::string("participant")},
-      {"method", std::string(method)},
-      {"declared", false},
-      {"conf_level", kStudyRowLevel}};
+StatisticsRow studyRow(std::string_view method, const std::string& cohort = {}) {
+  StatisticsRow row{.cohort = cohort, .unit = "participant", .level = kStudyRowLevel};
+  row.test.id = method;
+  return row;
 }
 
 StatisticsRow scoreRow(
     const std::string& instrument,
     const ScoreSummary& score,
     const std::map<std::string, std::string>& codes) {
-  auto row = studyRow("score");
-  row["cohort"] = score.cohort;
-  row["instrument"] = instrument;
-  row["score"] = score.score;
-  addName(row, "occasion", score.occasion);
-  if (!score.condition.empty()) row["group1"] = codes.at(score.condition);
-  row["n1"] = whole(score.values.size());
-  row["n_missing"] = whole(score.missing);
-  row["mean1"] = cellOf(score.mean);
-  row["sd1"] = cellOf(score.standardDeviation);
-  addInterval(row, "conf", score.interval);
+  auto row = studyRow("score", score.cohort);
+  row.instrument = instrument;
+  row.score = score.score;
+  row.occasion = score.occasion;
+  if (!score.condition.empty()) row.group1 = codes.at(score.condition);
+  row.missing = score.missing;
+  row.test.n1 = score.values.size();
+  analysis::GroupMoments moments{.mean = score.mean, .variance = score.standardDeviation};
+  if (moments.variance) *moments.variance *= *moments.variance;
+  row.test.moments = {moments, {}};
+  row.test.interval = score.interval;
   return row;
 }
 
@@ -39,16 +37,14 @@ StatisticsRow acceptabilityRow(
     const std::string& instrument,
     const AcceptabilitySummary& summary,
     const std::map<std::string, std::string>& codes) {
-  auto row = studyRow("acceptability");
-  row["cohort"] = summary.cohort;
-  row["instrument"] = instrument;
-  row["item_id"] = summary.item.itemId;
-  if (!summary.condition.empty()) row["group1"] = codes.at(summary.condition);
-  row["acceptable_from"] = summary.item.acceptableFrom;
-  row["n1"] = whole(summary.item.answered);
-  row["effect_name"] = std::string("share");
-  row["effect"] = cellOf(summary.item.share);
-  addInterval(row, "effect", summary.interval);
+  auto row = studyRow("acceptability", summary.cohort);
+  row.instrument = instrument;
+  row.item = summary.item.itemId;
+  if (!summary.condition.empty()) row.group1 = codes.at(summary.condition);
+  row.acceptableFrom = summary.item.acceptableFrom;
+  row.test.n1 = summary.item.answered;
+  row.test.effect = {"share", summary.item.share};
+  row.test.effectInterval = summary.interval;
   return row;
 }
 
@@ -87,19 +83,17 @@ std::vector<StatisticsRow> feltRows(
   std::vector<StatisticsRow> rows;
   if (!felt.reason.empty()) {
     rows.push_back(studyRow("felt_difference"));
-    addReason(rows.back(), felt.reason);
+    rows.back().test.reason = felt.reason;
   }
   for (const auto& difference : feltDifferences(felt.curves)) {
-    auto row = studyRow("felt_difference");
-    row["design"] = std::string("paired");
-    row["group1"] = codes.at(difference.condition1);
-    row["group2"] = codes.at(difference.condition2);
-    row["n1"] = whole(difference.participants);
-    row["estimate"] = cellOf(difference.mean);
-    addInterval(row, "conf", difference.interval);
-    row["effect_name"] = std::string("rms_pooled");
-    row["effect"] = difference.pooled;
-    rows.push_back(std::move(row));
+    auto& row = rows.emplace_back(studyRow("felt_difference"));
+    row.design = "paired";
+    row.group1 = codes.at(difference.condition1);
+    row.group2 = codes.at(difference.condition2);
+    row.test.n1 = difference.participants;
+    row.test.estimate.value = difference.mean;
+    row.test.interval = difference.interval;
+    row.test.effect = {"rms_pooled", difference.pooled};
   }
   return rows;
 }

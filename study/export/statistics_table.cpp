@@ -21,32 +21,31 @@ class FamilyRows {
   FamilyRows(
       const FamilyResult& family,
       const protocols::Protocol& protocol,
-      std::string_view runMode,
       const std::map<std::string, std::string>& codes)
-      : family_(family), protocol_(protocol), runMode_(runMode), codes_(codes) {}
+      : family_(family), protocol_(protocol), codes_(codes) {}
 
   std::vector<Row> all() {
     for (const auto& cohort : family_.cohorts) {
-      for (const auto& comparison : cohort.comparisons.rows) pooled(cohort, comparison);
+      for (const auto& comparison : cohort.comparisons.rows) addPooled(cohort, comparison);
       for (const auto& comparison : cohort.within.rows) {
-        for (const auto& test : comparison.tests) within(cohort, test);
+        for (const auto& test : comparison.tests) addWithin(cohort, test);
       }
-      overall(cohort);
+      addOverall(cohort);
     }
-    for (const auto& row : family_.between) between(row);
+    for (const auto& row : family_.between) addBetween(row);
     return std::move(rows_);
   }
 
  private:
-  Row head(
+  Row row(
       const std::string& cohort,
-      const char* design,
-      const char* unit,
-      const analysis::TestRow& test) {
-    auto row = headOfRow(family_.family, protocol_, runMode_, cohort);
-    row["design"] = std::string(design);
-    row["unit"] = std::string(unit);
-    addTest(row, test);
+      std::string_view design,
+      std::string_view unit,
+      analysis::TestRow test) {
+    auto row = familyRow(family_.family, protocol_, cohort);
+    row.design = design;
+    row.unit = unit;
+    row.test = std::move(test);
     return row;
   }
 
@@ -56,66 +55,58 @@ class FamilyRows {
     return text;
   }
 
-  std::string declaredCorrection() const {
-    constexpr std::array<const char*, 8> kNames{
+  std::string_view declaredCorrection() const {
+    constexpr std::array<std::string_view, 8> kNames{
         "none", "bonferroni", "holm", "hochberg", "hommel", "bh", "by", "holm-sidak"};
     return kNames[static_cast<std::size_t>(family_.family.correction)];
   }
 
-  Row pairRow(
+  Row& addPair(
       const CohortResult& cohort,
-      const char* design,
-      const char* unit,
+      std::string_view design,
+      std::string_view unit,
       const analysis::TestRow& test) {
-    auto row = head(cohort.cohort, design, unit, test);
-    row["group1"] = codes_.at(test.group1);
-    row["group2"] = codes_.at(test.group2);
-    row["declared"] = family_.isConfirmatory(test.id);
-    if (const auto flags = flagsOf(cohort); !flags.empty()) row["flags"] = flags;
-    return row;
+    auto& added = rows_.emplace_back(row(cohort.cohort, design, unit, test));
+    added.group1 = codes_.at(test.group1);
+    added.group2 = codes_.at(test.group2);
+    added.isDeclared = family_.isConfirmatory(test.id);
+    added.flags = flagsOf(cohort);
+    return added;
   }
 
-  void pooled(const CohortResult& cohort, const analysis::PairwiseComparison& comparison) {
-    auto row = pairRow(cohort, "unpaired", "answer", rowOf(comparison));
-    row["m"] = whole(cohort.comparisons.tests);
-    row["p_adj_method"] =
-        family_.isNamed("welch") ? declaredCorrection() : std::string("bonferroni");
-    row["alpha_per_test"] = cellOf(cohort.comparisons.alphaPerTest);
-    rows_.push_back(std::move(row));
+  void addPooled(const CohortResult& cohort, const analysis::PairwiseComparison& comparison) {
+    auto& added = addPair(cohort, "unpaired", "answer", rowOf(comparison));
+    added.tests = cohort.comparisons.tests;
+    added.adjustment = family_.isNamed("welch") ? declaredCorrection() : "bonferroni";
+    added.alphaPerTest = cohort.comparisons.alphaPerTest;
   }
 
-  void within(const CohortResult& cohort, const analysis::TestRow& test) {
+  void addWithin(const CohortResult& cohort, const analysis::TestRow& test) {
     const bool isModel = test.id == "mixed_model" || test.id == "ordinal_model";
-    auto row =
-        pairRow(cohort, isModel ? "mixed" : "paired", isModel ? "answer" : "participant", test);
-    row["m"] = whole(cohort.within.tests);
-    if (test.isOfFamily) {
-      row["p_adj_method"] = declaredCorrection();
-      row["alpha_per_test"] = cellOf(cohort.within.alphaPerTest);
-    }
-    rows_.push_back(std::move(row));
+    auto& added =
+        addPair(cohort, isModel ? "mixed" : "paired", isModel ? "answer" : "participant", test);
+    added.tests = cohort.within.tests;
+    if (!test.isOfFamily) return;
+    added.adjustment = declaredCorrection();
+    added.alphaPerTest = cohort.within.alphaPerTest;
   }
 
-  void overall(const CohortResult& cohort) {
-    for (auto& row : overallRows(cohort, codes_)) {
-      row.merge(headOfRow(family_.family, protocol_, runMode_, cohort.cohort));
-      rows_.push_back(std::move(row));
-    }
+  void addOverall(const CohortResult& cohort) {
+    const auto family = familyRow(family_.family, protocol_, cohort.cohort);
+    for (auto& added : overallRows(family, cohort, codes_)) rows_.push_back(std::move(added));
   }
 
-  void between(const BetweenResult& result) {
+  void addBetween(const BetweenResult& result) {
     for (const auto& test : result.tests) {
-      auto row = head(result.cohort1, "unpaired", "participant", test);
-      row["cohort2"] = result.cohort2;
-      row["group1"] = codes_.at(result.condition);
-      if (!test.effect.name.empty()) row["conf_level"] = 0.95;
-      rows_.push_back(std::move(row));
+      auto& added = rows_.emplace_back(row(result.cohort1, "unpaired", "participant", test));
+      added.cohort2 = result.cohort2;
+      added.group1 = codes_.at(result.condition);
+      if (!test.effect.name.empty()) added.level = 0.95;
     }
   }
 
   const FamilyResult& family_;
   const protocols::Protocol& protocol_;
-  std::string_view runMode_;
   const std::map<std::string, std::string>& codes_;
   std::vector<Row> rows_;
 };
@@ -129,11 +120,11 @@ std::vector<Row> rowsOf(
     for (auto& row : more) rows.push_back(std::move(row));
   };
   for (const auto& family : results.families) {
-    add(FamilyRows(family, study.protocol().protocol, nameOf(mode), codes).all());
+    add(FamilyRows(family, study.protocol().protocol, codes).all());
   }
   add(instrumentRows(results.instruments, codes));
   add(feltRows(feltResult(study, mode), codes));
-  for (auto& row : rows) row["run_mode"] = std::string(nameOf(mode));
+  for (auto& row : rows) row.runMode = mode;
   return rows;
 }
 
