@@ -152,10 +152,9 @@ std::string codebookAsJson(
   for (const auto& table : tables) {
     Json columns = Json::array();
     for (const auto& column : table.columns) {
-      Json entry{
-          {"name", column.name},
-          {"type", nameOf(column.type)},
-          {"description", column.description}};
+      Json entry{{"name", column.name}, {"type", nameOf(column.type)}};
+      if (!column.unit.empty()) entry["unit"] = column.unit;
+      entry["description"] = column.description;
       if (!column.levels.empty()) entry["levels"] = levelsAsJson(column.levels);
       columns.push_back(std::move(entry));
     }

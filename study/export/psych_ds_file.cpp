@@ -37,6 +37,7 @@ Json variableOf(const ExportedColumn& column) {
       {"name", column.name},
       {"description", column.description},
       {"valueType", jsonTypeOf(column.type)}};
+  if (!column.unit.empty()) variable["unitText"] = column.unit;
   for (const auto& level : column.levels) {
     variable["levels"].push_back({{"value", level.value}, {"label", level.label}});
   }

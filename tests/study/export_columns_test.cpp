@@ -330,7 +330,8 @@ const Tables& blindedTables() {
 /// The keys of each source of scenes in the head of a JSON export.
 const Names kSources{"kind", "synthetic"};
 
-const Names kColumnsTable{"table", "column", "type", "description", "value", "label"};
+const Names kColumnsTable{
+    "table", "column", "type", "unit_symbol", "description", "value", "label"};
 
 /// The text from @p begin to the next @p end.
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {

@@ -157,6 +157,43 @@ TEST_F(ExportLayoutTest, HasADictionaryForEveryColumnOfEveryTable) {
   EXPECT_GT(checked, 2000);
 }
 
+/// The unit that the name of a column of numbers ends with; empty where it ends with none.
+std::string unitInNameOf(const std::string& column) {
+  for (const auto& [ending, unit] :
+       std::map<std::string, std::string>{{"_s", "s"}, {"_hz", "Hz"}, {"_us", "µs"}, {"_n", "N"}}) {
+    if (column.ends_with(ending)) return unit;
+  }
+  return {};
+}
+
+TEST_F(ExportLayoutTest, StatesInEveryDictionaryTheUnitThatANameEndsWith) {
+  const auto plain = exported("plain", open(ExportFormat::R), "for a test");
+  const auto codebook = nlohmann::json::parse(contentOf(plain / "codebook.json"));
+  int units = 0;
+  for (const auto& [name, table] : codebook["tables"].items()) {
+    for (const auto& column : table["columns"]) {
+      const auto unit = column.value("unit", "");
+      EXPECT_EQ(unit, column["type"] == "number" ? unitInNameOf(column["name"]) : "") << column;
+      units += unit.empty() ? 0 : 1;
+    }
+  }
+  EXPECT_GT(units, 15);
+  const auto columns = analysis::readCsv(contentOf(plain / "columns.csv"));
+  for (const auto& row : columns.rows) {
+    const auto cell = [&](const char* column) { return row.cells[columns.columnIndex(column)]; };
+    EXPECT_EQ(cell("unit_symbol"), cell("type") == "number" ? unitInNameOf(cell("column")) : "")
+        << cell("column");
+  }
+  const auto psychDs = exported("psych-ds", open(ExportFormat::PsychDs), "for a test");
+  const auto all = nlohmann::json::parse(contentOf(psychDs / "dataset_description.json"));
+  for (const auto& variable : all["variableMeasured"]) {
+    EXPECT_EQ(
+        variable.value("unitText", ""),
+        variable["valueType"] == "number" ? unitInNameOf(variable["name"]) : "")
+        << variable;
+  }
+}
+
 TEST_F(ExportLayoutTest, GivesEveryNameOneMeaning) {
   const auto folder = exported("out", open(ExportFormat::Csv), "for a test");
   const auto codebook = nlohmann::json::parse(contentOf(folder / "codebook.json"));
