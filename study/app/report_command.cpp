@@ -57,7 +57,7 @@ int report(const ReportArguments& options) {
   for (const auto& folder : options.folders) {
     auto study = Study::open(folder, clock, accessToNote(options.reason));
     const auto mode = chosenRunMode(study, options.runMode);
-    noteUnblinding(study, mode, "report", options.reason);
+    noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
   }
   writeReport(sections, options.out);

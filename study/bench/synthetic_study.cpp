@@ -167,7 +167,7 @@ SyntheticStudy makeSyntheticStudy(const std::filesystem::path& inside, std::int6
   SyntheticStudy made{.folder = inside / "study"};
   auto study = Study::create(made.folder, *protocol, clock, kSeed);
   made.sessions = writeSessions(study, answers);
-  study.note("note", "SYNTHETIC: made by palpate bench stats; nobody took part");
+  study.note(EventKind::Note, "SYNTHETIC: made by palpate bench stats; nobody took part");
   study.database().execute("PRAGMA wal_checkpoint(TRUNCATE)");
   return made;
 }

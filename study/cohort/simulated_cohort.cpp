@@ -217,7 +217,7 @@ void setClockFor(Study& study, SimulatedClock& clock, std::optional<SessionId> r
   std::int64_t latestStart = 0;
   for (const auto& event : study.events().read(resumed)) {
     latest = std::max(latest, event.when.wall);
-    if (event.kind == "enrolled") latestStart = std::max(latestStart, event.when.wall);
+    if (event.kind == EventKind::Enrolled) latestStart = std::max(latestStart, event.when.wall);
   }
   if (resumed) {
     clock.setWall(latest);

@@ -28,7 +28,7 @@ Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
       {"event",
        holds::Text{},
        "What happened",
-       [](const ExportedEvent& row) { return row.event.kind; }},
+       [](const ExportedEvent& row) { return row.event.name(); }},
       {"detail", holds::FreeText{}, "More about it", [](const ExportedEvent& row) {
          return storage::describe(row.event);
        }}};

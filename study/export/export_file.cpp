@@ -102,13 +102,13 @@ void noteExport(Study& study, const ExportOptions& options, const std::string& r
     const auto release = publicRelease(study, options);
     study.note(
         {.actor = storage::Actor::Operator,
-         .kind = "public_export",
+         .kind = EventKind::PublicExport,
          .values = {
              {"k", base::asArgument(release.k)},
              {"people", base::asArgument(release.after.people)},
              {"smallest", base::asArgument(release.after.smallest)}}});
   }
-  if (!options.isBlinded) study.note("unblinded_export", reason);
+  if (!options.isBlinded) study.note(EventKind::UnblindedExport, reason);
 }
 
 }  // namespace

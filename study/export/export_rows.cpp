@@ -19,7 +19,7 @@ class Onsets {
   double of(const storage::Event& event) {
     auto& last = last_[event.visit->session];
     if (last) {
-      const bool isNewRun = event.kind == "resumed";
+      const bool isNewRun = event.kind == EventKind::Resumed;
       const auto passed = isNewRun ? (event.when.wall - last->when.wall) * 1'000'000
                                    : event.when.monotonic - last->when.monotonic;
       last->onset += std::max<std::int64_t>(passed, 0);
@@ -137,7 +137,8 @@ std::vector<ExportedEvent> StudyRows::events() const {
     const auto session = sessions_.find(event.visit->session);
     if (session == sessions_.end()) continue;
     // The stiffness of a scene identifies its condition.
-    if (isBlinded_ && (event.kind == "passivity" || event.kind == "view")) continue;
+    if (isBlinded_ && (event.kind == EventKind::Passivity || event.kind == EventKind::View))
+      continue;
     const auto visit = *event.visit;
     const double onset = onsets.of(event);
     rows.push_back({ownerOf(session->second), visit, std::move(event), onset});

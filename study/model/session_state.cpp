@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "study/model/event_kind.h"
+
 namespace study {
 namespace {
 
@@ -18,38 +20,16 @@ constexpr auto kStates = std::to_array<std::pair<SessionState, std::string_view>
     {SessionState::AbortedHardware, "aborted_hardware"},
 });
 
-constexpr auto kEvents = std::to_array<std::pair<SessionEvent, std::string_view>>({
-    {SessionEvent::FinishedStep, "finished_step"},
-    {SessionEvent::GaveConsent, "gave_consent"},
-    {SessionEvent::DeclinedConsent, "declined_consent"},
-    {SessionEvent::BeganTrial, "began_trial"},
-    {SessionEvent::FinishedTrial, "finished_trial"},
-    {SessionEvent::BrokeOffTrial, "broke_off_trial"},
-    {SessionEvent::RepeatedStep, "repeated_step"},
-    {SessionEvent::SkippedStep, "skipped_step"},
-    {SessionEvent::PausedSession, "paused_session"},
-    {SessionEvent::ResumedSession, "resumed_session"},
-    {SessionEvent::FinishedSession, "finished_session"},
-    {SessionEvent::Withdrew, "withdrew"},
-    {SessionEvent::WasRejected, "was_rejected"},
-    {SessionEvent::GaveUpOnDevice, "gave_up_on_device"},
-});
-
-template <typename Table, typename Value>
-std::string_view nameIn(const Table& table, Value wanted) noexcept {
-  for (const auto& [value, name] : table) {
-    if (value == wanted) return name;
-  }
-  return {};
-}
-
 }  // namespace
 
 std::string_view nameOf(SessionState state) noexcept {
-  return nameIn(kStates, state);
+  for (const auto& [value, name] : kStates) {
+    if (value == state) return name;
+  }
+  return {};
 }
 std::string_view nameOf(SessionEvent event) noexcept {
-  return nameIn(kEvents, event);
+  return nameOf(kindOf(event));
 }
 
 std::optional<SessionState> sessionStateNamed(std::string_view name) noexcept {

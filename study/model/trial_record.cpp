@@ -11,20 +11,6 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kEndings{
     "finished", "stopped", "aborted_hardware", "trace_lost", "timed_out", "program_ended"};
-constexpr std::array<std::string_view, 13> kSafetyKinds{
-    "too_fast",
-    "released",
-    "no_sample",
-    "lost_beats",
-    "soft_start",
-    "saturated",
-    "slewed",
-    "not_finite",
-    "active",
-    "damped",
-    "torque_saturated",
-    "torque_slewed",
-    "torque_active"};
 constexpr std::array<std::string_view, 3> kVerdicts{"PASS", "WARN", "FAIL"};
 
 // libfranka warns below a success rate of 0.95 and calls 0.90 "not sufficient"; we ask for the
@@ -80,10 +66,6 @@ std::string_view nameOf(TrialEnding ending) noexcept {
 
 std::optional<TrialEnding> trialEndingNamed(std::string_view name) noexcept {
   return valueNamed<TrialEnding>(kEndings, name);
-}
-
-std::string_view nameOf(SafetyKind kind) noexcept {
-  return kSafetyKinds[static_cast<std::size_t>(kind)];
 }
 
 std::string_view nameOf(Verdict verdict) noexcept {

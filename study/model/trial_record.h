@@ -43,8 +43,6 @@ enum class SafetyKind {
   TorqueActive,     ///< the torque gave energy to the hand, as that of a motor does
 };
 
-std::string_view nameOf(SafetyKind kind) noexcept;
-
 /// How often one of these happened in a trial, and for how long.
 struct SafetyEvent {
   SafetyKind kind = SafetyKind::TooFast;

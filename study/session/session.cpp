@@ -64,7 +64,7 @@ void requirePossible(const protocols::Protocol& protocol, const Enrolment& enrol
 void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   if (row.runMode != RunMode::Live || study.protocols().current().frozenUtc) return;
   study.protocols().freeze(row.protocol, row.startedUtc);
-  study.events().append({.when = now, .kind = "froze_protocol", .detail = row.participant});
+  study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
 }
 
 /// Stores a new participant's first session, inside the caller's transaction.
@@ -107,7 +107,7 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
     study.events().append(
         {.visit = VisitKey{row.id, 0, 1},
          .when = now,
-         .kind = "enrolled",
+         .kind = EventKind::Enrolled,
          .values = {
              {"participant", row.participant},
              {"cohort", row.cohort},
@@ -130,7 +130,7 @@ Session Session::resume(Study& study, SessionId id) {
   requireSound(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
-  session.transact([&] { session.say(Actor::Program, "resumed"); });
+  session.transact([&] { session.say(Actor::Program, EventKind::Resumed); });
   if (session.state() == SessionState::InTrial) {
     session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
   }
@@ -210,11 +210,11 @@ void Session::resolveUnknownCommit() {
       "What could not be confirmed had been kept after all. Go on from the present step.");
 }
 
-void Session::say(Actor actor, const std::string& kind, const std::string& detail) {
+void Session::say(Actor actor, EventKind kind, const std::string& detail) {
   keep({.actor = actor, .kind = kind, .detail = detail});
 }
 
-void Session::say(Actor actor, const std::string& kind, base::NamedArguments values) {
+void Session::say(Actor actor, EventKind kind, base::NamedArguments values) {
   keep({.actor = actor, .kind = kind, .values = std::move(values)});
 }
 
@@ -234,7 +234,7 @@ void Session::noticeSteppedClock(const Moment& now) {
   pendingEvents_.push_back(
       {.visit = visit(),
        .when = now,
-       .kind = "clock_stepped",
+       .kind = EventKind::ClockStepped,
        .values = {{"by_s", byWallClock - elapsed}}});
 }
 
@@ -244,12 +244,12 @@ std::string Session::utcNow() const {
 
 void Session::enter(SessionEvent event, Actor actor, const std::string& detail) {
   row_.state = *next(row_.state, event);
-  say(actor, std::string(nameOf(event)), detail);
+  say(actor, kindOf(event), detail);
 }
 
 void Session::enter(SessionEvent event, Actor actor, base::NamedArguments values) {
   row_.state = *next(row_.state, event);
-  say(actor, std::string(nameOf(event)), std::move(values));
+  say(actor, kindOf(event), std::move(values));
 }
 
 void Session::leaveStep(VisitStatus status, const std::string& reason) {

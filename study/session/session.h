@@ -116,8 +116,8 @@ class Session {
   void require(bool condition, const std::string& otherwise) const;
   void transact(const std::function<void()>& action);
   void resolveUnknownCommit();
-  void say(storage::Actor actor, const std::string& kind, const std::string& detail = {});
-  void say(storage::Actor actor, const std::string& kind, base::NamedArguments values);
+  void say(storage::Actor actor, EventKind kind, const std::string& detail = {});
+  void say(storage::Actor actor, EventKind kind, base::NamedArguments values);
   void keep(storage::Event event);
   void noticeSteppedClock(const Moment& now);
   std::string utcNow() const;

@@ -77,7 +77,7 @@ void Session::record(const GivenAnswer& answer) {
   }
   transact([&] {
     storage::AnswerRepository(study_.database()).put(visit(), asKept(item, answer), utcNow());
-    say(Actor::Participant, "answered", storage::valuesOf(asKept(item, answer)));
+    say(Actor::Participant, EventKind::Answered, storage::valuesOf(asKept(item, answer)));
   });
 }
 
@@ -86,7 +86,9 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
   study_.withReservedSpace([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
   transact([&] {
-    say(Actor::Participant, "answered", {{"item", item.id}, {"kept_apart", std::int64_t{1}}});
+    say(Actor::Participant,
+        EventKind::Answered,
+        {{"item", item.id}, {"kept_apart", std::int64_t{1}}});
   });
 }
 
@@ -97,7 +99,7 @@ void Session::retract(const std::string& id) {
     study_.withReservedSpace([&] { study_.identities().remove(place(), id); });
   transact([&] {
     storage::AnswerRepository(study_.database()).remove(visit(), id);
-    say(Actor::Participant, "retracted", id);
+    say(Actor::Participant, EventKind::Retracted, id);
   });
 }
 
@@ -112,7 +114,7 @@ void Session::recordBenchmarkCuts(int cuts) {
         .itemOrder = 1,
         .language = row_.language};
     storage::AnswerRepository(study_.database()).put(visit(), answer, utcNow());
-    say(Actor::Participant, "answered", storage::valuesOf(answer));
+    say(Actor::Participant, EventKind::Answered, storage::valuesOf(answer));
   });
 }
 

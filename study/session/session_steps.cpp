@@ -86,7 +86,7 @@ void Session::breakOffTrial(const TrialRecord& record) {
 
 void Session::keepTrial(const TrialRecord& record) {
   storage::TrialRepository(study_.database()).add(visit(), record);
-  say(Actor::Program, "kept_trace", study_.traces().digest(visit()));
+  say(Actor::Program, EventKind::KeptTrace, study_.traces().digest(visit()));
   const auto& passivity = record.passivity;
   base::NamedArguments values{
       {"stiffness", passivity.stiffness},
@@ -98,21 +98,21 @@ void Session::keepTrial(const TrialRecord& record) {
     values.emplace_back("limit_cycle_n", passivity.limitCycle->amplitude);
     values.emplace_back("limit_cycle_hz", passivity.limitCycle->frequency);
   }
-  say(Actor::Program, "passivity", std::move(values));
+  say(Actor::Program, EventKind::Passivity, std::move(values));
   if (record.hasTorque) {
     say(Actor::Program,
-        "torque",
+        EventKind::Torque,
         base::NamedArguments{
             {"rendered", std::int64_t{record.isTorqueRendered}},
             {"largest_nm", record.largestTorque},
             {"least_energy", record.leastTurnEnergy}});
   }
-  if (record.link.isThere) say(Actor::Program, "device_link", valuesOf(record.link));
-  if (!record.deviceFault.empty()) say(Actor::Program, "device_fault", record.deviceFault);
-  if (record.view) say(Actor::Program, "view", valuesOf(*record.view));
+  if (record.link.isThere) say(Actor::Program, EventKind::DeviceLink, valuesOf(record.link));
+  if (!record.deviceFault.empty()) say(Actor::Program, EventKind::DeviceFault, record.deviceFault);
+  if (record.view) say(Actor::Program, EventKind::View, valuesOf(*record.view));
   for (const auto& event : record.safety) {
     say(Actor::Program,
-        "safety_" + std::string(nameOf(event.kind)),
+        kindOf(event.kind),
         base::NamedArguments{{"times", event.times}, {"duration_s", event.duration}});
   }
 }
@@ -214,7 +214,7 @@ void Session::giveUpOnDevice(const std::string& reason) {
 }
 
 void Session::note(const std::string& text) {
-  transact([&] { say(Actor::Operator, "note", text); });
+  transact([&] { say(Actor::Operator, EventKind::Note, text); });
 }
 
 void Session::setLanguage(const std::string& language) {
@@ -225,7 +225,7 @@ void Session::setLanguage(const std::string& language) {
       "The protocol has no texts in '" + language + "'.");
   transact([&] {
     row_.language = language;
-    say(Actor::Participant, "chose_language", language);
+    say(Actor::Participant, EventKind::ChoseLanguage, language);
   });
 }
 

@@ -119,7 +119,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
     events().append(
         {.when = now,
          .actor = storage::Actor::Operator,
-         .kind = "amended_protocol",
+         .kind = EventKind::AmendedProtocol,
          .values = {{"version", static_cast<std::int64_t>(id)}, {"reason", reason}}});
   });
 }
@@ -164,7 +164,7 @@ void Study::transact(const std::function<void()>& action) {
   });
 }
 
-void Study::note(const std::string& kind, const std::string& words) {
+void Study::note(EventKind kind, const std::string& words) {
   note({.actor = storage::Actor::Operator, .kind = kind, .detail = words});
 }
 

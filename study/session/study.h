@@ -77,7 +77,7 @@ class Study {
   void transact(const std::function<void()>& action);
 
   /// Appends an event that belongs to no session: an export, an unblinding.
-  void note(const std::string& kind, const std::string& words);
+  void note(EventKind kind, const std::string& words);
   void note(storage::Event event);
 
  private:

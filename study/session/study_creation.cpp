@@ -98,7 +98,7 @@ void begin(
       .bind(5, asUtc(now.wall));
   insert.run();
   storage::EventLog(database).append(
-      {.when = now, .kind = "made_study", .detail = protocol.protocol.study.id});
+      {.when = now, .kind = EventKind::MadeStudy, .detail = protocol.protocol.study.id});
   transaction.commit();
 }
 

@@ -2,8 +2,7 @@
 
 namespace study {
 
-void noteUnblinding(
-    Study& study, RunMode mode, const std::string& what, const std::string& reason) {
+void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode != RunMode::Live) return;
   if (reason.empty()) {
     throw storage::StorageError(
@@ -11,7 +10,7 @@ void noteUnblinding(
         "longer blind. Say why it is wanted: it goes into the audit trail (--reason \"…\"). "
         "'palpate export' without --unblind is blinded.");
   }
-  study.note("unblinded_" + what, reason);
+  study.note(kind, reason);
 }
 
 }  // namespace study

@@ -11,9 +11,9 @@ namespace study {
 /// Results that name conditions unblind the reader. If real people took part, the reason is written
 /// to the audit trail before anything is shown. Pilots and simulated sessions need no reason, and
 /// nothing is written.
-/// @param what  is shown: "report", "results"; the event is "unblinded_report"
+/// @param kind  UnblindedReport or UnblindedResults
 /// @throws storage::StorageError  in words, if live sessions are shown without a reason.
-void noteUnblinding(Study& study, RunMode mode, const std::string& what, const std::string& reason);
+void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason);
 
 /// How a study must be opened for noteUnblinding().
 inline storage::Database::Access accessToNote(const std::string& reason) {

@@ -78,8 +78,8 @@ bool isOf(const storage::Event& event, const GivenAnswer& answer) {
 Problems answers(Study& study) {
   std::map<std::pair<VisitKey, std::string>, storage::Event> said;
   for (auto& event : study.events().read()) {
-    if (event.kind == "retracted" && event.visit) said.erase({*event.visit, event.detail});
-    if (event.kind != "answered" || !event.visit) continue;
+    if (event.kind == EventKind::Retracted && event.visit) said.erase({*event.visit, event.detail});
+    if (event.kind != EventKind::Answered || !event.visit) continue;
     const auto* item = event.value("item");
     const auto* id = item == nullptr ? nullptr : std::get_if<std::string>(item);
     if (id == nullptr || event.value("kept_apart") != nullptr) continue;
@@ -148,7 +148,7 @@ Problems orders(Study& study) {
 std::map<VisitKey, std::string> keptTraces(Study& study) {
   std::map<VisitKey, std::string> kept;
   for (const auto& event : study.events().read()) {
-    if (event.kind == "kept_trace" && event.visit) kept[*event.visit] = event.detail;
+    if (event.kind == EventKind::KeptTrace && event.visit) kept[*event.visit] = event.detail;
   }
   return kept;
 }

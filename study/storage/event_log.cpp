@@ -61,57 +61,9 @@ Row rowIn(const Statement& statement) {
       .content = statement.blob(10)};
 }
 
-/// How the values of an event are described, by its kind. Kinds that are not listed have a detail
-/// without named values.
-struct EventText {
-  std::string_view kind;  ///< one that ends with '_' matches all kinds with that prefix
-  std::string_view english;
-  std::string_view counted = {};  ///< the value with a singular: if it is 1, ofOne is used
-  std::string_view ofOne = {};
-};
-
-constexpr std::array kTexts{
-    EventText{"answered", "{item}"},
-    EventText{"enrolled", "{participant} {cohort} {run_mode}, place {place}"},
-    EventText{"amended_protocol", "version {version}: {reason}"},
-    EventText{"clock_stepped", "by {by_s:.6f} s; durations are not affected"},
-    EventText{
-        "device_link",
-        "received {received}, lost {lost}, doubled {doubled}, late {late}, damaged {damaged}, "
-        "foreign {foreign}, restarts {restarts}, skipped {skipped}, stale {stale}, poor {poor}, "
-        "unsent {unsent}, clipped {clipped}, expired {expired}; round trip p50 {trip_p50_us:.0f} "
-        "us, p99 {trip_p99_us:.0f} us, largest {trip_max_us:.0f} us; device's 0 at "
-        "{clock_offset_ns} ns of our clock"},
-    EventText{"finished_trial", "{cuts} cuts, {verdict}", "cuts", "{cuts} cut, {verdict}"},
-    EventText{
-        "passivity",
-        "K {stiffness:.4g}, T {period_s:.4g} s, needs b {needed_damping:.3g}, device has "
-        "{device_damping:.3g}, least energy {least_energy:.3g}"},
-    EventText{"public_export", "k = {k}, {people} people, smallest class {smallest}"},
-    EventText{
-        "safety_",
-        "{times} times, {duration_s:.3f} s in all",
-        "times",
-        "{times} time, {duration_s:.3f} s in all"},
-    EventText{
-        "torque", "at most {largest_nm:.3g} N·m, least energy of the turn {least_energy:.3g} J"},
-    EventText{
-        "view",
-        "frames {frames}, dropped {dropped}, {rate_per_s:.1f} 1/s; from frame to frame p50 "
-        "{frame_p50_ms:.1f} ms, p99 {frame_p99_ms:.1f} ms, meant {period_ms:.1f} ms; latency p50 "
-        "{latency_p50_ms:.1f} ms, p99 {latency_p99_ms:.1f} ms; changes lost {lost_changes}; drawn "
-        "by {renderer}"},
-};
 constexpr std::string_view kLimitCycle =
     ", at rest the force alternates by {limit_cycle_n:.3g} N at {limit_cycle_hz:.4g} Hz";
 constexpr std::string_view kDrift = ", drift {drift_ppm:+.2f} ppm";
-
-const EventText* textOf(std::string_view kind) {
-  const auto found = std::find_if(kTexts.begin(), kTexts.end(), [&](const EventText& text) {
-    return text.kind.ends_with('_') ? kind.starts_with(text.kind) : kind == text.kind;
-  });
-  return found == kTexts.end() ? nullptr : &*found;
-}
 
 /// Text that is not valid UTF-8 could not be exported.
 void requireText(const std::string& words) {
@@ -131,7 +83,7 @@ void requireText(const Event& event) {
 /// release 0.1 begins with '{'.
 void readDetail(Event& event, const std::string& column) {
   event.detail = column;
-  if (textOf(event.kind) == nullptr) return;
+  if (patternOf(event.kind).english.empty()) return;
   if (!column.starts_with('{')) {
     event.values = release_0_1::valuesIn(event.kind, column);
   } else if (auto values = valuesIn(column)) {
@@ -169,6 +121,10 @@ std::string_view nameOf(Actor actor) noexcept {
   return {};
 }
 
+std::string_view Event::name() const noexcept {
+  return kind == EventKind::Unknown ? std::string_view(unknownName) : nameOf(kind);
+}
+
 const base::Argument* Event::value(std::string_view name) const noexcept {
   const auto found = std::find_if(
       values.begin(), values.end(), [&](const auto& entry) { return entry.first == name; });
@@ -176,12 +132,12 @@ const base::Argument* Event::value(std::string_view name) const noexcept {
 }
 
 std::string describe(const Event& event) {
-  const EventText* text = textOf(event.kind);
-  if (text == nullptr || event.values.empty()) return event.detail;
-  const auto* counted = event.value(text->counted);
+  const auto pattern = patternOf(event.kind);
+  if (pattern.english.empty() || event.values.empty()) return event.detail;
+  const auto* counted = event.value(pattern.counted);
   const bool isOne = counted != nullptr && *counted == base::Argument(std::int64_t{1});
   try {
-    std::string words = base::filled(isOne ? text->ofOne : text->english, event.values);
+    std::string words = base::filled(isOne ? pattern.ofOne : pattern.english, event.values);
     if (event.value("drift_ppm") != nullptr) words += base::filled(kDrift, event.values);
     if (event.value("limit_cycle_n") != nullptr) words += base::filled(kLimitCycle, event.values);
     return words;
@@ -196,7 +152,7 @@ void EventLog::append(const Event& event) {
       .utc = asUtc(event.when.wall),
       .monotonic = event.when.monotonic,
       .actor = std::string(nameOf(event.actor)),
-      .kind = event.kind,
+      .kind = std::string(event.name()),
       .detail = event.values.empty() ? event.detail : asJson(event.values)};
   if (event.visit) {
     row.session = static_cast<std::int64_t>(event.visit->session);
@@ -264,7 +220,8 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   std::vector<Event> events;
   while (select.step()) {
     const Row row = rowIn(select);
-    Event event{.actor = actorNamed(row.actor), .kind = row.kind};
+    Event event{.actor = actorNamed(row.actor), .kind = eventKindNamed(row.kind)};
+    if (event.kind == EventKind::Unknown) event.unknownName = row.kind;
     readDetail(event, row.detail);
     if (row.session) {
       event.visit = VisitKey{

@@ -9,6 +9,7 @@
 
 #include "base/message.h"
 #include "study/model/clock.h"
+#include "study/model/event_kind.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
 
@@ -21,11 +22,15 @@ struct Event {
   std::optional<VisitKey> visit;
   Moment when;
   Actor actor = Actor::Program;
-  std::string kind;    ///< "answered", "finished_step", "note"
+  EventKind kind = EventKind::Unknown;
   std::string detail;  ///< one value, or text that somebody entered; may be empty
   /// Named values of kinds that have several: {"times", 3}, {"duration_s", 0.12}. Release 0.1 wrote
   /// a sentence instead, which is then in @ref detail (docs/decisions/0019).
   base::NamedArguments values = {};
+  std::string unknownName = {};  ///< of a kind that only a later release knows
+
+  /// "answered", "finished_step", "note": the kind as it is stored.
+  std::string_view name() const noexcept;
 
   /// The value of that name; nullptr if there is none.
   const base::Argument* value(std::string_view name) const noexcept;

@@ -113,8 +113,8 @@ std::optional<base::Message> next(
 
 }  // namespace
 
-base::NamedArguments valuesIn(std::string_view kind, std::string_view detail) {
-  if (kind != "answered") return {};
+base::NamedArguments valuesIn(EventKind kind, std::string_view detail) {
+  if (kind != EventKind::Answered) return {};
   if (detail.ends_with(kKeptApart)) {
     const auto item = detail.substr(0, detail.size() - kKeptApart.size());
     if (item.find(' ') == item.npos) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/message.h"
+#include "study/model/event_kind.h"
 #include "study/model/given_answer.h"
 
 /// Reads the English sentences that release 0.1 stored.
@@ -14,12 +15,12 @@
 /// not follow changes of wording elsewhere.
 namespace study::storage::release_0_1 {
 
-/// The values that code needs from the detail of an event: of "answered", {"item": …}, and
+/// The values that code needs from the detail of an event: of Answered, {"item": …}, and
 /// {"kept_apart": 1} if the answer is in identity.db. None for other kinds: their sentence is shown
 /// unchanged.
-base::NamedArguments valuesIn(std::string_view kind, std::string_view detail);
+base::NamedArguments valuesIn(EventKind kind, std::string_view detail);
 
-/// The detail of release 0.1's "answered" event about @p answer: "1.1 = 4"; for a long text its
+/// The detail of release 0.1's Answered event about @p answer: "1.1 = 4"; for a long text its
 /// SHA-256.
 std::string detailOf(const GivenAnswer& answer);
 

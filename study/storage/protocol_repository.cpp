@@ -5,6 +5,7 @@
 
 #include <sodium.h>
 
+#include "study/model/event_kind.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -87,9 +88,9 @@ protocols::Defaults ProtocolRepository::defaultsOf(ProtocolId id) const {
       database_,
       "SELECT CASE WHEN ?1 = (SELECT min(id) FROM protocol) "
       "THEN (SELECT app_version NOT LIKE '0.1.%' FROM study) "
-      "ELSE (SELECT detail LIKE '{%' FROM event WHERE kind = 'amended_protocol' "
+      "ELSE (SELECT detail LIKE '{%' FROM event WHERE kind = ?2 "
       "ORDER BY seq LIMIT 1 OFFSET (SELECT count(*) - 1 FROM protocol WHERE id < ?1)) END");
-  select.bind(1, static_cast<std::int64_t>(id));
+  select.bind(1, static_cast<std::int64_t>(id)).bind(2, nameOf(EventKind::AmendedProtocol));
   const bool isCurrent = select.step() && select.number(0) != 0;
   return isCurrent ? protocols::Defaults::Current : protocols::Defaults::Release01;
 }

@@ -78,7 +78,7 @@ TEST_F(TextsTest, AreRefusedAsNotesIfTheyAreInvalid) {
   EXPECT_THROW(session_.note(std::string("a\0b", 3)), storage::StorageError);
   EXPECT_THROW(session_.pause("\xc3"), storage::StorageError);
   EXPECT_EQ(session_.state(), SessionState::Consented);
-  EXPECT_THROW(study_->note("unblinded_export", "\xff"), storage::StorageError);
+  EXPECT_THROW(study_->note(EventKind::UnblindedExport, "\xff"), storage::StorageError);
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()), before);
   session_.pause("caf\xC3\xA9");
 }

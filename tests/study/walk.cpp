@@ -87,7 +87,7 @@ study::Session consenting(study::Study& study, const study::Enrolment& enrolment
 std::string eventsOf(study::Study& study, study::SessionId session) {
   std::string kinds;
   for (const auto& event : study.events().read(session)) {
-    kinds += (kinds.empty() ? "" : " ") + event.kind;
+    kinds += (kinds.empty() ? "" : " ") + std::string(event.name());
   }
   return kinds;
 }

@@ -132,7 +132,7 @@ int failed(const haptics::timing::StandstillWatch& watch, const std::string& wha
 
 /// For the terminal: without the clock offset of a link, which only the record needs.
 std::string shownOf(const storage::Event& event) {
-  if (event.kind != "device_link") return storage::describe(event);
+  if (event.kind != EventKind::DeviceLink) return storage::describe(event);
   constexpr std::string_view kLink =
       "received {received}, lost {lost}, doubled {doubled}, late {late}, damaged {damaged}, "
       "foreign {foreign}, restarts {restarts}, skipped {skipped}, stale {stale}, poor {poor}, "
@@ -145,7 +145,7 @@ std::string shownOf(const storage::Event& event) {
 
 void printLinks(Study& study) {
   for (const auto& event : study.events().read(std::nullopt)) {
-    if (event.kind != "device_link" && event.kind != "device_fault") continue;
+    if (event.kind != EventKind::DeviceLink && event.kind != EventKind::DeviceFault) continue;
     const auto visit = event.visit.value_or(VisitKey{});
     fmt::print(
         "session {} step {} attempt {}: {}\n",

@@ -46,7 +46,7 @@ int run(const RunOptions& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, accessToNote(options.reason));
   const auto mode = chosenRunMode(study, options.runMode);
-  noteUnblinding(study, mode, "results", options.reason);
+  noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
   if (options.isWatched) watch(study, mode);
   const auto results = computeResults(study, mode);
   const auto profile =

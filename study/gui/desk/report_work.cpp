@@ -43,7 +43,7 @@ void write(const ReportOrder& order, const Progress& progress) {
         " participant has taken part yet. Choose other "
         "sessions.");
   }
-  noteUnblinding(study, order.mode, "report", order.reason);
+  noteUnblinding(study, order.mode, EventKind::UnblindedReport, order.reason);
   tell(progress, 0.0, "computing the tables, and what was felt");
   std::vector<report::ReportSection> sections;
   sections.push_back(report::gather(study, order.mode, words::wordsIn(order.language)));

@@ -184,7 +184,7 @@ void SessionController::giveUpOnDevice(const QString& reason) {
 std::vector<SessionController::Note> SessionController::notes() const {
   std::vector<Note> notes;
   for (const auto& event : study_.events().read(session_.id())) {
-    if (event.kind != "note") continue;
+    if (event.kind != EventKind::Note) continue;
     notes.push_back(
         {QDateTime::fromMSecsSinceEpoch(event.when.wall), QString::fromStdString(event.detail)});
   }

@@ -93,7 +93,7 @@ TEST_F(ReproducibleTest, RevealsConditionsOnRequestAndRecordsIt) {
   study::SimulatedClock clock;
   auto opened = study::Study::open(study, clock);
   const auto last = opened.events().read().back();
-  EXPECT_EQ(last.kind, "unblinded_export");
+  EXPECT_EQ(last.name(), "unblinded_export");
   EXPECT_EQ(last.detail, "the analysis is written");
 }
 

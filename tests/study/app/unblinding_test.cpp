@@ -34,7 +34,7 @@ class UnblindingTest : public testing::Test {
   std::vector<std::string> reasonsOf(const std::string& kind) {
     std::vector<std::string> reasons;
     for (const auto& event : study_->events().read()) {
-      if (event.kind == kind) reasons.push_back(event.detail);
+      if (event.name() == kind) reasons.push_back(event.detail);
     }
     return reasons;
   }
@@ -43,13 +43,16 @@ class UnblindingTest : public testing::Test {
 };
 
 TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
-  EXPECT_THROW(noteUnblinding(*study_, RunMode::Live, "report", ""), storage::StorageError);
-  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Pilot, "report", ""));
-  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, "report", ""));
-  noteUnblinding(*study_, RunMode::Pilot, "report", "said though nobody asked");
-  noteUnblinding(*study_, RunMode::Simulated, "report", "said though nobody asked");
+  EXPECT_THROW(
+      noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, ""),
+      storage::StorageError);
+  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, ""));
+  EXPECT_NO_THROW(noteUnblinding(*study_, RunMode::Simulated, EventKind::UnblindedReport, ""));
+  noteUnblinding(*study_, RunMode::Pilot, EventKind::UnblindedReport, "said though nobody asked");
+  noteUnblinding(
+      *study_, RunMode::Simulated, EventKind::UnblindedReport, "said though nobody asked");
   EXPECT_TRUE(reasonsOf("unblinded_report").empty());
-  noteUnblinding(*study_, RunMode::Live, "report", "plan signed");
+  noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
 }
 

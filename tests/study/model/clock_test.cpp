@@ -31,7 +31,7 @@ TEST(Clock, OfThisComputerAdvances) {
 std::vector<storage::Event> stepsOf(Study& study) {
   std::vector<storage::Event> stepped;
   for (const auto& event : study.events().read()) {
-    if (event.kind == "clock_stepped") stepped.push_back(event);
+    if (event.kind == EventKind::ClockStepped) stepped.push_back(event);
   }
   return stepped;
 }
@@ -62,7 +62,7 @@ TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   }
   // times of the wall clock are stored unchanged
   EXPECT_LT(events.back().when.wall, events.front().when.wall);
-  EXPECT_EQ(events.back().kind, "gave_consent");
+  EXPECT_EQ(events.back().name(), "gave_consent");
   EXPECT_TRUE(verify(*study_).isSound());
 
   const auto tables = exportTables(*study_, {});

@@ -84,7 +84,7 @@ class PooledResultsTest : public testing::Test {
     study_->transact([&] {
       answers.put(visit, answer, "later");
       study_->events().append(
-          {.visit = visit, .kind = "answered", .values = storage::valuesOf(answer)});
+          {.visit = visit, .kind = EventKind::Answered, .values = storage::valuesOf(answer)});
     });
     return visit;
   }
@@ -134,7 +134,7 @@ TEST_F(PooledResultsTest, CountTheLatestValueOfACorrectedAnswer) {
   EXPECT_EQ(counted(), countedOneByOne());
   study_->transact([&] {
     storage::AnswerRepository(study_->database()).remove(visit, "2.2");
-    study_->events().append({.visit = visit, .kind = "retracted", .detail = "2.2"});
+    study_->events().append({.visit = visit, .kind = EventKind::Retracted, .detail = "2.2"});
   });
   EXPECT_EQ(counted(), countedOneByOne());
   EXPECT_EQ(total(counted()), 2U * 18U - 1U);

@@ -292,7 +292,7 @@ TEST_F(SessionStepsTest, RecordsActorActionAndReasonInTheAuditTrail) {
   tests::walkTo(session_, StepKind::Trial);
   session_.skipStep("no time");
   const auto events = study_->events().read(session_.id());
-  EXPECT_EQ(events.back().kind, "skipped_step");
+  EXPECT_EQ(events.back().name(), "skipped_step");
   EXPECT_EQ(events.back().detail, "no time");
   EXPECT_EQ(events.back().actor, storage::Actor::Operator);
   EXPECT_EQ(events.front().actor, storage::Actor::Program);

@@ -65,13 +65,15 @@ TEST(TrialReasonsOfRelease01, AreKeptVerbatimIfTheyAreUnknown) {
 }
 
 TEST(AnswersOfRelease01, AreReadWithTheirItem) {
-  const auto item = [](const char* detail) { return release_0_1::valuesIn("answered", detail); };
+  const auto item = [](const char* detail) {
+    return release_0_1::valuesIn(EventKind::Answered, detail);
+  };
   EXPECT_EQ(item("1.1 = 4"), (base::NamedArguments{{"item", std::string("1.1")}}));
   EXPECT_EQ(item("1.1 = 'a (kept apart)'"), (base::NamedArguments{{"item", std::string("1.1")}}));
   EXPECT_EQ(
       item("name (kept apart)"),
       (base::NamedArguments{{"item", std::string("name")}, {"kept_apart", std::int64_t{1}}}));
-  EXPECT_TRUE(release_0_1::valuesIn("passivity", "K 300, T 0.001 s").empty());
+  EXPECT_TRUE(release_0_1::valuesIn(EventKind::Passivity, "K 300, T 0.001 s").empty());
 }
 
 TEST(AnswersOfRelease01, AreDescribedAsInThatRelease) {

@@ -43,7 +43,7 @@ TEST(ViewReport, DescribesTheNumbersAndTheRenderer) {
   const ViewReport report{
       .renderer = "a card", .frames = 120, .dropped = 3, .rate = 59.94, .latencyMedian = 12.3};
   const std::string words =
-      storage::describe(storage::Event{.kind = "view", .values = valuesOf(report)});
+      storage::describe(storage::Event{.kind = EventKind::View, .values = valuesOf(report)});
   EXPECT_NE(words.find("frames 120, dropped 3, 59.9 1/s"), std::string::npos) << words;
   EXPECT_NE(words.find("latency p50 12.3 ms"), std::string::npos) << words;
   EXPECT_NE(words.find("drawn by a card"), std::string::npos) << words;

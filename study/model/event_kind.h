@@ -1,0 +1,99 @@
+#pragma once
+
+#include <string_view>
+
+#include "study/model/session_state.h"
+#include "study/model/trial_record.h"
+
+namespace study {
+
+/// What an event of the audit trail is about. Its name is stored and exported, and hashed with the
+/// event: it never changes.
+enum class EventKind {
+  // A study
+  MadeStudy,
+  FrozeProtocol,
+  AmendedProtocol,
+  PublicExport,
+  UnblindedExport,
+  UnblindedReport,
+  UnblindedResults,
+
+  // What can happen to a session, in the order of SessionEvent
+  FinishedStep,
+  GaveConsent,
+  DeclinedConsent,
+  BeganTrial,
+  FinishedTrial,
+  BrokeOffTrial,
+  RepeatedStep,
+  SkippedStep,
+  PausedSession,
+  ResumedSession,
+  FinishedSession,
+  Withdrew,
+  WasRejected,
+  GaveUpOnDevice,
+
+  // What else happens in it
+  Enrolled,
+  Resumed,  ///< by another run of the program
+  ClockStepped,
+  ChoseLanguage,
+  Note,
+  Answered,
+  Retracted,
+
+  // A trial
+  KeptTrace,
+  Passivity,
+  Torque,
+  DeviceLink,
+  DeviceFault,
+  View,
+
+  // What its safety functions did, in the order of SafetyKind
+  SafetyTooFast,
+  SafetyReleased,
+  SafetyNoSample,
+  SafetyMissedPeriods,
+  SafetySoftStart,
+  SafetySaturated,
+  SafetySlewed,
+  SafetyNotFinite,
+  SafetyActive,
+  SafetyDamped,
+  SafetyTorqueSaturated,
+  SafetyTorqueSlewed,
+  SafetyTorqueActive,
+
+  Unknown,  ///< a later release wrote it
+};
+
+/// "finished_trial", as it is stored; empty for Unknown.
+std::string_view nameOf(EventKind kind) noexcept;
+
+/// Unknown where no kind has this name.
+EventKind eventKindNamed(std::string_view name) noexcept;
+
+constexpr EventKind kindOf(SessionEvent event) noexcept {
+  return static_cast<EventKind>(
+      static_cast<int>(EventKind::FinishedStep) + static_cast<int>(event));
+}
+static_assert(kindOf(SessionEvent::GaveUpOnDevice) == EventKind::GaveUpOnDevice);
+
+constexpr EventKind kindOf(SafetyKind kind) noexcept {
+  return static_cast<EventKind>(
+      static_cast<int>(EventKind::SafetyTooFast) + static_cast<int>(kind));
+}
+static_assert(kindOf(SafetyKind::TorqueActive) == EventKind::SafetyTorqueActive);
+
+/// How the values of an event read in English, with their names in braces.
+struct EventPattern {
+  std::string_view english = {};  ///< empty: events of this kind have no named values
+  std::string_view counted = {};  ///< the value that is one in …
+  std::string_view ofOne = {};
+};
+EventPattern patternOf(EventKind kind) noexcept;
+
+}  // namespace study
