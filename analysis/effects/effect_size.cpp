@@ -110,16 +110,10 @@ std::optional<double> hedgesCorrection(double degreesOfFreedom) {
 }
 
 MeanEffects effectSizes(
-    std::span<const double> group1, std::span<const double> group2, double level) {
-  return effectSizes(momentsOf(group1), momentsOf(group2), level);
-}
-
-MeanEffects effectSizes(const LikertCounts& group1, const LikertCounts& group2, double level) {
-  return effectSizes(momentsOf(group1), momentsOf(group2), level);
-}
-
-MeanEffects effectSizes(const Moments& group1, const Moments& group2, double level) {
+    std::span<const double> values1, std::span<const double> values2, double level) {
   checkLevel(level);
+  const Moments group1 = momentsOf(values1);
+  const Moments group2 = momentsOf(values2);
   MeanEffects effects;
   effects.level = level;
   const Contrast contrast = contrastOf(group1, group2);

@@ -3,8 +3,6 @@
 #include <optional>
 #include <span>
 
-#include "analysis/data/likert_counts.h"
-#include "analysis/data/moments.h"
 #include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
 #include "analysis/tests/paired_t.h"
@@ -63,9 +61,6 @@ std::optional<double> hedgesCorrection(double degreesOfFreedom);
 ///     0 and 1.
 MeanEffects effectSizes(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
-MeanEffects effectSizes(
-    const LikertCounts& group1, const LikertCounts& group2, double level = 0.95);
-MeanEffects effectSizes(const Moments& group1, const Moments& group2, double level = 0.95);
 
 /// d_z = t / √n, its interval δ / √n, and both times J(n − 1).
 ///

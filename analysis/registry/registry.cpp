@@ -34,8 +34,30 @@ TestRow welchRow(const TestData& data, const TestSettings& settings) {
   return rowOf(result, confidenceInterval(result, settings.level));
 }
 
+/// What both t-tests of two groups say of the size of the difference.
+/// @param corrected  for small samples
+void addEffects(
+    TestRow& row,
+    const MeanEffects& effects,
+    std::string_view name,
+    const EffectSize& corrected,
+    const NamedNumber& uncorrected) {
+  row.effect = {name, corrected.value};
+  row.effectInterval = corrected.interval;
+  row.more = {
+      uncorrected,
+      {"glass_delta1", effects.glassDelta1},
+      {"glass_delta2", effects.glassDelta2},
+      {"common_language", effects.commonLanguage}};
+  if (row.reason.empty()) row.reason = effects.reason;
+}
+
 Rows welch(const TestData& data, const TestSettings& settings) {
-  return {welchRow(data, settings)};
+  auto row = welchRow(data, settings);
+  const auto effects = effectSizes(first(data), second(data), settings.level);
+  addEffects(
+      row, effects, "hedges_g_av", effects.hedgesGAv, {"cohen_d_av", effects.cohenDAv.value});
+  return {row};
 }
 
 Rows student(const TestData& data, const TestSettings& settings) {
@@ -47,6 +69,8 @@ Rows student(const TestData& data, const TestSettings& settings) {
   row.statistic = result.statistic;
   row.df = result.df;
   row.p = result.p;
+  const auto effects = effectSizes(first(data), second(data), settings.level);
+  addEffects(row, effects, "hedges_g", effects.hedgesG, {"cohen_d", effects.cohenD.value});
   return {row};
 }
 

@@ -38,9 +38,19 @@ two.sided <- function(p.less, p.greater) min(1, 2 * min(p.less, p.greater))
 
 # --- two groups -----------------------------------------------------------------------------------------------------
 w <- t.test(x, y)
-add("welch", "../two/t23_sleep.csv", difference = mean(x) - mean(y), se = w$stderr, t = w$statistic, df = w$parameter, p = w$p.value, conf_low = w$conf.int[1], conf_high = w$conf.int[2])
 s <- t.test(x, y, var.equal = TRUE)
-add("student", "../two/t23_sleep.csv", t = s$statistic, df = s$parameter, p = s$p.value)
+# d = t / root, root from difference / standard error to difference / deviation; limits of the noncentrality by pt()
+effects <- function(test, deviation) { t <- unname(test$statistic); df <- unname(test$parameter); root <- test$stderr / deviation
+  limit <- function(p) uniroot(function(delta) pt(t, df, delta) - p, t + c(-6, 6), tol = 1e-13)$root
+  J <- exp(lgamma(df / 2) - lgamma((df - 1) / 2)) / sqrt(df / 2)
+  list(d = t * root, g = J * t * root, low = J * root * limit(0.975), high = J * root * limit(0.025)) }
+shared <- list(glass_delta1 = (mean(x) - mean(y)) / sd(x), glass_delta2 = (mean(x) - mean(y)) / sd(y), common_language = pnorm((mean(x) - mean(y)) / sqrt(var(x) + var(y))))
+e <- effects(w, sqrt((var(x) + var(y)) / 2))
+do.call(add, c(list("welch", "../two/t23_sleep.csv", difference = mean(x) - mean(y), se = w$stderr, t = w$statistic, df = w$parameter, p = w$p.value, conf_low = w$conf.int[1], conf_high = w$conf.int[2],
+    hedges_g_av = e$g, hedges_g_av_low = e$low, hedges_g_av_high = e$high, cohen_d_av = e$d), shared))
+e <- effects(s, sqrt(((length(x) - 1) * var(x) + (length(y) - 1) * var(y)) / (length(x) + length(y) - 2)))
+do.call(add, c(list("student", "../two/t23_sleep.csv", t = s$statistic, df = s$parameter, p = s$p.value,
+    hedges_g = e$g, hedges_g_low = e$low, hedges_g_high = e$high, cohen_d = e$d), shared))
 r <- rank(c(x, y)); sums <- combn(length(r), length(x), function(i) sum(r[i])); R <- sum(r[seq_along(x)])
 u <- R - length(x) * (length(x) + 1) / 2
 add("mann_whitney", "../two/t23_sleep.csv", U = u, p = two.sided(mean(sums <= R + 1e-9), mean(sums >= R - 1e-9)),
