@@ -20,11 +20,6 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-std::uint64_t countAt(const LikertCounts& counts, int point) {
-  if (point < counts.lowest() || point > counts.highest()) return 0;
-  return counts.counts()[static_cast<std::size_t>(point - counts.lowest())];
-}
-
 }  // namespace
 
 Midranks midranksOf(std::span<const double> values) {
@@ -63,16 +58,6 @@ TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> 
     for (; i < first.size() && first[i] == value; ++i) ++tied.first;
     for (; j < second.size() && second[j] == value; ++j) ++tied.second;
     groups.values.push_back(tied);
-  }
-  return groups;
-}
-
-TiedGroups tiedGroupsOf(const LikertCounts& group1, const LikertCounts& group2) {
-  TiedGroups groups{.n1 = group1.total(), .n2 = group2.total(), .values = {}};
-  const int highest = std::max(group1.highest(), group2.highest());
-  for (int point = std::min(group1.lowest(), group2.lowest()); point <= highest; ++point) {
-    const TiedValue tied{.first = countAt(group1, point), .second = countAt(group2, point)};
-    if (tied.first + tied.second > 0) groups.values.push_back(tied);
   }
   return groups;
 }

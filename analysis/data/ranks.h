@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/numerics/exact_arithmetic.h"
 
 namespace analysis {
@@ -41,9 +40,6 @@ struct TiedGroups {
 
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 TiedGroups tiedGroupsOf(std::span<const double> group1, std::span<const double> group2);
-
-/// Points of scales that differ are compared as the numbers that they are.
-TiedGroups tiedGroupsOf(const LikertCounts& group1, const LikertCounts& group2);
 
 /// Where the values of each group lie in the other: twice the placement of a value is twice the
 /// number of smaller values in the other group, and those equal to it once.

@@ -99,10 +99,6 @@ CliffDelta cliffDelta(
   return cliffDelta(tiedGroupsOf(group1, group2), level);
 }
 
-CliffDelta cliffDelta(const LikertCounts& group1, const LikertCounts& group2, double level) {
-  return cliffDelta(tiedGroupsOf(group1, group2), level);
-}
-
 CliffDelta cliffDelta(const TiedGroups& groups, double level) {
   const double z = normalTwoSidedQuantile(level);
   CliffDelta result;

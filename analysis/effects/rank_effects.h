@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/data/ranks.h"
 #include "analysis/data/reason.h"
 #include "analysis/numerics/interval.h"
@@ -38,7 +37,6 @@ struct CliffDelta {
 ///     0 and 1.
 CliffDelta cliffDelta(
     std::span<const double> group1, std::span<const double> group2, double level = 0.95);
-CliffDelta cliffDelta(const LikertCounts& group1, const LikertCounts& group2, double level = 0.95);
 CliffDelta cliffDelta(const TiedGroups& groups, double level = 0.95);
 
 /// The location of paired differences, by the signed rank test. What is missing has a reason.

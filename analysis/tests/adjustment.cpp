@@ -126,11 +126,6 @@ std::string_view nameOf(Adjustment method) noexcept {
   return "";
 }
 
-std::optional<Adjustment> adjustmentNamed(std::string_view name) noexcept {
-  const auto method = std::ranges::find(kAdjustments, name, nameOf);
-  return method == kAdjustments.end() ? std::nullopt : std::optional(*method);
-}
-
 std::size_t definedCount(std::span<const std::optional<double>> pValues) {
   const auto count = std::ranges::count_if(pValues, [](const auto& p) { return p.has_value(); });
   return static_cast<std::size_t>(count);

@@ -34,9 +34,6 @@ inline constexpr std::array kAdjustments{
 /// Its name in a file: `bonferroni`, `holm`, `hochberg`, `hommel`, `bh`, `by`, `holm-sidak`.
 std::string_view nameOf(Adjustment method) noexcept;
 
-/// The method that has this name; std::nullopt if there is none.
-std::optional<Adjustment> adjustmentNamed(std::string_view name) noexcept;
-
 /// The number of a family's tests that have a p value. A test that is not defined cannot be
 /// significant by chance, and does not count.
 std::size_t definedCount(std::span<const std::optional<double>> pValues);

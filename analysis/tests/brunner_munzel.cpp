@@ -58,10 +58,6 @@ BrunnerMunzelResult brunnerMunzelTest(
   return brunnerMunzelTest(tiedGroupsOf(group1, group2));
 }
 
-BrunnerMunzelResult brunnerMunzelTest(const LikertCounts& group1, const LikertCounts& group2) {
-  return brunnerMunzelTest(tiedGroupsOf(group1, group2));
-}
-
 BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups) {
   BrunnerMunzelResult result;
   result.n1 = groups.n1;

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/data/ranks.h"
 #include "analysis/data/reason.h"
 
@@ -38,7 +37,6 @@ struct BrunnerMunzelResult {
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 BrunnerMunzelResult brunnerMunzelTest(
     std::span<const double> group1, std::span<const double> group2);
-BrunnerMunzelResult brunnerMunzelTest(const LikertCounts& group1, const LikertCounts& group2);
 BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups);
 
 }  // namespace analysis

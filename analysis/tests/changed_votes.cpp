@@ -116,17 +116,6 @@ McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo)
   return result;
 }
 
-McNemarResult mcNemarTestOfPairs(const std::vector<bool>& before, const std::vector<bool>& after) {
-  if (before.size() != after.size()) throw std::invalid_argument("pairs have two answers each");
-  std::uint64_t toYes = 0;
-  std::uint64_t toNo = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (!before[i] && after[i]) ++toYes;
-    if (before[i] && !after[i]) ++toNo;
-  }
-  return mcNemarTest(toYes, toNo);
-}
-
 StuartMaxwellResult stuartMaxwellTest(ChangeTable table) {
   requireSquare(table);
   StuartMaxwellResult result;

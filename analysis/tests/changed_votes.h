@@ -25,10 +25,6 @@ struct McNemarResult {
 /// likely in both directions; answers that did not change do not count.
 McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo);
 
-/// @param before, after  of the same people in the same order.
-/// @throws std::invalid_argument  if their numbers differ.
-McNemarResult mcNemarTestOfPairs(const std::vector<bool>& before, const std::vector<bool>& after);
-
 /// Whether options are chosen as often the second time as the first. What is missing has a reason.
 struct StuartMaxwellResult {
   std::uint64_t persons = 0;

@@ -56,10 +56,6 @@ MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<cons
   return mannWhitneyTest(tiedGroupsOf(group1, group2));
 }
 
-MannWhitneyResult mannWhitneyTest(const LikertCounts& group1, const LikertCounts& group2) {
-  return mannWhitneyTest(tiedGroupsOf(group1, group2));
-}
-
 MannWhitneyResult mannWhitneyTest(const TiedGroups& groups) {
   MannWhitneyResult result;
   result.n1 = groups.n1;

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/data/ranks.h"
 #include "analysis/data/reason.h"
 
@@ -43,7 +42,6 @@ struct MannWhitneyResult {
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);
-MannWhitneyResult mannWhitneyTest(const LikertCounts& group1, const LikertCounts& group2);
 MannWhitneyResult mannWhitneyTest(const TiedGroups& groups);
 
 }  // namespace analysis

@@ -11,10 +11,6 @@ StudentResult studentTTest(std::span<const double> group1, std::span<const doubl
   return studentTTest(momentsOf(group1), momentsOf(group2));
 }
 
-StudentResult studentTTest(const LikertCounts& group1, const LikertCounts& group2) {
-  return studentTTest(momentsOf(group1), momentsOf(group2));
-}
-
 StudentResult studentTTest(const Moments& group1, const Moments& group2) {
   StudentResult result;
   if (group1.n == 0 || group2.n == 0 || group1.n + group2.n < 3) return result;

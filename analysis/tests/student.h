@@ -3,7 +3,6 @@
 #include <optional>
 #include <span>
 
-#include "analysis/data/likert_counts.h"
 #include "analysis/data/moments.h"
 
 namespace analysis {
@@ -23,7 +22,6 @@ struct StudentResult {
 ///
 /// @throws std::invalid_argument  if a value is infinite or NaN.
 StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2);
-StudentResult studentTTest(const LikertCounts& group1, const LikertCounts& group2);
 StudentResult studentTTest(const Moments& group1, const Moments& group2);
 
 }  // namespace analysis

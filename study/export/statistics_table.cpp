@@ -1,14 +1,12 @@
 #include "study/export/statistics_table.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "study/export/export_parts.h"
 #include "study/export/statistics_row.h"
 #include "study/results/felt_curves.h"
-#include "study/results/results.h"
-#include "study/storage/records.h"
+#include "study/results/pooled_results.h"
 
 namespace study {
 namespace {
@@ -56,9 +54,8 @@ class FamilyRows {
   }
 
   std::string_view declaredCorrection() const {
-    constexpr std::array<std::string_view, 8> kNames{
-        "none", "bonferroni", "holm", "hochberg", "hommel", "bh", "by", "holm-sidak"};
-    return kNames[static_cast<std::size_t>(family_.family.correction)];
+    const auto adjustment = adjustmentOf(family_.family.correction);
+    return adjustment ? nameOf(*adjustment) : "none";
   }
 
   Row& addPair(

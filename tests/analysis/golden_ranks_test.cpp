@@ -144,27 +144,6 @@ TEST(GoldenRankSums, AreAllReachedToTheirGate) {
   EXPECT_EQ(worst.count(), 15 * 16 - 2 * 4 - 4 * 5);
 }
 
-TEST(GoldenRankSums, FollowFromFiveBinHistograms) {
-  for (const std::string dataSet : {"t01_likert36", "t02_likert36_30", "t03_counts_I30_K30"}) {
-    const auto groups = tests::statsGroups(dataSet);
-    analysis::LikertCounts a(1, 5);
-    analysis::LikertCounts b(1, 5);
-    for (const double value : groups.group1.values) a.add(static_cast<int>(value));
-    for (const double value : groups.group2.values) b.add(static_cast<int>(value));
-    const auto values = analysis::mannWhitneyTest(groups.group1.values, groups.group2.values);
-    const auto counts = analysis::mannWhitneyTest(a, b);
-    EXPECT_EQ(counts.u, values.u);
-    EXPECT_EQ(counts.p, values.p);
-    EXPECT_EQ(counts.pAsymptotic, values.pAsymptotic);
-    EXPECT_EQ(
-        analysis::brunnerMunzelTest(a, b).p,
-        analysis::brunnerMunzelTest(groups.group1.values, groups.group2.values).p);
-    EXPECT_EQ(
-        analysis::cliffDelta(a, b).variance,
-        analysis::cliffDelta(groups.group1.values, groups.group2.values).variance);
-  }
-}
-
 TEST(GoldenBlocks, AreAllReachedToTheirGate) {
   const auto golden = tests::statsJson("golden.json")["block"];
   tests::WorstDigits worst("Friedman");

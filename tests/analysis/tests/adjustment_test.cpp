@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -48,13 +50,12 @@ TEST(Adjustment, RefusesInvalidProbabilities) {
 }
 
 TEST(Adjustment, IsNamedAsInAFile) {
-  for (const auto method : analysis::kAdjustments) {
-    EXPECT_EQ(analysis::adjustmentNamed(nameOf(method)), method) << nameOf(method);
+  const std::vector<std::string_view> names{
+      "bonferroni", "holm", "hochberg", "hommel", "bh", "by", "holm-sidak"};
+  ASSERT_EQ(names.size(), analysis::kAdjustments.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    EXPECT_EQ(nameOf(analysis::kAdjustments[i]), names[i]);
   }
-  EXPECT_EQ(nameOf(Adjustment::BenjaminiHochberg), "bh");
-  EXPECT_EQ(nameOf(Adjustment::HolmSidak), "holm-sidak");
-  EXPECT_FALSE(analysis::adjustmentNamed("none").has_value());
-  EXPECT_FALSE(analysis::adjustmentNamed("").has_value());
 }
 
 TEST(Adjustment, OfTheStepwiseKindsIsThatOfTheirDefinition) {

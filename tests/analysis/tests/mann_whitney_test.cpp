@@ -15,7 +15,6 @@ namespace mann_whitney_test {
 
 using analysis::brunnerMunzelTest;
 using analysis::cliffDelta;
-using analysis::LikertCounts;
 using analysis::mannWhitneyTest;
 using Values = std::vector<double>;
 
@@ -26,12 +25,6 @@ const Values kBefore{1.15, 0.88, 0.90, 0.74, 1.21};
 // Brunner & Munzel 2000: pain scores after laparoscopy (R: brunnermunzel::brunnermunzel.test)
 const Values kPain1{1, 2, 1, 1, 1, 1, 1, 1, 1, 1, 2, 4, 1, 1};
 const Values kPain2{3, 3, 4, 3, 1, 2, 3, 1, 1, 5, 4};
-
-LikertCounts counted(const Values& values) {
-  LikertCounts counts(1, 5);
-  for (const double value : values) counts.add(static_cast<int>(value));
-  return counts;
-}
 
 /// How many of all choices of group 1 have a U of at least, at most, or as far off as the observed.
 struct Slow {
@@ -105,23 +98,6 @@ TEST(MannWhitneyTest, MirrorsWithTheGroups) {
   EXPECT_EQ(result.u.value() + mirror.u.value(), 14.0 * 11.0);
 }
 
-TEST(MannWhitneyTest, FollowsFromHistograms) {
-  const auto counts = mannWhitneyTest(counted(kPain1), counted(kPain2));
-  const auto values = mannWhitneyTest(kPain1, kPain2);
-  EXPECT_EQ(counts.p, values.p);
-  EXPECT_EQ(counts.pAsymptotic, values.pAsymptotic);
-}
-
-TEST(MannWhitneyTest, ComparesPointsOfUnlikeScalesAsNumbers) {
-  LikertCounts five(1, 5);
-  LikertCounts seven(3, 7);
-  five.add(3, 2);
-  five.add(5);
-  seven.add(3);
-  seven.add(7, 2);
-  EXPECT_EQ(mannWhitneyTest(five, seven).u, slowU({3, 3, 5}, {3, 7, 7}));
-}
-
 TEST(MannWhitneyTest, GivesAReasonIfAllValuesAreEqual) {
   const auto result = mannWhitneyTest(Values{4, 4, 4}, Values{4, 4});
   EXPECT_EQ(result.reason.key(), "all_values_equal");
@@ -169,7 +145,6 @@ TEST(BrunnerMunzelTest, HasThePublishedPOfPainScores) {
   EXPECT_NEAR(result.probability.value(), 0.788961, 5e-7);
   EXPECT_DOUBLE_EQ(result.pLess.value(), 0.5 * result.p.value());
   EXPECT_EQ(result.reason.key(), "");
-  EXPECT_EQ(brunnerMunzelTest(counted(kPain1), counted(kPain2)).p, result.p);
 }
 
 TEST(BrunnerMunzelTest, IsUndefinedWithoutOverlap) {
@@ -198,7 +173,6 @@ TEST(CliffDelta, IsTheShareOfPairsUpLessThoseDown) {
   EXPECT_DOUBLE_EQ(result.delta.value(), 2.0 * slowU(kPain2, kPain1) / 154.0 - 1.0);
   EXPECT_LT(result.interval.value().low, result.delta.value());
   EXPECT_GT(result.interval.value().high, result.delta.value());
-  EXPECT_EQ(cliffDelta(counted(kPain2), counted(kPain1)).variance, result.variance);
 }
 
 TEST(CliffDelta, MirrorsWithTheGroups) {
