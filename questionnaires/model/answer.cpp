@@ -66,7 +66,7 @@ std::string optionLabels(
 }  // namespace
 
 std::string labelOf(const Item& item, const Response& response, std::string_view language) {
-  const bool isPoint = item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential;
+  const bool isPoint = answerKindOf(item.type) == AnswerKind::Point;
   if (const auto* whole = std::get_if<std::int64_t>(&response)) {
     return isPoint ? pointLabel(item, *whole, language)
                    : numberLabel(item, static_cast<double>(*whole), language);

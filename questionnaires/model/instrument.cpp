@@ -14,24 +14,26 @@ const std::string& LocalizedText::in(std::string_view language) const {
 }
 
 std::optional<Range> rangeOf(const Item& item) noexcept {
-  switch (item.type) {
-    case ItemType::Likert:
-    case ItemType::SemanticDifferential:
+  switch (answerKindOf(item.type)) {
+    case AnswerKind::Point:
       return Range{
           static_cast<double>(item.scale.lowest), static_cast<double>(item.scale.highest())};
-    case ItemType::Slider:
-    case ItemType::Number:
+    case AnswerKind::Number:
       return Range{item.least, item.most};
-    default:
-      return std::nullopt;
+    case AnswerKind::Option:
+    case AnswerKind::Options:
+    case AnswerKind::Text:
+      break;
   }
+  return std::nullopt;
 }
 
 std::string_view nameOf(ItemType type) noexcept {
-  for (const auto& known : kItemTypes) {
-    if (known.value == type) return known.name;
-  }
-  return {};
+  return kItemTypes[static_cast<std::size_t>(type)].name;
+}
+
+AnswerKind answerKindOf(ItemType type) noexcept {
+  return kItemTypes[static_cast<std::size_t>(type)].answer;
 }
 
 bool Item::withholds(WordingField field) const noexcept {

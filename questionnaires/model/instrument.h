@@ -47,19 +47,43 @@ enum class ItemType {
   PairwiseChoice,  ///< one of two
 };
 
-/// The words for the types of items, in files and exports.
-inline constexpr std::array kItemTypes{
-    Choice<ItemType>{"likert", ItemType::Likert},
-    Choice<ItemType>{"semantic_differential", ItemType::SemanticDifferential},
-    Choice<ItemType>{"slider", ItemType::Slider},
-    Choice<ItemType>{"single_choice", ItemType::SingleChoice},
-    Choice<ItemType>{"multiple_choice", ItemType::MultipleChoice},
-    Choice<ItemType>{"number", ItemType::Number},
-    Choice<ItemType>{"short_text", ItemType::ShortText},
-    Choice<ItemType>{"long_text", ItemType::LongText},
-    Choice<ItemType>{"pairwise_choice", ItemType::PairwiseChoice},
+/// What the answer to an item is.
+enum class AnswerKind {
+  Point,    ///< of its scale
+  Number,   ///< between its least and most
+  Option,   ///< the id of one of its options
+  Options,  ///< the ids of any number of them
+  Text,
 };
 
+/// A type of items: its name in files and exports, and what is answered.
+struct ItemTypeFacts {
+  std::string_view name;
+  ItemType value;
+  AnswerKind answer;
+};
+inline constexpr std::array kItemTypes{
+    ItemTypeFacts{"likert", ItemType::Likert, AnswerKind::Point},
+    ItemTypeFacts{"semantic_differential", ItemType::SemanticDifferential, AnswerKind::Point},
+    ItemTypeFacts{"slider", ItemType::Slider, AnswerKind::Number},
+    ItemTypeFacts{"single_choice", ItemType::SingleChoice, AnswerKind::Option},
+    ItemTypeFacts{"multiple_choice", ItemType::MultipleChoice, AnswerKind::Options},
+    ItemTypeFacts{"number", ItemType::Number, AnswerKind::Number},
+    ItemTypeFacts{"short_text", ItemType::ShortText, AnswerKind::Text},
+    ItemTypeFacts{"long_text", ItemType::LongText, AnswerKind::Text},
+    ItemTypeFacts{"pairwise_choice", ItemType::PairwiseChoice, AnswerKind::Option},
+};
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kItemTypes.size(); ++i) {
+        if (kItemTypes[i].value != static_cast<ItemType>(i)) return false;
+      }
+      return true;
+    }(),
+    "in the order of ItemType");
+
+AnswerKind answerKindOf(ItemType type) noexcept;
 std::string_view nameOf(ItemType type) noexcept;
 
 /// Points to choose from, from `lowest` up, one apart.

@@ -94,20 +94,16 @@ MaybeError validateText(const Item& item, const Response& response) {
 
 std::optional<std::string> validationError(
     const Item& item, const Response& response, const std::vector<std::string>& alternatives) {
-  switch (item.type) {
-    case ItemType::Likert:
-    case ItemType::SemanticDifferential:
+  switch (answerKindOf(item.type)) {
+    case AnswerKind::Point:
       return validatePoint(item, response);
-    case ItemType::Slider:
-    case ItemType::Number:
+    case AnswerKind::Number:
       return validateNumber(item, response);
-    case ItemType::SingleChoice:
-    case ItemType::PairwiseChoice:
+    case AnswerKind::Option:
       return validateChoice(item, response, alternatives);
-    case ItemType::MultipleChoice:
+    case AnswerKind::Options:
       return validateChoices(item, response, alternatives);
-    case ItemType::ShortText:
-    case ItemType::LongText:
+    case AnswerKind::Text:
       return validateText(item, response);
   }
   return "the item has no known type";

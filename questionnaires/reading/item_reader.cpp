@@ -116,7 +116,7 @@ bool has(const std::vector<std::string_view>& keys, std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
+void refuseKeysOfOtherTypes(const Node& node, const ItemTypeFacts& type) {
   const auto own = keysOf(type.value);
   for (const auto& member : node.members()) {
     const std::string& key = member.first;
@@ -132,7 +132,7 @@ void refuseKeysOfOtherTypes(const Node& node, const Choice<ItemType>& type) {
 }
 
 /// The type named by @p node; a problem if it names none.
-std::optional<Choice<ItemType>> typeOf(const Node& node) {
+std::optional<ItemTypeFacts> typeOf(const Node& node) {
   const auto name = node.member("type");
   if (name && name->isText()) {
     const std::string word = name->asText();

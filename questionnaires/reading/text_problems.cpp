@@ -27,8 +27,7 @@ class Places {
   }
 
   bool usesCommonScale(const Item& item) const {
-    const bool hasScale =
-        item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential;
+    const bool hasScale = answerKindOf(item.type) == AnswerKind::Point;
     const bool bringsLabels =
         item.withholds(WordingField::LowLabel) || item.withholds(WordingField::HighLabel);
     return hasScale && !bringsLabels && instrument_.scale && item.scale == *instrument_.scale;

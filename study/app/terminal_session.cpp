@@ -23,8 +23,8 @@
 namespace study::app {
 namespace {
 
+using questionnaires::AnswerKind;
 using questionnaires::Item;
-using questionnaires::ItemType;
 using questionnaires::Response;
 
 constexpr double kLongestTrial = 600.0;  // [s]
@@ -176,7 +176,8 @@ class TerminalSession {
     if (!item.leftText.isEmpty()) {
       fmt::print("  {} … {}\n", item.leftText.in(language()), item.rightText.in(language()));
     }
-    if (item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential) {
+    const auto kind = questionnaires::answerKindOf(item.type);
+    if (kind == AnswerKind::Point) {
       fmt::print(
           "  {} {} … {} {}\n",
           item.scale.lowest,
@@ -184,7 +185,7 @@ class TerminalSession {
           item.scale.highest(),
           item.scale.highLabel.in(language()));
     }
-    if (item.type == ItemType::Slider || item.type == ItemType::Number) {
+    if (kind == AnswerKind::Number) {
       fmt::print("  a number from {} to {} {}\n", item.least, item.most, item.unit);
     }
     for (const auto& option : optionsOf(item))
@@ -219,24 +220,24 @@ class TerminalSession {
   }
 
   static std::optional<Response> parse(const Item& item, const std::string& line) {
-    switch (item.type) {
-      case ItemType::Likert:
-      case ItemType::SemanticDifferential:
+    switch (questionnaires::answerKindOf(item.type)) {
+      case AnswerKind::Point:
         if (const auto point = numberIn<std::int64_t>(line)) return *point;
         return std::nullopt;
-      case ItemType::Slider:
-      case ItemType::Number:
+      case AnswerKind::Number:
         if (const auto number = numberIn<double>(line)) return *number;
         return std::nullopt;
-      case ItemType::MultipleChoice: {
+      case AnswerKind::Options: {
         std::vector<std::string> ids;
         std::istringstream words(line);
         for (std::string id; words >> id;) ids.push_back(id);
         return ids;
       }
-      default:
-        return chosen(item, line);
+      case AnswerKind::Option:
+      case AnswerKind::Text:
+        break;
     }
+    return chosen(item, line);
   }
 
   void feel() {

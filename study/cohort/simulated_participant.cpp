@@ -7,8 +7,8 @@
 namespace study {
 namespace {
 
+using questionnaires::AnswerKind;
 using questionnaires::Item;
-using questionnaires::ItemType;
 using questionnaires::Response;
 
 constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
@@ -77,28 +77,24 @@ std::optional<Response> SimulatedParticipant::answer(
       "answer/" + session.step().phase + "/" + session.step().condition + "/" + item.id;
   auto random = stream(purpose + "/choice");
   if (!item.isRequired && random.uniform() < kLeavesOut) return std::nullopt;
-  switch (item.type) {
-    case ItemType::Likert:
-    case ItemType::SemanticDifferential:
+  switch (questionnaires::answerKindOf(item.type)) {
+    case AnswerKind::Point:
       return point(session, item, purpose);
-    case ItemType::Slider:
-    case ItemType::Number: {
+    case AnswerKind::Number: {
       const double share = std::clamp(0.45 + 0.18 * random.normal(), 0.0, 1.0);
       const double grain = item.step > 0.0 ? item.step : 1.0;
       const double steps = std::floor((item.most - item.least) / grain + 1e-9);
       return item.least + grain * std::round(share * steps);
     }
-    case ItemType::SingleChoice:
-    case ItemType::PairwiseChoice:
+    case AnswerKind::Option:
       if (!item.consentOption.empty()) return item.consentOption;
       if (item.optionSource == questionnaires::OptionSource::Alternatives) {
         return preferred(session, purpose);
       }
       return item.options[random.below(item.options.size())].id;
-    case ItemType::MultipleChoice:
+    case AnswerKind::Options:
       return std::vector<std::string>{item.options[random.below(item.options.size())].id};
-    case ItemType::ShortText:
-    case ItemType::LongText:
+    case AnswerKind::Text:
       return std::string("simulated");
   }
   return std::nullopt;

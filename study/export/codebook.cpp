@@ -5,6 +5,7 @@
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
 #include "study/export/study_tables.h"
+#include "study/export/value_lists.h"
 
 namespace study {
 namespace {
@@ -43,7 +44,7 @@ Table<ExportedItem> itemTable() {
           {"item_num", Integer{}, "Where it stands in its questionnaire, from 1", &Row::number},
           {"item_type",
            OneOf{ValueList::ItemTypes},
-           kItemTypeInWords,
+           itemTypesInWords(),
            [](const Row& row) { return questionnaires::nameOf(row.type); }},
           {"key", Integer{}, "1: a high answer is good; -1: a low one is", &Row::key},
           {"relative_to",
@@ -62,14 +63,17 @@ Table<ExportedItem> itemTable() {
   return table;
 }
 
+bool isPoint(const Item& item) {
+  return questionnaires::answerKindOf(item.type) == questionnaires::AnswerKind::Point;
+}
+
 /// "1=strongly disagree; 5=strongly agree": points or options in order.
 std::string scaleOf(const Item& item, const std::string& language) {
   std::string text;
   const auto add = [&](const std::string& value, const std::string& label) {
     text += (text.empty() ? "" : "; ") + value + (label.empty() ? "" : "=" + label);
   };
-  const bool isPoint = item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential;
-  if (isPoint) {
+  if (isPoint(item)) {
     for (int point = item.scale.lowest; point <= item.scale.highest(); ++point) {
       add(std::to_string(point), questionnaires::labelOf(item, std::int64_t{point}, language));
     }
@@ -96,7 +100,7 @@ ExportedItem itemRow(
       .leftText = item.leftText.in(language),
       .rightText = item.rightText.in(language),
       .scale = scaleOf(item, language)};
-  if (item.type == ItemType::Likert || item.type == ItemType::SemanticDifferential) {
+  if (isPoint(item)) {
     row.lowest = item.scale.lowest;
     row.highest = item.scale.highest();
   }

@@ -19,7 +19,6 @@ namespace study {
 namespace {
 
 using questionnaires::Item;
-using questionnaires::ItemType;
 
 /// A random number below @p bound that cannot be predicted or derived from the study.
 std::size_t randomBelow(std::size_t bound) {
@@ -47,7 +46,7 @@ std::vector<std::string> drawnIds(std::size_t count) {
 }
 
 bool isWords(const Item& item) {
-  return item.type == ItemType::ShortText || item.type == ItemType::LongText;
+  return questionnaires::answerKindOf(item.type) == questionnaires::AnswerKind::Text;
 }
 
 /// Makes the released tables.

@@ -2,6 +2,7 @@
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
 #include "study/export/study_columns.h"
+#include "study/export/value_lists.h"
 
 namespace study {
 namespace {
@@ -63,7 +64,7 @@ Columns<ExportedAnswer> columnsOfAnswer() {
        Integer{},
        "Where it stood on its page, from 1",
        howGiven(&GivenAnswer::itemOrder)},
-      C("item_type", OneOf{ValueList::ItemTypes}, kItemTypeInWords, itemTypeOf).inPublic(),
+      C("item_type", OneOf{ValueList::ItemTypes}, itemTypesInWords(), itemTypeOf).inPublic(),
       C("key", Integer{}, "1: a high answer is good; -1: a low one is", keyOf).inPublic(),
       C("response",
         FreeText{},

@@ -31,11 +31,6 @@ Table<ExportedEvent> bidsEventTable();
 std::string bidsSubject(const RowOwner& owner);
 std::string bidsSession(const RowOwner& owner);
 
-/// Values of item_type, in every table.
-inline constexpr const char* kItemTypeInWords =
-    "likert, semantic_differential, slider, single_choice, multiple_choice, number, short_text, "
-    "long_text or pairwise_choice";
-
 inline constexpr const char* kCohortInWords = "Group of participants";
 
 /// Values of run_mode, in every table.

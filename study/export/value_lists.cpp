@@ -80,4 +80,13 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
   return lists;
 }
 
+std::string itemTypesInWords() {
+  std::string words;
+  for (const auto& type : questionnaires::kItemTypes) {
+    const bool isLast = &type == &questionnaires::kItemTypes.back();
+    words.append(words.empty() ? "" : isLast ? " or " : ", ").append(type.name);
+  }
+  return words;
+}
+
 }  // namespace study

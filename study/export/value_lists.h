@@ -10,4 +10,7 @@ namespace study {
 /// first. In blinded exports conditions are left out, and their codes have no labels.
 ValueLists valueListsOf(Study& study, const ExportOptions& options);
 
+/// "likert, slider or number": the values of item_type, in every table.
+std::string itemTypesInWords();
+
 }  // namespace study

@@ -15,8 +15,8 @@ constexpr const char* kBenchmarkItem = "physical-cuts";
 /// An answer as it is stored: a number stays a number also if it was entered without a decimal
 /// point.
 GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
-  using questionnaires::ItemType;
-  const bool isNumber = item.type == ItemType::Number || item.type == ItemType::Slider;
+  using questionnaires::AnswerKind;
+  const bool isNumber = questionnaires::answerKindOf(item.type) == AnswerKind::Number;
   const auto* whole = std::get_if<std::int64_t>(&answer.response);
   if (isNumber && whole != nullptr) answer.response = static_cast<double>(*whole);
   return answer;
