@@ -206,8 +206,8 @@ class Builder {
            true});
     }
     const auto cell = cellOf(place);
-    std::array<int, 3> from;
-    std::array<int, 3> to;
+    std::array<int, 3> from{};
+    std::array<int, 3> to{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       from[axis] = std::max(0, cell[axis] - 1);
       to[axis] = std::min(blocks_[axis] * kBlock - 1, cell[axis] + 1);

@@ -96,7 +96,7 @@ class IiwaMessagesTest : public testing::Test {
   /// tests/data/fri).
   std::array<double, 6> wrenchInBytesFor(double force, double torque) {
     turn(force, torque);
-    std::array<double, 6> wrench;
+    std::array<double, 6> wrench{};
     wrench.fill(std::nan(""));
     std::array<std::uint8_t, kLargestDatagram + 1> bytes{};
     const auto received = robot_.receive(bytes);
