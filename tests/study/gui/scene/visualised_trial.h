@@ -57,7 +57,7 @@ class VisualisedTrial : public testing::Test {
   std::vector<std::string> viewEvents() {
     std::vector<std::string> details;
     for (const auto& event : study_->events().read()) {
-      if (event.kind == EventKind::View) details.push_back(study::storage::describe(event));
+      if (event.kind == study::EventKind::View) details.push_back(study::storage::describe(event));
     }
     return details;
   }
