@@ -55,6 +55,25 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"unlike_statements", "conditions answer different statements in '{}'"},
     {"unlike_statements.fix",
      "a difference may be one of wording; the item ids also tell an analyst which is which"},
+    {"seed_tells", "the seed stands in the protocol, and every order can be computed from it"},
+    {"seed_tells.fix",
+     "without 'seed' every study draws its own; with it no export of this study is blinded"},
+    {"labels_tell", "the number of an alternative says which condition it is"},
+    {"labels_tell.fix",
+     "choose the labels 'random' or 'position'; with 'condition' no export of this study is "
+     "blinded"},
+    {"blocks_tell", "no other condition is felt in the same blocks as '{}', which tells it apart"},
+    {"blocks_tell.fix",
+     "let each condition share all its blocks with another; otherwise no export of this study is "
+     "blinded"},
+    {"order_tells", "the position in '{}' says which condition it is"},
+    {"order_tells.fix",
+     "choose an order that differs between participants; with a fixed one no export of this study "
+     "is blinded"},
+    {"statements_tell", "the statements that are asked in '{}' say which condition it is"},
+    {"statements_tell.fix",
+     "ask the same statements about every condition; otherwise no export of this study is "
+     "blinded"},
     {"cut_not_felt",
      "with this noise the recorded cut weighs next to nothing; the finite elements alone are felt"},
     {"elements_not_felt",

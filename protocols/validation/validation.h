@@ -33,6 +33,10 @@ void addBlockWarnings(const LoadedProtocol& loaded, questionnaires::Problems& pr
 /// Adds warnings about the planned comparisons, or a missing plan.
 void addAnalysisWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
+/// Adds warnings about everything in a valid protocol that identifies the condition of an answer,
+/// so that no export of the study is blinded.
+void addBlindingWarnings(const Protocol& protocol, questionnaires::Problems& problems);
+
 /// Adds warnings about the scenes of a valid protocol: a filter that ignores one of its two forces,
 /// an opening that returns more energy than closing took.
 void addSceneWarnings(const Protocol& protocol, questionnaires::Problems& problems);

@@ -166,6 +166,7 @@ void addWarnings(const LoadedProtocol& loaded, Problems& problems) {
   addSceneWarnings(loaded.protocol, problems);
   addBlockWarnings(loaded, problems);
   addAnalysisWarnings(loaded.protocol, problems);
+  addBlindingWarnings(loaded.protocol, problems);
   advice.onUnusedParts();
 }
 

@@ -35,13 +35,14 @@ const std::map<std::string, ExportFormat> kFormats{
     {"python", ExportFormat::Python}};
 
 /// Prints what was written.
-void printExport(const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
+void printExport(
+    Study& study, const ExportArguments& options, const ExportOptions& how, std::size_t sessions) {
   const std::string what = std::string(nameOf(*how.runMode)) + " session";
   fmt::print(
-      "{} holds the data of {}{}.\n",
+      "{} holds the data of {}, {}.\n",
       options.out,
       sessions == 0 ? "no " + what + "s" : words::counted(sessions, what),
-      options.unblind ? ", NOT blinded" : ", blinded");
+      blindingInWords(study, how));
   if (sessions == 0) fmt::print("Its tables are empty.\n");
   if (sessions > 0 && how.runMode == RunMode::Simulated) {
     fmt::print("Nobody took part: these answers say nothing about any method.\n");
@@ -63,7 +64,8 @@ int exportAs(const ExportArguments& options) {
     how.publicClass = options.smallestClass;
     fmt::print("{}", describe(publicRelease(study, how)));
   }
-  printExport(options, how, exportStudy(study, options.out, how, options.reason));
+  const auto sessions = exportStudy(study, options.out, how, options.reason);
+  printExport(study, options, how, sessions);
   return 0;
 }
 

@@ -77,7 +77,9 @@ class BidsSession {
   }
 
   void writeEvents(const std::vector<ExportedEvent>& rows) const {
-    const auto part = partOf(bidsEventTable(), rows);
+    const auto table = bidsEventTable();
+    if (!table.isFor(readers_)) return;
+    const auto part = partOf(table, rows);
     if (!part.rows.empty()) writeWithSidecar(folder_ / (stem_ + "_events"), part);
   }
 

@@ -100,7 +100,11 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   head["protocol_version"] = metadata.version;
   head["protocol_hash"] = study.protocols().current().sha256;
   head["app_version"] = appVersion();
-  head["blinded"] = options.isBlinded;
+  const auto disclosures = disclosuresOf(study);
+  head["blinded"] = options.isBlinded && disclosures.empty();
+  if (options.isBlinded && !disclosures.empty()) {
+    head["not_blinded_because"] = base::describe(disclosures);
+  }
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
@@ -116,6 +120,20 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   }
   head["export_format"] = 1;
   return head.dump();
+}
+
+std::string codesInWords(Study& study, const ExportOptions& options) {
+  if (!options.isBlinded) return "- Not blinded: `condition` says which rendering was felt.\n";
+  const auto disclosures = disclosuresOf(study);
+  if (!disclosures.empty()) {
+    return "- Not blinded, although conditions have codes. With the protocol one can tell which "
+           "rendering a code stands for: " +
+           base::describe(disclosures) + ".\n";
+  }
+  return "- Blinded: `condition_code` says which rows belong together, not which rendering they "
+         "are." +
+         std::string(
+             options.publicClass ? "\n" : " 'palpate export --unblind --reason \"…\"' says it.\n");
 }
 
 std::string readmeOf(
@@ -137,10 +155,12 @@ std::string readmeOf(
       "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
       "- What a column holds is written in `codebook.json`, or beside each table.\n"
       "- Nothing in this folder names a person.\n";
-  text += options.isBlinded
-              ? "- Blinded: `condition_code` says which rows belong together, not which rendering "
-                "they are. 'palpate export --unblind --reason \"…\"' says it.\n"
-              : "- Not blinded: `condition` says which rendering was felt.\n";
+  text += codesInWords(study, options);
+  if (options.isBlinded) {
+    text +=
+        "- Not in this folder: what was measured in trials, when answers were saved, when sessions "
+        "ended and why, events, traces. They depend on the rendering.\n";
+  }
   for (const auto& source : study.protocol().sources) text += describe(source, options);
   return text + formatInWords(options) + scriptsInWords(options) +
          (options.hasTraces ? tracesInWords() : std::string());

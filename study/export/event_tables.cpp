@@ -40,7 +40,10 @@ Table<ExportedEvent> tableOfEvents(Columns<ExportedEvent> columns) {
   return {
       .name = "events",
       .description = "Everything that happened, in order.",
-      .columns = std::move(columns)};
+      .columns = std::move(columns),
+      // The times of events give the duration of each trial. Events of safety, of devices and notes
+      // of the operator describe it.
+      .tellsTheCondition = true};
 }
 
 }  // namespace

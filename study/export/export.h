@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "study/export/column.h"
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
@@ -24,7 +25,7 @@ enum class ExportFormat {
 struct ExportOptions {
   ExportFormat format = ExportFormat::Csv;
   std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with a column that tells them apart
-  bool isBlinded = true;           ///< condition codes in place of conditions
+  bool isBlinded = true;           ///< condition codes in place of conditions, and no measurements
   bool hasTraces = false;          ///< also the samples of all trials
   /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h); everything else that could identify a person is left out.
@@ -37,9 +38,9 @@ struct ExportOptions {
 /// The smallest k of a public export, and its default.
 inline constexpr std::size_t kSmallestPublicClass = 5;
 
-/// All data for analyses, as tables: sessions, responses, trials, cuts, events. In a blinded export
-/// no table identifies the condition of an alternative: conditions have codes that are drawn from
-/// the study's seed and are the same in every row.
+/// All data for analyses, as tables: sessions, responses, trials, cuts, events. A blinded export
+/// has sessions and responses only, without anything that depends on the rendering; conditions have
+/// codes that are drawn from the study's seed and are the same in every row.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
@@ -53,6 +54,14 @@ std::size_t exportStudy(
     const std::string& folder,
     const ExportOptions& options,
     const std::string& reason = {});
+
+/// What identifies the condition of an answer in spite of its code, in any version of the study's
+/// protocol (protocols/validation/blinding.h). If there is anything, an export with codes is not
+/// called blinded.
+std::vector<base::Message> disclosuresOf(Study& study);
+
+/// "blinded", "NOT blinded", or why an export with codes is not blinded.
+std::string blindingInWords(Study& study, const ExportOptions& options);
 
 /// The codes of conditions in exports: "C2". A condition that a later version of the protocol adds
 /// gets a new code; codes never change.

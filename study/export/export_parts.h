@@ -13,6 +13,9 @@ namespace study {
 /// object.
 std::string headAsJson(Study& study, const ExportOptions& options);
 
+/// Whether the folder is blinded, as a line of its README.
+std::string codesInWords(Study& study, const ExportOptions& options);
+
 /// The README of a folder. @p sessions is the number of its sessions; @p responses is the table of
 /// answers, by its path in the folder.
 std::string readmeOf(

@@ -57,7 +57,7 @@ Cell responseOf(const questionnaires::Response& response) {
 }  // namespace
 
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
-    : study_(study), isBlinded_(options.isBlinded), codes_(conditionCodes(study)) {
+    : study_(study), codes_(conditionCodes(study)) {
   const storage::Records records(study.database());
   for (auto& session : records.sessions()) {
     const bool isWanted = !options.runMode || session.runMode == *options.runMode;
@@ -136,9 +136,6 @@ std::vector<ExportedEvent> StudyRows::events() const {
     if (!event.visit) continue;
     const auto session = sessions_.find(event.visit->session);
     if (session == sessions_.end()) continue;
-    // The stiffness of a scene identifies its condition.
-    if (isBlinded_ && (event.kind == EventKind::Passivity || event.kind == EventKind::View))
-      continue;
     const auto visit = *event.visit;
     const double onset = onsets.of(event);
     rows.push_back({ownerOf(session->second), visit, std::move(event), onset});

@@ -73,14 +73,12 @@ class StudyRows {
   std::vector<ExportedAnswer> answers() const;
   std::vector<ExportedTrial> trials() const;
   std::vector<ExportedCut> cuts() const;
-  /// In blinded exports without the events that identify a condition.
   std::vector<ExportedEvent> events() const;
 
  private:
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
 
   Study& study_;
-  bool isBlinded_;
   std::map<std::string, std::string> codes_;
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "base/random.h"
+#include "protocols/validation/blinding.h"
 #include "study/export/codebook.h"
 #include "study/export/export.h"
 #include "study/export/export_parts.h"
@@ -27,6 +28,24 @@ std::map<std::string, std::string> conditionCodes(Study& study) {
     }
   }
   return codes;
+}
+
+std::vector<base::Message> disclosuresOf(Study& study) {
+  std::vector<base::Message> found;
+  for (const auto id : study.protocols().all()) {
+    for (const auto& disclosure : protocols::disclosuresOf(study.protocol(id).protocol)) {
+      const bool isKnown = std::find(found.begin(), found.end(), disclosure.what) != found.end();
+      if (!isKnown) found.push_back(disclosure.what);
+    }
+  }
+  return found;
+}
+
+std::string blindingInWords(Study& study, const ExportOptions& options) {
+  if (!options.isBlinded) return "NOT blinded";
+  const auto found = disclosuresOf(study);
+  if (found.empty()) return "blinded";
+  return "with codes for conditions but NOT blinded (" + base::describe(found) + ")";
 }
 
 Readers readersOf(Study& study, const ExportOptions& options) {

@@ -104,9 +104,7 @@ std::string publicReadme(Study& study, const ExportOptions& options, const Relea
       "here "
       "by them; nobody else should be able to.\n";
   if (!isOrderTold) text += "- The order of conditions is not told, and no position in it.\n";
-  text += options.isBlinded ? "- Blinded: `condition_code` says which rows belong together, not "
-                              "which rendering they are.\n"
-                            : "- Not blinded: `condition` says which rendering was felt.\n";
+  text += codesInWords(study, options);
   return text + "\n" + afterInWords(release) + "\n" + columnsInWords(release);
 }
 

@@ -97,9 +97,13 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       includedColumn<ExportedAnswer>(
           [](const ExportedAnswer& row) { return row.excluded.empty(); }),
       {"exclude_reason", Text{}, "Why they do not", &ExportedAnswer::excluded},
-      {"saved_utc", Utc{}, "When it was on the disk, ISO 8601, UTC", [](const ExportedAnswer& row) {
-         return row.record->savedUtc;
-       }}};
+      // The trial between two answers depends on the rendering, and so does the time between them.
+      C("saved_utc",
+        Utc{},
+        "When it was on the disk, ISO 8601, UTC",
+        [](const ExportedAnswer& row) {
+          return row.record->savedUtc;
+        }).tellsTheCondition()};
 }
 
 }  // namespace

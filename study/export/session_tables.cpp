@@ -11,6 +11,7 @@ Columns<ExportedSession> columnsOfSession() {
     return [member](const ExportedSession& row) { return std::invoke(member, row.record); };
   };
   using Record = storage::SessionRecord;
+  using C = Column<ExportedSession>;
   return {
       cohortColumn<ExportedSession>(),
       runModeColumn<ExportedSession>(),
@@ -18,19 +19,24 @@ Columns<ExportedSession> columnsOfSession() {
        OneOf{ValueList::Statuses},
        "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
        [](const ExportedSession& row) { return statusOf(row.record->state); }},
-      {"end_reason", FreeText{}, "Why it ended", record(&Record::endReason)},
+      // Written by the operator, or the device's reason.
+      C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason)).tellsTheCondition(),
       includedColumn<ExportedSession>(
           [](const ExportedSession& row) { return row.record->isCompleted(); }),
       {"session_language",
        Text{},
        "Of the texts when the session ended",
        record(&Record::language)},
-      {"place",
-       Integer{},
-       "Place in the design of the cohort, from 1",
-       [](const ExportedSession& row) { return row.record->slot + 1; }},
+      // Place and seed give the order of the conditions.
+      C("place",
+        Integer{},
+        "Place in the design of the cohort, from 1",
+        [](const ExportedSession& row) {
+          return row.record->slot + 1;
+        }).tellsTheCondition(),
       {"started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)},
-      {"ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)},
+      // End and start give the duration of all trials.
+      C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).tellsTheCondition(),
       {"protocol_hash",
        Text{},
        "SHA-256 of the protocol with its files",

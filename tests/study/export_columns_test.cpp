@@ -208,32 +208,6 @@ TEST(Export, MarksAnswersThatDoNotCountWithTheReason) {
   EXPECT_EQ(said, expected);
 }
 
-TEST(Export, LeavesEventsThatIdentifyAConditionOutOfABlindedTable) {
-  tests::MadeStudy study;
-  auto session = Session::enrol(*study, {.cohort = "surgeons"});
-  tests::walkTo(session, StepKind::Trial);
-  auto record = tests::feltTrial();
-  record.view = ViewReport{.renderer = "a graphics card", .frames = 512};
-  session.beginTrial();
-  session.finishTrial(record);
-
-  const auto kinds = [&](bool isBlinded) {
-    std::multiset<std::string> found;
-    for (const auto& row : rowsOf(*study, "events", isBlinded)) found.insert(row.at("event"));
-    return found;
-  };
-  const auto blinded = kinds(true);
-  EXPECT_EQ(blinded.count("view"), 0U);
-  EXPECT_EQ(blinded.count("passivity"), 0U);
-  EXPECT_EQ(blinded.count("finished_trial"), 1U);
-  auto open = kinds(false);
-  EXPECT_EQ(open.count("view"), 1U);
-  EXPECT_EQ(open.count("passivity"), 1U);
-  open.erase("view");
-  open.erase("passivity");
-  EXPECT_EQ(open, blinded) << "all others are in both";
-}
-
 /// Conditions in the order of their codes: C1, C2, …
 Names codedConditions(Study& study) {
   std::map<std::string, std::string> byCode;
@@ -277,38 +251,17 @@ const Tables& blindedTables() {
         "cohort",
         "run_mode",
         "status",
-        "end_reason",
         "included",
         "session_language",
-        "place",
         "started_utc",
-        "ended_utc",
         "protocol_hash",
         "app_version"}},
       {"responses",
-       {"participant_id", "session_num",    "cohort",         "run_mode",       "step_num",
-        "attempt",        "block",          "position",       "alternative",    "condition_code",
-        "instrument",     "item_id",        "item_order",     "item_type",      "key",
-        "response",       "response_keyed", "response_label", "first_touch_s",  "response_time_s",
-        "n_changes",      "language",       "included",       "exclude_reason", "saved_utc"}},
-      {"trials", {"participant_id",  "session_num",     "cohort",          "run_mode",
-                  "step_num",        "attempt",         "block",           "position",
-                  "alternative",     "condition_code",  "device",          "ending",
-                  "qc_status",       "qc_reason",       "duration_s",      "cuts",
-                  "contact_s",       "saturation_s",    "slewed_s",        "undefined_s",
-                  "ticks",           "nominal_rate_hz", "loop_rate_hz",    "lateness_p50_us",
-                  "lateness_p99_us", "lateness_max_us", "deadline_misses", "lost_samples",
-                  "invalid_ticks",   "trace_samples"}},
-      {"events",
-       {"participant_id",
-        "session_num",
-        "step_num",
-        "attempt",
-        "utc",
-        "onset_s",
-        "actor",
-        "event",
-        "detail"}},
+       {"participant_id", "session_num",    "cohort",         "run_mode",      "step_num",
+        "attempt",        "block",          "position",       "alternative",   "condition_code",
+        "instrument",     "item_id",        "item_order",     "item_type",     "key",
+        "response",       "response_keyed", "response_label", "first_touch_s", "response_time_s",
+        "n_changes",      "language",       "included",       "exclude_reason"}},
       {"items",
        {"instrument",
         "instrument_version",
@@ -452,13 +405,11 @@ Names withoutWhose(const Names& columns) {
 TEST_F(BlindedExport, HasTheseTablesAndColumnsAndNoOthersAsBids) {
   take(2);
   auto expected = blindedTables();
-  for (const auto* table : {"sessions", "responses", "trials", "events"}) {
+  for (const auto* table : {"sessions", "responses"}) {
     expected[table] = withoutWhose(expected[table]);
   }
   auto& sessions = expected["sessions"];
   sessions.insert(sessions.begin(), "session_id");
-  expected["events"] = {
-      "onset", "duration", "step_num", "attempt", "utc", "actor", "event", "detail"};
   expected["participants"] = {"participant_id", "cohort", "run_mode"};
   const auto content = exported(ExportFormat::Bids);
   EXPECT_EQ(content.tables, expected);
@@ -505,18 +456,58 @@ TEST_F(BlindedExport, ThatIsPublicHasParticipantsResponsesAndItemsOnly) {
   }
 }
 
-TEST_F(BlindedExport, LacksCutsStatisticsVotesAndConditions) {
+TEST_F(BlindedExport, LacksWhatTheRenderingMakesMeasurableAndEverythingThatNamesACondition) {
   take(2);
   const auto folder = folder_ / "open";
   exportStudy(*study_, folder, {.runMode = RunMode::Simulated, .isBlinded = false}, "for a test");
   auto tables = contentOf(folder).tables;
-  for (const auto* table : {"cuts", "statistics", "votes"}) {
+  for (const auto* table : {"trials", "cuts", "events", "statistics", "votes"}) {
     EXPECT_EQ(tables.erase(table), 1U) << table;
   }
-  for (const auto* table : {"responses", "trials"}) {
-    EXPECT_EQ(std::erase(tables[table], "condition"), 1U) << table;
+  for (const auto* column : {"end_reason", "place", "ended_utc"}) {
+    EXPECT_EQ(std::erase(tables["sessions"], column), 1U) << column;
+  }
+  for (const auto* column : {"condition", "saved_utc"}) {
+    EXPECT_EQ(std::erase(tables["responses"], column), 1U) << column;
   }
   EXPECT_EQ(tables, blindedTables());
+}
+
+/// The value after @p key in the codebook of a folder without names of conditions.
+nlohmann::json headOf(Study& study, const fs::path& folder) {
+  exportStudy(study, folder, {.runMode = RunMode::Simulated});
+  return nlohmann::json::parse(tests::contentOf(folder / "codebook.json"));
+}
+
+TEST_F(BlindedExport, SaysThatItIsBlinded) {
+  take(1);
+  const auto head = headOf(*study_, folder_ / "out");
+  EXPECT_EQ(head["blinded"], true);
+  EXPECT_FALSE(head.contains("not_blinded_because"));
+  EXPECT_EQ(blindingInWords(*study_, {}), "blinded");
+  EXPECT_EQ(blindingInWords(*study_, {.isBlinded = false}), "NOT blinded");
+  EXPECT_NE(tests::contentOf(folder_ / "out/README.md").find("- Blinded: "), std::string::npos);
+}
+
+TEST(ExportWithCodes, IsNotCalledBlindedWhereTheProtocolTellsTheConditions) {
+  tests::ScratchFolder scratch;
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.order = "fixed"})));
+  const auto head = headOf(*study, scratch / "out");
+  EXPECT_EQ(head["blinded"], false);
+  EXPECT_EQ(head["not_blinded_because"], "the position in 'felt' says which condition it is");
+  const auto readme = tests::contentOf(scratch / "out/README.md");
+  EXPECT_EQ(readme.find("- Blinded"), std::string::npos);
+  EXPECT_NE(readme.find("- Not blinded, although conditions have codes."), std::string::npos);
+  EXPECT_EQ(
+      blindingInWords(*study, {}),
+      "with codes for conditions but NOT blinded (the position in 'felt' says which condition it "
+      "is)");
+}
+
+TEST(ExportWithCodes, StaysNotBlindedAfterAnAmendmentThatWouldBe) {
+  tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol({.order = "fixed"})));
+  study->amend(tests::protocolFrom(tests::shortProtocol()), "for a test");
+  EXPECT_EQ(disclosuresOf(*study).size(), 1U);
 }
 
 }  // namespace export_columns_test

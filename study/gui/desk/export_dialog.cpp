@@ -106,6 +106,7 @@ void ExportDialog::work() {
   const std::string target = target_->path().toStdString();
   const std::string reason = reason_->text().trimmed().toStdString();
   std::size_t sessions = 0;
+  std::string what;
   const auto write = [&](const Progress& progress) {
     SystemClock clock;
     const bool isAudited = !how.isBlinded || how.publicClass.has_value();
@@ -113,17 +114,17 @@ void ExportDialog::work() {
     auto study = Study::open(folder_, clock, isAudited ? Access::ReadWrite : Access::ReadOnly);
     how.progress = progress;
     sessions = exportStudy(study, target, how, reason);
+    what = how.publicClass ? "for strangers" : blindingInWords(study, how);
   };
   const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
   if (!isDone) return;
-  const QString what = QString::fromStdString(
-      how.publicClass ? "for strangers"
-      : how.isBlinded ? "blinded"
-                      : "NOT blinded");
   showOutcome(
       sessions > 0 ? Outcome::Good : Outcome::Warning,
       tr("%1 holds the data of %2, %3.")
-          .arg(target_->path(), QString::fromStdString(words::counted(sessions, "session")), what));
+          .arg(
+              target_->path(),
+              QString::fromStdString(words::counted(sessions, "session")),
+              QString::fromStdString(what)));
 }
 
 }  // namespace study::gui

@@ -113,7 +113,13 @@ TEST(ProtocolLibrary, KeepsWhatIsUnwiseAboutThePublishedPunchStudyAndSaysSo) {
           "$.phases[4].order: everybody feels this block in the same order",
           "$.phases[6].questionnaires[0]: item '3.1' compares with the previous, and 'kalman' can "
           "come first in this block, where there is none",
-          "$.analysis.families[0]: conditions answer different statements in 'round-1'"}));
+          "$.analysis.families[0]: conditions answer different statements in 'round-1'",
+          "$.labels.policy: the number of an alternative says which condition it is",
+          "$.phases[4].order: the position in 'round-1' says which condition it is",
+          "$.phases[4].questionnaires[0]: the statements that are asked in 'round-1' say which "
+          "condition it is",
+          "$.phases[6].questionnaires[0]: the statements that are asked in 'round-2' say which "
+          "condition it is"}));
 }
 
 TEST(ProtocolLibrary, HasNoUnwiseDesignOtherwise) {

@@ -188,7 +188,7 @@ TEST_F(CommandLineTest, ExportsOnlyTheRequestedRunMode) {
 
   const auto simulated = palpate({"export", study, "--run-mode", "simulated", "--out", out});
   EXPECT_EQ(simulated.status, 0) << simulated.error;
-  EXPECT_NE(simulated.out.find("2 simulated sessions, blinded"), std::string::npos);
+  EXPECT_NE(simulated.out.find("2 simulated sessions, with codes"), std::string::npos);
   const auto readme = tests::contentOf(out + "/README.md");
   EXPECT_NE(readme.find("2 simulated sessions, and no others. Nobody took part"), std::string::npos)
       << readme;
