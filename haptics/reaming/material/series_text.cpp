@@ -11,11 +11,18 @@
 #include <vector>
 
 #include "haptics/recordings/recording.h"
+#include "haptics/recordings/text_table.h"
 
 namespace haptics::reaming {
 namespace {
 
+using recordings::cellsOf;
+using recordings::ColumnHead;
 using recordings::Error;
+using recordings::headOf;
+using recordings::listed;
+using recordings::separatorOf;
+using recordings::TextLine;
 
 struct Unit {
   const char* name;
@@ -44,27 +51,7 @@ const std::array<Quantity, 4>& quantities() {
   return kAll;
 }
 
-std::string small(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
-
-std::string trimmed(std::string_view text) {
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '"'; };
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  return std::string(text);
-}
-
 constexpr std::string_view kSyntheticMark = "# SYNTHETIC";
-
-struct TextLine {
-  std::string_view text;
-  std::size_t number = 0;  ///< in the file, from 1
-};
 
 /// The lines that say something, without remarks (#) above the head.
 struct Lines {
@@ -72,61 +59,14 @@ struct Lines {
   bool isSynthetic = false;  ///< a remark says so
 };
 
-Lines linesOf(std::string_view text) {
+Lines linesWithoutRemarks(std::string_view text) {
   Lines lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const auto end = text.find('\n');
-    const auto line = text.substr(0, end);
-    const bool isRemark = lines.all.empty() && line.starts_with('#');
-    lines.isSynthetic |= isRemark && line.starts_with(kSyntheticMark);
-    if (!isRemark && !trimmed(line).empty()) lines.all.push_back({line, number});
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  for (const TextLine& line : recordings::linesOf(text)) {
+    const bool isRemark = lines.all.empty() && line.text.starts_with('#');
+    lines.isSynthetic |= isRemark && line.text.starts_with(kSyntheticMark);
+    if (!isRemark) lines.all.push_back(line);
   }
   return lines;
-}
-
-std::vector<std::string> cellsOf(std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  while (true) {
-    const auto end = line.find(separator);
-    cells.push_back(trimmed(line.substr(0, end)));
-    if (end == std::string_view::npos) return cells;
-    line.remove_prefix(end + 1);
-  }
-}
-
-char separatorOf(std::string_view head) {
-  for (const char separator : {'\t', ';', ','}) {
-    if (head.find(separator) != std::string_view::npos) return separator;
-  }
-  return ',';
-}
-
-std::optional<double> number(std::string cell, char separator) {
-  if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
-  double value = 0.0;
-  const char* const end = cell.data() + cell.size();
-  const auto read = std::from_chars(cell.data(), end, value);
-  const bool isNumber = read.ec == std::errc() && read.ptr == end && std::isfinite(value);
-  return isNumber ? std::optional(value) : std::nullopt;
-}
-
-/// "Weg [mm]" is a name and a unit; so are "force_n" and "Kraft (kN)".
-struct Head {
-  std::string name;
-  std::string unit;
-};
-
-Head headOf(const std::string& cell) {
-  const std::string text = small(cell);
-  const auto open = text.find_first_of("[(");
-  if (open != std::string::npos) {
-    const auto close = text.find_first_of("])", open);
-    return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, close - open - 1))};
-  }
-  const auto underscore = text.rfind('_');
-  if (underscore == std::string::npos) return {text, ""};
-  return {text.substr(0, underscore), text.substr(underscore + 1)};
 }
 
 /// The column of a quantity, and its conversion to SI.
@@ -135,16 +75,10 @@ struct Column {
   double factor = 1.0;
 };
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + ("'" + word + "'");
-  return text;
-}
-
 double factorOf(const Quantity& quantity, const std::string& unit, const std::string& name) {
   std::string known;
   for (const auto& candidate : quantity.units) {
-    if (small(unit) == candidate.name) return candidate.factor;
+    if (recordings::lowerCase(unit) == candidate.name) return candidate.factor;
     known += (known.empty() ? "" : ", ") + std::string(candidate.name);
   }
   throw Error(
@@ -164,7 +98,7 @@ std::optional<Column> columnOf(
     const std::string& name) {
   const auto given = mapping.heads.find(quantity.name);
   for (std::size_t place = 0; place < heads.size(); ++place) {
-    const Head head = headOf(heads[place]);
+    const ColumnHead head = headOf(heads[place]);
     const bool isUsual =
         std::any_of(quantity.heads.begin(), quantity.heads.end(), [&](const char* usual) {
           return head.name == usual;
@@ -236,7 +170,7 @@ void checkUnits(const Series& series) {
 
 Series readSeries(std::string_view text, const std::string& name, const SeriesMapping& mapping) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-  const auto found = linesOf(text);
+  const auto found = linesWithoutRemarks(text);
   const auto& lines = found.all;
   constexpr std::size_t kFewestRows = 3;
   if (lines.size() < kFewestRows + 1) {
@@ -256,7 +190,8 @@ Series readSeries(std::string_view text, const std::string& name, const SeriesMa
     for (std::size_t q = 0; q < columns.size(); ++q) {
       if (!columns[q]) continue;
       const auto place = columns[q]->place;
-      const auto value = place < cells.size() ? number(cells[place], separator) : std::nullopt;
+      const auto value =
+          place < cells.size() ? recordings::numberIn(cells[place], separator) : std::nullopt;
       if (!value) {
         throw Error(
             name + ", line " + std::to_string(lines[row].number) + ": the " + quantities()[q].name +
