@@ -29,6 +29,9 @@ namespace haptics::models {
 ///   a hand that merely lets go cuts nothing. A larger force before the bottom-out takes a yield
 ///   back (the surface had not been cut after all), and Event::Yield may come again: the last
 ///   one counts.
+///   Where `yieldLoad` or `yieldKeeps` are set, a yield also needs that load, and is taken back
+///   when less than that share of it is left while the handle closes on: a blow on the handle, no
+///   tissue.
 /// - The bottom-out is the smallest force after the yield at the end of the travel – beyond
 ///   `bottomAbove`, not farther than `advance` from the furthest travel – once the force has
 ///   risen from it by `bottomRise`. Until half of what the yield lost has come back, a smaller
@@ -59,10 +62,12 @@ class CutDetector {
     Scalar creep = Scalar(0.5);  ///< what rises no faster than this is friction [N/travel unit]
     Scalar yieldDrop = Scalar(0.25);       ///< the fall that is a yield, at least [N]
     Scalar yieldDropRatio = Scalar(0.08);  ///< … and this much of the load since the interception
-    Scalar advance = Scalar(0.3);          ///< closing on by this is a movement [travel units]
-    Scalar bottomAbove = Scalar(9);        ///< where the end of the travel can be [travel units]
-    Scalar bottomRise = Scalar(0.3);       ///< the rise that is a bottom-out [N]
-    Scalar retreat = Scalar(1);            ///< going back by this is an opening hand [travel units]
+    Scalar yieldLoad = Scalar(0);     ///< the load since the interception at a yield, at least [N]
+    Scalar yieldKeeps = Scalar(0);    ///< the share of it that is left while it closes on; 0: any
+    Scalar advance = Scalar(0.3);     ///< closing on by this is a movement [travel units]
+    Scalar bottomAbove = Scalar(9);   ///< where the end of the travel can be [travel units]
+    Scalar bottomRise = Scalar(0.3);  ///< the rise that is a bottom-out [N]
+    Scalar retreat = Scalar(1);       ///< going back by this is an opening hand [travel units]
   };
 
   /// A point of a cut, where it was found.
@@ -91,7 +96,8 @@ class CutDetector {
                            std::isfinite(p.openBelow) && std::isfinite(p.bottomAbove);
     return isOrdered && isPositive(p.contactForce) && isPositive(p.bottomRise) &&
            isPositive(p.retreat) && isPositive(p.yieldDrop) && !isBad(p.creep) &&
-           !isBad(p.yieldDropRatio) && !isBad(p.advance);
+           !isBad(p.yieldDropRatio) && !isBad(p.yieldLoad) && !isBad(p.yieldKeeps) &&
+           p.yieldKeeps < Scalar(1) && !isBad(p.advance);
   }
 
   /// Looks at one tick's travel [travel units] and force [N], and says what has just become clear.
@@ -162,7 +168,8 @@ class CutDetector {
       return Event::Nothing;
     }
     const bool closesOn = sample.travel - highest_.travel >= parameters_.advance;
-    if (closesOn && highest_.force - sample.force >= yieldDrop()) {
+    const bool isLoaded = highest_.force - cut_.interception.force >= parameters_.yieldLoad;
+    if (closesOn && isLoaded && highest_.force - sample.force >= yieldDrop()) {
       cut_.yield = highest_;
       lowest_ = Landmark{};
       phase_ = Phase::Falling;
@@ -173,6 +180,11 @@ class CutDetector {
   }
 
   Event fall(const Landmark& sample) noexcept {
+    if (sample.travel >= cut_.largestTravel && hasLostTheLoad(sample)) {
+      cut_.yield = Landmark{};
+      letGo(sample);
+      return Event::Nothing;
+    }
     const bool isAtTheEnd = sample.travel >= parameters_.bottomAbove &&
                             sample.travel > cut_.largestTravel - parameters_.advance;
     if (isAtTheEnd && (!lowest_.found || sample.force < lowest_.force)) lowest_ = sample;
@@ -252,6 +264,13 @@ class CutDetector {
   bool isLost(const Landmark& sample) const noexcept {
     const Scalar load = sample.force - cut_.interception.force;
     return load < parameters_.contactForce / Scalar{2};
+  }
+
+  /// Less is left than tissue that has just yielded would hold.
+  bool hasLostTheLoad(const Landmark& sample) const noexcept {
+    const Scalar load = cut_.yield.force - cut_.interception.force;
+    return parameters_.yieldKeeps > Scalar(0) &&
+           sample.force - cut_.interception.force < parameters_.yieldKeeps * load;
   }
 
   Scalar aboveCreep(const Landmark& sample) const noexcept {

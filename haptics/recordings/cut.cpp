@@ -29,8 +29,10 @@ CutLandmarks landmarksOf(const Detector::Cut& cut) {
 
 }  // namespace
 
-CutLandmarks landmarksAlong(std::span<const double> travel, std::span<const double> force) {
-  Detector detector;
+CutLandmarks landmarksAlong(
+    std::span<const double> travel, std::span<const double> force, double yieldLoad) {
+  constexpr double kLeftAfterAYield = 0.25;
+  Detector detector({.yieldLoad = yieldLoad, .yieldKeeps = kLeftAfterAYield});
   const std::size_t count = std::min(travel.size(), force.size());
   for (std::size_t i = 0; i < count; ++i) {
     const auto event = detector.feed(travel[i], force[i]);

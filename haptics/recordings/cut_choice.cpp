@@ -70,7 +70,7 @@ Closure measured(const Recording& recording, const Trace& trace, const Span& spa
   closure.duration = milliseconds * kSecondsPerMillisecond;
   for (std::size_t i = span.first; i <= span.last; ++i) {
     closure.peakForce = std::max(closure.peakForce, trace.force[i]);
-    if (rows[i].reading >= kSaturatedReading) ++closure.saturatedRows;
+    if (rows[i].reading >= recording.saturation) ++closure.saturatedRows;
   }
   closure.isComplete =
       span.first > 0 && span.last + 1 < rows.size() && closure.duration <= kLongestClosure;
@@ -79,7 +79,7 @@ Closure measured(const Recording& recording, const Trace& trace, const Span& spa
 
 }  // namespace
 
-std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace) {
+std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace, double yieldLoad) {
   std::vector<Closure> closures;
   const std::vector<Span> spans = closedSpans(recording.rows);
   std::size_t from = 0;
@@ -91,7 +91,9 @@ std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace) 
     closure.opening = openingBranch(trace.travel, closure.closing, next);
     const std::size_t count = next - from;
     closure.landmarks = landmarksAlong(
-        std::span(trace.travel).subspan(from, count), std::span(trace.force).subspan(from, count));
+        std::span(trace.travel).subspan(from, count),
+        std::span(trace.force).subspan(from, count),
+        yieldLoad);
     closures.push_back(closure);
     from = span.last;
   }
@@ -208,12 +210,12 @@ CutChoice chooseCut(
   return typicalClosure(trace, closures, source);
 }
 
-RecordingSurvey surveyOf(const Recording& recording, const Trace& trace) {
+RecordingSurvey surveyOf(const Recording& recording, const Trace& trace, double yieldLoad) {
   std::vector<double> travels;
   RecordingSurvey survey{.rows = recording.rows.size(), .sampling = samplingOf(recording)};
   for (const Recording::Row& row : recording.rows) {
-    if (row.reading >= kSaturatedReading) ++survey.saturatedRows;
-    if (row.reading >= kUncalibratedReading) ++survey.uncalibratedRows;
+    if (row.reading >= recording.saturation) ++survey.saturatedRows;
+    if (isExtrapolated(row.reading, trace.calibration)) ++survey.uncalibratedRows;
     travels.push_back(row.travel);
   }
   const auto [least, most] = std::ranges::minmax(trace.force);
@@ -227,7 +229,7 @@ RecordingSurvey surveyOf(const Recording& recording, const Trace& trace) {
   survey.distinctTravels = travels.size();
 
   survey.refusedLines = recording.refusedCount;
-  survey.closures = closuresOf(recording, trace);
+  survey.closures = closuresOf(recording, trace, yieldLoad);
   return survey;
 }
 

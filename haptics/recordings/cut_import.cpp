@@ -84,20 +84,36 @@ ForceCurve limited(const ForceCurve& curve, double maxSlope, ImportReport& repor
   return std::move(gentle.curve);
 }
 
+std::string shortest(double value) {
+  std::string digits = decimal(value, 4);
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.ends_with('.')) digits.pop_back();
+  return digits;
+}
+
+/// Which readings a calibration does not cover, in words.
+std::string outside(const ForceCalibration& calibration) {
+  const std::string more = "more than " + shortest(calibration.highest) + " " + calibration.unit;
+  if (!std::isfinite(calibration.lowest)) return more;
+  return "less than " + shortest(calibration.lowest) + " or " + more;
+}
+
 /// What the sensor did not really see in the chosen rows.
-void warnOfTheSensor(const Recording& recording, ImportReport& report) {
+void warnOfTheSensor(
+    const Recording& recording, const ForceCalibration& calibration, ImportReport& report) {
   std::size_t saturated = 0;
   std::size_t uncalibrated = 0;
   for (const RowRange& rows : report.rows) {
     for (std::size_t i = rows.first - 1; i < rows.last; ++i) {
       const double reading = recording.rows[i].reading;
-      saturated += reading >= kSaturatedReading ? 1 : 0;
-      uncalibrated += reading >= kUncalibratedReading ? 1 : 0;
+      saturated += reading >= recording.saturation ? 1 : 0;
+      uncalibrated += isExtrapolated(reading, calibration) ? 1 : 0;
     }
   }
   if (uncalibrated > 0) {
     report.changes.push_back(
-        std::to_string(uncalibrated) + " rows read 870 or more, beyond the sensor's calibration");
+        std::to_string(uncalibrated) + " rows read " + outside(calibration) +
+        ", beyond the sensor's calibration");
   }
   if (saturated > 0) {
     report.changes.push_back(
@@ -105,7 +121,8 @@ void warnOfTheSensor(const Recording& recording, ImportReport& report) {
   }
 }
 
-CutLandmarks landmarksOf(const ImportReport& report, const Trace& trace, const ForceCurve& curve) {
+CutLandmarks landmarksOf(
+    const ImportReport& report, const Trace& trace, const ForceCurve& curve, double yieldLoad) {
   if (report.closures.size() == 1) {
     return report.survey.closures[report.closures.front() - 1].landmarks;
   }
@@ -114,7 +131,8 @@ CutLandmarks landmarksOf(const ImportReport& report, const Trace& trace, const F
     const std::size_t count = rows.last - rows.first + 1;
     return landmarksAlong(
         std::span(trace.travel).subspan(rows.first - 1, count),
-        std::span(trace.force).subspan(rows.first - 1, count));
+        std::span(trace.force).subspan(rows.first - 1, count),
+        yieldLoad);
   }
   std::vector<double> travel;
   std::vector<double> force;
@@ -122,20 +140,23 @@ CutLandmarks landmarksOf(const ImportReport& report, const Trace& trace, const F
     travel.push_back(node.travel);
     force.push_back(node.force);
   }
-  return landmarksAlong(travel, force);
+  return landmarksAlong(travel, force, yieldLoad);
 }
 
 Provenance provenanceOf(
-    const Recording& recording, const ImportOptions& options, const ImportReport& report) {
+    const Recording& recording,
+    const ForceCalibration& calibration,
+    const ImportOptions& options,
+    const ImportReport& report) {
   return {
       .statement = describe(report.rows) + " of the recording '" + recording.source + "' (" +
                    report.reason + ")",
       .sourceFile = recording.source,
       .rows = report.rows,
       .closures = report.closures,
-      .calibration = std::string(nameOf(options.calibration)),
-      .filter = std::string(nameOf(options.filter)),
-      .filterParameters = parametersOf(options.filter),
+      .calibration = calibration.name,
+      .filter = std::string(nameOf(options.filter.kind)),
+      .filterParameters = parametersOf(options.filter, report.survey.sampling.rate),
       .slopeLimit = options.maxSlope,
       .changes = report.changes};
 }
@@ -149,8 +170,10 @@ void requireSlope(double maxSlope) {
 
 ImportedCut importCut(const Recording& recording, const ImportOptions& options) {
   requireSlope(options.maxSlope);
-  const Trace trace = traceOf(recording, options.calibration, options.filter);
-  ImportReport report{.survey = surveyOf(recording, trace)};
+  const ForceCalibration calibration =
+      options.calibration ? *options.calibration : calibrationFor(recording);
+  const Trace trace = traceOf(recording, calibration, options.filter);
+  ImportReport report{.survey = surveyOf(recording, trace, options.yieldLoad)};
   CutChoice choice = chooseCut(trace, report.survey.closures, options, recording.source);
   report.closures = std::move(choice.closures);
   report.rows = std::move(choice.rows);
@@ -159,14 +182,14 @@ ImportedCut importCut(const Recording& recording, const ImportOptions& options) 
   const ForceCurve recorded = drawn(trace, report);
   ForceCurve curve = limited(recorded, options.maxSlope, report);
   auto opening = opened(trace, options.maxSlope, report);
-  warnOfTheSensor(recording, report);
+  warnOfTheSensor(recording, calibration, report);
   Cut cut{
       .name = options.name,
       .title = options.title,
       .curve = std::move(curve),
       .opening = std::move(opening),
-      .landmarks = landmarksOf(report, trace, recorded),
-      .provenance = provenanceOf(recording, options, report)};
+      .landmarks = landmarksOf(report, trace, recorded, options.yieldLoad),
+      .provenance = provenanceOf(recording, calibration, options, report)};
   if (cut.name.empty()) cut.name = recording.source.substr(0, recording.source.rfind('.'));
   if (cut.title.empty()) cut.title = recording.source + ", " + describe(report.rows);
   return {std::move(cut), std::move(report)};

@@ -19,14 +19,16 @@ namespace haptics::recordings {
 struct ImportOptions {
   std::vector<std::size_t> closures{};  ///< from 1; several become their mean curve
   std::optional<RowRange> rows{};
-  ForceCalibration calibration = ForceCalibration::PaperEq1;
-  TravelFilter filter = TravelFilter::AuthorsFir;
+  std::optional<ForceCalibration> calibration{};  ///< none: calibrationFor() the recording
+  TravelFilter filter{};
 
   /// Where the curve is steeper than this, it is made gentler [N/travel unit]. 4.39 is the largest
   /// stiffness that the punch paper finds in its cuts (V, below eq. (25)) and for which it works
   /// out how much damping the device needs to stay passive. The table that it then renders is as
   /// steep as 18.9 in its noisy end, so that the margin printed was not the margin felt.
   double maxSlope = 4.39;
+
+  double yieldLoad = kLeastYieldLoad;  ///< as in landmarksAlong() [N]
 
   std::string name{};   ///< empty: the file's name without its ending
   std::string title{};  ///< empty: says which rows of which file it is
@@ -66,7 +68,9 @@ inline constexpr double kLongestClosure = 4.0;  ///< of a complete one [s]
 /// All closures, in the order of time.
 ///
 /// @param trace  of the same recording.
-std::vector<Closure> closuresOf(const Recording& recording, const Trace& trace);
+/// @param yieldLoad  as in landmarksAlong() [N].
+std::vector<Closure> closuresOf(
+    const Recording& recording, const Trace& trace, double yieldLoad = kLeastYieldLoad);
 
 /// The rows that a cut is made of.
 struct CutChoice {
@@ -89,20 +93,21 @@ CutChoice chooseCut(
 struct RecordingSurvey {
   std::size_t rows = 0;
   Sampling sampling{};
-  std::size_t saturatedRows = 0;  ///< force sensor at its end: clipped peaks, not plateaus
-  std::size_t uncalibratedRows =
-      0;                            ///< from kUncalibratedReading on, the saturated ones among them
-  double minForce = 0.0;            ///< a bias, if the hand ever let go [N]
-  double maxForce = 0.0;            ///< [N]
-  double minTravel = 0.0;           ///< as recorded [travel units]
-  double maxTravel = 0.0;           ///< as recorded [travel units]
-  std::size_t distinctTravels = 0;  ///< as recorded: how coarse the potentiometer is
+  std::size_t saturatedRows = 0;     ///< force sensor at its end: clipped peaks, not plateaus
+  std::size_t uncalibratedRows = 0;  ///< outside of the calibration; saturated ones among them
+  double minForce = 0.0;             ///< a bias, if the hand ever let go [N]
+  double maxForce = 0.0;             ///< [N]
+  double minTravel = 0.0;            ///< as recorded [travel units]
+  double maxTravel = 0.0;            ///< as recorded [travel units]
+  std::size_t distinctTravels = 0;   ///< as recorded: how coarse the potentiometer is
   std::size_t refusedLines = 0;
   std::vector<Closure> closures{};
 };
 
 /// @param trace  of the same recording.
-RecordingSurvey surveyOf(const Recording& recording, const Trace& trace);
+/// @param yieldLoad  as in landmarksAlong() [N].
+RecordingSurvey surveyOf(
+    const Recording& recording, const Trace& trace, double yieldLoad = kLeastYieldLoad);
 
 /// What was in a recording, what was taken from it and why, and what was changed.
 struct ImportReport {

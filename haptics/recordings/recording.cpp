@@ -74,7 +74,7 @@ void requireModestSize(const fs::path& path) {
 
 }  // namespace
 
-Recording readRecordingFile(const fs::path& path) {
+std::string contentOfRecording(const fs::path& path) {
   requirePlainFile(path);
   requireModestSize(path);
   std::ifstream stream(path, std::ios::binary);
@@ -88,7 +88,11 @@ Recording readRecordingFile(const fs::path& path) {
     throw Error("'" + path.string() + "' could not be read to its end: copy it and try again.");
   }
   text.resize(static_cast<std::size_t>(stream.gcount()));
-  return readRecording(text, path.filename().string());
+  return text;
+}
+
+Recording readRecordingFile(const fs::path& path) {
+  return readRecording(contentOfRecording(path), path.filename().string());
 }
 
 namespace {
@@ -194,7 +198,11 @@ ReadLine readLine(std::span<const std::string_view> fields) {
 /// Reads line after line into a recording.
 class Reader {
  public:
-  explicit Reader(std::string_view source) { recording_.source = source; }
+  explicit Reader(std::string_view source) {
+    recording_.source = source;
+    recording_.calibration = paperEq1();
+    recording_.saturation = kSaturatedReading;
+  }
 
   void read(std::string_view text) {
     while (!text.empty()) {
@@ -266,6 +274,8 @@ class Reader {
   std::size_t fourColumns_ = 0;
 };
 
+}  // namespace
+
 void requireText(std::string_view text, const std::string& name) {
   if (text.empty()) throw Error(name + " is empty: copy or record it again.");
   const std::size_t zero = text.find('\0');
@@ -274,8 +284,6 @@ void requireText(std::string_view text, const std::string& name) {
       name + " is no text (byte " + std::to_string(zero + 1) +
       " is zero): choose the recorder's .txt file, saved as plain text and not as UTF-16.");
 }
-
-}  // namespace
 
 Recording readRecording(std::string_view text, std::string_view source) {
   requireText(text, "'" + std::string(source) + "'");

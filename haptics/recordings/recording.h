@@ -3,10 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "haptics/recordings/force_calibration.h"
 
 namespace haptics::recordings {
 
@@ -25,13 +29,16 @@ struct RowRange {
   friend bool operator==(const RowRange&, const RowRange&) = default;
 };
 
+/// Where the force sensor of the published recordings is at its end, of 10 bits [counts].
+inline constexpr double kSaturatedReading = 1023.0;
+
 /// What a recorder wrote during cuts, row by row and unchanged, and what could not be read.
 struct Recording {
   /// One loop of the recorder.
   struct Row {
-    double reading = 0.0;        ///< r of the force sensor, 0…1023 counts; saturates at 1023
-    double grams = 0.0;          ///< the recorder's own force, by an older cubic [g]; not used
-    double potentiometer = 0.0;  ///< [counts]
+    double reading = 0.0;  ///< of the force sensor [readingUnit]
+    double grams = 0.0;    ///< the punch recorder's own force, by an older cubic [g]; not used
+    double potentiometer = 0.0;  ///< the punch recorder's [counts]; not used
     double travel = 0.0;         ///< nominally 0 (open) … 10 (closed) [travel units]
     double time = 0.0;           ///< since the recorder was switched on [ms]
 
@@ -52,7 +59,11 @@ struct Recording {
     std::size_t backslashLf = 0;
   };
 
-  std::string source{};                     ///< name of the file, for messages and provenance
+  std::string source{};                ///< name of the file, for messages and provenance
+  std::string readingUnit = "counts";  ///< `counts`, `V`, `mV`, or `N` where they are forces
+  std::optional<ForceCalibration> calibration{};  ///< of the recorder's sensor, where it is known
+  /// From here on the sensor says no more, and a force is a lower bound [readingUnit].
+  double saturation = std::numeric_limits<double>::infinity();
   std::vector<Row> rows{};                  ///< never empty; every number is finite
   std::size_t lines = 0;                    ///< all lines, empty ones too
   std::size_t refusedCount = 0;             ///< lines that were neither a row nor empty
@@ -83,11 +94,19 @@ std::string decimal(double value, int digits);
 /// No recording of a minute of cutting is larger than this [bytes].
 inline constexpr std::uintmax_t kLargestRecording = 200'000'000;
 
+/// The bytes of a recording's file.
+///
+/// @throws Error  if the file is missing, is a folder or anything else but a plain file, cannot be
+///     read or is larger than kLargestRecording.
+std::string contentOfRecording(const std::filesystem::path& path);
+
+/// @param name  what the message calls the text. @throws Error  if it is empty or no text.
+void requireText(std::string_view text, const std::string& name);
+
 /// Reads a recording from a file; see readRecording(). Its source is the file's name without its
 /// folder.
 ///
-/// @throws Error  if the file is missing, is a folder or anything else but a plain file, cannot be
-///     read or is larger than kLargestRecording; and wherever readRecording() does.
+/// @throws Error  where contentOfRecording() or readRecording() does.
 Recording readRecordingFile(const std::filesystem::path& path);
 
 /// Reads a recording of the punch: five numbers per line – force reading, grams, potentiometer,
@@ -100,6 +119,8 @@ Recording readRecordingFile(const std::filesystem::path& path);
 /// one that lacks columns, or whose line does not end and whose time lies before the row above.
 ///
 /// @param source  what messages and provenance call it.
+/// Its calibration is paperEq1(), and it saturates at kSaturatedReading.
+///
 /// @throws Error  if there is nothing in it, if it is no text, if no line of it is a row (a file
 ///     of four columns lacks the raw potentiometer and is told so), or if time runs backwards.
 Recording readRecording(std::string_view text, std::string_view source = "the recording");

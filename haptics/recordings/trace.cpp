@@ -1,11 +1,8 @@
 #include "haptics/recordings/trace.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,107 +10,6 @@
 #include "haptics/recordings/recording.h"
 
 namespace haptics::recordings {
-namespace {
-
-void requireSound(const KaiserLowPass::Design& design) {
-  if (design.taps % 2 == 0 || design.taps < 3 || design.taps > 9999) {
-    throw std::invalid_argument("a zero-phase filter has an odd number of taps, 3 to 9999");
-  }
-  if (!(design.beta >= 0.0 && design.beta <= 100.0)) {
-    throw std::invalid_argument("the beta of a Kaiser window is 0 to 100");
-  }
-  const double nyquist = design.sampleRate / 2.0;
-  if (!std::isfinite(nyquist) || !(design.cutoff > 0.0 && design.cutoff < nyquist)) {
-    throw std::invalid_argument("a cut-off lies between 0 and half the sample rate");
-  }
-}
-
-double tap(const KaiserLowPass::Design& design, int j) {
-  const double cycles = 2.0 * design.cutoff / design.sampleRate;
-  const double x = std::numbers::pi * j;
-  const double ideal = j == 0 ? cycles : std::sin(cycles * x) / x;
-  const double fraction = 2.0 * j / (design.taps - 1);
-  const double inside = std::max(0.0, 1.0 - fraction * fraction);
-  return ideal * std::cyl_bessel_i(0.0, design.beta * std::sqrt(inside));
-}
-
-}  // namespace
-
-KaiserLowPass::KaiserLowPass(const Design& design) {
-  requireSound(design);
-  const int reach = design.taps / 2;
-  for (int j = -reach; j <= reach; ++j) taps_.push_back(tap(design, j));
-  const double gain = std::accumulate(taps_.begin(), taps_.end(), 0.0);
-  for (double& value : taps_) value /= gain;
-}
-
-std::vector<double> KaiserLowPass::filtered(std::span<const double> signal) const {
-  std::vector<double> result;
-  if (signal.empty()) return result;
-  const std::size_t reach = taps_.size() / 2;
-  std::vector<double> held(reach, signal.front());
-  held.insert(held.end(), signal.begin(), signal.end());
-  held.insert(held.end(), reach, signal.back());
-  result.reserve(signal.size());
-  for (auto at = held.begin(); result.size() < signal.size(); ++at) {
-    result.push_back(std::inner_product(taps_.begin(), taps_.end(), at, 0.0));
-  }
-  return result;
-}
-
-namespace {
-
-constexpr double kNewtonsPerGram = 9.81e-3;
-constexpr std::array kCalibrations{ForceCalibration::PaperEq1, ForceCalibration::Recorder2021};
-
-}  // namespace
-
-double forceOf(double r, ForceCalibration calibration) noexcept {
-  const bool isPaper = calibration == ForceCalibration::PaperEq1;
-  const double square = isPaper ? -2e-4 : -3e-4;
-  const double linear = isPaper ? 0.7815 : 0.7261;
-  return (3e-7 * r * r * r + square * r * r + linear * r) * kNewtonsPerGram;
-}
-
-std::string_view nameOf(ForceCalibration calibration) noexcept {
-  return calibration == ForceCalibration::PaperEq1 ? "paper-eq1" : "recorder-2021";
-}
-
-std::optional<ForceCalibration> forceCalibrationNamed(std::string_view name) noexcept {
-  for (const ForceCalibration calibration : kCalibrations) {
-    if (nameOf(calibration) == name) return calibration;
-  }
-  return std::nullopt;
-}
-
-namespace {
-
-constexpr std::array kTravelFilters{TravelFilter::AuthorsFir, TravelFilter::None};
-
-}  // namespace
-
-std::vector<double> filtered(std::span<const double> travel, TravelFilter filter) {
-  if (filter == TravelFilter::None) return {travel.begin(), travel.end()};
-  return KaiserLowPass(KaiserLowPass::Design{}).filtered(travel);
-}
-
-std::string_view nameOf(TravelFilter filter) noexcept {
-  return filter == TravelFilter::AuthorsFir ? "authors-fir" : "none";
-}
-
-std::string parametersOf(TravelFilter filter) {
-  if (filter == TravelFilter::None) return "travel as recorded";
-  return "49-tap linear-phase Kaiser FIR, beta 5.653, -6 dB at 17.69075 Hz, Fs 1000/3 Hz nominal, "
-         "unit gain at rest, delay of 24 rows taken out, end values held";
-}
-
-std::optional<TravelFilter> travelFilterNamed(std::string_view name) noexcept {
-  for (const TravelFilter filter : kTravelFilters) {
-    if (nameOf(filter) == name) return filter;
-  }
-  return std::nullopt;
-}
-
 namespace {
 
 std::vector<CurvePoint> samplesOf(const Trace& trace, const RowRange& rows) {
@@ -126,8 +22,23 @@ std::vector<CurvePoint> samplesOf(const Trace& trace, const RowRange& rows) {
 
 }  // namespace
 
-Trace traceOf(const Recording& recording, ForceCalibration calibration, TravelFilter filter) {
-  Trace trace;
+ForceCalibration calibrationFor(const Recording& recording) {
+  if (recording.calibration) return *recording.calibration;
+  throw Error(
+      "The forces of '" + recording.source + "' are readings in " + recording.readingUnit +
+      ", and it is not known what they are in newtons. Calibrate the sensor ('palpate recording "
+      "calibrate') and name its file.");
+}
+
+Trace traceOf(
+    const Recording& recording, const ForceCalibration& calibration, const TravelFilter& filter) {
+  if (calibration.unit != recording.readingUnit) {
+    throw Error(
+        "The calibration '" + calibration.name + "' is for readings in " + calibration.unit +
+        ", and those of '" + recording.source + "' are in " + recording.readingUnit +
+        ": choose the calibration of this sensor.");
+  }
+  Trace trace{.calibration = calibration};
   trace.force.reserve(recording.rows.size());
   std::vector<double> travel;
   travel.reserve(recording.rows.size());
@@ -135,7 +46,7 @@ Trace traceOf(const Recording& recording, ForceCalibration calibration, TravelFi
     travel.push_back(row.travel);
     trace.force.push_back(forceOf(row.reading, calibration));
   }
-  trace.travel = filtered(travel, filter);
+  trace.travel = filtered(travel, samplingOf(recording).rate, filter);
   return trace;
 }
 

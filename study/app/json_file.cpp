@@ -48,6 +48,7 @@ Json chosenAsJson(
   for (const auto& rows : report.rows) chosen["rows"].push_back({rows.first, rows.last});
   chosen["calibration"] = cut.provenance.calibration;
   chosen["filter"] = cut.provenance.filter;
+  chosen["filter_parameters"] = cut.provenance.filterParameters;
   chosen["largest_slope_before"] = report.slopeBefore;
   chosen["largest_slope"] = cut.curve.largestSlope();
   chosen["largest_change_n"] = report.largestChange;

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "protocols/reading/calibration_file.h"
+#include "protocols/reading/columns_file.h"
 #include "protocols/reading/cut_file.h"
 #include "tests/protocols/small_protocol.h"
 #include "tests/support/scratch_folder.h"
@@ -162,6 +164,17 @@ TEST(ProtocolFormatPage, ExplainsEveryWord) {
     const auto word = part.value().get<std::string>();
     EXPECT_NE(text.find("`" + word + "`"), std::string::npos) << word;
   }
+}
+
+TEST(ProtocolFormatPage, HasAColumnsFileAndACalibrationFileThatAreSound) {
+  const auto columns = examples(" columns");
+  ASSERT_EQ(columns.size(), 1U);
+  questionnaires::Problems problems;
+  EXPECT_TRUE(readColumns(columns[0], problems)) << questionnaires::describe(problems.all());
+  const auto calibrations = examples(" calibration");
+  ASSERT_EQ(calibrations.size(), 1U);
+  EXPECT_TRUE(readCalibration(calibrations[0], problems))
+      << questionnaires::describe(problems.all());
 }
 
 }  // namespace format_page_test

@@ -14,7 +14,7 @@ namespace study::app {
 namespace {
 
 namespace reaming = haptics::reaming;
-using reaming::CutoffRule;
+using haptics::signals::CutoffRule;
 using reaming::DepthAxis;
 using reaming::EnvelopeRule;
 using reaming::NodeRule;

@@ -7,7 +7,7 @@
 
 #include "haptics/reaming/material/spline_comparison.h"
 #include "protocols/reading/material_file.h"
-#include "study/app/measurements/material_figures.h"
+#include "study/app/measurements/figure_lines.h"
 
 namespace study::app {
 namespace {

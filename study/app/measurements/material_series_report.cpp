@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "study/app/measurements/material_figures.h"
+#include "haptics/signals/low_pass.h"
+#include "haptics/signals/spectrum.h"
+#include "study/app/measurements/figure_lines.h"
 #include "study/app/measurements/material_report.h"
 
 namespace study::app {
@@ -40,22 +42,21 @@ Chart filteredChart(const reaming::Series& series, const Quantity& of) {
 
 Chart spectrumChart(
     const reaming::Series& series, const Quantity& of, const reaming::FitOptions& options) {
-  const auto spectrum = reaming::spectrumOf(of.samples, series.rate, options.cutoffRule);
+  const auto spectrum = haptics::signals::spectrumOf(of.samples, series.rate, options.cutoffRule);
   Chart chart{
       .x = {.title = "frequency [Hz]", .isLogarithmic = true},
       .y = {.title = fmt::format("amplitude [{}]", of.unit), .isLogarithmic = true}};
-  ChartSeries line{.title = "spectrum"};
-  double next = 0.0;
-  for (std::size_t i = 1; i < spectrum.amplitude.size(); ++i) {
-    const double frequency = spectrum.step * static_cast<double>(i);
-    if (frequency < next) continue;
-    line.points.push_back({frequency, spectrum.amplitude[i]});
-    next = frequency * 1.01;
-  }
+  const auto filtered = haptics::signals::zeroPhaseLowPass(of.samples, series.rate, of.cutoff);
+  const auto after = haptics::signals::spectrumOf(filtered, series.rate, options.cutoffRule);
   ChartSeries cutoff{.title = "cut-off", .style = ChartSeries::Style::Dashed};
   const double highest = *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end());
   cutoff.points = {{of.cutoff, 1e-6 * highest}, {of.cutoff, highest}};
-  chart.series = {std::move(line), std::move(cutoff)};
+  const double least = 1e-6 * highest;
+  chart.y.least = least;
+  chart.series = {
+      spectrumLine("before", spectrum, least),
+      spectrumLine("after", after, least),
+      std::move(cutoff)};
   return chart;
 }
 
@@ -80,7 +81,8 @@ void addFigures(
   if (of.cutoff > 0.0) {
     part.figures.push_back(
         {.name = fmt::format("series-{}-{}-spectrum", number, of.name),
-         .caption = fmt::format("Spectrum of the {}, and the cut-off.", of.name),
+         .caption = fmt::format(
+             "Amplitude spectrum of the {} before and after the filter, and the cut-off.", of.name),
          .chart = spectrumChart(series, of, options)});
   }
   part.figures.push_back(

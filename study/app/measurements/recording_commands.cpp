@@ -13,6 +13,10 @@
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/json_file.h"
+#include "study/app/measurements/calibrate_command.h"
+#include "study/app/measurements/recording_inputs.h"
+#include "study/app/measurements/recording_report.h"
+#include "study/app/write_document.h"
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
 #include "study/session/import_recording.h"
@@ -23,32 +27,18 @@ namespace {
 
 namespace recordings = haptics::recordings;
 
-/// How readings are converted to forces, and how travel is filtered.
-struct Reading {
-  std::string calibration = "paper-eq1";
-  std::string filter = "authors-fir";
-
-  recordings::Trace traceOf(const recordings::Recording& recording) const {
-    return recordings::traceOf(
-        recording,
-        *recordings::forceCalibrationNamed(calibration),
-        *recordings::travelFilterNamed(filter));
-  }
-};
-
 struct NoiseCommand {
-  std::string file;
+  RecordingInputs inputs;
   std::vector<std::string> rows;
   double leastStep = recordings::kLeastStep;
-  Reading reading;
   bool json = false;
 };
 
 struct ImportCommand {
-  std::string file;
+  RecordingInputs inputs;
   std::string out;
   std::string rows;
-  Reading reading;
+  std::string report;
   recordings::ImportOptions options;
   bool json = false;
 };
@@ -73,9 +63,12 @@ std::string landmark(const char* name, const std::optional<recordings::CurvePoin
 }
 
 void printSurvey(
-    const recordings::Recording& recording, const recordings::RecordingSurvey& survey) {
+    const recordings::Recording& recording,
+    const recordings::RecordingSurvey& survey,
+    const std::string& calibration,
+    const std::string& filter) {
   fmt::print(
-      "{}\n  {} rows at {:.1f} Hz (steps of {:.0f} to {:.0f} ms), {} could not be read\n",
+      "{}\n  {} rows at {:.1f} Hz (steps of {:.3g} to {:.3g} ms), {} could not be read\n",
       recording.source,
       survey.rows,
       survey.sampling.rate,
@@ -86,13 +79,15 @@ void printSurvey(
     fmt::print("  line {}: {}\n", line.number, line.reason);
   }
   fmt::print(
-      "  force {:.2f} to {:.2f} N by eq. (1); {} rows saturated, {} beyond the calibration; {} "
-      "distinct travels\n\n",
+      "  force {:.2f} to {:.2f} N by {}; {} rows saturated, {} beyond the calibration; {} "
+      "distinct travels\n  filter of the travel: {}\n\n",
       survey.minForce,
       survey.maxForce,
+      calibration,
       survey.saturatedRows,
       survey.uncalibratedRows,
-      survey.distinctTravels);
+      survey.distinctTravels,
+      filter);
   fmt::print("  cut        rows          seconds  peak [N]\n");
   for (std::size_t i = 0; i < survey.closures.size(); ++i) {
     const auto& c = survey.closures[i];
@@ -139,22 +134,27 @@ void printChoice(const ImportCommand& command, const recordings::ImportReport& r
 }
 
 int import(ImportCommand& command) {
-  command.options.calibration = *recordings::forceCalibrationNamed(command.reading.calibration);
-  command.options.filter = *recordings::travelFilterNamed(command.reading.filter);
+  const auto [recording, calibration] = readFrom(command.inputs);
+  command.options.calibration = calibration;
+  command.options.filter = command.inputs.travelFilter();
   if (!command.rows.empty()) command.options.rows = rowRange(command.rows);
-  const auto recording = recordings::readRecordingFile(command.file);
-  const auto trace = command.reading.traceOf(recording);
-  const auto survey = recordings::surveyOf(recording, trace);
+  const auto trace = recordings::traceOf(recording, calibration, command.options.filter);
+  const auto survey = recordings::surveyOf(recording, trace, command.options.yieldLoad);
+  const auto filter = recordings::parametersOf(command.options.filter, survey.sampling.rate);
   std::string whyNot;
   const auto imported = cutFrom(recording, command, whyNot);
   if (imported && !command.out.empty()) {
-    writeNewFile(command.out, cutAsJsonFrom(command.file, imported->cut));
+    writeNewFile(command.out, cutAsJsonFrom(command.inputs.file, imported->cut));
+  }
+  if (!command.report.empty()) {
+    writeDocument(
+        command.report, "recording", recordingReport(recording, trace, survey, filter, imported));
   }
   if (command.json) {
     std::fputs(importAsJson(recording, survey, trace, imported, whyNot).c_str(), stdout);
     return 0;
   }
-  printSurvey(recording, survey);
+  printSurvey(recording, survey, calibration.name, filter);
   if (imported) {
     printChoice(command, imported->report);
   } else {
@@ -164,8 +164,8 @@ int import(ImportCommand& command) {
 }
 
 int noise(const NoiseCommand& command) {
-  const auto recording = recordings::readRecordingFile(command.file);
-  const auto trace = command.reading.traceOf(recording);
+  const auto [recording, calibration] = readFrom(command.inputs);
+  const auto trace = recordings::traceOf(recording, calibration, command.inputs.travelFilter());
   std::vector<recordings::RowRange> rows;
   for (const auto& text : command.rows) rows.push_back(rowRange(text));
   if (rows.empty()) {
@@ -202,20 +202,11 @@ int noise(const NoiseCommand& command) {
   return 0;
 }
 
-void addReading(CLI::App& command, Reading& reading) {
-  command.add_option("--calibration", reading.calibration, "Raw readings to newtons")
-      ->check(CLI::IsMember({"paper-eq1", "recorder-2021"}))
-      ->capture_default_str();
-  command.add_option("--filter", reading.filter, "Low-pass of the travel")
-      ->check(CLI::IsMember({"authors-fir", "none"}))
-      ->capture_default_str();
-}
-
 void addImport(CLI::App& noun, Action& action) {
   auto command = std::make_shared<ImportCommand>();
   auto* import = noun.add_subcommand(
       "import", "Read a recording of a real punch, find its cuts, write one as a cut file");
-  import->add_option("FILE", command->file, "A recording as text, five columns")->required();
+  command->inputs.addTo(*import);
   import->add_option("--out", command->out, "The cut file to write; nothing is overwritten");
   auto* cuts = import->add_option(
       "--cut",
@@ -223,7 +214,6 @@ void addImport(CLI::App& noun, Action& action) {
       "Cut to import, numbered from 1; several are averaged (default: the most typical one)");
   import->add_option("--rows", command->rows, "Rows FIRST:LAST instead, numbered from 1")
       ->excludes(cuts);
-  addReading(*import, command->reading);
   import
       ->add_option(
           "--max-slope",
@@ -231,6 +221,15 @@ void addImport(CLI::App& noun, Action& action) {
           "Largest slope of the curve; steeper parts are limited [N per travel unit]")
       ->check(finiteRange(0.01, 1e6))
       ->capture_default_str();
+  import
+      ->add_option(
+          "--yield-load",
+          command->options.yieldLoad,
+          "Least load at a yield [N]: less is no tissue; 0: any")
+      ->check(finiteRange(0.0, 1e6))
+      ->capture_default_str();
+  import->add_option(
+      "--report", command->report, "A new folder for figures: spectrum, closures, the cut");
   import->add_option("--name", command->options.name, "Name of the cut (default: the file's name)");
   import->add_flag("--json", command->json, "JSON, full precision");
   import->callback([&action, command] { action = [command] { return app::import(*command);
@@ -243,7 +242,7 @@ void addNoise(CLI::App& noun, Action& action) {
   auto command = std::make_shared<NoiseCommand>();
   auto* noise = noun.add_subcommand(
       "noise", "Estimate a filter's process noise from the variation of recorded cuts");
-  noise->add_option("FILE", command->file, "A recording as text, five columns")->required();
+  command->inputs.addTo(*noise);
   noise
       ->add_option(
           "--rows",
@@ -257,7 +256,6 @@ void addNoise(CLI::App& noun, Action& action) {
           "Leave out rows that moved by less [travel units]; 0: as in the paper's eq. (22)")
       ->check(finiteRange(0.0, 1.0))
       ->capture_default_str();
-  addReading(*noise, command->reading);
   noise->add_flag("--json", command->json, "JSON for the 'noise' of a protocol, full precision");
   noise->callback([&action, command] { action = [command] { return app::noise(*command); }; });
 }
@@ -265,10 +263,12 @@ void addNoise(CLI::App& noun, Action& action) {
 }  // namespace
 
 void addRecordingCommands(CLI::App& program, Action& action) {
-  auto* noun = program.add_subcommand("recording", "Import measured cuts for rendering");
+  auto* noun = program.add_subcommand(
+      "recording", "Import measured cuts for rendering; calibrate the sensor that measured them");
   noun->require_subcommand(1);
   addImport(*noun, action);
   addNoise(*noun, action);
+  addCalibrate(*noun, action);
 }
 
 }  // namespace study::app

@@ -336,6 +336,8 @@ TEST(CutDetector, RefusesUnsoundParameters) {
   EXPECT_FALSE(Detector::isSound({.closedAbove = 4.0, .openBelow = 4.0}));
   EXPECT_FALSE(Detector::isSound({.contactForce = 0.0}));
   EXPECT_FALSE(Detector::isSound({.creep = -0.1}));
+  EXPECT_FALSE(Detector::isSound({.yieldLoad = -0.1}));
+  EXPECT_FALSE(Detector::isSound({.yieldKeeps = 1.0}));
   EXPECT_FALSE(Detector::isSound({.bottomAbove = std::numeric_limits<double>::infinity()}));
   EXPECT_FALSE(Detector::isSound({.retreat = std::numeric_limits<double>::quiet_NaN()}));
 }
@@ -361,6 +363,42 @@ TEST(CutDetector, StaysFiniteWithAnyInput) {
 static_assert(std::is_trivially_copyable_v<Detector>);
 static_assert(noexcept(std::declval<Detector&>().feed(0.0, 0.0)));
 static_assert(sizeof(CutDetector<float>) <= 256);
+
+/// A blow on the handle: the finger loses it on the way, and finds it again at the end.
+const std::vector<Sample> kBlow{
+    {0, 0}, {4, 0}, {7, 3.7}, {9, 0.1}, {10, 0}, {10.3, 0}, {10.3, 4.5}, {9, 0}, {0, 0}};
+
+/// A sheet of paper: little load, and half of it is left.
+const std::vector<Sample> kPaper{
+    {0, 0}, {6.9, 0}, {8, 2.6}, {9.1, 2.1}, {10.2, 3.2}, {9, 0}, {0, 0}};
+
+Detector::Cut cutAlong(const std::vector<Sample>& corners, const Detector::Parameters& parameters) {
+  Detector detector(parameters);
+  eventsOf(detector, path(corners));
+  return detector.lastCut();
+}
+
+TEST(CutDetector, BelievesALoadThatIsLostOnTheWayOnlyWhereItMay) {
+  EXPECT_TRUE(cutAlong(kBlow).yield.found);
+  const auto cut = cutAlong(kBlow, {.yieldKeeps = 0.25});
+  EXPECT_FALSE(cut.yield.found);
+  EXPECT_FALSE(cut.bottomOut.found);
+  EXPECT_TRUE(cut.interception.found);
+}
+
+TEST(CutDetector, BelievesASmallLoadOnlyWhereItMay) {
+  EXPECT_TRUE(cutAlong(kPaper).yield.found);
+  const auto cut = cutAlong(kPaper, {.yieldLoad = 3.0});
+  EXPECT_FALSE(cut.yield.found);
+  expectAt(cut.opening, 10.2, 3.2);
+}
+
+TEST(CutDetector, KeepsAYieldWhoseLoadIsLostOnlyWhileTheHandOpens) {
+  const std::vector<Sample> tissue{
+      {0, 0}, {4, 0}, {7, 4.4}, {9.5, 3.2}, {10, 3.2}, {9.5, 0}, {0, 0}};
+  const auto cut = cutAlong(tissue, {.yieldLoad = 3.0, .yieldKeeps = 0.25});
+  expectAt(cut.yield, 7.0, 4.4);
+}
 
 }  // namespace cut_detector_test
 }  // namespace haptics::models

@@ -11,7 +11,7 @@ namespace closure_test {
 
 RecordingSurvey surveyOf(const tests::MadeRecording& made) {
   const Recording recording = readRecording(tests::textOf(made));
-  const Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
+  const Trace trace = traceOf(recording, paperEq1(), TravelFilter{});
   return recordings::surveyOf(recording, trace);
 }
 
@@ -22,7 +22,8 @@ std::vector<Closure> closuresAlong(const std::vector<double>& travels) {
     recording.rows.push_back(
         {.travel = travel, .time = 3.0 * static_cast<double>(recording.rows.size())});
   }
-  return closuresOf(recording, traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::None));
+  return closuresOf(
+      recording, traceOf(recording, paperEq1(), TravelFilter{TravelFilter::Kind::None}));
 }
 
 TEST(Closure, IsAboveSevenUntilBelowFour) {

@@ -10,6 +10,7 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
+#include "haptics/signals/low_pass.h"
 #include "tests/support/test_data.h"
 
 // Does palpate read the published recordings as their authors did? Their own numbers, printed in
@@ -22,6 +23,7 @@ const char* const kCopy = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
 const char* const kWhole = "punch/part-2/meniscus/fast/MENISK_FAST_1_14042021_1826.txt";
 const char* const kReference = "punch/reference-cut-76.csv";
 constexpr RowRange kCut{5900, 5975};
+constexpr TravelFilter kAsPublished{.kind = TravelFilter::Kind::AuthorsFir333};
 
 /// Which of the 76 rows (from 0) has which angle and force in the authors' sketch.
 struct Printed {
@@ -47,7 +49,7 @@ Recording copy() {
 
 /// The 76 pairs of the cut.
 std::vector<CurvePoint> pairs() {
-  const Trace trace = traceOf(copy(), ForceCalibration::PaperEq1, TravelFilter::AuthorsFir);
+  const Trace trace = traceOf(copy(), paperEq1(), kAsPublished);
   std::vector<CurvePoint> found;
   for (std::size_t i = kCut.first - 1; i < kCut.last; ++i) {
     found.push_back({trace.travel[i], trace.force[i]});
@@ -115,8 +117,9 @@ TEST(Reproduction, R3CopyIsPartOfTheWhole) {
 TEST(Reproduction, R3CutIsTheSameFromCopyAndWhole) {
   SKIP_WITHOUT_FETCHED_DATA(kWhole);
   const Recording whole = readRecordingFile(tests::fetchedData(kWhole));
-  const ForceCurve fromCopy = importCut(copy(), {.rows = kCut}).cut.curve;
-  const ForceCurve fromWhole = importCut(whole, {.rows = RowRange{13486, 13561}}).cut.curve;
+  const ForceCurve fromCopy = importCut(copy(), {.rows = kCut, .filter = kAsPublished}).cut.curve;
+  const ForceCurve fromWhole =
+      importCut(whole, {.rows = RowRange{13486, 13561}, .filter = kAsPublished}).cut.curve;
   EXPECT_EQ(fromCopy, fromWhole);
 }
 
@@ -162,8 +165,7 @@ ProcessNoise ofTenCuts(const Trace& trace) {
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
-  const ProcessNoise found =
-      ofTenCuts(traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::AuthorsFir));
+  const ProcessNoise found = ofTenCuts(traceOf(recording, paperEq1(), kAsPublished));
 
   EXPECT_NEAR(found.force, 6.1024, 5e-5);       // eq. (22)
   EXPECT_NEAR(found.stiffness, 7.0275, 5e-5);   // eq. (22)
@@ -173,9 +175,9 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsThePaperPrintsThem) {
 TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const Recording recording = copy();
-  Trace trace = traceOf(recording, ForceCalibration::PaperEq1, TravelFilter::None);
+  Trace trace = traceOf(recording, paperEq1(), TravelFilter{TravelFilter::Kind::None});
   // Slightly higher, and still 17.69 Hz: the best fit to the 76 printed angles.
-  const KaiserLowPass filter({.cutoff = 17.6925});
+  const signals::KaiserLowPass filter({.cutoff = 17.6925});
   trace.travel = filter.filtered(trace.travel);
   const ProcessNoise found = ofTenCuts(trace);
 
@@ -186,7 +188,8 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
 
 TEST(Reproduction, FindsTheLandmarksOfTheReferenceCut) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
-  const CutLandmarks found = importCut(copy(), {.rows = kCut}).cut.landmarks;
+  const CutLandmarks found =
+      importCut(copy(), {.rows = kCut, .filter = kAsPublished}).cut.landmarks;
 
   ASSERT_TRUE(found.interception && found.yield && found.bottomOut);
   EXPECT_NEAR(found.interception->travel, 3.813, 5e-4);
@@ -208,7 +211,7 @@ TEST(Reproduction, ChoosesTheAuthorsOwnCutUnasked) {
 
 TEST(Reproduction, MovesTheReferenceCutLittleToLimitItsSlope) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
-  const ImportedCut imported = importCut(copy(), {.rows = kCut});
+  const ImportedCut imported = importCut(copy(), {.rows = kCut, .filter = kAsPublished});
   EXPECT_EQ(imported.cut.curve.nodes().size(), 76U);
   EXPECT_EQ(imported.report.mergedSamples, 0U);
   EXPECT_NEAR(imported.report.slopeBefore, 18.91, 0.02);

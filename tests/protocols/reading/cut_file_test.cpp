@@ -69,8 +69,8 @@ TEST(CutFile, ReadsBackWhatWasImportedFromARecording) {
   const std::vector<ImportOptions> imports{
       {},
       {.closures = {1, 3}, .maxSlope = 1.0},
-      {.rows = RowRange{150, 250}, .filter = TravelFilter::None},
-      {.closures = {2}, .calibration = ForceCalibration::Recorder2021}};
+      {.rows = RowRange{150, 250}, .filter = TravelFilter{TravelFilter::Kind::None}},
+      {.closures = {2}, .calibration = recorder2021()}};
   for (const auto& options : imports) {
     const auto written = importCut(recording, options).cut;
     const auto cut = read(cutAsJson(written, std::string(64, '0')));

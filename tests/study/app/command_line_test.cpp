@@ -521,6 +521,8 @@ TEST_F(CommandLineTest, EstimatesTheProcessNoiseOfARecording) {
       "6800:6840",
       "--least-step",
       "0",
+      "--filter",
+      "authors-fir-333",
       "--json"};
   const auto found = json::parse(palpate(call).out);
   EXPECT_NEAR(found["process_force"].get<double>(), 6.1024, 5e-5);  // eq. (22)

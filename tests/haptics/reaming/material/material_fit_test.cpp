@@ -189,7 +189,9 @@ TEST(MaterialFit, FiltersATorqueByItsOwnSpectrum) {
   for (double& torque : series.torque) torque = torque * torque;
   const auto after = prepared(series, {});
   EXPECT_EQ(after.cutoff, before.cutoff);
-  EXPECT_EQ(after.torqueCutoff, cutoffOf(series.torque, series.rate, CutoffRule::Floor));
+  EXPECT_EQ(
+      after.torqueCutoff,
+      signals::cutoffOf(series.torque, series.rate, signals::CutoffRule::Floor));
   EXPECT_NE(after.torqueCutoff, after.cutoff);
   const auto asked = prepared(series, {.cutoff = 0.2, .torqueCutoff = 0.3});
   EXPECT_EQ(asked.cutoff, 0.2);

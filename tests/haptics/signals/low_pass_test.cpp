@@ -1,4 +1,4 @@
-#include "haptics/reaming/material/low_pass.h"
+#include "haptics/signals/low_pass.h"
 
 #include <cmath>
 #include <numbers>
@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "haptics/reaming/material/synthetic_series.h"
+#include "haptics/signals/spectrum.h"
 
-namespace haptics::reaming {
+namespace haptics::signals {
 namespace low_pass_test {
 
 constexpr double kRate = 100.0;
@@ -80,9 +81,9 @@ TEST(Spectrum, IsNoTrapForAPrimeNumberOfSamples) {
 
 TEST(Cutoff, LeavesOutNoiseAndKeepsTheCurve) {
   for (const double hardness : {0.2, 0.5, 0.9}) {
-    const SyntheticTest test{.hardness = hardness, .seed = 7};
-    const auto measured = syntheticSeries(test);
-    const auto truth = noiselessSeries(test);
+    const reaming::SyntheticTest test{.hardness = hardness, .seed = 7};
+    const auto measured = reaming::syntheticSeries(test);
+    const auto truth = reaming::noiselessSeries(test);
     // A reamer that stalls earlier or later for a grain of noise ends earlier or later.
     const std::size_t count = std::min(measured.force.size(), truth.force.size());
     const std::vector<double> force(measured.force.begin(), measured.force.begin() + count);
@@ -101,4 +102,4 @@ TEST(Cutoff, LeavesOutNoiseAndKeepsTheCurve) {
 }
 
 }  // namespace low_pass_test
-}  // namespace haptics::reaming
+}  // namespace haptics::signals

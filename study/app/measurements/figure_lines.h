@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 #include "haptics/reaming/material/sampled_curve.h"
+#include "haptics/signals/spectrum.h"
 #include "study/report/chart.h"
 
 namespace study::app {
@@ -33,6 +35,25 @@ inline report::ChartSeries lineOf(
       [&](std::size_t i) { return scale * curve.x[i]; },
       [&](std::size_t i) { return curve.y[i]; },
       most);
+}
+
+/// An amplitude spectrum for a logarithmic axis: the largest amplitude of each step of a hundredth,
+/// and at least @p least, where the axis begins.
+inline report::ChartSeries spectrumLine(
+    const std::string& title, const haptics::signals::Spectrum& spectrum, double least) {
+  constexpr double kStep = 1.01;
+  report::ChartSeries line{.title = title};
+  double end = 0.0;
+  for (std::size_t i = 1; i < spectrum.amplitude.size(); ++i) {
+    const double frequency = spectrum.step * static_cast<double>(i);
+    if (frequency < end) {
+      line.points.back().y = std::max(line.points.back().y, spectrum.amplitude[i]);
+      continue;
+    }
+    line.points.push_back({frequency, std::max(least, spectrum.amplitude[i])});
+    end = frequency * kStep;
+  }
+  return line;
 }
 
 }  // namespace study::app

@@ -1,38 +1,67 @@
-#include "haptics/reaming/material/low_pass.h"
+#include "haptics/signals/low_pass.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
-#include <unsupported/Eigen/FFT>
 
-namespace haptics::reaming {
+namespace haptics::signals {
 namespace {
 
-/// The least length of factors 2, 3 and 5 that is not below @p n.
-std::size_t smoothLength(std::size_t n) {
-  std::size_t best = 1;
-  while (best < n) best *= 2;
-  for (std::size_t fives = 1; fives < 2 * n; fives *= 5) {
-    for (std::size_t threes = fives; threes < 2 * n; threes *= 3) {
-      std::size_t length = threes;
-      while (length < n) length *= 2;
-      best = std::min(best, length);
-    }
+void requireSound(const KaiserLowPass::Design& design) {
+  if (design.taps % 2 == 0 || design.taps < 3 || design.taps > 9999) {
+    throw std::invalid_argument("a zero-phase filter has an odd number of taps, 3 to 9999");
   }
-  return best;
+  if (!(design.beta >= 0.0 && design.beta <= 100.0)) {
+    throw std::invalid_argument("the beta of a Kaiser window is 0 to 100");
+  }
+  const double nyquist = design.sampleRate / 2.0;
+  if (!std::isfinite(nyquist) || !(design.cutoff > 0.0 && design.cutoff < nyquist)) {
+    throw std::invalid_argument("a cut-off lies between 0 and half the sample rate");
+  }
 }
 
-/// From the first sample straight to the last.
+double tap(const KaiserLowPass::Design& design, int j) {
+  const double cycles = 2.0 * design.cutoff / design.sampleRate;
+  const double x = std::numbers::pi * j;
+  const double ideal = j == 0 ? cycles : std::sin(cycles * x) / x;
+  const double fraction = 2.0 * j / (design.taps - 1);
+  const double inside = std::max(0.0, 1.0 - fraction * fraction);
+  return ideal * std::cyl_bessel_i(0.0, design.beta * std::sqrt(inside));
+}
+
+}  // namespace
+
+KaiserLowPass::KaiserLowPass(const Design& design) {
+  requireSound(design);
+  const int reach = design.taps / 2;
+  for (int j = -reach; j <= reach; ++j) taps_.push_back(tap(design, j));
+  const double gain = std::accumulate(taps_.begin(), taps_.end(), 0.0);
+  for (double& value : taps_) value /= gain;
+}
+
+std::vector<double> KaiserLowPass::filtered(std::span<const double> signal) const {
+  std::vector<double> result;
+  if (signal.empty()) return result;
+  const std::size_t reach = taps_.size() / 2;
+  std::vector<double> held(reach, signal.front());
+  held.insert(held.end(), signal.begin(), signal.end());
+  held.insert(held.end(), reach, signal.back());
+  result.reserve(signal.size());
+  for (auto at = held.begin(); result.size() < signal.size(); ++at) {
+    result.push_back(std::inner_product(taps_.begin(), taps_.end(), at, 0.0));
+  }
+  return result;
+}
+
+namespace {
+
+/// A straight line between where the first and the last @p window samples begin and end by their
+/// least-squares lines: the noise of two samples moves no end.
 class Line {
  public:
-  explicit Line(std::span<const double> samples)
-      : start_(samples.front()),
-        rise_((samples.back() - samples.front()) / static_cast<double>(samples.size() - 1)) {}
-  /// Between where the first and the last @p window samples begin and end by their least-squares
-  /// lines: the noise of two samples moves no end.
   Line(std::span<const double> samples, std::size_t window)
       : start_(fittedEnd(samples.first(window), true)),
         rise_(
@@ -59,19 +88,6 @@ class Line {
   double start_;
   double rise_;
 };
-
-std::vector<double> prepared(std::span<const double> samples, CutoffRule rule) {
-  std::vector<double> result(samples.begin(), samples.end());
-  if (rule == CutoffRule::Plain || samples.size() < 3) return result;
-  const auto last = static_cast<double>(samples.size() - 1);
-  const Line line(samples);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto at = static_cast<double>(i);
-    const double window = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * at / last);
-    result[i] = (samples[i] - line.at(i)) * window;
-  }
-  return result;
-}
 
 /// Two poles and two zeros, transposed direct form II.
 struct Section {
@@ -112,44 +128,6 @@ std::array<Section, 2> butterworth(double rate, double cutoff) {
 
 }  // namespace
 
-Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rule) {
-  auto signal = prepared(samples, rule);
-  const auto count = static_cast<double>(signal.size());
-  signal.resize(smoothLength(signal.size()), 0.0);
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> transformed;
-  fft.fwd(transformed, signal);
-  const double gain = (rule == CutoffRule::Plain ? 2.0 : 4.0) / count;  // the window halves
-  Spectrum spectrum{.step = rate / static_cast<double>(signal.size())};
-  for (const auto& value : transformed) spectrum.amplitude.push_back(gain * std::abs(value));
-  return spectrum;
-}
-
-double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule) {
-  const Spectrum spectrum = spectrumOf(samples, rate, rule);
-  const auto& amplitude = spectrum.amplitude;
-  auto upper = std::vector<double>(
-      amplitude.begin() + static_cast<std::ptrdiff_t>(amplitude.size() / 2), amplitude.end());
-  const auto middle = upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2);
-  std::nth_element(upper.begin(), middle, upper.end());
-  const double floor = *middle;
-
-  constexpr std::size_t kNeighbours = 3;
-  constexpr double kAboveFloor = 2.0;
-  const double least = 4.0 * rate / static_cast<double>(samples.size());
-  const double most = 0.45 * rate;
-  for (std::size_t bin = 1; bin + kNeighbours < amplitude.size(); ++bin) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < kNeighbours; ++k) sum += amplitude[bin + k];
-    if (sum / kNeighbours <= kAboveFloor * floor) {
-      const double found = spectrum.step * static_cast<double>(bin);
-      return std::clamp(found, std::min(least, most), most);
-    }
-  }
-  return most;
-}
-
 std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rate, double cutoff) {
   if (!(cutoff > 0.0 && cutoff < 0.5 * rate)) {
     throw std::invalid_argument("a cut-off lies above 0 and below half of the sampling rate");
@@ -182,4 +160,4 @@ std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rat
   return result;
 }
 
-}  // namespace haptics::reaming
+}  // namespace haptics::signals

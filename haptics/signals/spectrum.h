@@ -1,10 +1,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <vector>
 
-namespace haptics::reaming {
+namespace haptics::signals {
 
 /// How a series' cut-off is found in its spectrum.
 enum class CutoffRule {
@@ -27,13 +26,4 @@ Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rul
 /// below four periods of the whole series, never above 0.45 of the rate.
 double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule);
 
-/// Zero-phase low-pass: a Butterworth filter of order 4 forwards and backwards, so that a frequency
-/// f is weighed by 1/(1 + (f/fc)⁸) (after the bilinear transform), and no edge rings: the ends are
-/// continued by their own mirror images through the end points, where straight lines through an
-/// eighth of a period put them.
-///
-/// @param cutoff  where the amplitude is halved [Hz], above 0 and below half of @p rate.
-/// @throws std::invalid_argument  if it is not.
-std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rate, double cutoff);
-
-}  // namespace haptics::reaming
+}  // namespace haptics::signals

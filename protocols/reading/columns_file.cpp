@@ -1,0 +1,124 @@
+#include "protocols/reading/columns_file.h"
+
+#include <array>
+#include <cmath>
+
+#include "questionnaires/json/document.h"
+
+namespace protocols {
+namespace {
+
+using haptics::recordings::RecordingColumns;
+using haptics::recordings::TableColumn;
+using questionnaires::Choice;
+using questionnaires::Node;
+using questionnaires::Problems;
+
+constexpr std::string_view kColumnsFormat = "palpate-columns-1";
+constexpr std::int64_t kMostColumns = 1000;
+constexpr std::int64_t kMostSkippedLines = 100'000;
+constexpr double kLargestCell = 1e12;
+constexpr double kHighestRate = 1e6;  // [Hz]
+
+constexpr std::array kSeparators{
+    Choice<char>{"tab", '\t'},
+    Choice<char>{"semicolon", ';'},
+    Choice<char>{"comma", ','},
+    Choice<char>{"blank", ' '}};
+
+/// Milliseconds in a unit of time.
+constexpr std::array kTimeUnits{
+    Choice<double>{"s", 1000.0}, Choice<double>{"ms", 1.0}, Choice<double>{"us", 1e-3}};
+
+TableColumn readColumn(const Node& node) {
+  const auto column = node.member("column");
+  if (column && !column->isText()) {
+    return {.number = static_cast<std::size_t>(node.wholeNumber("column", 1, kMostColumns))};
+  }
+  return {.head = node.text("column")};
+}
+
+void readTime(const Node& node, RecordingColumns& columns) {
+  if (!node.isObjectWith({"column", "unit", "rate_hz"})) return;
+  if (node.has("rate_hz") == node.has("column")) {
+    node.problem(
+        node.has("column") ? "rate_hz" : "column",
+        "a time is either a column or a rate",
+        "name the column, or write \"rate_hz\" where the file has none");
+    return;
+  }
+  if (node.has("rate_hz")) {
+    columns.rate = node.number("rate_hz", 1e-3, kHighestRate);
+    return;
+  }
+  columns.time = readColumn(node);
+  columns.millisecondsPerTime = node.choice("unit", kTimeUnits);
+}
+
+void readTravel(const Node& node, RecordingColumns& columns) {
+  if (!node.isObjectWith({"column", "open", "closed"})) return;
+  columns.travel = readColumn(node);
+  columns.open = node.number("open", -kLargestCell, kLargestCell);
+  columns.closed = node.number("closed", -kLargestCell, kLargestCell);
+  if (node.isSound() && columns.open == columns.closed) {
+    node.problem(
+        "closed", "this is where the tool is open, too", "write what the column has there");
+  }
+}
+
+void readForce(const Node& node, RecordingColumns& columns) {
+  if (!node.isObjectWith({"column", "unit", "zero", "factor", "saturates_at"})) return;
+  columns.force = readColumn(node);
+  columns.readingUnit = node.text("unit");
+  columns.forceZero = node.number("zero", -kLargestCell, kLargestCell, 0.0);
+  columns.forceFactor = node.number("factor", -kLargestCell, kLargestCell, 1.0);
+  if (columns.forceFactor == 0.0) {
+    node.problem("factor", "0 makes every force nothing", "leave it out, or write -1 to turn it");
+  }
+  if (node.has("saturates_at")) {
+    columns.saturatesAt = node.number("saturates_at", -kLargestCell, kLargestCell);
+  }
+  if (const double newtons = haptics::recordings::newtonsIn(columns.readingUnit); newtons > 0.0) {
+    columns.forceFactor *= newtons;
+    columns.readingUnit = "N";
+  }
+}
+
+void readRoot(const Node& root, ColumnsFile& file) {
+  if (!root.isObjectWith(
+          {"format", "skip_lines", "separator", "time", "travel", "force", "calibration"})) {
+    return;
+  }
+  const std::string format = root.text("format");
+  if (!format.empty() && format != kColumnsFormat) {
+    root.problem(
+        "format",
+        "this is no columns file of the kind that this program reads",
+        "write \"" + std::string(kColumnsFormat) + "\"");
+  }
+  RecordingColumns& columns = file.columns;
+  columns.skippedLines =
+      static_cast<std::size_t>(root.wholeNumber("skip_lines", 0, kMostSkippedLines, 0));
+  if (root.has("separator")) columns.separator = root.choice("separator", kSeparators);
+  if (const auto time = root.requiredObject("time")) readTime(*time, columns);
+  if (const auto travel = root.requiredObject("travel")) readTravel(*travel, columns);
+  if (const auto force = root.requiredObject("force")) readForce(*force, columns);
+  file.calibrationFile = root.text("calibration", "");
+  if (columns.readingUnit == "N" && !file.calibrationFile.empty()) {
+    root.problem("calibration", "the forces are in newtons already", "leave the calibration out");
+  }
+}
+
+}  // namespace
+
+std::optional<ColumnsFile> readColumns(std::string_view json, Problems& problems) {
+  Problems found;
+  ColumnsFile file;
+  if (const auto value = questionnaires::parseJson(json, found)) {
+    readRoot(Node(*value, "$", found), file);
+  }
+  problems.append(found);
+  return found.hasErrors() ? std::nullopt : std::optional(std::move(file));
+}
+
+}  // namespace protocols

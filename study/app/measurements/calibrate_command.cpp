@@ -1,0 +1,177 @@
+#include "study/app/measurements/calibrate_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "haptics/recordings/calibration_fit.h"
+#include "haptics/recordings/recording.h"
+#include "protocols/reading/calibration_file.h"
+#include "study/app/measurements/recording_report.h"
+#include "study/app/write_document.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/storage/protocol_repository.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+namespace recordings = haptics::recordings;
+
+struct CalibrateCommand {
+  std::string file;
+  std::string out;
+  std::string report;
+  std::string name;
+  recordings::CalibrationColumns columns;
+  int order = 3;
+  bool throughZero = false;
+};
+
+/// "0.0123 + 0.0076665·r − 1.962e-06·r^2": the constant first, powers that are not there left out.
+std::string polynomialOf(const recordings::ForceCalibration& calibration) {
+  std::string text;
+  for (std::size_t power = 0; power < calibration.coefficients.size(); ++power) {
+    const double c = calibration.coefficients[power];
+    if (power == 0 && c == 0.0) continue;
+    const auto sign = c < 0.0 ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+    const auto r = power == 0   ? std::string()
+                   : power == 1 ? std::string(" r")
+                                : fmt::format(" r^{}", power);
+    text += fmt::format("{}{:.6g}{}", sign, std::abs(c), r);
+  }
+  return text;
+}
+
+/// How near the curve of each order comes, as far as there are loads enough.
+DataTable ordersOf(const recordings::CalibrationTable& table, bool throughZero) {
+  DataTable orders{
+      .name = "orders",
+      .description = "Other orders, to compare with.",
+      .columns = {
+          {"order", "order"},
+          {"rms_n", "RMS [N]"},
+          {"standard_error_n", "standard error [N]"},
+          {"largest_n", "largest residual [N]"}}};
+  for (int order = 1; order <= recordings::kMostCalibrationOrder; ++order) {
+    try {
+      const auto fit = recordings::fitCalibration(table, order, throughZero);
+      orders.rows.push_back({std::int64_t{order}, fit.rms, fit.standardError, fit.largest});
+    } catch (const recordings::Error&) {
+      break;  // too few loads for this order and all higher ones
+    }
+  }
+  return orders;
+}
+
+void print(
+    const recordings::CalibrationTable& table,
+    const recordings::CalibrationFit& fit,
+    const DataTable& orders) {
+  const auto& calibration = fit.calibration;
+  fmt::print(
+      "{}\n  {}, readings of {:g} to {:g} {}\n  f = {} N\n  RMS {:.4g} N, standard error {:.4g} N, "
+      "largest residual {:.4g} N\n\n  order     RMS [N]   standard error [N]   largest [N]\n",
+      table.source,
+      words::counted(table.points.size(), "load"),
+      calibration.lowest,
+      calibration.highest,
+      calibration.unit,
+      polynomialOf(calibration),
+      fit.rms,
+      fit.standardError,
+      fit.largest);
+  for (const auto& row : orders.rows) {
+    fmt::print(
+        "  {:>5} {:>11.4g} {:>20.4g} {:>13.4g}\n",
+        std::get<std::int64_t>(row[0]),
+        std::get<double>(row[1]),
+        std::get<double>(row[2]),
+        std::get<double>(row[3]));
+  }
+  if (!fit.rises) {
+    fmt::print(
+        "\nWARNING: this curve falls somewhere between the lowest and the highest reading, so that "
+        "more\nload would be less force. Choose a lower order, or leave out loads that saturate "
+        "the sensor.\n");
+  }
+}
+
+/// @throws UserError  where a calibration file could not hold the name.
+void requireName(const std::string& name) {
+  const auto isPlain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), isPlain)) return;
+  throw UserError(fmt::format(
+      "'{}' is no name of a calibration. Use letters, digits, '.', '_' and '-', e.g. "
+      "load-cell-2.",
+      name));
+}
+
+int calibrate(const CalibrateCommand& command) {
+  requireName(command.name);
+  const std::string text = recordings::contentOfRecording(command.file);
+  const std::filesystem::path path(command.file);
+  const auto table =
+      recordings::readCalibrationTable(text, path.filename().string(), command.columns);
+  auto fit = recordings::fitCalibration(table, command.order, command.throughZero);
+  fit.calibration.name = command.name;
+  const auto orders = ordersOf(table, command.throughZero);
+  print(table, fit, orders);
+  if (!command.out.empty()) {
+    writeNewFile(
+        command.out, protocols::calibrationAsJson(fit, table.source, storage::sha256(text)));
+    fmt::print(
+        "\n{} holds the calibration. Name it in 'recording import --calibration', or in a columns "
+        "file.\n",
+        command.out);
+  }
+  if (!command.report.empty()) {
+    writeDocument(command.report, "calibration", calibrationReport(table, fit, orders));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& noun, Action& action) {
+  auto command = std::make_shared<CalibrateCommand>();
+  auto* verb = noun.add_subcommand(
+      "calibrate", "Fit a polynomial to readings of a force sensor under known loads");
+  verb->add_option("TABLE", command->file, "CSV or TSV: a head, then a reading and a load a row")
+      ->required();
+  verb->add_option("--order", command->order, "Of the polynomial")
+      ->check(CLI::Range(1, recordings::kMostCalibrationOrder))
+      ->capture_default_str();
+  verb->add_flag(
+      "--through-zero",
+      command->throughZero,
+      "No constant: a reading of 0 is 0 N, as in eq. (1) of the punch paper");
+  verb->add_option(
+      "--reading", command->columns.reading, "Head of the column of readings (default: the first)");
+  verb->add_option(
+      "--force", command->columns.force, "Head of the column of loads (default: the second)");
+  verb->add_option(
+      "--reading-unit",
+      command->columns.readingUnit,
+      "V, mV, counts … (default: as in the head, 'sensor [V]')");
+  verb->add_option(
+      "--force-unit",
+      command->columns.forceUnit,
+      "N, mN, kN, g or kg (default: as in the head, 'load [N]')");
+  verb->add_option("--out", command->out, "The calibration file to write; nothing is overwritten");
+  verb->add_option("--report", command->report, "A new folder for figures: curve and residuals");
+  command->name = "own-sensor";
+  verb->add_option("--name", command->name, "Name of the calibration")->capture_default_str();
+  verb->callback([&action, command] { action = [command] { return app::calibrate(*command); }; });
+}
+
+}  // namespace study::app

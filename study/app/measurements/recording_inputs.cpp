@@ -1,0 +1,92 @@
+#include "study/app/measurements/recording_inputs.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "haptics/recordings/trace.h"
+#include "protocols/reading/calibration_file.h"
+#include "protocols/reading/columns_file.h"
+#include "questionnaires/json/document.h"
+#include "study/app/finite_range.h"
+#include "study/model/user_error.h"
+
+namespace study::app {
+namespace {
+
+namespace recordings = haptics::recordings;
+
+recordings::ForceCalibration calibrationIn(const std::string& file) {
+  questionnaires::Problems problems;
+  const auto calibration = protocols::readCalibration(questionnaires::readTextFile(file), problems);
+  if (!calibration) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
+  return *calibration;
+}
+
+/// By its name, or from a file.
+recordings::ForceCalibration calibrationNamed(const std::string& name) {
+  for (const auto& known : {recordings::paperEq1(), recordings::recorder2021()}) {
+    if (known.name == name) return known;
+  }
+  if (std::filesystem::exists(name)) return calibrationIn(name);
+  throw UserError(fmt::format(
+      "There is no calibration '{}'. Name paper-eq1, recorder-2021, or a file that 'palpate "
+      "recording calibrate' has written.",
+      name));
+}
+
+recordings::RecordingColumns columnsIn(const std::string& file) {
+  questionnaires::Problems problems;
+  const auto read = protocols::readColumns(questionnaires::readTextFile(file), problems);
+  if (!read) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
+  recordings::RecordingColumns columns = read->columns;
+  if (!read->calibrationFile.empty()) {
+    const auto beside = std::filesystem::path(file).parent_path() / read->calibrationFile;
+    columns.calibration = calibrationIn(beside.string());
+  }
+  return columns;
+}
+
+}  // namespace
+
+void RecordingInputs::addTo(CLI::App& verb) {
+  verb.add_option("FILE", file, "A recording as text: five columns, or as --columns says")
+      ->required();
+  verb.add_option(
+      "--columns", columns, "Columns file (JSON) that says what the columns of FILE mean");
+  verb.add_option(
+      "--calibration",
+      calibration,
+      "To newtons: paper-eq1, recorder-2021 or a calibration file (default: the recording's own)");
+  verb.add_option("--filter", filter, "Low-pass of the travel, for the recording's own rate")
+      ->check(CLI::IsMember(recordings::travelFilterNames()))
+      ->capture_default_str();
+  verb.add_option(
+          "--cutoff",
+          cutoff,
+          "Of butterworth-zero-phase: frequency of half the amplitude [Hz] (default: 5)")
+      ->check(finiteRange(1e-3, 1e5));
+}
+
+recordings::TravelFilter RecordingInputs::travelFilter() const {
+  recordings::TravelFilter chosen{.kind = *recordings::travelFilterNamed(filter)};
+  if (cutoff && chosen.kind != recordings::TravelFilter::Kind::ButterworthZeroPhase) {
+    throw UserError(fmt::format(
+        "'{}' has no cut-off to choose. Write --filter butterworth-zero-phase --cutoff {:g}.",
+        filter,
+        *cutoff));
+  }
+  if (cutoff) chosen.cutoff = *cutoff;
+  return chosen;
+}
+
+ReadRecording readFrom(const RecordingInputs& inputs) {
+  auto recording = inputs.columns.empty()
+                       ? recordings::readRecordingFile(inputs.file)
+                       : recordings::readRecordingTableFile(inputs.file, columnsIn(inputs.columns));
+  if (!inputs.calibration.empty()) recording.calibration = calibrationNamed(inputs.calibration);
+  auto calibration = recordings::calibrationFor(recording);
+  return {std::move(recording), std::move(calibration)};
+}
+
+}  // namespace study::app

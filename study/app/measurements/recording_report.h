@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "haptics/recordings/calibration_fit.h"
+#include "haptics/recordings/cut_import.h"
+#include "haptics/recordings/recording.h"
+#include "study/report/document.h"
+
+namespace study::app {
+
+/// A recording as figures and tables: the amplitude spectrum of the travel before and after the
+/// filter (section II-B of the punch paper), force over travel of every closure with its landmarks
+/// (Fig. 4), the closures, and the cut that was taken, if there is one.
+///
+/// @param trace, survey  of the same recording.
+/// @param filterInWords  recordings::parametersOf() its filter.
+report::Document recordingReport(
+    const haptics::recordings::Recording& recording,
+    const haptics::recordings::Trace& trace,
+    const haptics::recordings::RecordingSurvey& survey,
+    const std::string& filterInWords,
+    const std::optional<haptics::recordings::ImportedCut>& imported);
+
+/// The share of a signal's variance that lies at or below a frequency [Hz], by its amplitude
+/// spectrum; 0 to 1.
+double shareBelow(const std::vector<double>& samples, double rate, double frequency);
+
+/// A calibration as figures and tables: loads and curve, residuals, the points, and other orders to
+/// compare with.
+report::Document calibrationReport(
+    const haptics::recordings::CalibrationTable& table,
+    const haptics::recordings::CalibrationFit& fit,
+    const DataTable& orders);
+
+}  // namespace study::app
