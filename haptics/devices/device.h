@@ -94,7 +94,8 @@ struct DeviceSample {
   /// About the tool's axis since travel was 0, right-handed about the way of advancing [rad]; 0
   /// for a device that does not measure it.
   double turn = 0.0;
-  bool isHeld = true;  ///< the dead-man switch is held, or the device has no such switch
+  bool isHeld = true;      ///< the dead-man switch is held, or the device has no such switch
+  bool isReamerOn = true;  ///< the reamer's switch or pedal is pressed, or the device has none
   std::int64_t deviceTime =
       0;                      ///< when it was measured, on the device's clock [ns]; 0: it has none
   std::int64_t hostTime = 0;  ///< when it arrived, on CLOCK_MONOTONIC [ns]; 0: at once

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 #include "base/random.h"
 
@@ -73,6 +74,7 @@ class PointerHand final : public Hand {
     double stiffness = 3.0;  ///< [N / travel unit]
     double damping = 0.12;   ///< [N·s / travel unit]
     double speed = 40.0;     ///< how fast the grip follows at most [travel units / s]
+    double strength = std::numeric_limits<double>::infinity();  ///< pushes and pulls no harder [N]
   };
 
   explicit PointerHand(const Grip& grip) noexcept : grip_(grip) {}

@@ -60,7 +60,8 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
       .travel = seen,
       .velocity = velocity_,
       .turn = turn_,
-      .isHeld = isHeld_.load(std::memory_order_relaxed)};
+      .isHeld = isHeld_.load(std::memory_order_relaxed),
+      .isReamerOn = isReamerOn_.load(std::memory_order_relaxed)};
 }
 
 Capabilities simulated(const DeviceKind& kind) {

@@ -38,6 +38,9 @@ class SimulatedDevice final : public Device {
   /// Any thread: takes the hand off the dead-man switch, or puts it back.
   void hold(bool isHeld) noexcept { isHeld_.store(isHeld, std::memory_order_relaxed); }
 
+  /// Any thread: presses the reamer's switch, or lets go of it.
+  void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
+
   /// What it pushes back with at present [N].
   double commandedForce() const noexcept { return force_; }
   /// About its axis [N·m].
@@ -52,6 +55,7 @@ class SimulatedDevice final : public Device {
   Hand& hand_;
   std::atomic<bool> isGone_{false};
   std::atomic<bool> isHeld_{true};
+  std::atomic<bool> isReamerOn_{true};
   double travel_ = 0.0;
   double velocity_ = 0.0;
   double force_ = 0.0;

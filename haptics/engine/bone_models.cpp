@@ -85,10 +85,12 @@ double depthOf(const reaming::SphereField& field, const reaming::Plunge& plunge)
   return last + plunge.radius - plunge.start;
 }
 
-reaming::BoneOptions optionsOf(const PackingSpec& spec) {
+reaming::BoneOptions optionsOf(const PackingSpec& spec, const Reamer& reamer) {
   auto options = spec.options;
   options.coverage = spec.bone->packing.coverage();
-  options.cuttingDamping *= spec.forceScale;
+  options.cuttingDamping = spec.forceScale * reamer.dampingOf(options.cuttingDamping);
+  options.mostFeed = reamer.mostFeed();
+  options.isSpinning = reamer.speed > 0.0;
   options.isGuided = true;  // the device has one axis
   return options;
 }
@@ -118,16 +120,18 @@ models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
   return {forceAt(tool.travel), 0.0, true};
 }
 
-RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen)
+RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& reamer)
     : bone_(
           spec.bone->packing,
           spec.bone->densities(spec.hardness, spec.forceScale),
-          optionsOf(spec)),
+          optionsOf(spec, reamer)),
       plunge_(reaming::plungeInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
+      isForwards_(reamer.speed > 0.0),
       view_(isSeen ? std::make_unique<BoneView>() : nullptr) {}
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
+  bone_.setSpinning(isForwards_ && tool.isReamerOn);
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
   if (view_) updateView();
   return {-felt.force.z, 0.0, felt.isDefined};

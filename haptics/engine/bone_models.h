@@ -82,6 +82,7 @@ class MaterialModel final : public ForceModel {
   double largestStiffness() const noexcept override;
 
   const std::vector<models::CubicSegment<double>>& segments() const noexcept { return segments_; }
+  std::size_t bytes() const noexcept { return segments_.size() * sizeof(segments_[0]); }
 
  private:
   std::vector<models::CubicSegment<double>> segments_;
@@ -120,7 +121,8 @@ class RemovalModel final : public ForceModel {
  public:
   /// @param spec  valid, see problemsOf().
   /// @param isSeen  whether it is drawn: only then is there a view of it.
-  explicit RemovalModel(const PackingSpec& spec, bool isSeen = false);
+  /// @param reamer  valid, see problemsOf().
+  explicit RemovalModel(const PackingSpec& spec, bool isSeen = false, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override { bone_.reset(); }
@@ -138,6 +140,7 @@ class RemovalModel final : public ForceModel {
   reaming::Bone bone_;
   reaming::Plunge plunge_;
   double stiffness_;
+  bool isForwards_;  ///< the reamer turns as its teeth cut
   std::unique_ptr<BoneView> view_;
   std::uint64_t restorations_ = 0;  ///< of the bone, that the reader has been told of
 };

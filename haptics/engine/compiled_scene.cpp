@@ -9,6 +9,7 @@
 #include "haptics/engine/bone_models.h"
 #include "haptics/engine/model_names.h"
 #include "haptics/engine/punch_models.h"
+#include "haptics/engine/reamed_material.h"
 
 namespace haptics::engine {
 namespace {
@@ -45,9 +46,29 @@ std::string describe(const KalmanSpec& spec) {
   return words + ", the interpolation weighs " + inHundredths(interpolationWeight(spec));
 }
 
+/// How fast a reamer goes through bone, in words; nothing for one without a limit.
+std::string paceOf(const Reamer& reamer) {
+  constexpr double kInMillimetres = 1000.0;
+  const double feed = kInMillimetres * reamer.mostFeed();
+  if (std::isinf(feed)) return "";
+  if (reamer.speed == 0.0) return "; the reamer stands still, and removes nothing";
+  if (reamer.speed < 0.0) return "; the reamer turns backwards, and removes nothing";
+  char text[160];
+  std::snprintf(
+      text,
+      sizeof text,
+      ", at most %.3g mm/s: %.3g turns a second, %d teeth, %.3g mm per tooth",
+      feed,
+      reamer.speed,
+      reamer.teeth,
+      kInMillimetres * reamer.feedPerTooth);
+  return text;
+}
+
 /// Builds everything that a model needs. Only this class does so.
 struct Builder {
   bool isSeen = false;
+  Reamer reamer;
   std::unique_ptr<ForceModel> model;
   BoneView* bone = nullptr;
   std::vector<Pass> passes;
@@ -117,14 +138,22 @@ struct Builder {
   }
 
   void operator()(const MaterialSpec& spec) {
-    auto material = std::make_unique<MaterialModel>(spec);
-    const std::size_t bytes = material->segments().size() * sizeof(material->segments()[0]);
-    model = std::move(material);
     noPunch();
     const std::string curves = spec.isMeasured ? "the measured curves" : "its curves";
-    in(kMaterial, "this is the force; " + curves + " were blended beforehand", bytes);
-    out(kPacking, "the force depends on depth alone");
-    out(kRemoval, "the bone stays as it is");
+    const std::string why = "this is the force; " + curves + " were blended beforehand";
+    if (spec.isRemoved) {
+      auto reamed = std::make_unique<ReamedMaterialModel>(spec, reamer);
+      in(kMaterial, why, reamed->bytes());
+      out(kPacking, "the force depends on depth and feed alone");
+      in(kRemoval, "the reamer goes on as it removes bone" + paceOf(reamer), 0);
+      model = std::move(reamed);
+    } else {
+      auto material = std::make_unique<MaterialModel>(spec);
+      in(kMaterial, why, material->bytes());
+      out(kPacking, "the force depends on depth alone");
+      out(kRemoval, "the bone stays as it is");
+      model = std::move(material);
+    }
   }
 
   void operator()(const PackingSpec& spec) {
@@ -133,10 +162,10 @@ struct Builder {
     const std::string spheres =
         "this is the force: " + std::to_string(spec.bone->packing.spheres.size()) + " spheres";
     if (spec.isRemoved) {
-      auto removal = std::make_unique<RemovalModel>(spec, isSeen);
+      auto removal = std::make_unique<RemovalModel>(spec, isSeen, reamer);
       bone = removal->view();
       in(kPacking, spheres, removal->bytes());
-      in(kRemoval, "what the reamer goes through is taken away", removal->bytes());
+      in(kRemoval, "what the reamer goes through is taken away" + paceOf(reamer), removal->bytes());
       model = std::move(removal);
     } else {
       auto packing = std::make_unique<PackingModel>(spec);
@@ -183,7 +212,7 @@ CompiledScene::CompiledScene(const SceneSpec& spec) {
   for (const auto& problem : problemsOf(spec)) wrong += (wrong.empty() ? "" : "; ") + problem;
   if (!wrong.empty()) throw std::invalid_argument(wrong);
 
-  Builder builder{.isSeen = spec.isVisualised};
+  Builder builder{.isSeen = spec.isVisualised, .reamer = spec.reamer};
   std::visit(builder, spec.model);
   const bool isMeniscus = factsOf(spec.model).tissue == devices::Tissue::Meniscus;
   if (spec.isVisualised && isMeniscus) {

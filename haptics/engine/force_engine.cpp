@@ -67,7 +67,11 @@ bool ForceEngine::read(TickSample& sample, double dt) noexcept {
   turned_ = isMeasured && hasTool_ ? seen.turn - turn_ : 0.0;
   if (isMeasured) {
     turn_ = seen.turn;
-    tool_ = {.travel = seen.travel, .velocity = seen.velocity, .dt = dt};
+    tool_ = {
+        .travel = seen.travel,
+        .velocity = seen.velocity,
+        .dt = dt,
+        .isReamerOn = seen.isReamerOn && isReamerOn_.load(std::memory_order_relaxed)};
     hasTool_ = true;
     isHeld_ = seen.isHeld;
   } else {

@@ -36,6 +36,10 @@ class ForceEngine {
   void arm() noexcept { isStopped_.store(false, std::memory_order_release); }
   bool isStopped() const noexcept { return isStopped_.load(std::memory_order_acquire); }
 
+  /// Any thread: switches the reamer on or off from the next tick on, as a pedal does; on at first.
+  /// It turns while both this and the device's own switch are on.
+  void switchReamer(bool isOn) noexcept { isReamerOn_.store(isOn, std::memory_order_relaxed); }
+
   /// One step of @p dt [s], after @p missedPeriods that the clock let pass. Never allocates, waits
   /// or throws.
   ///
@@ -63,6 +67,7 @@ class ForceEngine {
   std::atomic<CompiledScene*> scene_{nullptr};
   CompiledScene* felt_ = nullptr;  ///< by the last tick
   std::atomic<bool> isStopped_{false};
+  std::atomic<bool> isReamerOn_{true};
   std::uint64_t ticks_ = 0;
   ToolState tool_;
   bool hasTool_ = false;  ///< it has been measured

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "haptics/engine/bone_models.h"
@@ -200,6 +201,7 @@ std::optional<ModelSpec> undisturbed(const ModelSpec& model) {
     Result operator()(const KalmanSpec&) const { return std::nullopt; }
     Result operator()(MaterialSpec spec) const {
       spec.jitter = {};
+      spec.isRemoved = false;
       return spec;
     }
     Result operator()(PackingSpec spec) const {
@@ -210,9 +212,28 @@ std::optional<ModelSpec> undisturbed(const ModelSpec& model) {
   return std::visit(Undisturbed{}, model);
 }
 
+double couplingOf(const ModelSpec& model) {
+  const auto parts = partsOf(model);
+  if (parts.material != nullptr && parts.material->isRemoved) return MaterialSpec::kCoupling;
+  if (parts.packing != nullptr && parts.packing->isRemoved) return parts.packing->options.coupling;
+  return 0.0;
+}
+
+double feedLimitOf(const SceneSpec& spec) {
+  const auto parts = partsOf(spec.model);
+  const bool isRemoved = (parts.material != nullptr && parts.material->isRemoved) ||
+                         (parts.packing != nullptr && parts.packing->isRemoved);
+  return isRemoved ? spec.reamer.mostFeed() : std::numeric_limits<double>::infinity();
+}
+
 std::vector<std::string> problemsOf(const SceneSpec& spec) {
   Words problems;
   std::visit([&](const auto& model) { check(model, problems); }, spec.model);
+  if (!spec.reamer.isSound()) {
+    problems.push_back(
+        "the reamer needs a speed of at most 100 turns a second either way, a tooth and a feed per "
+        "tooth above 0");
+  }
   return problems;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "haptics/devices/device_kind.h"
+#include "haptics/engine/reamer.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
@@ -83,6 +84,7 @@ struct MaterialNode {
 /// the three curves of a fitted material.
 struct MaterialSpec {
   static constexpr ModelFacts kFacts{"material", devices::Tissue::Bone, "m"};
+  static constexpr double kCoupling = 50'000.0;  ///< to the tool in bone that is removed [N/m]
 
   std::vector<MaterialNode> nodes;
   reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
@@ -90,6 +92,9 @@ struct MaterialSpec {
   double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
   /// Bone asks for more than an arm gives: everything times this, in (0, 1].
   double forceScale = 1.0;
+  /// The reamer goes on as it removes bone, at its own feed; otherwise the force is a function of
+  /// depth, however fast the tool is.
+  bool isRemoved = false;
   reaming::Jitter jitter;        ///< added as noise while there is a force; rms 0: none
   std::uint64_t jitterSeed = 1;  ///< the same seed, the same noise
 };
@@ -147,7 +152,16 @@ struct SceneSpec {
   ModelSpec model;
   bool isVisualised = false;
   SeenTissue seenTissue = SeenTissue::Penetration;
+  Reamer reamer;  ///< of bone that is removed
 };
+
+/// Of the spring between the device and the tool in bone that is removed [N/m]; 0 for another
+/// model.
+double couplingOf(const ModelSpec& model);
+
+/// How fast the tool can move through the bone of @p spec [m/s]; infinite for a scene in which no
+/// bone is removed.
+double feedLimitOf(const SceneSpec& spec);
 
 /// All problems of @p spec, in words; empty if it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);

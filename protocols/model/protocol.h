@@ -66,12 +66,13 @@ struct Condition {
   std::optional<haptics::engine::ModelSpec> model;
   bool isVisualised = false;
   haptics::engine::SeenTissue seenTissue = haptics::engine::SeenTissue::Penetration;
+  haptics::engine::Reamer reamer;       ///< of bone that is removed
   std::optional<std::string> anatomy;   ///< file of the knee that is shown, in place of the
                                         ///< built-in one
   std::shared_ptr<const Anatomy> knee;  ///< content of that file; nullptr: the built-in knee
 
   /// The scene to render and show. @pre model has a value.
-  haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue}; }
+  haptics::engine::SceneSpec scene() const { return {*model, isVisualised, seenTissue, reamer}; }
 };
 
 /// How alternatives are labelled.

@@ -192,6 +192,7 @@ void refuseWithoutMaterial(const Node& node) {
 bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec& spec) {
   const auto name = node.text("material");
   const auto set = node.choice("test_set", kTestSets, TestSet::Dynamic1);
+  if (set == TestSet::Static) spec.isRemoved = false;  // it pressed on bone, and removed none
   const bool hasJitter = node.flag("jitter", false);
   spec.jitterSeed = static_cast<std::uint64_t>(node.wholeNumber("jitter_seed", 1, 1'000'000, 1));
   if (node.has("nodes")) {
@@ -215,15 +216,25 @@ bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec&
 Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context) {
   engine::MaterialSpec spec{.nodes = engine::parametricMaterial()};
   if (!node.isObjectWith(
-          {"hardness", "force_scale", "nodes", "material", "test_set", "jitter", "jitter_seed"})) {
+          {"hardness",
+           "force_scale",
+           "removal",
+           "nodes",
+           "material",
+           "test_set",
+           "jitter",
+           "jitter_seed"})) {
     return std::nullopt;
   }
+  spec.isRemoved = context.sources.defaults() != Defaults::Release01;
   spec.hardness = node.number("hardness", 0.0, 1.0);
   spec.forceScale = node.number("force_scale", 0.001, 1.0, spec.forceScale);
   if (node.has("material")) {
-    if (!useMaterial(node, context, spec)) return std::nullopt;
-    return spec;
+    const bool hasCurves = useMaterial(node, context, spec);
+    spec.isRemoved = node.flag("removal", spec.isRemoved);
+    return hasCurves ? Read<engine::MaterialSpec>(spec) : std::nullopt;
   }
+  spec.isRemoved = node.flag("removal", spec.isRemoved);
   refuseWithoutMaterial(node);
   if (!node.has("nodes")) {
     context.sources.useParametricMaterial();
@@ -301,6 +312,21 @@ Read<engine::PackingSpec> readModel(const Node& node, const Context& context) {
   return readPacking(node, context);
 }
 
+/// @param defaults  where the scene says nothing of a reamer.
+engine::Reamer readReamer(const Node& scene, Defaults defaults) {
+  engine::Reamer reamer;
+  const auto node = scene.object("reamer");
+  if (!node) return defaults == Defaults::Release01 ? engine::Reamer::withoutLimit() : reamer;
+  if (!node->isObjectWith({"speed", "teeth", "feed_per_tooth"})) return reamer;
+  constexpr double kMost = engine::Reamer::kMostSpeed;
+  constexpr double kMillimetre = 1e-3;
+  reamer.speed = node->number("speed", -kMost, kMost, reamer.speed);
+  reamer.teeth = static_cast<int>(node->wholeNumber("teeth", 1, 200, reamer.teeth));
+  reamer.feedPerTooth =
+      kMillimetre * node->number("feed_per_tooth", 0.001, 10.0, reamer.feedPerTooth / kMillimetre);
+  return reamer;
+}
+
 using ReadModel = Read<engine::ModelSpec> (*)(const Node&, const Context&);
 
 template <typename... Spec>
@@ -317,8 +343,15 @@ constexpr auto kModels = readersOf(std::type_identity<engine::ModelSpec>{});
 void readScene(
     const Node& scene, const Protocol& protocol, SceneSources& sources, Condition& condition) {
   if (!scene.isObjectWith(
-          {"device", "model", "parameters", "visualisation", "tissue_follows", "anatomy"}))
+          {"device",
+           "model",
+           "parameters",
+           "visualisation",
+           "tissue_follows",
+           "anatomy",
+           "reamer"})) {
     return;
+  }
   condition.device = scene.id("device");
   condition.isVisualised = scene.flag("visualisation", false);
   condition.seenTissue = scene.choice(
@@ -327,6 +360,7 @@ void readScene(
       sources.defaults() == Defaults::Release01 ? engine::SeenTissue::Force
                                                 : engine::SeenTissue::Penetration);
   if (scene.has("anatomy")) condition.anatomy = scene.text("anatomy");
+  condition.reamer = readReamer(scene, sources.defaults());
   const auto* device = protocol.device(condition.device);
   const Context context{sources, device == nullptr ? nullptr : device->kind};
   const auto read = readChoice(scene, "model", kModels);
@@ -334,6 +368,11 @@ void readScene(
   if (read && parameters) {
     auto model = (*read)(*parameters, context);
     if (parameters->isSound()) condition.model = std::move(model);
+  }
+  const bool isBone =
+      condition.model && engine::factsOf(*condition.model).tissue == haptics::devices::Tissue::Bone;
+  if (condition.model && !isBone && scene.has("reamer")) {
+    scene.problem("reamer", "only bone is reamed, and this model is of none", "remove it");
   }
   if (condition.anatomy) {
     condition.knee = sources.anatomy(*condition.anatomy, scene.pathOf("anatomy"));

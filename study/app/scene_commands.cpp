@@ -209,9 +209,13 @@ Motion motionFor(
     const std::vector<const protocols::Condition*>& conditions) {
   Motion motion{.least = options.from.value_or(device.leastTravel), .quantum = options.quantum};
   motion.most = motion.least;
+  double speed = device.kind->travel.playSpeed;
   for (const auto* condition : conditions) {
     const auto end = haptics::engine::endOfData(*condition->model);
     motion.most = std::max(motion.most, end.value_or(device.mostTravel));
+    // A machine that goes faster than the reamer would press on it ever harder.
+    const double limit = 0.9 * haptics::engine::feedLimitOf(condition->scene());
+    if (limit > 0.0) speed = std::min(speed, limit);
   }
   if (options.to) motion.most = *options.to;
   if (!(motion.most > motion.least)) {
@@ -222,7 +226,7 @@ Motion motionFor(
   }
   if (options.profile == "cut") motion.shape = Motion::Shape::Cut;
   if (options.profile == "sine") motion.shape = Motion::Shape::Sine;
-  motion.speed = options.speed.value_or(device.kind->travel.playSpeed);
+  motion.speed = options.speed.value_or(speed);
   motion.rate = options.rate.value_or(device.rate);
   return motion;
 }
@@ -343,7 +347,10 @@ void addPlay(CLI::App& noun, Action& action) {
           options->to,
           "Where it turns or ends [device's unit] (default: where the scene's data end)")
       ->check(finiteRange(-1e6, 1e6));
-  play->add_option("--speed", options->speed, "[travel units/s, or m/s] (default: 57, or 0.005)")
+  play->add_option(
+          "--speed",
+          options->speed,
+          "[travel units/s, or m/s] (default: 57, or 0.005, and at most 0.9 of what a reamer can)")
       ->check(finiteRange(1e-6, 1e6));
   play->add_option("--rate", options->rate, "Rate of the steps [Hz] (default: the device's)")
       ->check(finiteRange(1.0, 10'000.0));

@@ -73,7 +73,8 @@ class TerminalSession {
                   need,
                   study_.seed(),
                   session_.cohort(),
-                  static_cast<std::uint64_t>(session_.slot()));
+                  static_cast<std::uint64_t>(session_.slot()),
+                  mostFeedOn(session_.protocol().protocol, need.id));
             })) {}
 
   void run() {

@@ -18,7 +18,7 @@
 namespace study {
 namespace {
 
-constexpr double kLongestTrial = 120.0;  // [s]
+constexpr double kLongestTrial = 600.0;  // [s]
 constexpr int kMostFailures = 30;
 constexpr int kMostDisturbed = 60;    // additional failures allowed while the machine stood still
 constexpr double kImmediately = 0.5;  // [s]: a trial that breaks off earlier rendered nothing
@@ -78,7 +78,11 @@ class SimulatedSession {
     // Every trial gets a new hand, so that a trial repeated after a crash has the same movement.
     SimulatedDeviceSet deviceSet([&](const protocols::DeviceNeed& need) {
       return simulatedHandFor(
-          need, seed_, session_.cohort(), static_cast<std::uint64_t>(session_.slot()));
+          need,
+          seed_,
+          session_.cohort(),
+          static_cast<std::uint64_t>(session_.slot()),
+          mostFeedOn(session_.protocol().protocol, need.id));
     });
     Trial trial(deviceSet.device(deviceFor(session_)), setupFor(session_, study_.traces()));
     session_.beginTrial();
@@ -275,7 +279,7 @@ std::vector<SimulatedEnding> simulateCohorts(
   std::unique_ptr<DeviceSet> devices;
   if (!deviceFile.empty()) {
     devices = deviceSetFor(deviceFile, study.folder(), [&](const protocols::DeviceNeed& need) {
-      return simulatedHandFor(need, seed, {}, 0);
+      return simulatedHandFor(need, seed, {}, 0, mostFeedOn(study.protocol().protocol, need.id));
     });
   }
   std::vector<SimulatedEnding> endings;

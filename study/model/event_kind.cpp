@@ -47,6 +47,7 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"note"},
     EventFacts{"answered", {"{item}"}},
     EventFacts{"retracted"},
+    EventFacts{"switched_reamer"},
     EventFacts{"kept_trace"},
     EventFacts{
         "passivity",

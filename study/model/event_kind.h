@@ -45,6 +45,7 @@ enum class EventKind {
   Retracted,
 
   // A trial
+  SwitchedReamer,
   KeptTrace,
   Passivity,
   Torque,

@@ -20,9 +20,16 @@ std::vector<double> intendedForces(
   const auto model = haptics::engine::undisturbed(felt);
   if (!model) return {};
   haptics::engine::CompiledScene compiled({.model = *model});
+  const double coupling = haptics::engine::couplingOf(felt);
   std::vector<double> forces;
   for (const auto& point : points) {
-    forces.push_back(compiled.respond({.travel = point.travel}).force);
+    // Where bone is removed, the tool is behind the device by the stretch of the spring between
+    // them. The spring is several times as stiff as any bone, so that this converges.
+    double force = compiled.respond({.travel = point.travel}).force;
+    for (int i = 0; coupling > 0.0 && i < 20; ++i) {
+      force = compiled.respond({.travel = point.travel - force / coupling}).force;
+    }
+    forces.push_back(force);
   }
   return forces;
 }

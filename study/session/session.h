@@ -107,6 +107,8 @@ class Session {
   void reject(const std::string& reason);
   void giveUpOnDevice(const std::string& reason);
   void note(const std::string& text);
+  /// Notes that the reamer was switched on or off during a trial.
+  void noteReamerSwitch(bool isOn);
   void setLanguage(const std::string& language);
 
  private:

@@ -217,6 +217,10 @@ void Session::note(const std::string& text) {
   transact([&] { say(Actor::Operator, EventKind::Note, text); });
 }
 
+void Session::noteReamerSwitch(bool isOn) {
+  transact([&] { say(Actor::Participant, EventKind::SwitchedReamer, isOn ? "on" : "off"); });
+}
+
 void Session::setLanguage(const std::string& language) {
   const auto& languages = protocol_->protocol.languages;
   require(!isOver(), "This session is over.");

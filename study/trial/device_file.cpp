@@ -167,6 +167,12 @@ IiwaSettings readIiwa(const Node& node) {
   settings.maxForce = node.number("max_force_n", 0.1, 1000.0, settings.maxForce);
   settings.maxTorque = node.number("max_torque_nm", 0.0, 100.0, settings.maxTorque);
   settings.damping = node.number("damping_n_s_per_m", 0.0, 10'000.0, settings.damping);
+  if (node.has("pedal")) {
+    settings.pedal = node.text("pedal");
+    if (settings.pedal.size() > haptics::wire::fri::Name().bytes.size()) {
+      node.problem("pedal", "the name of an input has at most 63 bytes", "shorten it");
+    }
+  }
   readMargins(node, settings);
   return settings;
 }
@@ -225,6 +231,7 @@ std::vector<std::pair<std::string, Type>> types() {
          "max_force_n",
          "max_torque_nm",
          "damping_n_s_per_m",
+         "pedal",
          "margins"},
         readIiwa}});
   return types;

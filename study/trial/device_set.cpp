@@ -1,5 +1,7 @@
 #include "study/trial/device_set.h"
 
+#include <algorithm>
+
 #include "base/random.h"
 
 namespace study {
@@ -24,11 +26,39 @@ void SimulatedDeviceSet::plugIn(const std::string& id) {
   if (held != open_.end()) held->second.device->plugIn();
 }
 
+namespace {
+
+/// A person who knows how fast a reamer works: the target of the hand stays below that feed, and
+/// goes on to where bone of most hardnesses has been reamed for a stroke.
+void keepPace(SimulatedHand::Person& person, double mostFeed) {
+  constexpr double kPeakOfMinimumJerk = 1.875;
+  constexpr double kShareOfFeed = 0.9;
+  constexpr double kShareOfReach = 0.55;
+  const auto timeFor = [&](double way) {
+    return kPeakOfMinimumJerk * way / (kShareOfFeed * mostFeed);
+  };
+  if (!(mostFeed > 0.0) || timeFor(person.closed - person.open) <= person.closeTime) return;
+  person.closed = person.open + kShareOfReach * (person.closed - person.open);
+  person.closeTime = std::max(person.closeTime, timeFor(person.closed - person.open));
+}
+
+}  // namespace
+
+double mostFeedOn(const protocols::Protocol& protocol, const std::string& device) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const auto& condition : protocol.conditions) {
+    if (condition.device != device) continue;
+    slowest = std::min(slowest, haptics::engine::feedLimitOf(condition.scene()));
+  }
+  return slowest;
+}
+
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     const protocols::DeviceNeed& need,
     std::uint64_t seed,
     const std::string& cohort,
-    std::uint64_t slot) {
+    std::uint64_t slot,
+    double mostFeed) {
   base::RandomStream random(seed, slot, "hand/" + cohort + "/" + need.id);
   const auto from = [&](const haptics::devices::DeviceKind::Range& range) {
     return random.uniform(range.least, range.most);
@@ -44,6 +74,7 @@ std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
   person.damping = from(hand.damping);
   person.variation = random.uniform(0.1, 0.25);
   person.seed = random.bits();
+  keepPace(person, mostFeed);
   return std::make_unique<SimulatedHand>(person);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -55,12 +56,20 @@ class SimulatedDeviceSet final : public DeviceSet {
   std::map<std::string, Held> open_;
 };
 
+/// The slowest feed that a reamer of @p protocol has on @p device [m/s]; infinite where nothing
+/// that is felt on it limits a tool.
+double mostFeedOn(const protocols::Protocol& protocol, const std::string& device);
+
 /// The hand of a simulated participant, drawn from the study's seed.
+///
+/// @param mostFeed  that what is felt lets a tool have [m/s]. A hand that would be faster takes its
+///                  time: it stays below that feed, and goes half as deep.
 std::unique_ptr<haptics::devices::Hand> simulatedHandFor(
     const protocols::DeviceNeed& need,
     std::uint64_t seed,
     const std::string& cohort,
-    std::uint64_t slot);
+    std::uint64_t slot,
+    double mostFeed = std::numeric_limits<double>::infinity());
 
 /// A hand on a simulated instrument that follows the pointer, and the travel at which the
 /// instrument is fully closed [travel unit].

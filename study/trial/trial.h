@@ -52,6 +52,9 @@ class Trial {
   void stop() noexcept { engine_.stop(); }
   bool isStopped() const noexcept { return engine_.isStopped(); }
 
+  /// Any thread: switches the reamer on or off, as a pedal does; on at first.
+  void switchReamer(bool isOn) noexcept { engine_.switchReamer(isOn); }
+
   /// Records a tick. @throws storage::StorageError  if a chunk could not be kept.
   void keep(const haptics::engine::TickSample& sample);
 

@@ -1,4 +1,5 @@
 // What becomes of each key of a protocol.
+#include <cmath>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "haptics/recordings/cut.h"
 #include "protocols/load_protocol.h"
 #include "protocols/reading/anatomy_file.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
 namespace protocols {
@@ -121,6 +123,15 @@ TEST(ProtocolKeys, DescribeTheMaterial) {
   EXPECT_EQ(bone.nodes[1].depth, 0.005);
   EXPECT_EQ(bone.nodes[1].lower, 30.0);
   EXPECT_EQ(bone.nodes[1].upper, 330.0);
+  EXPECT_FALSE(bone.isRemoved);
+}
+
+TEST(ProtocolKeys, DescribeTheReamer) {
+  const auto protocol = readGood("every-key");
+  const auto reamer = protocol.condition("bone")->scene().reamer;
+  EXPECT_EQ(reamer.speed, -2.5);
+  EXPECT_EQ(reamer.teeth, 6);
+  EXPECT_DOUBLE_EQ(reamer.feedPerTooth, 0.05e-3);
 }
 
 TEST(ProtocolKeys, DescribeThePhasesOfASession) {
@@ -228,6 +239,19 @@ TEST(ProtocolKeys, HaveSoundDefaultsForModels) {
   const auto bone = sceneOf<engine::MaterialSpec>(readGood("usual-material"), "soft");
   EXPECT_EQ(bone.forceScale, 1.0);
   EXPECT_EQ(bone.nodes.size(), engine::parametricMaterial().size());
+  EXPECT_TRUE(bone.isRemoved);
+  const auto reamer = readGood("usual-material").condition("soft")->scene().reamer;
+  EXPECT_DOUBLE_EQ(reamer.mostFeed(), 0.002);
+}
+
+TEST(ProtocolKeys, WithoutAReamerMeanNoFeedLimitInRelease01) {
+  questionnaires::Problems problems;
+  const auto text = tests::contentOf(
+      (tests::repository() / "tests/protocols/data/good/usual-material.json").string());
+  const auto loaded = loadProtocol(text, {}, problems, Defaults::Release01);
+  ASSERT_TRUE(loaded.has_value()) << describe(problems.all());
+  EXPECT_FALSE(sceneOf<engine::MaterialSpec>(loaded->protocol, "soft").isRemoved);
+  EXPECT_TRUE(std::isinf(loaded->protocol.condition("soft")->scene().reamer.mostFeed()));
 }
 
 }  // namespace protocol_keys_test

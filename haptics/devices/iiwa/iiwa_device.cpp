@@ -279,6 +279,15 @@ const char* IiwaDevice::whatIsWrong() const noexcept {
   return nullptr;
 }
 
+bool IiwaDevice::isReamerOn() const noexcept {
+  if (settings_.pedal.empty()) return true;
+  if (!heard_.monitorData) return false;
+  for (const auto& input : heard_.monitorData->inputs) {
+    if (input.name.text() == settings_.pedal) return input.digital.value_or(0) != 0;
+  }
+  return false;
+}
+
 DeviceSample IiwaDevice::read(double) noexcept {
   stopKeeper();
   if (lifecycle() == Lifecycle::Faulted || !socket_) return {.status = DeviceStatus::Gone};
@@ -287,6 +296,7 @@ DeviceSample IiwaDevice::read(double) noexcept {
       .travel = travel_,
       .velocity = velocity_,
       .turn = turn_,
+      .isReamerOn = isReamerOn(),
       .deviceTime = deviceTime_,
       .hostTime = hostTime_};
   if (!isNew_) {

@@ -40,6 +40,9 @@ struct IiwaSettings {
   double maxForce = 140.0;                ///< [N]
   double maxTorque = 10.0;                ///< about the axis [N·m]; 0: it renders none
   double damping = 60.0;                  ///< of the arm along the axis [N·s/m]
+  /// A boolean input of the robot that the pedal of the reamer sets; empty: there is no pedal, and
+  /// the reamer is on. The reamer is off while a message lacks that input (FRI before 1.14).
+  std::string pedal;
   IiwaGuard::Margins margins;
 };
 
@@ -83,6 +86,7 @@ class IiwaDevice final : public WireDevice {
   void answer(double force, double torque) noexcept;
   void overlayInto(wire::fri::CommandData& data, double force, double torque) noexcept;
   const char* whatIsWrong() const noexcept;
+  bool isReamerOn() const noexcept;
   /// Measurements of a check that the report does not have.
   struct Listening {
     double seconds = 0.0;                              ///< how long

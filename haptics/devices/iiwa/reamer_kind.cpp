@@ -60,7 +60,7 @@ const DeviceKind& reamerKind() {
            .stiffness = {5500.0, 7000.0},
            .damping = {120.0, 180.0},
            .ordinaryReach = 0.038},
-      .grip = {.stiffness = 6000.0, .damping = 150.0, .speed = 0.03},
+      .grip = {.stiffness = 6000.0, .damping = 150.0, .speed = 0.03, .strength = 120.0},
       .serial = {},
       .strokeName = {"stroke", {{"de", "Fräsbewegung"}, {"nb", "fresebevegelse"}}},
       .strokesName = {"strokes", {{"de", "Fräsbewegungen"}, {"nb", "fresebevegelser"}}},

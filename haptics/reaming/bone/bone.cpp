@@ -43,7 +43,8 @@ const BoneOptions& checked(const BoneOptions& o) {
   const bool isSound = o.coverage > 0.0 && o.coverage <= 1.0 && o.coupling > 0.0 &&
                        std::isfinite(o.coupling) && o.cuttingDamping >= 0.0 &&
                        std::isfinite(o.cuttingDamping) && o.friction >= 0.0 &&
-                       std::isfinite(o.friction) && o.mostAdvance > 0.0 && o.mostAdvance <= 0.01;
+                       std::isfinite(o.friction) && o.mostAdvance > 0.0 && o.mostAdvance <= 0.01 &&
+                       o.mostFeed >= 0.0;
   if (!isSound)
     throw std::invalid_argument("the bone's coverage, coupling or damping make no sense");
   return o;
@@ -52,7 +53,10 @@ const BoneOptions& checked(const BoneOptions& o) {
 }  // namespace
 
 Bone::Bone(const Packing& packing, std::span<const double> densities, const BoneOptions& options)
-    : options_(checked(options)), field_(packing, densities), whole_(field_) {
+    : options_(checked(options)),
+      isSpinning_(options.isSpinning),
+      field_(packing, densities),
+      whole_(field_) {
   const std::size_t slots = field_.slotCount();
   cutFrom_.resize(slots);
   isPartial_.resize(slots);
@@ -121,7 +125,7 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   const Vec3 held = tool_.centre - device.centre;
   felt.force = options_.coupling * (held - std::min(dot(held, out), 0.0) * out);
   // Teeth rub against the spin: a torque around the axis.
-  const double spin = options_.isSpinning ? options_.friction * felt.contact.lever : 0.0;
+  const double spin = isSpinning_ ? options_.friction * felt.contact.lever : 0.0;
   felt.torque = (-spin / options_.coverage) * device.axis;
   return felt;
 }
@@ -155,13 +159,14 @@ void Bone::follow(
   }
   const double resistance = dot(contact.force, out) / options_.coverage;
   const double push = -options_.coupling * dot(gap, out);
-  if (push > resistance && options_.isSpinning) {
+  if (push > resistance && isSpinning_ && options_.mostFeed > 0.0) {
     // Moves towards the device until the push has fallen to the force at which the bone gives way.
     // Implicit in time: with damping c the tool moves by share·gap / (1 + c/(k dt)), which is
     // stable for every dt.
     const double share = (push - resistance) / push;
     const double brake = 1.0 + options_.cuttingDamping / (options_.coupling * dt);
-    tool_.centre = tool_.centre + atMost((share / brake) * gap, options_.mostAdvance);
+    const double most = std::min(options_.mostAdvance, options_.mostFeed * dt);
+    tool_.centre = tool_.centre + atMost((share / brake) * gap, most);
     pending_ = kParts;
   } else {
     tool_.centre = tool_.centre + atMost(slideOf(gap, out, push), options_.mostAdvance);

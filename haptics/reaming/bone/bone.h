@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,15 +16,18 @@ struct BoneOptions {
   double cuttingDamping = 2000.0;  ///< increase of the force with the feed [N·s/m], >= 0
   double friction = 0.1;           ///< coefficient between tool and bone, >= 0
   double mostAdvance = 5e-5;       ///< in one step, through bone [m], > 0
-  bool isGuided = false;           ///< held to a line along its axis, as by a testing machine
-  bool isSpinning = true;          ///< forwards; teeth that stand still or go backwards do not cut
+  /// What the teeth can take: no faster through bone, however hard it is pushed [m/s], >= 0.
+  double mostFeed = std::numeric_limits<double>::infinity();
+  bool isGuided = false;   ///< held to a line along its axis, as by a testing machine
+  bool isSpinning = true;  ///< forwards; teeth that stand still or go backwards do not cut
 };
 
 /// A bone of spheres that a reamer removes.
 ///
 /// The tool is held by the bone (a constrained tool, as in the reaming paper): it goes on only
 /// while the coupling to the device pushes harder than what it touches gives way at, F = Σ aρ /
-/// coverage, and takes the spheres behind its surface away, each within eight steps. A sphere is
+/// coverage, no faster than its teeth can take, and takes the spheres behind its surface away, each
+/// within eight steps. A sphere is
 /// cut slice by slice; when the tool has left it, what remains is shrunk, displaced and split into
 /// spheres that lie within it, with the mass (density × volume) that remained. All removed mass is
 /// counted.
@@ -43,6 +47,9 @@ class Bone {
 
   /// One step of @p dt [s] with the device at @p device.
   Felt step(const Reamer& device, double dt) noexcept;
+
+  /// Whether the teeth cut from the next step on; as in the options at first.
+  void setSpinning(bool isSpinning) noexcept { isSpinning_ = isSpinning; }
 
   /// Makes the bone whole again, over the next steps; until then nothing is felt.
   void reset() noexcept;
@@ -80,6 +87,7 @@ class Bone {
   void tell(std::uint32_t slot) noexcept;
 
   BoneOptions options_;
+  bool isSpinning_;
   SphereField field_;
   SphereField whole_;
   std::vector<Vec3> cutFrom_;           ///< where the tool was when it last cut a slot

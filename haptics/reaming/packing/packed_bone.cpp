@@ -86,7 +86,11 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
   Bone cut(
       bone.packing,
       bone.densities(h, 1.0),
-      {.coverage = coverage, .coupling = kMachine, .isGuided = true});
+      {.coverage = coverage,
+       .coupling = kMachine,
+       .cuttingDamping = options.cuttingDamping,
+       .mostFeed = options.mostFeed,
+       .isGuided = true});
   const Plunge plunge = plungeInto(cut.field(), bone.reamerRadius);
   const double whole = cut.remainingMass();
   const double dt = options.step / options.feed;
@@ -104,8 +108,22 @@ ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions&
     result.stop = "the largest force";
     break;
   }
-  result.removedShare = whole > 0.0 ? cut.removedMass() / whole : 0.0;
+  result.removed = cut.removedMass();
+  if (whole > 0.0) {
+    result.removedShare = result.removed / whole;
+    result.unaccounted = std::abs(result.removed + cut.remainingMass() - whole) / whole;
+  }
   return result;
+}
+
+double forceAt(const ExperimentResult& result, double depth) {
+  const auto after = std::lower_bound(result.depth.begin(), result.depth.end(), depth);
+  if (after == result.depth.begin() || after == result.depth.end()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto k = static_cast<std::size_t>(after - result.depth.begin());
+  const double share = (depth - result.depth[k - 1]) / (result.depth[k] - result.depth[k - 1]);
+  return result.force[k - 1] + share * (result.force[k] - result.force[k - 1]);
 }
 
 double errorOf(
@@ -115,12 +133,8 @@ double errorOf(
   double difference = 0.0;
   double square = 0.0;
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const auto after = std::lower_bound(result.depth.begin(), result.depth.end(), depths[i]);
-    if (after == result.depth.begin() || after == result.depth.end()) continue;
-    const auto k = static_cast<std::size_t>(after - result.depth.begin());
-    const double share =
-        (depths[i] - result.depth[k - 1]) / (result.depth[k] - result.depth[k - 1]);
-    const double felt = result.force[k - 1] + share * (result.force[k] - result.force[k - 1]);
+    const double felt = forceAt(result, depths[i]);
+    if (std::isnan(felt)) continue;
     difference += (felt - wanted[i]) * (felt - wanted[i]);
     square += wanted[i] * wanted[i];
   }

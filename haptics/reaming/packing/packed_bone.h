@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,18 +73,25 @@ struct ExperimentOptions {
   double step = 4e-6;       ///< of the reamer between two samples [m]
   double mostDepth = 0.02;  ///< [m]
   double mostForce = 800;   ///< [N]; a dynamic test has no such limit
+  double mostFeed = std::numeric_limits<double>::infinity();  ///< of the reamer's teeth [m/s]
+  double cuttingDamping = BoneOptions().cuttingDamping;       ///< [N·s/m]
 };
 
 /// What the machine would have written.
 struct ExperimentResult {
   std::vector<double> depth;  ///< of the tool [m], rising
   std::vector<double> force;  ///< [N]
+  double removed = 0.0;       ///< mass [N·m]
   double removedShare = 0.0;  ///< of the bone's mass
+  double unaccounted = 0.0;   ///< |removed + remaining − whole| / whole
   std::string stop;           ///< why it ended, for people
 };
 
 /// Reams @p bone with the densities of hardness @p h, with removal.
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options = {});
+
+/// The force at @p depth [m], straight between two samples; NaN where the tool has not been.
+double forceAt(const ExperimentResult& result, double depth);
 
 /// How far @p result is from the force @p wanted at each of @p depths: |felt − wanted| / |wanted|
 /// over those that were reached.

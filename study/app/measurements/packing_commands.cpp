@@ -17,6 +17,7 @@
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
 #include "study/app/measurements/body_mesh.h"
+#include "study/app/measurements/feed_table.h"
 #include "study/app/measurements/packing_inputs.h"
 #include "study/app/measurements/packing_report.h"
 #include "study/app/write_document.h"
@@ -262,7 +263,7 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
       fs::path(command.out).filename().string());
   printSyntheticMark(bone);
   if (!command.report.empty()) {
-    writeDocument(command.report, "packing", packingReport(bone, report));
+    writeDocument(command.report, "packing", packingReport(bone, report, feedTable(bone, report)));
     fmt::print("{}/packing.html holds tables and figures.\n", command.report);
   }
   return 0;

@@ -137,7 +137,8 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
   return warnings;
 }
 
-report::Document packingReport(const reaming::PackedBone& bone, const reaming::BoneFitReport& fit) {
+report::Document packingReport(
+    const reaming::PackedBone& bone, const reaming::BoneFitReport& fit, const DataTable& feeds) {
   report::Document document{.title = "Spheres that feel like a material", .lead = {}, .parts = {}};
   document.lead.push_back(fmt::format(
       "{} spheres cover {:.1f} % of {:.1f} cm³; a reamer of {:.1f} mm radius goes in along +z.",
@@ -161,6 +162,13 @@ report::Document packingReport(const reaming::PackedBone& bone, const reaming::B
              .chart = forceChart(fit),
              .svg = {}}},
        .tables = {fitTable(fit), forceTable(fit)}});
+  document.parts.push_back(
+      {.heading = "Feed and force",
+       .paragraphs =
+           {"A curve was measured at 0.01 or 0.03 mm/s. The force grows with the feed, up to the "
+            "feed that the reamer's teeth can take; pushed harder, it goes no faster."},
+       .figures = {},
+       .tables = {feeds}});
   document.parts.push_back(
       {.heading = "Spheres",
        .paragraphs = {},

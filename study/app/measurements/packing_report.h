@@ -16,7 +16,10 @@ std::string syntheticMark(const haptics::reaming::PackedBone& bone);
 std::vector<std::string> warningsOf(const haptics::reaming::BoneFitReport& fit);
 
 /// Compares the forces of a bone's spheres with the curves they were fitted to.
+/// @param feeds  feedTable() of both.
 report::Document packingReport(
-    const haptics::reaming::PackedBone& bone, const haptics::reaming::BoneFitReport& fit);
+    const haptics::reaming::PackedBone& bone,
+    const haptics::reaming::BoneFitReport& fit,
+    const DataTable& feeds);
 
 }  // namespace study::app

@@ -195,6 +195,7 @@ QWidget* ParticipantWindow::makeTrialPage() {
   connect(trialPage_, &TrialPage::beginRequested, &controller_, &SessionController::beginTrial);
   connect(trialPage_, &TrialPage::declined, &controller_, &SessionController::declineOffer);
   connect(trialPage_, &TrialPage::enoughRequested, &controller_, &SessionController::finishTrial);
+  connect(trialPage_, &TrialPage::reamerSwitched, &controller_, &SessionController::toggleReamer);
   connect(trialPage_, &TrialPage::handMoved, this, [this](double share) { moveHand_(share); });
   return trialPage_;
 }

@@ -93,6 +93,11 @@ void TrialPage::keyPressEvent(QKeyEvent* event) {
     if (!event->isAutoRepeat()) emit handMoved(1.0);
     return;
   }
+  const bool isReamer = content_.device->tissue == haptics::devices::Tissue::Bone;
+  if (isRunning_ && isReamer && event->key() == Qt::Key_R) {
+    if (!event->isAutoRepeat()) emit reamerSwitched();
+    return;
+  }
   QWidget::keyPressEvent(event);
 }
 

@@ -40,6 +40,8 @@ class TrialPage final : public QWidget {
   void enoughRequested();
   /// The participant declined the optional trial.
   void declined();
+  /// A key was pressed that switches the reamer on or off: R, also of a foot switch that types it.
+  void reamerSwitched();
   /// The wanted hand position, from 0 (open) to 1 (closed).
   void handMoved(double share);
 

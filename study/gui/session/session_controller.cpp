@@ -110,8 +110,16 @@ void SessionController::beginTrial() {
     trial_.reset();
     return;
   }
+  isReamerOn_ = true;
   watch_.start();
   emit stepChanged();
+}
+
+void SessionController::toggleReamer() {
+  if (!live_) return;
+  isReamerOn_ = !isReamerOn_;
+  trial_->switchReamer(isReamerOn_);  // before the database: a pedal acts at once
+  tryTo([&] { session_.noteReamerSwitch(isReamerOn_); });
 }
 
 void SessionController::watchTrial() {

@@ -89,6 +89,8 @@ class SessionController final : public QObject {
   void beginTrial();
   /// Ends the trial if the participant has made enough cuts.
   void finishTrial();
+  /// Switches the reamer of a running trial on or off, and notes it; on at first.
+  void toggleReamer();
   /// Switches the force off at once and breaks the trial off.
   void stop();
   void repeatStep(const QString& reason);
@@ -138,6 +140,7 @@ class SessionController final : public QObject {
   std::function<std::optional<ViewReport>()> viewReport_;
   std::function<scene::HipScene*()> cup_;
   QTimer watch_;
+  bool isReamerOn_ = true;  ///< of the running trial, by toggleReamer()
   bool isAllSaved_ = true;  ///< of the answers received since the last saveAll()
 };
 

@@ -99,6 +99,14 @@ TEST(SimulatedDevice, RefusesAMechanismWithoutMass) {
   EXPECT_THROW(SimulatedDevice(simulated(punchKind()), {.mass = 0.0}, hand), std::invalid_argument);
 }
 
+TEST(PointerHand, PushesNoHarderThanItsStrength) {
+  PointerHand hand({.stiffness = 2.0, .damping = 0.0, .speed = 1e6, .strength = 5.0});
+  hand.moveTo(10.0);
+  EXPECT_DOUBLE_EQ(hand.push(0.0, 0.0, 0.001), 5.0);
+  EXPECT_DOUBLE_EQ(hand.push(9.0, 0.0, 0.001), 2.0);
+  EXPECT_DOUBLE_EQ(hand.push(20.0, 0.0, 0.001), -5.0);
+}
+
 TEST(PointerHand, FollowsThePointerNoFasterThanAHand) {
   PointerHand hand({.stiffness = 2.0, .damping = 0.0, .speed = 40.0});
   hand.moveTo(10.0);

@@ -68,7 +68,9 @@ class LeakSearch : public testing::TestWithParam<std::string> {
     auto json = nlohmann::ordered_json::parse(shipped->text);
     const auto original = json["conditions"];
     for (std::size_t i = 0; i < original.size(); ++i) {
-      json["conditions"][i]["scene"] = original[(i + shift) % original.size()]["scene"];
+      auto& scene = json["conditions"][i]["scene"];
+      scene = original[(i + shift) % original.size()]["scene"];
+      if (scene["device"] == "reamer") scene["reamer"] = {{"speed", 50}};  // saves time
     }
     for (auto& phase : json["phases"]) {
       // In the short form each condition is rendered once: the texts are the same.

@@ -94,7 +94,7 @@ void Participant::cut(int cuts) {
       before = travel;
       return travel > 0.75 * far || isAtRest;
     };
-    waitFor(isThrough, 2000);
+    waitFor(isThrough, 10'000);  // a reamer goes through some millimetres a second
     QTest::keyRelease(feel, Qt::Key_Space);
     waitFor([&] { return controller->trialStatus().travel < 0.04 * far; }, 2000);
     made = controller->trialStatus().cuts;

@@ -49,6 +49,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::Torque, "torque"},
     {EventKind::DeviceLink, "device_link"},
     {EventKind::DeviceFault, "device_fault"},
+    {EventKind::SwitchedReamer, "switched_reamer"},
     {EventKind::View, "view"},
     {kindOf(SafetyKind::TooFast), "safety_too_fast"},
     {kindOf(SafetyKind::Released), "safety_released"},

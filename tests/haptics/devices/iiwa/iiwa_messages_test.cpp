@@ -148,6 +148,22 @@ TEST_F(IiwaMessagesTest, IsAnsweredOnceAndWithItsOwnJoints) {
   EXPECT_FALSE(all[0].data->jointTorque);
 }
 
+TEST_F(IiwaMessagesTest, SwitchTheReamerByThePedalsInput) {
+  arm();
+  EXPECT_TRUE(turn(10.0).isReamerOn);  // no pedal was named
+  settings_.pedal = "Pedal";
+  arm();
+  EXPECT_FALSE(turn(10.0).isReamerOn);  // its input is missing
+  using haptics::wire::fri::IoDirection;
+  using haptics::wire::fri::IoType;
+  using haptics::wire::fri::Name;
+  auto* input = message_.monitorData->inputs.add();
+  *input = {Name("Pedal"), IoType::Boolean, IoDirection::Input, 1, {}};
+  EXPECT_TRUE(turn(10.0).isReamerOn);
+  input->digital = 0;
+  EXPECT_FALSE(turn(10.0).isReamerOn);
+}
+
 TEST_F(IiwaMessagesTest, IsAnsweredAsOftenAsItWants) {
   message_.connection->receiveMultiplier = 3;
   arm();

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/engine/built_in_models.h"
+#include "study/app/measurements/feed_table.h"
+
 namespace study::app {
 namespace packing_report_test {
 
@@ -34,6 +37,46 @@ TEST(PackingReport, WarnsOfACurveThatTheSpheresCannotGive) {
   const auto missed = warningOf(1e-9, 0.3);
   EXPECT_NE(missed.find("cannot be felt with these spheres"), std::string::npos) << missed;
   EXPECT_NE(missed.find("30 %"), std::string::npos) << missed;
+}
+
+/// The value of a column in a row.
+double cellOf(const DataTable& table, std::size_t row, const std::string& column) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].name == column) return std::get<double>(table.rows.at(row).at(i));
+  }
+  ADD_FAILURE() << "no column " << column;
+  return 0.0;
+}
+
+TEST(FeedTable, GivesBackTheCurveAtTheMeasuredFeedsAndAccountsForAllMass) {
+  const auto parametric = haptics::engine::parametricBone();
+  haptics::reaming::PackedBone bone{.packing = parametric->packing};
+  const auto fit = fitTo(bone, haptics::engine::parametricCurves(), 80);
+  const auto table = feedTable(bone, fit);
+  // 0.01, 0.03, 0.1, 0.3, 1 and 1.8 mm/s, for three curves.
+  ASSERT_EQ(table.rows.size(), 18U);
+  EXPECT_EQ(cellOf(table, 0, "feed_mm_per_s"), 0.01);
+  EXPECT_EQ(cellOf(table, 1, "feed_mm_per_s"), 0.03);
+  EXPECT_NEAR(cellOf(table, 5, "feed_mm_per_s"), 1.8, 1e-9);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    EXPECT_LT(cellOf(table, row, "unaccounted_share"), 1e-6) << row;
+    EXPECT_GT(cellOf(table, row, "removed_share"), 0.01) << row;
+  }
+  for (const std::string depth : {"4", "6", "8"}) {
+    for (std::size_t curve = 0; curve < 3; ++curve) {
+      const std::size_t slow = 6 * curve;
+      const double wanted = cellOf(table, slow, "curve_n_at_" + depth + "_mm");
+      const auto forceIn = [&](std::size_t row) {
+        return cellOf(table, row, "force_n_at_" + depth + "_mm");
+      };
+      // The bone's own ripple, and a slice of a sphere that is cut a step later.
+      EXPECT_NEAR(forceIn(slow), wanted, 0.05 * wanted + 0.5) << depth << " " << curve;
+      EXPECT_NEAR(forceIn(slow + 1), wanted, 0.05 * wanted + 0.5) << depth << " " << curve;
+      // What the feed adds: 2000 N·s/m times 1.79 mm/s.
+      EXPECT_NEAR(forceIn(slow + 5) - forceIn(slow), 3.58, 0.02 * wanted + 0.5)
+          << depth << " " << curve;
+    }
+  }
 }
 
 }  // namespace packing_report_test

@@ -138,7 +138,7 @@ class HipSceneTest : public testing::Test {
 
   haptics::engine::PackingSpec spec_{
       .bone = haptics::engine::parametricBone(), .hardness = 0.5, .forceScale = 0.15};
-  haptics::engine::RemovalModel model_{spec_, true};
+  haptics::engine::RemovalModel model_{spec_, true, haptics::engine::Reamer::withoutLimit()};
 };
 
 bool isBone(QRgb pixel) {

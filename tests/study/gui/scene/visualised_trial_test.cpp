@@ -107,6 +107,21 @@ TEST_F(VisualisedTrial, HasNoViewInAProtocolWithoutVisualisation) {
   EXPECT_EQ(window_->findChild<QLabel*>(QStringLiteral("graphics-remark")), nullptr);
 }
 
+TEST_F(VisualisedTrial, SwitchesTheReamerByAKeyAndKeepsThatAsAnEvent) {
+  begin("reaming-hardness");
+  window_->controller()->beginTrial();
+  auto* page = window_->participantWindow()->findChild<TrialPage*>();
+  ASSERT_NE(page, nullptr);
+  QTest::keyClick(page, Qt::Key_R);
+  QTest::keyClick(page, Qt::Key_R);
+  window_->controller()->stop();
+  std::vector<std::string> switched;
+  for (const auto& event : study_->events().read()) {
+    if (event.kind == study::EventKind::SwitchedReamer) switched.push_back(event.detail);
+  }
+  EXPECT_EQ(switched, (std::vector<std::string>{"off", "on"}));
+}
+
 TEST_F(VisualisedTrial, KeepsFrameStatisticsOutOfABlindedExport) {
   begin("two-devices");
   participant_->doStep();

@@ -1,0 +1,49 @@
+#include "haptics/engine/reamed_material.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace haptics::engine {
+namespace {
+
+MaterialSpec withoutJitter(MaterialSpec spec) {
+  spec.jitter = {};
+  return spec;
+}
+
+}  // namespace
+
+ReamedMaterialModel::ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer)
+    : material_(withoutJitter(spec)),
+      jitter_(spec.jitter, spec.forceScale, spec.jitterSeed),
+      surface_(material_.segments().front().begin),
+      mostFeed_(reamer.mostFeed()),
+      damping_(spec.forceScale * reamer.dampingOf(kCuttingDamping)),
+      depth_(surface_) {}
+
+models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noexcept {
+  if (!std::isfinite(tool.travel)) return {};
+  if (tool.travel <= depth_) {
+    depth_ = std::max(tool.travel, surface_);
+    return {0.0, 0.0, true};
+  }
+  const double mostFeed = tool.isReamerOn ? mostFeed_ : 0.0;
+  const double resistance = std::max(0.0, material_.respond({.travel = depth_}).force);
+  const double push = kCoupling * (tool.travel - depth_);
+  if (push > resistance) {
+    // Implicit in time, and so stable for every dt, as in reaming::Bone.
+    const double advance = (push - resistance) / (kCoupling + damping_ / tool.dt);
+    depth_ += std::min(advance, mostFeed * tool.dt);
+  }
+  const double force = kCoupling * (tool.travel - depth_);
+  // What shook in the measurement was the spin.
+  const double noise = mostFeed > 0.0 ? jitter_.step(force, tool.dt) : 0.0;
+  return {force + noise, kCoupling, true};
+}
+
+void ReamedMaterialModel::reset() noexcept {
+  depth_ = surface_;
+  jitter_.reset();
+}
+
+}  // namespace haptics::engine

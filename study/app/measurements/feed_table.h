@@ -1,0 +1,19 @@
+#pragma once
+
+#include "haptics/engine/reamer.h"
+#include "haptics/reaming/packing/packed_bone.h"
+#include "study/model/data_table.h"
+
+namespace study::app {
+
+/// What a reamer has to be pushed with for a feed: @p bone is reamed to 10 mm by the virtual
+/// experiment at feeds from 0.01 mm/s to nine tenths of the most that @p reamer goes at. A row for
+/// each feed and each of the curves of the bone: the force at 4, 6 and 8 mm beside the curve's, and
+/// what was removed, what remained and what is not accounted for.
+/// @param fit  of that bone.
+DataTable feedTable(
+    const haptics::reaming::PackedBone& bone,
+    const haptics::reaming::BoneFitReport& fit,
+    const haptics::engine::Reamer& reamer = {});
+
+}  // namespace study::app
