@@ -8,7 +8,7 @@ namespace study::gui {
 
 /// The unit in which an operator reads a device's travel.
 struct TravelScale {
-  double factor;         ///< from the device's unit to the displayed unit
+  double factor = 1.0;   ///< from the device's unit to the displayed unit
   QString unit;          ///< "mm"
   QString suffix;        ///< appended to a number in narrow columns: " mm", or empty
   QString velocityUnit;  ///< "mm/s", "/s"
