@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "haptics/reaming/material/piecewise.h"
 
@@ -9,14 +10,15 @@ namespace haptics::engine {
 namespace {
 
 /// The two measured curves at a hardness, with slopes that keep them from overshooting.
-reaming::CurveNodes blendedNodes(const MaterialSpec& spec) {
+reaming::CurveNodes blendedNodes(
+    const MaterialSpec& spec, double MaterialNode::*low, double MaterialNode::*high) {
   std::vector<double> depths;
   std::vector<double> lower;
   std::vector<double> upper;
   for (const auto& node : spec.nodes) {
     depths.push_back(node.depth);
-    lower.push_back(node.lower);
-    upper.push_back(node.upper);
+    lower.push_back(node.*low);
+    upper.push_back(node.*high);
   }
   const auto lowerSlopes = reaming::monotoneSlopes(depths, lower);
   const auto upperSlopes = reaming::monotoneSlopes(depths, upper);
@@ -38,14 +40,10 @@ std::vector<double> knotsOf(const std::vector<models::CubicSegment<double>>& seg
   return knots;
 }
 
-}  // namespace
-
-std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec) {
-  auto nodes =
-      spec.curves.isEmpty() ? blendedNodes(spec) : reaming::curveOf(spec.curves, spec.hardness);
+std::vector<models::CubicSegment<double>> scaledSegments(reaming::CurveNodes nodes, double scale) {
   for (auto& node : nodes) {
-    node.force *= spec.forceScale;
-    node.slope *= spec.forceScale;
+    node.force *= scale;
+    node.slope *= scale;
   }
   std::vector<models::CubicSegment<double>> segments;
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
@@ -54,16 +52,52 @@ std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& sp
   return segments;
 }
 
-MaterialModel::MaterialModel(const MaterialSpec& spec)
-    : segments_(blendedSegments(spec)),
+}  // namespace
+
+std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec) {
+  auto nodes = spec.curves.isEmpty()
+                   ? blendedNodes(spec, &MaterialNode::lower, &MaterialNode::upper)
+                   : reaming::curveOf(spec.curves, spec.hardness);
+  return scaledSegments(std::move(nodes), spec.forceScale);
+}
+
+std::vector<models::CubicSegment<double>> blendedTorque(const MaterialSpec& spec) {
+  if (!spec.torque.isEmpty()) {
+    return scaledSegments(reaming::curveOf(spec.torque, spec.hardness), spec.forceScale);
+  }
+  if (!spec.curves.isEmpty()) return {};
+  const auto nodes = blendedNodes(spec, &MaterialNode::lowerTorque, &MaterialNode::upperTorque);
+  const bool isAny =
+      std::any_of(nodes.begin(), nodes.end(), [](const auto& node) { return node.force > 0.0; });
+  if (!isAny) return {};
+  return scaledSegments(nodes, spec.forceScale);
+}
+
+BlendedCurve::BlendedCurve(Segments segments)
+    : segments_(std::move(segments)),
       table_(knotsOf(segments_)),
-      curve_(segments_.data(), segments_.size(), table_.index()),
-      jitter_(spec.jitter, spec.forceScale, spec.jitterSeed) {}
+      curve_(segments_.data(), segments_.size(), table_.index()) {}
+
+MaterialModel::MaterialModel(const MaterialSpec& spec, const Reamer& reamer)
+    : force_(blendedSegments(spec)),
+      sign_(reamer.torqueSign()),
+      jitter_(spec.jitter, spec.forceScale, spec.jitterSeed) {
+  if (sign_ == 0) return;
+  if (auto torque = blendedTorque(spec); !torque.empty()) torqueCurve_.emplace(std::move(torque));
+}
+
+void MaterialModel::respondWithTorque(const ToolState& tool) noexcept {
+  torque_ = 0.0;
+  if (!torqueCurve_ || !tool.isReamerOn) return;
+  const auto response = torqueCurve_->at(tool.travel);
+  // Friction never drives: a spline that dips below 0 near first contact counts as 0.
+  torque_ = response.isDefined ? sign_ * std::max(0.0, response.force) : 0.0;
+}
 
 double MaterialModel::largestStiffness() const noexcept {
   // The slope of a cubic is a parabola: largest at an end of its interval or at its apex.
   double largest = 0.0;
-  for (const auto& segment : segments_) {
+  for (const auto& segment : force_.segments()) {
     const double apex = segment.begin - segment.square / (3.0 * segment.cube);
     const bool isInside = apex > segment.begin && apex < segment.end;  // not where cube is 0
     for (const double x : {segment.begin, segment.end, isInside ? apex : segment.begin}) {
@@ -97,27 +131,28 @@ reaming::BoneOptions optionsOf(const PackingSpec& spec, const Reamer& reamer) {
 
 }  // namespace
 
-PackingModel::PackingModel(const PackingSpec& spec)
+PackingModel::PackingModel(const PackingSpec& spec, const Reamer& reamer)
     : field_(spec.bone->packing, spec.bone->densities(spec.hardness, spec.forceScale)),
       plunge_(reaming::plungeInto(field_, spec.bone->reamerRadius)),
-      coverage_(spec.bone->packing.coverage()) {
+      coverage_(spec.bone->packing.coverage()),
+      friction_(reamer.torqueSign() * spec.options.friction) {
   constexpr double kStep = 20e-6;  // [m]
   const double deepest = spec.mostTravel > 0.0 ? spec.mostTravel : depthOf(field_, plunge_);
   double before = 0.0;
   for (int i = 0; i * kStep <= deepest; ++i) {
-    const double force = forceAt(kStep * i);
+    const double force = forceOf(field_.touch(plunge_.at(kStep * i), false));
     largestStiffness_ = std::max(largestStiffness_, std::abs(force - before) / kStep);
     before = force;
   }
 }
 
-double PackingModel::forceAt(double depth) const noexcept {
-  return -field_.touch(plunge_.at(depth), false).force.z / coverage_;
-}
-
 models::Response<double> PackingModel::respond(const ToolState& tool) noexcept {
+  torque_ = 0.0;
   if (!std::isfinite(tool.travel)) return {};
-  return {forceAt(tool.travel), 0.0, true};
+  const auto contact = field_.touch(plunge_.at(tool.travel), false);
+  // Where the reamer is pressed on, every patch a ρ rubs with its distance from the axis.
+  torque_ = tool.isReamerOn ? friction_ * contact.lever / coverage_ : 0.0;
+  return {forceOf(contact), 0.0, true};
 }
 
 RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& reamer)
@@ -128,12 +163,14 @@ RemovalModel::RemovalModel(const PackingSpec& spec, bool isSeen, const Reamer& r
       plunge_(reaming::plungeInto(bone_.field(), spec.bone->reamerRadius)),
       stiffness_(spec.options.coupling),
       isForwards_(reamer.speed > 0.0),
+      torqueSign_(spec.options.friction > 0.0 ? reamer.torqueSign() : 0),
       view_(isSeen ? std::make_unique<BoneView>() : nullptr) {}
 
 models::Response<double> RemovalModel::respond(const ToolState& tool) noexcept {
   bone_.setSpinning(isForwards_ && tool.isReamerOn);
   const auto felt = bone_.step(plunge_.at(tool.travel), tool.dt);
   if (view_) updateView();
+  torque_ = tool.isReamerOn ? torqueSign_ * felt.rubbing : 0.0;
   return {-felt.force.z, 0.0, felt.isDefined};
 }
 

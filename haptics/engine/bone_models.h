@@ -63,32 +63,62 @@ class JitterNoise {
   double next_ = 0.0;
 };
 
-/// Bone of a hardness: the curves are blended once, when it is built, so that the tick
-/// evaluates a single cubic.
-class MaterialModel final : public ForceModel {
+/// A cubic Hermite spline with the memory that it needs: the tick evaluates a single cubic.
+class BlendedCurve {
  public:
-  /// @param spec  valid, see problemsOf().
-  explicit MaterialModel(const MaterialSpec& spec);
+  using Segments = std::vector<models::CubicSegment<double>>;
 
-  models::Response<double> respond(const ToolState& tool) noexcept override {
-    auto response = curve_.at(tool.travel, hint_);
-    if (response.isDefined) response.force += jitter_.step(response.force, tool.dt);
-    return response;
-  }
-  void reset() noexcept override {
-    hint_ = 0;
-    jitter_.reset();
-  }
-  double largestStiffness() const noexcept override;
+  /// @param segments  sound.
+  explicit BlendedCurve(Segments segments);
+  BlendedCurve(const BlendedCurve&) = delete;
+  BlendedCurve& operator=(const BlendedCurve&) = delete;
 
-  const std::vector<models::CubicSegment<double>>& segments() const noexcept { return segments_; }
+  models::Response<double> at(double depth) noexcept { return curve_.at(depth, hint_); }
+  void reset() noexcept { hint_ = 0; }
+  const Segments& segments() const noexcept { return segments_; }
   std::size_t bytes() const noexcept { return segments_.size() * sizeof(segments_[0]); }
 
  private:
-  std::vector<models::CubicSegment<double>> segments_;
+  Segments segments_;
   BucketTable table_;
   models::HermiteCurve<double> curve_;
   std::size_t hint_ = 0;
+};
+
+/// Bone of a hardness: the curves of force and torque, blended once, when it is built.
+class MaterialModel final : public ForceModel {
+ public:
+  /// @param spec  valid, see problemsOf(); so the reamer.
+  explicit MaterialModel(const MaterialSpec& spec, const Reamer& reamer = {});
+
+  models::Response<double> respond(const ToolState& tool) noexcept override {
+    auto response = force_.at(tool.travel);
+    if (response.isDefined) response.force += jitter_.step(response.force, tool.dt);
+    respondWithTorque(tool);
+    return response;
+  }
+  void reset() noexcept override {
+    force_.reset();
+    if (torqueCurve_) torqueCurve_->reset();
+    torque_ = 0.0;
+    jitter_.reset();
+  }
+  double largestStiffness() const noexcept override;
+  double torque() const noexcept override { return torque_; }
+  bool hasTorque() const noexcept override { return torqueCurve_.has_value(); }
+
+  const std::vector<models::CubicSegment<double>>& segments() const noexcept {
+    return force_.segments();
+  }
+  std::size_t bytes() const noexcept { return force_.bytes(); }
+
+ private:
+  void respondWithTorque(const ToolState& tool) noexcept;
+
+  BlendedCurve force_;
+  std::optional<BlendedCurve> torqueCurve_;  ///< nothing where none is rendered
+  int sign_;
+  double torque_ = 0.0;  ///< [N·m]
   JitterNoise jitter_;
 };
 
@@ -96,23 +126,32 @@ class MaterialModel final : public ForceModel {
 /// are in order.
 std::vector<models::CubicSegment<double>> blendedSegments(const MaterialSpec& spec);
 
+/// The same of the torque [N·m]; none where the material has no torque.
+std::vector<models::CubicSegment<double>> blendedTorque(const MaterialSpec& spec);
+
 /// A bone of spheres that stays as it is: a force for every depth of the plunge.
 class PackingModel final : public ForceModel {
  public:
-  /// @param spec  valid, see problemsOf().
-  explicit PackingModel(const PackingSpec& spec);
+  /// @param spec  valid, see problemsOf(); so the reamer.
+  explicit PackingModel(const PackingSpec& spec, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override {}
   double largestStiffness() const noexcept override { return largestStiffness_; }
+  double torque() const noexcept override { return torque_; }
+  bool hasTorque() const noexcept override { return friction_ != 0.0; }
   std::size_t bytes() const noexcept { return field_.bytes(); }
 
  private:
-  double forceAt(double depth) const noexcept;
+  double forceOf(const reaming::ReamerContact& contact) const noexcept {
+    return -contact.force.z / coverage_;
+  }
 
   reaming::SphereField field_;
   reaming::Plunge plunge_;
   double coverage_;
+  double friction_;  ///< with the sign of the torque
+  double torque_ = 0.0;
   double largestStiffness_ = 0.0;
 };
 
@@ -125,9 +164,14 @@ class RemovalModel final : public ForceModel {
   explicit RemovalModel(const PackingSpec& spec, bool isSeen = false, const Reamer& reamer = {});
 
   models::Response<double> respond(const ToolState& tool) noexcept override;
-  void reset() noexcept override { bone_.reset(); }
+  void reset() noexcept override {
+    torque_ = 0.0;
+    bone_.reset();
+  }
   bool isReady() const noexcept override { return bone_.isOutside(); }
   double largestStiffness() const noexcept override { return stiffness_; }
+  double torque() const noexcept override { return torque_; }
+  bool hasTorque() const noexcept override { return torqueSign_ != 0; }
   std::size_t bytes() const noexcept { return bone_.field().bytes(); }
 
   const reaming::Bone& bone() const noexcept { return bone_; }
@@ -141,6 +185,8 @@ class RemovalModel final : public ForceModel {
   reaming::Plunge plunge_;
   double stiffness_;
   bool isForwards_;  ///< the reamer turns as its teeth cut
+  int torqueSign_;
+  double torque_ = 0.0;  ///< [N·m]
   std::unique_ptr<BoneView> view_;
   std::uint64_t restorations_ = 0;  ///< of the bone, that the reader has been told of
 };

@@ -7,6 +7,14 @@
 
 namespace haptics::engine {
 
+namespace {
+
+/// Torque over force of the parametric material, as of our synthetic series: friction at about a
+/// reamer's radius, since the two "look similar" (reaming paper, Fig. 5) [m].
+constexpr double kParametricLever = 0.028;
+
+}  // namespace
+
 InterpolationSpec publishedInterpolation() {
   InterpolationSpec spec;
   const auto cut = recordings::parametricCut();
@@ -29,7 +37,7 @@ KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements) {
 }
 
 std::vector<MaterialNode> parametricMaterial() {
-  return {
+  std::vector<MaterialNode> nodes{
       {0.000, 0.0, 0.0},
       {0.001, 0.5, 4.0},
       {0.002, 2.0, 20.0},
@@ -43,15 +51,23 @@ std::vector<MaterialNode> parametricMaterial() {
       {0.016, 50.0, 660.0},
       {0.020, 60.0, 800.0},
   };
+  for (auto& node : nodes) {
+    node.lowerTorque = kParametricLever * node.lower;
+    node.upperTorque = kParametricLever * node.upper;
+  }
+  return nodes;
 }
 
-reaming::HardnessCurves parametricCurves() {
-  const auto curveAt = [](double share) {
+namespace {
+
+/// The lower, halfway and upper curve between two values of the parametric material's nodes.
+reaming::HardnessCurves curvesBetween(double MaterialNode::*lower, double MaterialNode::*upper) {
+  const auto curveAt = [&](double share) {
     std::vector<double> depths;
     std::vector<double> forces;
     for (const auto& node : parametricMaterial()) {
       depths.push_back(node.depth);
-      forces.push_back((1.0 - share) * node.lower + share * node.upper);
+      forces.push_back((1.0 - share) * node.*lower + share * node.*upper);
     }
     const auto slopes = reaming::monotoneSlopes(depths, forces);
     reaming::CurveNodes nodes;
@@ -63,6 +79,16 @@ reaming::HardnessCurves parametricCurves() {
   return {curveAt(0.0), curveAt(0.5), curveAt(1.0)};
 }
 
+}  // namespace
+
+reaming::HardnessCurves parametricCurves() {
+  return curvesBetween(&MaterialNode::lower, &MaterialNode::upper);
+}
+
+reaming::HardnessCurves parametricTorque() {
+  return curvesBetween(&MaterialNode::lowerTorque, &MaterialNode::upperTorque);
+}
+
 std::shared_ptr<const reaming::PackedBone> parametricBone() {
   static const auto bone = [] {
     constexpr std::size_t kSpheres = 20'000;
@@ -72,6 +98,7 @@ std::shared_ptr<const reaming::PackedBone> parametricBone() {
     made->isSynthetic = true;
     made->packing = *reaming::pack(reaming::Acetabulum(), {.count = kSpheres});
     reaming::fitTo(*made, parametricCurves());
+    made->friction = reaming::fitFriction(*made, parametricTorque()).friction;
     return made;
   }();
   return bone;

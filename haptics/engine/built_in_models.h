@@ -18,7 +18,7 @@ KalmanSpec publishedFilter(models::KalmanScheme scheme, int elements);
 /// It has only the features that the reaming paper reports of its 62 series: almost no force over
 /// the first millimetres while the reamer keeps up with the feed, one local peak, then a rise; the
 /// upper curve ends at the 800 N at which the static tests stopped, the lower one at 60 N. Depth in
-/// [m], forces in [N].
+/// [m], forces in [N], torques in [N·m].
 std::vector<MaterialNode> parametricMaterial();
 
 /// A parametric cup, 20,000 spheres that feel like parametricMaterial(). Built when it is
@@ -27,5 +27,7 @@ std::shared_ptr<const reaming::PackedBone> parametricBone();
 
 /// The curves of parametricMaterial(): lower, halfway, upper.
 reaming::HardnessCurves parametricCurves();
+/// The same of its torque [N·m].
+reaming::HardnessCurves parametricTorque();
 
 }  // namespace haptics::engine

@@ -22,6 +22,7 @@ constexpr const char* kFilter = "Kalman filter";
 constexpr const char* kMaterial = "bone material";
 constexpr const char* kPacking = "sphere packing";
 constexpr const char* kRemoval = "removal of bone";
+constexpr const char* kTorque = "torque about the tool's axis";
 constexpr const char* kBoneView = "bone: what changes in it";
 
 /// The interpretation of the paper that is rendered, by its name in protocols.
@@ -137,6 +138,19 @@ struct Builder {
     noBone();
   }
 
+  /// @param of  what it is made of. @param lack  why there is none though the reamer turns.
+  void torque(const std::string& of, const char* lack) {
+    if (!reamer.hasTorque) {
+      out(kTorque, "release 0.1, under which this study began, rendered forces alone");
+    } else if (reamer.speed == 0.0) {
+      out(kTorque, "the reamer stands still");
+    } else if (model->hasTorque()) {
+      in(kTorque, of, 0);
+    } else {
+      out(kTorque, lack);
+    }
+  }
+
   void operator()(const MaterialSpec& spec) {
     noPunch();
     const std::string curves = spec.isMeasured ? "the measured curves" : "its curves";
@@ -148,12 +162,16 @@ struct Builder {
       in(kRemoval, "the reamer goes on as it removes bone" + paceOf(reamer), 0);
       model = std::move(reamed);
     } else {
-      auto material = std::make_unique<MaterialModel>(spec);
+      auto material = std::make_unique<MaterialModel>(spec, reamer);
       in(kMaterial, why, material->bytes());
       out(kPacking, "the force depends on depth alone");
       out(kRemoval, "the bone stays as it is");
       model = std::move(material);
     }
+    torque(
+        (spec.isMeasured ? "the measured curve" : "its curve") +
+            std::string(" of torque, against the spin"),
+        "the material has no curve of torque");
   }
 
   void operator()(const PackingSpec& spec) {
@@ -168,11 +186,14 @@ struct Builder {
       in(kRemoval, "what the reamer goes through is taken away" + paceOf(reamer), removal->bytes());
       model = std::move(removal);
     } else {
-      auto packing = std::make_unique<PackingModel>(spec);
+      auto packing = std::make_unique<PackingModel>(spec, reamer);
       in(kPacking, spheres, packing->bytes());
       out(kRemoval, "the bone stays as it is");
       model = std::move(packing);
     }
+    torque(
+        "friction " + inHundredths(spec.options.friction) + " on the spheres, against the spin",
+        "there is no friction");
   }
 };
 

@@ -14,7 +14,7 @@ MaterialSpec withoutJitter(MaterialSpec spec) {
 }  // namespace
 
 ReamedMaterialModel::ReamedMaterialModel(const MaterialSpec& spec, const Reamer& reamer)
-    : material_(withoutJitter(spec)),
+    : material_(withoutJitter(spec), reamer),
       jitter_(spec.jitter, spec.forceScale, spec.jitterSeed),
       surface_(material_.segments().front().begin),
       mostFeed_(reamer.mostFeed()),
@@ -22,14 +22,17 @@ ReamedMaterialModel::ReamedMaterialModel(const MaterialSpec& spec, const Reamer&
       depth_(surface_) {}
 
 models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noexcept {
+  torque_ = 0.0;
   if (!std::isfinite(tool.travel)) return {};
   if (tool.travel <= depth_) {
     depth_ = std::max(tool.travel, surface_);
     return {0.0, 0.0, true};
   }
   const double mostFeed = tool.isReamerOn ? mostFeed_ : 0.0;
-  const double resistance = std::max(0.0, material_.respond({.travel = depth_}).force);
+  const double resistance =
+      std::max(0.0, material_.respond({.travel = depth_, .isReamerOn = tool.isReamerOn}).force);
   const double push = kCoupling * (tool.travel - depth_);
+  torque_ = material_.torque() * (push < resistance ? push / resistance : 1.0);
   if (push > resistance) {
     // Implicit in time, and so stable for every dt, as in reaming::Bone.
     const double advance = (push - resistance) / (kCoupling + damping_ / tool.dt);
@@ -43,6 +46,7 @@ models::Response<double> ReamedMaterialModel::respond(const ToolState& tool) noe
 
 void ReamedMaterialModel::reset() noexcept {
   depth_ = surface_;
+  torque_ = 0.0;
   jitter_.reset();
 }
 

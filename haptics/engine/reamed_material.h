@@ -31,6 +31,10 @@ class ReamedMaterialModel final : public ForceModel {
   models::Response<double> respond(const ToolState& tool) noexcept override;
   void reset() noexcept override;
   double largestStiffness() const noexcept override { return kCoupling; }
+  /// That of the curve at the tool's depth; a share of it where the tool is pushed less than bone
+  /// resists.
+  double torque() const noexcept override { return torque_; }
+  bool hasTorque() const noexcept override { return material_.hasTorque(); }
 
   double depth() const noexcept { return depth_; }  ///< of the tool [m]
   std::size_t bytes() const noexcept { return material_.bytes(); }
@@ -42,6 +46,7 @@ class ReamedMaterialModel final : public ForceModel {
   double mostFeed_;
   double damping_;
   double depth_;
+  double torque_ = 0.0;  ///< [N·m]
 };
 
 }  // namespace haptics::engine

@@ -20,10 +20,18 @@ struct Reamer {
   double speed = 5.0;
   int teeth = 4;                 ///< that pass each place of the surface in one turn, >= 1
   double feedPerTooth = 0.1e-3;  ///< [m], > 0; may be infinite
+  bool hasTorque = true;         ///< release 0.1 rendered forces alone
 
   /// How fast it can go through bone [m/s]; 0 where it stands still or turns backwards.
   constexpr double mostFeed() const noexcept {
     return speed > 0.0 ? speed * teeth * feedPerTooth : 0.0;
+  }
+
+  /// The direction of the torque on the hand about the way of advancing: bone holds the teeth, so
+  /// it is against the spin. 1, −1, or 0 where the reamer stands still.
+  constexpr int torqueSign() const noexcept {
+    if (!hasTorque || speed == 0.0) return 0;
+    return speed > 0.0 ? -1 : 1;
   }
 
   /// A force grows with the thickness of the chip, so that a cutting damping falls with the teeth
@@ -36,7 +44,7 @@ struct Reamer {
 
   /// That of release 0.1, which took whatever it was pushed through.
   static constexpr Reamer withoutLimit() noexcept {
-    return {.feedPerTooth = std::numeric_limits<double>::infinity()};
+    return {.feedPerTooth = std::numeric_limits<double>::infinity(), .hasTorque = false};
   }
 
   constexpr bool isSound() const noexcept {

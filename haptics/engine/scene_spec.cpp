@@ -77,25 +77,32 @@ void check(const MaterialSpec& spec, Words& problems) {
   const bool isFitted = !spec.curves.isEmpty();
   if (isFitted) {
     if (const auto problem = reaming::problemOf(spec.curves)) problems.push_back(*problem);
+    const auto problem = spec.torque.isEmpty() ? std::nullopt : reaming::problemOf(spec.torque);
+    if (problem) problems.push_back(*problem + ", in its torque");
   } else if (spec.nodes.size() < 2) {
     problems.push_back("the material needs two or more nodes");
   }
   for (std::size_t i = 0; i < spec.nodes.size(); ++i) {
     const auto& node = spec.nodes[i];
     const std::string name = "material node " + std::to_string(i + 1);
-    if (!std::isfinite(node.depth + node.lower + node.upper)) {
+    if (!std::isfinite(
+            node.depth + node.lower + node.upper + node.lowerTorque + node.upperTorque)) {
       problems.push_back(name + " is not a finite number");
     } else if (!(node.lower >= 0.0 && node.lower <= node.upper)) {
       problems.push_back(name + ": 0 ≤ lower ≤ upper must hold");
+    } else if (!(node.lowerTorque >= 0.0 && node.lowerTorque <= node.upperTorque)) {
+      problems.push_back(name + ": 0 ≤ lower ≤ upper must hold of the torque, too");
     }
     if (i > 0 && !(node.depth > spec.nodes[i - 1].depth)) {
       problems.push_back(name + " does not lie deeper than the one before it");
     }
   }
   if (!problems.empty()) return;
-  const auto segments = blendedSegments(spec);
-  if (!models::HermiteCurve<double>::isSound(segments.data(), segments.size())) {
+  for (const auto& segments : {blendedSegments(spec), blendedTorque(spec)}) {
+    const bool isCurve = models::HermiteCurve<double>::isSound(segments.data(), segments.size());
+    if (isCurve || segments.empty()) continue;
     problems.push_back("the material's nodes lie too close together, or too far apart, to be felt");
+    return;
   }
 }
 
@@ -224,6 +231,18 @@ double feedLimitOf(const SceneSpec& spec) {
   const bool isRemoved = (parts.material != nullptr && parts.material->isRemoved) ||
                          (parts.packing != nullptr && parts.packing->isRemoved);
   return isRemoved ? spec.reamer.mostFeed() : std::numeric_limits<double>::infinity();
+}
+
+bool hasTorque(const SceneSpec& spec) {
+  if (spec.reamer.torqueSign() == 0) return false;
+  const auto parts = partsOf(spec.model);
+  if (parts.packing != nullptr) return parts.packing->options.friction > 0.0;
+  if (parts.material == nullptr) return false;
+  const auto& nodes = parts.material->nodes;
+  return !parts.material->torque.isEmpty() ||
+         (parts.material->curves.isEmpty() &&
+          std::any_of(
+              nodes.begin(), nodes.end(), [](const auto& n) { return n.upperTorque > 0.0; }));
 }
 
 std::vector<std::string> problemsOf(const SceneSpec& spec) {

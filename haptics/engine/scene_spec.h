@@ -74,23 +74,26 @@ struct KalmanSpec {
 
 /// A node of a reaming material: the softest and the hardest bone that there is.
 struct MaterialNode {
-  double depth = 0.0;  ///< [m]
-  double lower = 0.0;  ///< [N]
-  double upper = 0.0;  ///< [N]
+  double depth = 0.0;        ///< [m]
+  double lower = 0.0;        ///< [N]
+  double upper = 0.0;        ///< [N]
+  double lowerTorque = 0.0;  ///< about the tool's axis [N·m]
+  double upperTorque = 0.0;  ///< [N·m]
 };
 
 /// Force over displacement of an acetabulum, between a lower and an upper curve:
 /// (1 − h) · lower + h · upper, both cubic Hermite splines with monotone-limited slopes; or between
-/// the three curves of a fitted material.
+/// the three curves of a fitted material; and so the torque.
 struct MaterialSpec {
   static constexpr ModelFacts kFacts{"material", devices::Tissue::Bone, "m"};
   static constexpr double kCoupling = 50'000.0;  ///< to the tool in bone that is removed [N/m]
 
   std::vector<MaterialNode> nodes;
   reaming::HardnessCurves curves;  ///< of a fitted material, instead of the nodes
+  reaming::HardnessCurves torque;  ///< of a fitted material [N·m]; empty where none was measured
   bool isMeasured = false;         ///< the curves were measured
   double hardness = 0.5;           ///< h, from 0 (lower curve) to 1 (upper curve)
-  /// Bone asks for more than an arm gives: everything times this, in (0, 1].
+  /// Bone asks for more than an arm gives: forces and torques times this, in (0, 1].
   double forceScale = 1.0;
   /// The reamer goes on as it removes bone, at its own feed; otherwise the force is a function of
   /// depth, however fast the tool is.
@@ -104,11 +107,12 @@ struct PackingSpec {
   static constexpr ModelFacts kFacts{"packing", devices::Tissue::Bone, "m"};
 
   std::shared_ptr<const reaming::PackedBone> bone;
-  double hardness = 0.5;         ///< h, from 0 (minimum curve) to 1 (maximum curve)
-  double forceScale = 1.0;       ///< everything times this, in (0, 1]
-  bool isRemoved = true;         ///< the reamer removes the spheres that it passes through
-  double mostTravel = 0.0;       ///< how deep the device goes [m]; 0: through the bone
-  reaming::BoneOptions options;  ///< of a bone that is cut; the coverage is the bone's own
+  double hardness = 0.5;    ///< h, from 0 (minimum curve) to 1 (maximum curve)
+  double forceScale = 1.0;  ///< forces and torques times this, in (0, 1]
+  bool isRemoved = true;    ///< the reamer removes the spheres that it passes through
+  double mostTravel = 0.0;  ///< how deep the device goes [m]; 0: through the bone
+  /// Of a bone that is cut, and the friction of any; the coverage is the bone's own.
+  reaming::BoneOptions options;
 };
 
 /// Every force model that there is. One that is added is registered here; the compiler then points
@@ -162,6 +166,9 @@ double couplingOf(const ModelSpec& model);
 /// How fast the tool can move through the bone of @p spec [m/s]; infinite for a scene in which no
 /// bone is removed.
 double feedLimitOf(const SceneSpec& spec);
+
+/// Whether the scene may have a torque about the tool's axis.
+bool hasTorque(const SceneSpec& spec);
 
 /// All problems of @p spec, in words; empty if it can be compiled.
 std::vector<std::string> problemsOf(const SceneSpec& spec);

@@ -39,6 +39,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
            "fitted",
            "volume_m3",
            "reamer_radius_m",
+           "friction",
            "mesh",
            "mesh_sha256",
            "material",
@@ -58,6 +59,7 @@ std::optional<Head> readHead(std::string_view line, Problems& problems, PackingO
   head.bone.isSynthetic = root.flag("synthetic", false);
   head.bone.packing.volume = root.number("volume_m3", 1e-12, 1.0);
   head.bone.reamerRadius = root.number("reamer_radius_m", 0.001, 0.1, head.bone.reamerRadius);
+  if (root.has("friction")) head.bone.friction = root.number("friction", 0.0, 100.0);
   head.spheres = static_cast<std::size_t>(
       root.wholeNumber("spheres", 1, static_cast<std::int64_t>(kMostSpheres)));
   head.isFitted = root.flag("fitted", false);
@@ -149,6 +151,7 @@ std::string packingAsText(const reaming::PackedBone& bone, const PackingOrigin& 
       {"volume_m3", bone.packing.volume},
       {"reamer_radius_m", bone.reamerRadius},
       {"mesh", origin.mesh}};
+  if (bone.friction) head["friction"] = *bone.friction;
   if (!origin.sha256.empty()) head["mesh_sha256"] = origin.sha256;
   if (!origin.material.empty()) head["material"] = origin.material;
   head["seed"] = origin.seed;

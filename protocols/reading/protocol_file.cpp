@@ -221,6 +221,12 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
     return readCondition(node, protocol, files, sources);
   });
+  for (auto& device : protocol.devices) {
+    device.isTorqueAsked =
+        std::any_of(protocol.conditions.begin(), protocol.conditions.end(), [&](const auto& felt) {
+          return felt.device == device.id && felt.model && haptics::engine::hasTorque(felt.scene());
+        });
+  }
   protocol.labels = readLabels(root);
   protocol.phases = readAll<Phase>(root.requiredList("phases"), readPhase);
   if (const auto analysis = root.object("analysis")) protocol.analysis = readAnalysis(*analysis);

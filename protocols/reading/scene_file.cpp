@@ -208,6 +208,7 @@ bool useMaterial(const Node& node, const Context& context, engine::MaterialSpec&
   }
   if (curves == nullptr) return false;
   spec.curves = curves->force;
+  spec.torque = curves->torque;
   spec.isMeasured = !material->isSynthetic;
   if (hasJitter) spec.jitter = curves->jitter;
   return true;
@@ -242,11 +243,13 @@ Read<engine::MaterialSpec> readMaterial(const Node& node, const Context& context
   }
   spec.nodes.clear();
   for (const auto& entry : node.requiredList("nodes")) {
-    if (!entry.isObjectWith({"depth_m", "lower_n", "upper_n"})) continue;
+    if (!entry.isObjectWith({"depth_m", "lower_n", "upper_n", "lower_nm", "upper_nm"})) continue;
     spec.nodes.push_back(
         {entry.number("depth_m", 0.0, 1.0),
          entry.number("lower_n", 0.0, 1e5),
-         entry.number("upper_n", 0.0, 1e5)});
+         entry.number("upper_n", 0.0, 1e5),
+         entry.number("lower_nm", 0.0, 1e5, 0.0),
+         entry.number("upper_nm", 0.0, 1e5, 0.0)});
   }
   return spec;
 }
@@ -268,15 +271,16 @@ Read<engine::PackingSpec> readPacking(const Node& node, const Context& context) 
   const auto name = node.has("packing") ? node.text("packing") : std::string(kParametricBone);
   spec.isRemoved = node.flag("removal", spec.isRemoved);
   auto& options = spec.options;
-  for (const auto* key : {"coupling_n_per_m", "cutting_damping", "friction"}) {
+  for (const auto* key : {"coupling_n_per_m", "cutting_damping"}) {
     if (spec.isRemoved || !node.has(key)) continue;
     node.problem(key, "only a bone that is removed has it", "remove it, or set 'removal' to true");
   }
   options.coupling = node.number("coupling_n_per_m", 100.0, 1e6, options.coupling);
   options.cuttingDamping = node.number("cutting_damping", 0.0, 1e6, options.cuttingDamping);
-  options.friction = node.number("friction", 0.0, 2.0, options.friction);
   spec.bone = context.sources.packing(name, node.pathOf("packing"));
   if (spec.bone == nullptr) return std::nullopt;
+  options.friction = spec.bone->friction.value_or(options.friction);
+  options.friction = node.number("friction", 0.0, 2.0, options.friction);
   if (context.device != nullptr) spec.mostTravel = context.device->travel.most;
   return spec;
 }

@@ -1,5 +1,6 @@
 #include "haptics/reaming/bone/bone.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -124,9 +125,12 @@ Bone::Felt Bone::step(const Reamer& device, double dt) noexcept {
   // Bone pushes, and never pulls a hand that is faster than the tool.
   const Vec3 held = tool_.centre - device.centre;
   felt.force = options_.coupling * (held - std::min(dot(held, out), 0.0) * out);
-  // Teeth rub against the spin: a torque around the axis.
-  const double spin = isSpinning_ ? options_.friction * felt.contact.lever : 0.0;
-  felt.torque = (-spin / options_.coverage) * device.axis;
+  // Teeth rub against the spin, each with the force that presses it on: aρ where bone gives way,
+  // and a share of it where the tool is pushed less.
+  const double resistance = dot(felt.contact.force, out) / options_.coverage;
+  const double pushed = resistance > 0.0 ? dot(felt.force, out) / resistance : 0.0;
+  const double share = std::clamp(pushed, 0.0, 1.0);
+  felt.rubbing = options_.friction * share * felt.contact.lever / options_.coverage;
   return felt;
 }
 

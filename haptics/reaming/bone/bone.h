@@ -40,7 +40,7 @@ class Bone {
 
   struct Felt {
     Vec3 force;              ///< on the hand [N]
-    Vec3 torque;             ///< on the hand, around the reamer's centre [N·m]
+    double rubbing = 0.0;    ///< torque on a reamer that turns either way, against its spin [N·m]
     ReamerContact contact;   ///< of the held tool
     bool isDefined = false;  ///< not where the device is nowhere, or began inside of the bone
   };

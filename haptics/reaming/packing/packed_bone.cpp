@@ -80,6 +80,33 @@ BoneFitReport fitTo(
   return report;
 }
 
+FrictionFit fitFriction(const PackedBone& bone, const HardnessCurves& torque, std::size_t depths) {
+  const CurveNodes* curves[]{&torque.minimum, &torque.average, &torque.maximum};
+  double deepest = 0.0;
+  for (const auto* curve : curves) deepest = std::max(deepest, curve->back().position);
+  double product = 0.0;
+  double square = 0.0;
+  double wantedSquare = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const SphereField field(bone.packing, bone.densities(0.5 * k, 1.0));
+    const Plunge plunge = plungeInto(field, bone.reamerRadius);
+    for (std::size_t i = 0; i < depths; ++i) {
+      const double depth = deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths);
+      const double lever = field.touch(plunge.at(depth), false).lever / bone.packing.coverage();
+      const double wanted = std::max(0.0, forceOf(*curves[k], depth));
+      product += lever * wanted;
+      square += lever * lever;
+      wantedSquare += wanted * wanted;
+    }
+  }
+  if (!(square > 0.0 && wantedSquare > 0.0)) {
+    throw std::invalid_argument("there is no torque, or the reamer touches nothing");
+  }
+  // |μ L − T|² is least at μ = L·T / L², and is then T² − (L·T)²/L².
+  const double residual = std::max(0.0, wantedSquare - product * product / square);
+  return {product / square, std::sqrt(residual / wantedSquare)};
+}
+
 ExperimentResult ream(const PackedBone& bone, double h, const ExperimentOptions& options) {
   constexpr double kMachine = 2e6;  // of a stiff machine [N/m]
   const double coverage = bone.packing.coverage();

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct PackedBone {
   std::vector<float> minimum;  ///< of each sphere [N/m²]
   std::vector<float> average;
   std::vector<float> maximum;
+  /// Of the reamer on the spheres, fitted to a measured torque; nothing where none was.
+  std::optional<double> friction = {};
 
   /// Densities of a hardness, blended as the curves are: forces are linear in densities.
   /// @param h  in [0, 1]. @param scale  of all of them.
@@ -65,6 +68,20 @@ BoneFitReport fitTo(
     std::size_t depths = 400,
     const std::function<void(const std::string&)>& goesOn = {},
     const DensityMethod& method = {});
+
+/// How well one friction μ gives a bone the torque of a material.
+struct FrictionFit {
+  double friction = 0.0;  ///< μ, >= 0
+  double error = 0.0;     ///< |μ Σaρ·distance − torque| / |torque| over all three curves
+};
+
+/// The friction with which the intact bone has the torque of a material at @p depths evenly over
+/// the longest curve: least squares over the minimum, average and maximum together.
+///
+/// @param bone  with densities. @param torque  sound [N·m].
+/// @throws std::invalid_argument  if there is no torque, or nothing is touched.
+FrictionFit fitFriction(
+    const PackedBone& bone, const HardnessCurves& torque, std::size_t depths = 200);
 
 /// The testing machine of the paper: it drives the reamer in at a feed and stops at a force or a
 /// depth (reaming paper, "Experimental setup").

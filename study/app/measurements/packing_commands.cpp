@@ -226,6 +226,19 @@ void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitRep
   }
 }
 
+/// The friction that makes the measured torque; the default where none was measured.
+void fitFriction(reaming::PackedBone& bone, const reaming::HardnessCurves& torque) {
+  bone.friction.reset();
+  if (torque.isEmpty()) {
+    fmt::print("The material has no torque: the scene's friction makes it.\n");
+    return;
+  }
+  const auto fit = reaming::fitFriction(bone, torque);
+  bone.friction = fit.friction;
+  fmt::print(
+      "Friction {:.3g}: its torque is {:.2g} off the material's.\n", fit.friction, fit.error);
+}
+
 int fitDensities(const DensityCommand& command, const CLI::App& verb) {
   checkedEnding(command.out);
   const bool isSwarm = command.method == "swarm";
@@ -255,6 +268,7 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
       "that is. {:.1f} s.\n",
       100.0 * report.curves.front().fit.touchedShare,
       report.seconds);
+  fitFriction(bone, material.torque);
   printExperiments(bone, report);
   for (const auto& warning : warningsOf(report)) fmt::print("WARNING: {}\n", warning);
   writeNewFile(command.out, protocols::packingAsText(bone, origin));

@@ -35,7 +35,7 @@ reaming::PackedBone readBone(const std::string& path, protocols::PackingOrigin& 
 ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& origin) {
   if (choice.file == "parametric") {
     origin.material = "parametric";
-    return {haptics::engine::parametricCurves(), true};
+    return {haptics::engine::parametricCurves(), haptics::engine::parametricTorque(), true};
   }
   if (choice.file.ends_with(protocols::kPackingEnding)) {
     throw UserError(
@@ -52,7 +52,7 @@ ChosenCurves curvesOf(const MaterialChoice& choice, protocols::PackingOrigin& or
   for (const auto& set : material->sets) {
     if (nameOf(set.set) != choice.set) continue;
     origin.material = material->name + ", " + choice.set;
-    return {set.force, material->isSynthetic};
+    return {set.force, set.torque, material->isSynthetic};
   }
   throw UserError("'" + choice.file + "' has no test set '" + choice.set + "'.");
 }

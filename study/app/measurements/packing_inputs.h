@@ -23,7 +23,8 @@ haptics::reaming::PackedBone readBone(const std::string& path, protocols::Packin
 
 struct ChosenCurves {
   haptics::reaming::HardnessCurves curves;
-  bool isSynthetic = false;  ///< not measured
+  haptics::reaming::HardnessCurves torque;  ///< empty where none was measured
+  bool isSynthetic = false;                 ///< not measured
 };
 
 /// The curves; writes their names into @p origin.

@@ -108,8 +108,10 @@ TEST(CompiledScene, HoldsOfABoneOnlyWhatItNeeds) {
     }
     return in;
   };
-  EXPECT_EQ(partsOf({.model = spec(false)}), "sphere packing; ");
-  EXPECT_EQ(partsOf({.model = spec(true)}), "sphere packing; removal of bone; ");
+  EXPECT_EQ(partsOf({.model = spec(false)}), "sphere packing; torque about the tool's axis; ");
+  EXPECT_EQ(
+      partsOf({.model = spec(true)}),
+      "sphere packing; removal of bone; torque about the tool's axis; ");
   EXPECT_FALSE(problemsOf({.model = PackingSpec{}}).empty());
   const auto spoilt = [&](auto spoil) {
     auto bone = *parametricBone();

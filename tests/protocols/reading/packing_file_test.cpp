@@ -29,7 +29,8 @@ std::string complaintAbout(const std::string& text) {
 }
 
 TEST(PackingFile, ComesBackAsItWas) {
-  const auto made = bone();
+  auto made = bone();
+  made.friction = 0.45;
   questionnaires::Problems problems;
   PackingOrigin origin;
   const auto text = packingAsText(
@@ -39,6 +40,7 @@ TEST(PackingFile, ComesBackAsItWas) {
   EXPECT_EQ(found->name, "cup");
   EXPECT_TRUE(found->isSynthetic);
   EXPECT_EQ(found->packing.volume, made.packing.volume);
+  EXPECT_EQ(found->friction, 0.45);
   EXPECT_EQ(found->minimum, made.minimum);
   EXPECT_EQ(found->average, made.average);
   EXPECT_EQ(found->maximum, made.maximum);
@@ -89,7 +91,9 @@ std::string protocol(const std::string& parameters) {
 TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   const auto find = [](const std::string& name) {
     const bool isThere = name == "cup.packing";
-    return isThere ? std::optional(packingAsText(bone(), {.mesh = "hip.stl"})) : std::nullopt;
+    auto fitted = bone();
+    fitted.friction = 0.45;
+    return isThere ? std::optional(packingAsText(fitted, {.mesh = "hip.stl"})) : std::nullopt;
   };
   const auto loading = tests::load(
       protocol(R"({"hardness": 0.5, "packing": "cup.packing", "friction": 0.3})"), find);
@@ -101,6 +105,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   EXPECT_TRUE(specOf("a").isRemoved);
   EXPECT_FALSE(specOf("b").isRemoved);
   EXPECT_EQ(specOf("a").options.friction, 0.3);
+  EXPECT_EQ(specOf("b").options.friction, 0.45) << "that which the packing was fitted with";
   EXPECT_EQ(specOf("a").bone->packing.spheres.size(), 50U);
 
   const auto refusalOf = [&](const std::string& parameters) {
@@ -113,7 +118,7 @@ TEST(PackingFile, IsTakenFromBesideAProtocolAndShared) {
   };
   has(refusalOf(R"({"hardness": 0.5, "packing": "none.packing"})"), "there is no file");
   has(refusalOf(R"({"hardness": 0.5, "packing": "cup.json"})"), "no file");
-  has(refusalOf(R"({"hardness": 0.5, "removal": false, "friction": 0.2})"), "only a bone");
+  has(refusalOf(R"({"hardness": 0.5, "removal": false, "cutting_damping": 0.2})"), "only a bone");
   has(refusalOf(R"({"packing": "cup.packing"})"), "hardness");
 }
 
