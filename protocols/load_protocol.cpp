@@ -35,8 +35,9 @@ std::optional<LoadedProtocol> load(
   auto draft = readDraft(json, find, problems, defaults);
   if (!draft) return std::nullopt;
   validate(*draft, problems);
+  if (defaults == Defaults::Current) validateBenchmarks(*draft, problems);
   if (problems.hasErrors()) return std::nullopt;
-  addWarnings(draft->loaded, problems);
+  addWarnings(draft->loaded, problems, defaults);
   return std::move(draft->loaded);
 }
 

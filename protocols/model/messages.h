@@ -45,6 +45,10 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
      "none"},
     {"no_previous.fix",
      "use an order in which it cannot, or a statement that compares with nothing"},
+    {"no_vibration", "item '{}' asks about vibration, and the force of '{}' has no jitter"},
+    {"no_removal", "item '{}' asks about the pace of removal, and '{}' removes nothing"},
+    {"scaled_force", "item '{}' asks how large forces are, and those of '{}' are scaled to {} %"},
+    {"not_rendered.fix", "ask what the scene renders ('reaming-quality'), or let it render this"},
     {"same_order", "everybody feels this block in the same order"},
     {"same_order.fix",
      "what comes first or last may be preferred for that alone; 'balancedLatinSquare' avoids it"},
@@ -74,6 +78,11 @@ inline constexpr auto kMessages = std::to_array<base::MessageKind>({
     {"statements_tell.fix",
      "ask the same statements about every condition; otherwise no export of this study is "
      "blinded"},
+    {"pooled_answers",
+     "Welch's test takes all answers for independent, and each person gives several"},
+    {"pooled_answers.fix",
+     "declare 'paired_t', 'sign_flip' or 'signed_rank'; Welch's test is computed all the same, as "
+     "exploratory"},
     {"cut_not_felt",
      "with this noise the recorded cut weighs next to nothing; the finite elements alone are felt"},
     {"elements_not_felt",

@@ -126,4 +126,15 @@ void addAnalysisWarnings(const Protocol& protocol, Problems& problems) {
   }
 }
 
+void addPoolingWarnings(const Protocol& protocol, Problems& problems) {
+  const auto& families = protocol.analysis.families;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    if (families[i].test != TestType::Welch) continue;
+    problems.warn(
+        "$.analysis.families[" + std::to_string(i) + "].test",
+        message("pooled_answers"),
+        message("pooled_answers.fix"));
+  }
+}
+
 }  // namespace protocols

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "protocols/reading/protocol_file.h"
 #include "questionnaires/json/problem.h"
@@ -19,16 +20,29 @@ void validateAnalysis(const Draft& draft, questionnaires::Problems& problems);
 /// between their alternatives.
 void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
 
+/// Reports questions about a benchmark that was not cut before. Not for studies of release 0.1,
+/// which keep their protocols.
+void validateBenchmarks(const Draft& draft, questionnaires::Problems& problems);
+
 /// Adds warnings about doubtful designs: a statement about the previous alternative when there is
 /// none, one order for all, a number of participants that does not balance, forms with
 /// placeholders, unused parts.
 ///
-/// @param loaded  passed validate() without problems.
-void addWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
+/// @param loaded    passed validate() without problems.
+/// @param defaults  studies of release 0.1 keep the warnings of that release.
+void addWarnings(
+    const LoadedProtocol& loaded, questionnaires::Problems& problems, Defaults defaults);
 
 /// Adds warnings about the blocks of a valid protocol: their orders, and the statements after their
 /// conditions.
 void addBlockWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
+
+/// Adds warnings about questions after conditions whose scenes do not render what is asked about:
+/// vibration, the pace of removal, the size of forces.
+void addReferentWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
+
+/// Adds warnings about families that declare a test of pooled answers as confirmatory.
+void addPoolingWarnings(const Protocol& protocol, questionnaires::Problems& problems);
 
 /// Adds warnings about the planned comparisons, or a missing plan.
 void addAnalysisWarnings(const Protocol& protocol, questionnaires::Problems& problems);

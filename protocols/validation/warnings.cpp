@@ -159,7 +159,7 @@ class Advice {
 
 }  // namespace
 
-void addWarnings(const LoadedProtocol& loaded, Problems& problems) {
+void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defaults) {
   Advice advice(loaded, problems);
   advice.onTexts();
   advice.addInstrumentWarnings();
@@ -167,6 +167,10 @@ void addWarnings(const LoadedProtocol& loaded, Problems& problems) {
   addBlockWarnings(loaded, problems);
   addAnalysisWarnings(loaded.protocol, problems);
   addBlindingWarnings(loaded.protocol, problems);
+  if (defaults == Defaults::Current) {
+    addReferentWarnings(loaded, problems);
+    addPoolingWarnings(loaded.protocol, problems);
+  }
   advice.onUnusedParts();
 }
 

@@ -129,6 +129,23 @@ enum class Reference {
   Previous,  ///< with what was felt just before ("than the previous cut")
 };
 
+/// What a question is about that a study need not have: without it nobody can answer.
+enum class Referent {
+  None,
+  Benchmark,  ///< cuts with the physical tool, made before
+  Vibration,  ///< vibration and chatter of the tool
+  Pace,       ///< how fast material is removed
+  ForceSize,  ///< how large the forces are, against those of an operation
+};
+
+/// The words for what a question is about, in files and messages.
+inline constexpr std::array kReferents{
+    Choice<Referent>{"benchmark", Referent::Benchmark},
+    Choice<Referent>{"vibration", Referent::Vibration},
+    Choice<Referent>{"pace", Referent::Pace},
+    Choice<Referent>{"force_size", Referent::ForceSize},
+};
+
 /// A text of an item that its instrument may leave to a wording file.
 enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
 
@@ -142,6 +159,7 @@ struct Item {
   bool isRequired = true;
   bool isIdentifying = false;  ///< names a person: kept in identity.db, never exported
   Reference reference = Reference::None;
+  Referent refersTo = Referent::None;
 
   Scale scale;              ///< Likert, SemanticDifferential
   LocalizedText leftText;   ///< SemanticDifferential, Slider: the low end

@@ -154,6 +154,7 @@ bool knowsItsKeys(const Node& node) {
        "identifying",
        "key",
        "relative_to",
+       "refers_to",
        "scale",
        "left_label",
        "right_label",
@@ -237,6 +238,7 @@ void ItemReader::readHead(const Node& node, Item& item) const {
   item.isRequired = node.flag("required", true);
   item.isIdentifying = node.flag("identifying", false);
   item.reference = node.choice("relative_to", kReferences, Reference::None);
+  item.refersTo = node.choice("refers_to", kReferents, Referent::None);
   if (node.has("acceptable_from")) {
     const double from = node.number("acceptable_from", -kLargestBound, kLargestBound, kUnread);
     if (!std::isnan(from)) item.acceptableFrom = from;

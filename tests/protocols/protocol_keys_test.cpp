@@ -214,7 +214,7 @@ TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
 TEST(ProtocolKeys, HaveSoundDefaultsForModels) {
   const auto interpolation = readGood("usual-interpolation");
   const auto soft = sceneOf<engine::InterpolationSpec>(interpolation, "soft");
-  const auto parametric = haptics::recordings::parametricCut().curve.nodes().size();
+  const auto parametric = haptics::recordings::parametricCut().curve.nodes().size() + 1;
   EXPECT_EQ(soft.curve.size(), parametric);
   const auto options = soft.options;
   EXPECT_EQ(options.beyond, models::BeyondCurve::RampOut);

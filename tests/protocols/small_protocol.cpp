@@ -50,6 +50,13 @@ std::string withPhases(const std::vector<std::string>& phases) {
   return with(usualProtocol(), end, added + end);
 }
 
+std::string withBenchmark(const std::string& text) {
+  const std::string consent = R"("instrument": "consent-punch" },)";
+  const std::string benchmark =
+      R"({"id": "real", "type": "benchmark", "text": "Please cut.", "minimum_cuts": 3},)";
+  return with(text, consent, consent + benchmark);
+}
+
 Loading load(std::string_view json, const protocols::FileFinder& find) {
   const protocols::FileFinder nothing = [](const std::string&) { return std::nullopt; };
   questionnaires::Problems problems;

@@ -25,6 +25,10 @@ std::string with(std::string text, std::string_view part, std::string_view other
 /// usualProtocol() with phases after its own, each a JSON object.
 std::string withPhases(const std::vector<std::string>& phases);
 
+/// @p text, usualProtocol() or made of it, with a benchmark before its block, which then is
+/// phase 2.
+std::string withBenchmark(const std::string& text);
+
 /// A protocol as loaded, or not, and all that was said.
 struct Loading {
   std::optional<protocols::LoadedProtocol> loaded;

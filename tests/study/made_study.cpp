@@ -103,7 +103,7 @@ std::string shortProtocol(const ShortProtocol& options) {
   const std::string again = options.offersAgain ? R"(, "feel_again": true)" : "";
   const std::string preference =
       options.hasPreference
-          ? R"({"id": "choice", "type": "preference", "instrument": "preference", "block": "felt")" +
+          ? R"({"id": "choice", "type": "preference", "instrument": "preference-cuts", "block": "felt")" +
                 again + "},"
           : "";
   return R"({"$schema": "protocol-1.schema.json",

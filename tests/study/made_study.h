@@ -25,9 +25,9 @@ struct ShortProtocol {
   std::string order = "balancedLatinSquare";
   std::string labels = "random";
   std::vector<std::string> conditions{"interpolation", "finite-elements", "kalman"};
-  std::string questionnaire = "realism-common";  ///< after each condition; empty: none
-  std::string form;                              ///< an instrument after the consent; empty: none
-  std::string files;                             ///< instrument files: "\"everything.json\""
+  std::string questionnaire = "realism-cuts";  ///< after each condition; empty: none
+  std::string form;                            ///< an instrument after the consent; empty: none
+  std::string files;                           ///< instrument files: "\"everything.json\""
   bool hasPreference = true;
   bool offersAgain = false;  ///< before the preference
   int minimumCuts = 1;

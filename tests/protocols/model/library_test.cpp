@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/engine/scene_spec.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "protocols/orders/schedule.h"
@@ -21,7 +22,11 @@ namespace library_test {
 using Words = std::vector<std::string>;
 
 const Words kShipped{
-    "punch-counterbalanced", "punch-face-validity", "reaming-hardness", "two-devices"};
+    "punch-counterbalanced",
+    "punch-face-validity",
+    "punch-paper-equations",
+    "reaming-hardness",
+    "two-devices"};
 
 /// A shipped protocol, and what is said about it.
 struct Reading {
@@ -46,7 +51,7 @@ Words designWarnings(const std::string& name) {
   return said;
 }
 
-TEST(ProtocolLibrary, HoldsTheFourShippedProtocolsAndTheirSchema) {
+TEST(ProtocolLibrary, HoldsTheFiveShippedProtocolsAndTheirSchema) {
   Words names;
   for (const auto& file : libraryFiles()) names.emplace_back(file.name);
   std::sort(names.begin(), names.end());
@@ -56,6 +61,7 @@ TEST(ProtocolLibrary, HoldsTheFourShippedProtocolsAndTheirSchema) {
           "protocol-1.schema.json",
           "punch-counterbalanced.json",
           "punch-face-validity.json",
+          "punch-paper-equations.json",
           "reaming-hardness.json",
           "two-devices.json"}));
 }
@@ -106,7 +112,47 @@ TEST(ProtocolLibrary, LeavesNoLabelThatGivesAConditionAway) {
   }
 }
 
+TEST(ProtocolLibrary, SaysInItsTitlesThatCutsAndBonesAreSynthetic) {
+  for (const auto& name : kShipped) {
+    const auto loaded = read(name).loaded;
+    EXPECT_TRUE(std::any_of(loaded.sources.begin(), loaded.sources.end(), [](const auto& source) {
+      return source.isSynthetic;
+    })) << name;
+    EXPECT_NE(loaded.protocol.study.title.find("(synthetic "), std::string::npos) << name;
+  }
+}
+
+TEST(ProtocolLibrary, HasNoRecordedCutThatEndsAtOnce) {
+  for (const auto& name : kShipped) {
+    for (const auto& condition : read(name).loaded.protocol.conditions) {
+      EXPECT_TRUE(haptics::engine::jumpsOf(*condition.model).empty()) << name << condition.id;
+    }
+  }
+}
+
+TEST(ProtocolLibrary, RendersThePublishedStudyByItsCodeAndByItsEquations) {
+  using haptics::models::Boundary;
+  using haptics::models::ToolWeights;
+  const auto partsOf = [](const Protocol& protocol) {
+    return std::get<haptics::engine::KalmanSpec>(*protocol.condition("kalman")->model);
+  };
+  const auto code = partsOf(read("punch-face-validity").loaded.protocol);
+  EXPECT_EQ(code.scheme, haptics::models::KalmanScheme::AuthorsFirmware);
+  EXPECT_EQ(code.smoothing, haptics::models::Smoothing::AuthorsFirmware);
+  EXPECT_EQ(code.finiteElements.parameters.boundary, Boundary::B);
+  EXPECT_EQ(code.finiteElements.parameters.weights, ToolWeights::AuthorsFirmware);
+  EXPECT_EQ(code.interpolation.options.beyond, haptics::models::BeyondCurve::AuthorsClamp);
+  EXPECT_TRUE(code.isProcessAsPrinted);
+  const auto paper = partsOf(read("punch-paper-equations").loaded.protocol);
+  EXPECT_EQ(paper.scheme, haptics::models::KalmanScheme::PaperText);
+  EXPECT_EQ(paper.smoothing, haptics::models::Smoothing::TwoPoint);
+  EXPECT_EQ(paper.finiteElements.parameters.boundary, Boundary::A);
+  EXPECT_EQ(paper.finiteElements.parameters.weights, ToolWeights::Paper);
+  EXPECT_EQ(paper.interpolation.options.beyond, haptics::models::BeyondCurve::Absent);
+}
+
 TEST(ProtocolLibrary, KeepsWhatIsUnwiseAboutThePublishedPunchStudyAndSaysSo) {
+  EXPECT_EQ(designWarnings("punch-paper-equations"), designWarnings("punch-face-validity"));
   EXPECT_EQ(
       designWarnings("punch-face-validity"),
       (Words{
@@ -119,7 +165,9 @@ TEST(ProtocolLibrary, KeepsWhatIsUnwiseAboutThePublishedPunchStudyAndSaysSo) {
           "$.phases[4].questionnaires[0]: the statements that are asked in 'round-1' say which "
           "condition it is",
           "$.phases[6].questionnaires[0]: the statements that are asked in 'round-2' say which "
-          "condition it is"}));
+          "condition it is",
+          "$.analysis.families[0].test: Welch's test takes all answers for independent, and each "
+          "person gives several"}));
 }
 
 TEST(ProtocolLibrary, HasNoUnwiseDesignOtherwise) {
@@ -139,6 +187,32 @@ TEST(ProtocolLibrary, AsksThePublishedStatementsSetBySet) {
   }
   EXPECT_FALSE(*protocol.phase("round-1")->trials.isVisualised);
   EXPECT_TRUE(*protocol.phase("round-2")->trials.isVisualised);
+}
+
+TEST(ProtocolLibrary, DeclaresTestsOfParticipantsMeansInStudiesOfOurOwn) {
+  for (const auto* name : {"punch-counterbalanced", "reaming-hardness", "two-devices"}) {
+    for (const auto& family : read(name).loaded.protocol.analysis.families) {
+      EXPECT_EQ(family.test, TestType::PairedT) << name << " " << family.id;
+      EXPECT_EQ(family.correction, CorrectionType::Holm) << name << " " << family.id;
+    }
+  }
+}
+
+TEST(ProtocolLibrary, AsksOfReamingWhatThePaperProposes) {
+  const auto reaming = read("reaming-hardness").loaded.protocol;
+  std::set<std::string> asked;
+  for (const auto& use : instrumentUses(reaming)) asked.insert(use.instrument);
+  for (const auto* instrument :
+       {"ueq-s",
+        "usability-short",
+        "nasa-tlx-raw",
+        "presence-single-item",
+        "reaming-quality",
+        "training-capacity",
+        "interview"}) {
+    EXPECT_EQ(asked.count(instrument), 1U) << instrument;
+  }
+  EXPECT_EQ(reaming.cohorts.size(), 3U);
 }
 
 TEST(ProtocolLibrary, ComparesThePublishedPairsAsPublished) {

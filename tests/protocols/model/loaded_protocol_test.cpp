@@ -84,8 +84,8 @@ TEST(LoadedProtocol, HoldsTheInstrumentsThatItUsesAndNoOthers) {
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   Words ids;
   for (const auto& instrument : loading.loaded->instruments) ids.push_back(instrument.id);
-  EXPECT_EQ(ids, (Words{"consent-punch", "realism-common"}));
-  EXPECT_EQ(loading.loaded->instrument("realism-common")->items.size(), 6U);
+  EXPECT_EQ(ids, (Words{"consent-punch", "realism-cuts"}));
+  EXPECT_EQ(loading.loaded->instrument("realism-cuts")->items.size(), 6U);
   EXPECT_EQ(loading.loaded->instrument("debrief"), nullptr);
 }
 
@@ -143,7 +143,22 @@ TEST(LoadedProtocol, PutsTheShippedCutIntoAFusedSceneThatNamesNone) {
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   const auto& scene = loading.loaded->protocol.condition("firm")->scene();
   const auto& curve = std::get<engine::KalmanSpec>(scene.model).interpolation.curve;
-  EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size());
+  EXPECT_EQ(curve.size(), haptics::recordings::parametricCut().curve.nodes().size() + 1);
+  EXPECT_EQ(curve.back().force, 0.0);
+}
+
+TEST(LoadedProtocol, LetsTheShippedCutEndAtItsLargestForceInAStudyOfRelease01) {
+  const auto text = tests::with(
+      tests::usualProtocol(),
+      R"("model": "finite-elements",
+        "parameters": { "yield_force_n": 6 })",
+      R"("model": "interpolation", "parameters": {})");
+  questionnaires::Problems problems;
+  const auto nothing = [](const std::string&) { return std::nullopt; };
+  const auto loaded = loadProtocol(text, nothing, problems, Defaults::Release01);
+  ASSERT_TRUE(loaded);
+  const auto scene = loaded->protocol.condition("firm")->scene();
+  EXPECT_EQ(std::get<engine::InterpolationSpec>(scene.model).curve.back().force, 5.0);
 }
 
 TEST(LoadedProtocol, ReadsAFileOnceAndReportsItsProblemsOnce) {
@@ -227,13 +242,13 @@ TEST(LoadedProtocol, RefusesWhatIsTooLargeOrTooDeepItself) {
 }
 
 TEST(LoadedProtocol, PrefersAFileToTheLibrarysInstrumentOfItsName) {
-  Shelf shelf{.files = {{"mine.json", instrumentFile("realism-common")}}};
+  Shelf shelf{.files = {{"mine.json", instrumentFile("realism-cuts")}}};
   const auto loading = tests::load(naming(R"(["mine.json"])"), shelf.finder());
   ASSERT_TRUE(loading.loaded.has_value()) << loading.describe();
   const auto mine = tests::load(tests::usualProtocol());
   EXPECT_NE(
-      loading.loaded->instrument("realism-common")->items.size(),
-      mine.loaded->instrument("realism-common")->items.size());
+      loading.loaded->instrument("realism-cuts")->items.size(),
+      mine.loaded->instrument("realism-cuts")->items.size());
 }
 
 TEST(LoadedProtocol, ComparesNoStatementsOnScalesOfOneLengthThatBeginElsewhere) {
@@ -246,7 +261,7 @@ TEST(LoadedProtocol, ComparesNoStatementsOnScalesOfOneLengthThatBeginElsewhere) 
                "source": {"citation": "c", "licence": "l"}, "languages": ["en"], "items": [)" +
            item("a", "1") + ", " + item("b", lowest) + "]}";
   };
-  const auto text = tests::with(naming(R"(["mine.json"])"), "realism-common", "mine");
+  const auto text = tests::with(naming(R"(["mine.json"])"), "realism-cuts", "mine");
   Shelf alike{.files = {{"mine.json", file("1")}}};
   EXPECT_TRUE(tests::load(text, alike.finder()).loaded.has_value());
   Shelf unlike{.files = {{"mine.json", file("0")}}};
@@ -256,7 +271,7 @@ TEST(LoadedProtocol, ComparesNoStatementsOnScalesOfOneLengthThatBeginElsewhere) 
 }
 
 TEST(LoadedProtocol, MakesNoInstrumentOfTheLibrarysSchema) {
-  const auto text = tests::with(tests::usualProtocol(), "realism-common", "instrument-1.schema");
+  const auto text = tests::with(tests::usualProtocol(), "realism-cuts", "instrument-1.schema");
   const auto said = errorsIn(text);
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(
@@ -329,7 +344,7 @@ TEST(LoadedProtocolFile, ReportsAFileBesideItThatIsTooLarge) {
 
 /// usualProtocol() with the SUS in place of its questionnaire.
 std::string askingTheSus() {
-  return tests::with(tests::usualProtocol(), "realism-common", "sus");
+  return tests::with(tests::usualProtocol(), "realism-cuts", "sus");
 }
 
 std::string susWords() {
@@ -385,7 +400,7 @@ TEST(LoadedProtocol, FindsWordingBesideItsFile) {
 }
 
 TEST(LoadedProtocol, WarnsOfAnInstrumentThatMeasuresAChangeAndIsAskedOnce) {
-  const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-common", "ssq"));
+  const auto once = tests::load(tests::with(tests::usualProtocol(), "realism-cuts", "ssq"));
   ASSERT_TRUE(once.loaded.has_value()) << once.describe();
   EXPECT_NE(
       once.describe().find("'ssq' is asked once, and its result is the change"), std::string::npos);

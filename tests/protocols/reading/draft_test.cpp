@@ -24,7 +24,7 @@ Words saidAbout(const std::string& json, const FileFinder& find = {}) {
 
 /// usualProtocol() that asks "mine" after each condition and names these files.
 std::string askingMine(const std::string& files) {
-  const auto text = tests::with(tests::usualProtocol(), "realism-common", "mine");
+  const auto text = tests::with(tests::usualProtocol(), "realism-cuts", "mine");
   return tests::with(
       text, "\"conditions\": [\n", "\"instrument_files\": " + files + ",\n  \"conditions\": [\n");
 }

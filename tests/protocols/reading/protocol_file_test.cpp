@@ -120,10 +120,10 @@ TEST(ProtocolFile, ReportsAllProblemsAtOnce) {
           "phases": [
             {"id": "b", "type": "block", "conditions": ["x", "z"], "minimum_cuts": 0,
              "order": {"type": "reversed", "of": "b"},
-             "questionnaires": [{"instrument": "realism-common"}]},
+             "questionnaires": [{"instrument": "realism-cuts"}]},
             {"id": "p", "type": "preference", "instrument": "debrief", "block": "c"}],
           "analysis": {"families": [
-            {"id": "f", "title": "F", "instrument": "realism-common", "test": "welsh",
+            {"id": "f", "title": "F", "instrument": "realism-cuts", "test": "welsh",
              "correction": "none", "alpha": 1.5,
              "comparisons": [{"first": "x", "second": "x"}, {"first": "x", "second": "w"}]}]},
           "simulation": {"realism": {"w": 0}, "answer_deviation": -1}})");

@@ -39,8 +39,9 @@ std::string ordered(const std::string& type, int planned) {
 
 /// usualProtocol() that asks the published statements: 2.3 and 3.1 compare with the previous cut.
 std::string published(const std::string& order, const std::string& sets) {
-  const auto text = tests::with(tests::usualProtocol(), "balancedLatinSquare", order);
-  const auto asked = tests::with(text, "realism-common", "punch-face-validity");
+  const auto text =
+      tests::with(tests::withBenchmark(tests::usualProtocol()), "balancedLatinSquare", order);
+  const auto asked = tests::with(text, "realism-cuts", "punch-face-validity");
   return tests::with(
       asked,
       R"("questionnaires": [{ "instrument": "punch-face-validity" }])",
@@ -52,7 +53,7 @@ const std::string kUnlike =
     "$.analysis.families[0]: conditions answer different statements in 'felt'";
 
 std::string lacksPrevious(const std::string& item, const std::string& condition) {
-  return "$.phases[1].questionnaires[0]: item '" + item + "' compares with the previous, and '" +
+  return "$.phases[2].questionnaires[0]: item '" + item + "' compares with the previous, and '" +
          condition + "' can come first in this block, where there is none";
 }
 
@@ -115,7 +116,7 @@ TEST(BlockWarnings, MissesThePreviousCutWhereAnyConditionMayComeFirst) {
 }
 
 TEST(BlockWarnings, MissesThePreviousCutOfTheFirstConditionOnlyInAFixedOrder) {
-  const std::string same = "$.phases[1].order: everybody feels this block in the same order";
+  const std::string same = "$.phases[2].order: everybody feels this block in the same order";
   EXPECT_EQ(
       warningsOf(published("fixed", R"({"soft": "1", "firm": "2"})")), (Words{same, kUnlike}));
   EXPECT_EQ(
@@ -134,12 +135,12 @@ TEST(BlockWarnings, MissesThePreviousCutOfTheLastConditionWhereAnOrderIsReversed
       "\n  ],\n  \"analysis\"");
   const auto said = warningsOf(text);
   const auto expected =
-      "$.phases[2].questionnaires[0]: item '3.1' compares with the previous, and 'firm' can come "
+      "$.phases[3].questionnaires[0]: item '3.1' compares with the previous, and 'firm' can come "
       "first in this block, where there is none";
   EXPECT_EQ(
       said,
       (Words{
-          "$.phases[1].order: everybody feels this block in the same order", expected, kUnlike}));
+          "$.phases[2].order: everybody feels this block in the same order", expected, kUnlike}));
 }
 
 TEST(BlockWarnings, HasNothingAgainstTheSameStatementsAfterEveryCondition) {
@@ -170,6 +171,21 @@ TEST(BlockWarnings, MissesAPlanOfAnalysis) {
   const auto whole = tests::usualProtocol();
   const auto text = whole.substr(0, whole.find(",\n  \"analysis\"")) + "\n}";
   EXPECT_EQ(warningsOf(text), Words{"$.analysis: no family of comparisons is declared"});
+}
+
+TEST(BlockWarnings, WarnsOfAConfirmatoryTestOfPooledAnswers) {
+  const auto text = tests::with(tests::usualProtocol(), "paired_t", "welch");
+  const auto loading = tests::load(text);
+  const auto& problem = loading.problems.back();
+  EXPECT_EQ(problem.path, "$.analysis.families[0].test") << loading.describe();
+  EXPECT_EQ(problem.what, message("pooled_answers"));
+  EXPECT_EQ(problem.fix, message("pooled_answers.fix"));
+}
+
+TEST(BlockWarnings, HasNothingAgainstTestsOfParticipantsMeans) {
+  for (const auto* test : {"paired_t", "sign_flip", "signed_rank"}) {
+    EXPECT_EQ(warningsOf(tests::with(tests::usualProtocol(), "paired_t", test)), Words{}) << test;
+  }
 }
 
 }  // namespace block_warnings_test

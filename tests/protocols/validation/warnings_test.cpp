@@ -53,7 +53,7 @@ FileFinder holding(const std::string& text) {
 
 /// usualProtocol() that asks what lies in "mine.json", under the id "mine", after each condition.
 std::string askingMine() {
-  const auto text = tests::with(tests::usualProtocol(), "realism-common", "mine");
+  const auto text = tests::with(tests::usualProtocol(), "realism-cuts", "mine");
   return tests::with(
       text, "\"conditions\": [\n", "\"instrument_files\": [\"mine.json\"],\n  \"conditions\": [\n");
 }
@@ -87,11 +87,11 @@ TEST(ProtocolWarnings, WarnsOfPlaceholdersInAnOwnFileOnce) {
 }
 
 TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAnOwnFile) {
-  const auto published =
-      tests::with(tests::usualProtocol(), "realism-common", "punch-face-validity");
+  const auto published = tests::with(
+      tests::withBenchmark(tests::usualProtocol()), "realism-cuts", "punch-face-validity");
   for (const auto& words : warningsOf(published)) {
     EXPECT_EQ(words.find("this compares with what was felt just before"), std::string::npos);
-    EXPECT_TRUE(words.starts_with("$.phases[1].questionnaires[0]: item ")) << words;
+    EXPECT_TRUE(words.starts_with("$.phases[2].questionnaires[0]: item ")) << words;
   }
   const auto mine = instrumentFile("mine", R"(, "relative_to": "previous")");
   EXPECT_EQ(
@@ -147,7 +147,7 @@ TEST(ProtocolWarnings, MissesALanguageOfTheStudyInAnInstrument) {
 
 TEST(ProtocolWarnings, FindsAFileThatNothingAsks) {
   const auto text =
-      tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-common")");
+      tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-cuts")");
   EXPECT_EQ(
       warningsOf(text, holding(instrumentFile("mine"))),
       Words{"$.instrument_files[0]: nothing asks 'mine'; name it in a phase, or remove the file"});
@@ -155,10 +155,10 @@ TEST(ProtocolWarnings, FindsAFileThatNothingAsks) {
 
 TEST(ProtocolWarnings, WarnsOfAFileThatReplacesOneOfTheLibrary) {
   const auto text =
-      tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-common")");
+      tests::with(askingMine(), R"("instrument": "mine")", R"("instrument": "realism-cuts")");
   EXPECT_EQ(
-      warningsOf(text, holding(instrumentFile("realism-common"))),
-      Words{"$.instrument_files[0]: 'realism-common' takes the place of the instrument of this "
+      warningsOf(text, holding(instrumentFile("realism-cuts"))),
+      Words{"$.instrument_files[0]: 'realism-cuts' takes the place of the instrument of this "
             "name in the library; give it an id of its own, so that nobody takes one for the "
             "other"});
 }

@@ -158,7 +158,13 @@ TEST(PunchFaceValidity, AgreesWithTheCodebookOfTheStudy) {
 }
 
 TEST(Library, BalancesStatementsForAndAgainst) {
-  for (const auto* id : {"realism-common", "reaming-realism"}) {
+  for (const auto* id :
+       {"realism-common",
+        "realism-cuts",
+        "reaming-quality",
+        "reaming-realism",
+        "training-capacity",
+        "usability-short"}) {
     const auto& items = shipped().at(id).items;
     const auto against =
         std::count_if(items.begin(), items.end(), [](const Item& item) { return item.key == -1; });
@@ -166,6 +172,27 @@ TEST(Library, BalancesStatementsForAndAgainst) {
     EXPECT_TRUE(std::all_of(items.begin(), items.end(), [](const Item& item) {
       return item.reference == Reference::None;
     })) << id;
+  }
+}
+
+TEST(Library, MarksEveryQuestionAboutABenchmark) {
+  for (const auto& [id, instrument] : shipped()) {
+    for (const auto& item : instrument.items) {
+      const bool isAboutOne = item.text.in("en").find("benchmark") != std::string::npos;
+      EXPECT_EQ(item.refersTo == Referent::Benchmark, isAboutOne) << id << " " << item.id;
+    }
+  }
+}
+
+TEST(Library, MarksWhatFewScenesOfReamingRender) {
+  const auto& realism = shipped().at("reaming-realism");
+  EXPECT_EQ(realism.item("vibration")->refersTo, Referent::Vibration);
+  EXPECT_EQ(realism.item("progress")->refersTo, Referent::Pace);
+  EXPECT_EQ(realism.item("force-level")->refersTo, Referent::ForceSize);
+  for (const auto* id : {"reaming-quality", "training-capacity", "usability-short"}) {
+    for (const auto& item : shipped().at(id).items) {
+      EXPECT_EQ(item.refersTo, Referent::None) << id << " " << item.id;
+    }
   }
 }
 
@@ -182,7 +209,7 @@ TEST(Library, AsksForConsentThatMayBeRefusedWithoutAName) {
 }
 
 TEST(Library, AsksWhichAlternativeWasPreferredAndPerhapsWhy) {
-  for (const auto* id : {"preference", "preference-reaming"}) {
+  for (const auto* id : {"preference", "preference-cuts", "preference-reaming"}) {
     const auto& preference = shipped().at(id);
     EXPECT_EQ(preference.item("preferred")->optionSource, OptionSource::Alternatives) << id;
     EXPECT_TRUE(preference.item("preferred")->isRequired) << id;
