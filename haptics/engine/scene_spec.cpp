@@ -186,7 +186,8 @@ std::optional<double> endOfData(const ModelSpec& model) {
     const auto& options = parts.cut->options;
     if (options.beyond == models::BeyondCurve::Absent) return std::nullopt;  // elements go on
     const bool isRamp = options.beyond == models::BeyondCurve::RampOut;
-    return parts.cut->curve.back().travel + (isRamp ? options.rampLength : 0.0);
+    const auto& last = parts.cut->curve.back();
+    return last.travel + (isRamp && last.force != 0.0 ? options.rampLength : 0.0);
   }
   if (parts.material == nullptr) return std::nullopt;
   const auto& curves = parts.material->curves;
@@ -198,6 +199,34 @@ std::optional<double> endOfData(const ModelSpec& model) {
   }
   if (parts.material->nodes.empty()) return std::nullopt;
   return parts.material->nodes.back().depth;
+}
+
+std::vector<ForceJump> jumpsOf(const ModelSpec& model) {
+  using Curve = models::Interpolation<double>;
+  constexpr double kNoticeable = 0.05;  // [N]
+  const auto* cut = partsOf(model).cut;
+  // Absent: there is no force beyond, and a filter takes the recording up little by little.
+  if (cut == nullptr || cut->options.beyond == models::BeyondCurve::Absent) return {};
+  std::vector<ForceJump> jumps;
+  for (const auto* nodes : {&cut->curve, &cut->opening}) {
+    if (nodes->empty() || (nodes == &cut->opening && cut->branches == Branches::ClosingOnly)) {
+      continue;
+    }
+    const Curve curve(nodes->data(), nodes->size(), cut->options);
+    const auto forceAt = [&](double travel) {
+      std::size_t hint = 0;
+      return curve.at(travel, hint).force;
+    };
+    const double first = nodes->front().travel;
+    const double last = nodes->back().travel;
+    const double beside = 1e-9 * (last - first);
+    for (const ForceJump jump :
+         {ForceJump{first, forceAt(first - beside), forceAt(first)},
+          ForceJump{last, forceAt(last), forceAt(last + beside)}}) {
+      if (std::abs(jump.to - jump.from) > kNoticeable) jumps.push_back(jump);
+    }
+  }
+  return jumps;
 }
 
 std::optional<ModelSpec> undisturbed(const ModelSpec& model) {

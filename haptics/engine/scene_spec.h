@@ -136,6 +136,17 @@ ModelParts partsOf(const ModelSpec& model) noexcept;
 /// travel unit]. std::nullopt for a model that has no end of its own.
 std::optional<double> endOfData(const ModelSpec& model);
 
+/// A place where the force of a recorded cut changes at once, because its curve ends there.
+struct ForceJump {
+  double travel = 0.0;  ///< [device's travel unit]
+  double from = 0.0;    ///< before it, when the hand closes [N]
+  double to = 0.0;      ///< after it [N]
+};
+
+/// Where the recorded cut of a model, or the one that its filter uses, begins or ends with a force
+/// that its policy does not continue, by more than 0.05 N. Empty for a model without a cut.
+std::vector<ForceJump> jumpsOf(const ModelSpec& model);
+
 /// The model as a curve over travel, without noise and before removal. std::nullopt if its force
 /// depends on more than travel, or comes from a recording.
 std::optional<ModelSpec> undisturbed(const ModelSpec& model);

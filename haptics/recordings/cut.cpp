@@ -93,6 +93,9 @@ void requireSound(const CutShape& shape) {
   if (!(pieces[1].secant() > 0.0) || !fallsFastThenSlowly || !(pieces[4].secant() > 0.0)) {
     throw std::invalid_argument("the force of a cut rises, falls, falls more slowly and rises");
   }
+  if (!(shape.release >= 0.0) || !std::isfinite(shape.release)) {
+    throw std::invalid_argument("the force of a cut falls to nothing over a length from 0 on");
+  }
   const double whole = shape.end.travel - shape.start;
   if (!(shape.openingShare >= 0.0 && shape.openingShare <= 1.0)) {
     throw std::invalid_argument("opening gives back a share from 0 to 1 of the force of closing");
@@ -110,6 +113,7 @@ ForceCurve drawn(const CutShape& shape) {
     for (int i = 1; i < steps; ++i) nodes.push_back(piece.at(static_cast<double>(i) / steps));
     nodes.push_back(piece.to);
   }
+  if (shape.release > 0.0) nodes.push_back({shape.end.travel + shape.release, 0.0});
   return ForceCurve(std::move(nodes));
 }
 

@@ -74,6 +74,9 @@ struct CutShape {
   CurvePoint through{8.4, 3.5};  ///< the fall after the yield is over
   CurvePoint bottomOut{10.3, 3.2};
   CurvePoint end{11.0, 5.0};
+  /// Beyond the end, where the jaw opens: over which the force falls to nothing, in a straight
+  /// line. 0: the curve stops at the end, as in release 0.1 [travel units], from 0 on
+  double release = 0.0;
   double spacing = 0.1;       ///< between nodes, at most [travel units]
   double openingShare = 0.2;  ///< of the closing force that is left while opening, 0 to 1
   double maxSlope = 4.39;     ///< as in ImportOptions [N/travel unit]
@@ -95,6 +98,7 @@ struct CutShape {
 /// @throws std::invalid_argument  if the travels do not rise from landmark to landmark, the forces
 ///     do not rise, fall, fall more slowly and rise, a number is not finite or a force negative,
 ///     or the spacing is not between a ten-thousandth and a tenth of the whole.
+/// @throws std::invalid_argument  if the release is negative or no number.
 Cut parametricCut(const CutShape& shape = {});
 
 }  // namespace haptics::recordings

@@ -13,6 +13,9 @@ namespace {
 using base::Message;
 using haptics::recordings::Cut;
 
+/// Over which the force of our own cut falls to nothing [travel units]: as far as 'ramp-out' takes.
+constexpr double kRelease = 1.5;
+
 std::vector<Message> originOf(const haptics::recordings::Provenance& provenance) {
   std::vector<Message> origin;
   if (!provenance.statement.empty()) origin.push_back(Message::verbatim(provenance.statement));
@@ -46,7 +49,9 @@ std::vector<Message> surfacesIn(const Anatomy& knee) {
 
 const Cut* SceneSources::cut(const std::string& name, const std::string& path) {
   if (name == kParametricCut) {
-    static const Cut own = haptics::recordings::parametricCut();
+    static const Cut whole = haptics::recordings::parametricCut({.release = kRelease});
+    static const Cut ofRelease01 = haptics::recordings::parametricCut();
+    const Cut& own = defaults() == Defaults::Release01 ? ofRelease01 : whole;
     add(
         {.kind = "cut",
          .file = {},

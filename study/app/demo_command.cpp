@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,14 +41,11 @@ std::string punchProtocol(const DemoArguments& options, const fs::path& folder) 
   std::string text = libraryProtocol("punch-face-validity");
   if (!options.recording.empty()) {
     const auto recording = haptics::recordings::readRecordingFile(options.recording);
-    const auto imported = importRecording(recording, {});
+    const auto imported = importCutOfStudy(recording);
     writeNewFile(
         (folder / "recorded-cut.json").string(), cutAsJsonFrom(options.recording, imported.cut));
     fmt::print("Cut from {}: {}\n", recording.source, imported.report.reason);
-    const std::string shipped = "\"cut\": \"parametric\"";
-    for (auto at = text.find(shipped); at != std::string::npos; at = text.find(shipped)) {
-      text.replace(at, shipped.size(), "\"cut\": \"recorded-cut.json\"");
-    }
+    text = withRecordedCut(std::move(text), "recorded-cut.json");
   }
   writeNewFile(path, text);
   return path;

@@ -155,12 +155,14 @@ std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise) {
 }
 
 std::string passesAsJson(
-    const std::string& condition,
+    const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
     const std::vector<SceneCost>& costs) {
   Json json{
-      {"condition", condition}, {"largest_stiffness", slope.steepest}, {"passes", Json::array()}};
+      {"condition", condition.id},
+      {"largest_stiffness", slope.steepest},
+      {"passes", Json::array()}};
   if (!slope.isProved) {
     json["sweep"]["largest_step_at_rest_n"] = slope.largestStepAtRest;
     json["sweep"]["limit_cycle"] = nullptr;
@@ -170,6 +172,9 @@ std::string passesAsJson(
           {"frequency_hz", cycle->frequency},
           {"travel", cycle->travel}};
     }
+  }
+  for (const auto& jump : haptics::engine::jumpsOf(*condition.model)) {
+    json["jumps"].push_back({{"travel", jump.travel}, {"from_n", jump.from}, {"to_n", jump.to}});
   }
   for (const auto& cost : costs) {
     json["costs"].push_back(

@@ -8,6 +8,7 @@
 #include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/trace.h"
+#include "protocols/model/protocol.h"
 #include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"
 #include "study/results/results.h"
@@ -49,7 +50,7 @@ std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
 /// The costs are left out if they were not measured.
 std::string passesAsJson(
-    const std::string& condition,
+    const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
     const std::vector<SceneCost>& costs);

@@ -118,6 +118,22 @@ void printTorque(
   }
 }
 
+/// Warns of a recorded cut that ends at once.
+void printJumps(
+    const std::vector<haptics::engine::ForceJump>& jumps,
+    const haptics::devices::DeviceKind& kind) {
+  for (const auto& jump : jumps) {
+    fmt::print(
+        "\n  WARN, the recorded force {} from {:.2f} to {:.2f} N at once, at a travel of {:.4g} "
+        "{}: take\n  \"ramp-out\" or \"absent\", or a cut that ends with no force\n",
+        jump.to < jump.from ? "drops" : "rises",
+        jump.from,
+        jump.to,
+        jump.travel,
+        kind.travel.unit);
+  }
+}
+
 void print(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
@@ -141,6 +157,7 @@ void print(
   }
   printPassivity(scene, slope, device);
   printTorque(scene, device);
+  printJumps(haptics::engine::jumpsOf(*condition.model), *device.kind);
 }
 
 /// The protocol, or std::nullopt after its problems have been printed.
@@ -193,7 +210,7 @@ int explain(const ExplainOptions& options) {
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec, *device.kind);
   if (options.json) {
-    std::fputs(passesAsJson(condition->id, scene, slope, costs).c_str(), stdout);
+    std::fputs(passesAsJson(*condition, scene, slope, costs).c_str(), stdout);
   } else {
     print(*condition, scene, slope, device, costs);
     printSources(file->sources, condition->id);

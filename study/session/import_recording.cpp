@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "haptics/recordings/published_cut.h"
 #include "protocols/reading/cut_file.h"
 #include "study/storage/protocol_repository.h"
 
@@ -17,6 +18,25 @@ haptics::recordings::ImportedCut importRecording(
     if (!isPlain && c != '.' && c != '_') c = '-';
   }
   return haptics::recordings::importCut(recording, options);
+}
+
+haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording) {
+  constexpr double kAsRecorded = 1e6;  // steeper than any recording [N/travel unit]
+  const auto rows = haptics::recordings::publishedCutIn(recording);
+  if (!rows) return importRecording(recording, {});
+  return importRecording(recording, {.rows = rows, .maxSlope = kAsRecorded});
+}
+
+std::string withRecordedCut(std::string protocol, const std::string& file) {
+  const auto replace = [&](const std::string& part, const std::string& other) {
+    for (auto at = protocol.find(part); at != std::string::npos;
+         at = protocol.find(part, at + other.size())) {
+      protocol.replace(at, part.size(), other);
+    }
+  };
+  replace("\"cut\": \"parametric\"", "\"cut\": \"" + file + "\"");
+  replace("(synthetic cut)", "(recorded cut)");
+  return protocol;
 }
 
 std::string cutAsJsonFrom(const std::string& recording, const haptics::recordings::Cut& cut) {

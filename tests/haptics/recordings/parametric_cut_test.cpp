@@ -80,6 +80,24 @@ TEST(ParametricCut, LimitsTheSlopeOfAShapeThatIsTooSteep) {
   EXPECT_EQ(cut.provenance.changes.size(), 1U);
 }
 
+TEST(ParametricCut, FallsToNothingOverItsRelease) {
+  const ForceCurve curve = parametricCut({.release = 1.5}).curve;
+  EXPECT_EQ(curve.end(), 12.5);
+  EXPECT_EQ(curve.forceAt(12.5), 0.0);
+  EXPECT_NEAR(curve.forceAt(11.75), 2.5, 1e-12);  // half way from 5 N
+  EXPECT_LE(curve.largestSlope(), 4.39);
+}
+
+TEST(ParametricCut, IsTheSameUpToItsEndWithARelease) {
+  const ForceCurve without = parametricCut().curve;
+  const ForceCurve with = parametricCut({.release = 1.5}).curve;
+  ASSERT_EQ(with.nodes().size(), without.nodes().size() + 1);
+  for (std::size_t i = 0; i < without.nodes().size(); ++i) {
+    EXPECT_EQ(with.nodes()[i].travel, without.nodes()[i].travel);
+    EXPECT_EQ(with.nodes()[i].force, without.nodes()[i].force);
+  }
+}
+
 TEST(ParametricCut, RefusesAShapeThatIsNoCut) {
   EXPECT_THROW(parametricCut({.start = 4.0}), std::invalid_argument);
   EXPECT_THROW(parametricCut({.yield = {7.2, 0.0}}), std::invalid_argument);
@@ -91,6 +109,7 @@ TEST(ParametricCut, RefusesAShapeThatIsNoCut) {
   EXPECT_THROW(parametricCut({.end = {std::nan(""), 5.0}}), std::invalid_argument);
   EXPECT_THROW(parametricCut({.spacing = 0.0}), std::invalid_argument);
   EXPECT_THROW(parametricCut({.spacing = 2.0}), std::invalid_argument);
+  EXPECT_THROW(parametricCut({.release = -1.0}), std::invalid_argument);
   EXPECT_THROW(parametricCut({.maxSlope = 0.0}), std::invalid_argument);
 }
 
