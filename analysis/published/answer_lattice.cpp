@@ -1,6 +1,7 @@
 #include "analysis/published/answer_lattice.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace analysis {
 namespace {
@@ -83,11 +84,30 @@ std::vector<LatticePoint> AnswerLattice::pointsOf(
       points.push_back(
           {.n = n,
            .mean = static_cast<double>(meanTimes) / static_cast<double>(count * parts),
-           .variance = static_cast<double>(over) /
-                       static_cast<double>(count * (count - 1) * parts * parts)});
+           .variance =
+               static_cast<double>(over) / static_cast<double>(count * (count - 1) * parts * parts),
+           .sum = sum,
+           .squares = squares});
     }
   }
   return points;
+}
+
+std::vector<std::uint64_t> AnswerLattice::answersOf(const LatticePoint& point) const {
+  std::vector<std::uint64_t> times(steps_ + 1, 0);
+  auto [sum, squares] = std::pair(point.sum, point.squares);
+  // What is left after each answer can be made of the answers that are left: so the table was made.
+  for (std::uint64_t left = point.n; left > 0; --left) {
+    std::uint64_t u = 0;
+    while (u > sum || u * u > squares || sum - u > (left - 1) * steps_ ||
+           !isAttainable(left - 1, sum - u, squares - u * u)) {
+      if (++u > steps_) throw std::logic_error("no answers have this sum and sum of squares");
+    }
+    ++times[u];
+    sum -= u;
+    squares -= u * u;
+  }
+  return times;
 }
 
 }  // namespace analysis

@@ -20,7 +20,9 @@ struct AnswerScale {
 struct LatticePoint {
   std::uint64_t n = 0;
   double mean = 0.0;
-  double variance = 0.0;  ///< with n − 1
+  double variance = 0.0;      ///< with n − 1
+  std::uint64_t sum = 0;      ///< Σ u, an answer being lowest + u/parts
+  std::uint64_t squares = 0;  ///< Σ u²
 
   bool operator==(const LatticePoint&) const = default;
 };
@@ -49,6 +51,11 @@ class AnswerLattice {
       std::uint64_t n,
       PublishedConvention::Divisor divisor,
       Reading reading) const;
+
+  /// One set of answers with this sum and sum of squares: how often each point of the scale was
+  /// given, from the lowest up.
+  /// @param point  of pointsOf().
+  std::vector<std::uint64_t> answersOf(const LatticePoint& point) const;
 
  private:
   using Bits = std::vector<std::uint64_t>;

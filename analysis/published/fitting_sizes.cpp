@@ -48,7 +48,7 @@ class SizeSearch {
       std::span<const std::vector<std::uint64_t>> sizes,
       const AnswerLattice& lattice,
       const PublishedConvention& convention)
-      : table_(table), sizes_(sizes), convention_(convention) {
+      : table_(table), sizes_(sizes), lattice_(lattice), convention_(convention) {
     for (std::size_t g = 0; g < sizes.size(); ++g) {
       auto& ofGroup = points_.emplace_back();
       for (const auto n : sizes[g]) {
@@ -60,7 +60,8 @@ class SizeSearch {
   }
 
   FittingSizes found() const {
-    FittingSizes result{.convention = convention_};
+    FittingSizes result;
+    result.convention = convention_;
     std::vector<std::size_t> at(sizes_.size(), 0);
     do {
       ++result.tried;
@@ -70,6 +71,7 @@ class SizeSearch {
       result.fitting.push_back(combination);
     } while (advance(at));
     addPossible(result);
+    addExample(result);
     return result;
   }
 
@@ -123,18 +125,26 @@ class SizeSearch {
       if (count == 0) return false;
       left.push_back(allOf(count));
     }
-    return canChoose(at, 0, left);
+    std::vector<std::size_t> chosen;
+    return canChoose(at, 0, left, chosen);
   }
 
   /// Backtracking with forward checking: chooses a point for one group after the other, and keeps
   /// of the later groups the points that agree with it.
+  /// @param chosen  of the groups before; of all of them where that succeeds.
   bool canChoose(
-      const std::vector<std::size_t>& at, std::size_t group, const std::vector<Bits>& left) const {
+      const std::vector<std::size_t>& at,
+      std::size_t group,
+      const std::vector<Bits>& left,
+      std::vector<std::size_t>& chosen) const {
     if (group == at.size()) return true;
     for (std::size_t point = 0; point < points_[group][at[group]].size(); ++point) {
       if (!isSet(left[group], point)) continue;
       auto after = left;
-      if (propagate(at, group, point, after) && canChoose(at, group + 1, after)) return true;
+      chosen.push_back(point);
+      if (propagate(at, group, point, after) && canChoose(at, group + 1, after, chosen))
+        return true;
+      chosen.pop_back();
     }
     return false;
   }
@@ -157,6 +167,23 @@ class SizeSearch {
     return true;
   }
 
+  void addExample(FittingSizes& result) const {
+    const auto fewest = result.fewestMissing();
+    if (!fewest) return;
+    std::vector<std::size_t> at;
+    std::vector<Bits> left;
+    for (std::size_t g = 0; g < sizes_.size(); ++g) {
+      const auto place = std::ranges::find(sizes_[g], (*fewest)[g]);
+      at.push_back(static_cast<std::size_t>(place - sizes_[g].begin()));
+      left.push_back(allOf(points_[g][at[g]].size()));
+    }
+    std::vector<std::size_t> chosen;
+    if (!canChoose(at, 0, left, chosen)) return;
+    for (std::size_t g = 0; g < at.size(); ++g) {
+      result.example.push_back(lattice_.answersOf(points_[g][at[g]][chosen[g]]));
+    }
+  }
+
   void addPossible(FittingSizes& result) const {
     for (std::size_t g = 0; g < sizes_.size(); ++g) {
       auto& possible = result.possible.emplace_back();
@@ -168,6 +195,7 @@ class SizeSearch {
 
   const PublishedTable& table_;
   std::span<const std::vector<std::uint64_t>> sizes_;
+  const AnswerLattice& lattice_;
   PublishedConvention convention_;
   std::vector<std::vector<std::vector<LatticePoint>>> points_;   ///< [group][size]
   std::vector<std::vector<std::vector<Agreement>>> agreements_;  ///< [comparison][size][size]

@@ -21,6 +21,9 @@ struct FittingSizes {
   std::vector<GroupSizes> fitting;  ///< those for which answers exist that print the whole row
   /// For every group the sizes that its mean and variance alone allow (GRIM, GRIMMER).
   std::vector<std::vector<std::uint64_t>> possible;
+  /// Answers of every group that print the whole row, at the sizes of fewestMissing(): how often
+  /// each point of the scale was given, from the lowest up. Empty where nothing fits.
+  std::vector<std::vector<std::uint64_t>> example;
 
   /// Those that are the same in every group.
   std::vector<std::uint64_t> equalSizes() const;

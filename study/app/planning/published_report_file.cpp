@@ -51,6 +51,7 @@ Json asJson(const analysis::FittingSizes& fits) {
       {"possible_n", fits.possible}};
   const auto fewest = fits.fewestMissing();
   json["fewest_missing"] = fewest ? Json(*fewest) : Json(nullptr);
+  json["example"] = fits.example.empty() ? Json(nullptr) : Json(fits.example);
   return json;
 }
 

@@ -116,6 +116,44 @@ std::string fitsInWords(const PublishedTable& table, const analysis::FittingSize
       namesAndSizes(table, *fits.fewestMissing()));
 }
 
+/// "2 × 1, 7 × 3.5": how often each point was given.
+std::string answersInWords(
+    const analysis::AnswerScale& scale, const std::vector<std::uint64_t>& times) {
+  std::string words;
+  for (std::size_t u = 0; u < times.size(); ++u) {
+    if (times[u] == 0) continue;
+    words += fmt::format(
+        "{}{} × {:g}",
+        words.empty() ? "" : ", ",
+        times[u],
+        scale.lowest + static_cast<double>(u) / scale.parts);
+  }
+  return words;
+}
+
+/// One data set that prints the row, or that there is none.
+std::string exampleInWords(const PublishedReport& report) {
+  const auto& all = report.wholeAnswers;
+  const auto found =
+      std::ranges::find_if(all, [](const auto& fits) { return !fits.example.empty(); });
+  if (found == all.end()) {
+    return fmt::format(
+        "  PROVED: no answers on this scale print the row, at any of {} combinations of sizes and "
+        "by any of {} conventions:\n  every sum and sum of squares of answers was tried.\n",
+        all.front().tried,
+        all.size());
+  }
+  std::string text = fmt::format(
+      "  One data set that prints the row ({}):\n", analysis::describe(found->convention));
+  for (std::size_t g = 0; g < found->example.size(); ++g) {
+    text += fmt::format(
+        "    {}: {}\n",
+        report.table.groups[g].name,
+        answersInWords(*report.question.scale, found->example[g]));
+  }
+  return text;
+}
+
 std::string wholePart(const PublishedReport& report) {
   const auto& scale = *report.question.scale;
   std::string text = fmt::format(
@@ -134,7 +172,7 @@ std::string wholePart(const PublishedReport& report) {
     text += fmt::format(
         "  {:<60} {}\n", analysis::describe(fits.convention), fitsInWords(report.table, fits));
   }
-  return text + "\n";
+  return text + exampleInWords(report) + "\n";
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 // What Tables 2 and 3 of the punch paper have to do with each other.
 #include "analysis/published/published_check.h"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -96,6 +100,41 @@ TEST(PublishedCheck, NoEqualSizesFitWholeAnswers) {
   EXPECT_EQ(of30.tried, 2197U);
   EXPECT_TRUE(of30.fitting.empty());
   EXPECT_FALSE(of30.fewestMissing());
+}
+
+/// @p value as a table prints it.
+std::string printedWith(double value, int decimals) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+TEST(PublishedCheck, ShowsAnswersThatPrintTheWholeRow) {
+  const auto fits62 = fits(professionals(), from(24, 36));
+  const auto& example = fits62.example;
+  ASSERT_EQ(example.size(), 3U);
+  const std::vector<std::uint64_t> sizes{36, 36, 28};
+  const std::vector<const char*> means{"4.1", "2.6", "3.2"};
+  const std::vector<const char*> variances{"1.3", "2.6", "2.4"};
+  std::vector<LikertCounts> counts;
+  for (std::size_t g = 0; g < 3; ++g) {
+    ASSERT_EQ(example[g].size(), 5U);
+    EXPECT_EQ(std::accumulate(example[g].begin(), example[g].end(), std::uint64_t{0}), sizes[g]);
+    counts.emplace_back(1, example[g]);
+  }
+  const auto interpolationAndFilter = welchTTest(counts[0], counts[2]);
+  EXPECT_EQ(printedWith(*interpolationAndFilter.p, 3), "0.021");
+  EXPECT_EQ(printedWith(*welchTTest(counts[2], counts[1]).p, 3), "0.115");
+  EXPECT_LT(*welchTTest(counts[0], counts[1]).p, 0.017);
+  for (std::size_t g = 0; g < 3; ++g) {
+    const auto any = welchTTest(counts[g], counts[(g + 1) % 3]);
+    EXPECT_EQ(printedWith(*any.mean1, 1), means[g]);
+    EXPECT_EQ(printedWith(*any.variance1, 1), variances[g]);
+  }
+}
+
+TEST(PublishedCheck, ShowsNoAnswersWhereNoneExist) {
+  EXPECT_TRUE(fits(others(), from(18, 30)).example.empty());
 }
 
 TEST(PublishedCheck, HalfPointsFitWhereEachParticipantLacksOneAnswer) {

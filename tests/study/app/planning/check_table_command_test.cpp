@@ -44,9 +44,20 @@ TEST_F(CheckTableCommandTest, FindsTheSizesThatFitWholeAnswers) {
   ASSERT_EQ(found.status, 0) << found.error;
   for (const char* phrase :
        {"rounded              26–33",
-        "62 of 2197 fit, none with equal sizes; fewest missing: I 36, F 36, K 28"}) {
+        "62 of 2197 fit, none with equal sizes; fewest missing: I 36, F 36, K 28",
+        "One data set that prints the row (Welch, two-sided, variances with n − 1, rounded)",
+        "    I: "}) {
     EXPECT_NE(found.out.find(phrase), std::string::npos) << phrase << "\nin\n" << found.out;
   }
+}
+
+TEST_F(CheckTableCommandTest, SaysThatItIsProvedIfNoWholeAnswersFit) {
+  const auto found = check({"--sizes", "36", "36", "--scale", "1", "5"});
+  ASSERT_EQ(found.status, 0) << found.error;
+  EXPECT_NE(
+      found.out.find("PROVED: no answers on this scale print the row, at any of 1 combinations"),
+      std::string::npos)
+      << found.out;
 }
 
 TEST_F(CheckTableCommandTest, PrintsOneJsonDocumentWithTheOptionJson) {
@@ -58,6 +69,7 @@ TEST_F(CheckTableCommandTest, PrintsOneJsonDocumentWithTheOptionJson) {
   EXPECT_NEAR(report["at_stated_n"][0]["comparisons"][1]["p_high"], 0.0165, 5e-5);
   EXPECT_TRUE(report["at_equal_n"][0]["row"].is_array());
   EXPECT_EQ(report["whole_answers"][0]["equal_n"], json::array({30}));
+  EXPECT_EQ(report["whole_answers"][0]["example"].size(), 3U);
 }
 
 TEST_F(CheckTableCommandTest, ReportsMissingAndInvalidInput) {
