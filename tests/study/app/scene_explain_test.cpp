@@ -1,0 +1,56 @@
+// 'palpate scene explain' from outside: a recorded cut that ends at once is warned of.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "haptics/recordings/cut.h"
+#include "protocols/reading/cut_file.h"
+#include "tests/support/child_process.h"
+#include "tests/support/programs.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_data.h"
+
+namespace scene_explain_test {
+
+/// The shipped protocol with a cut beside it that ends with 5 N, and a policy for what is beyond.
+std::string protocolWith(tests::ScratchFolder& folder, const std::string& beyond) {
+  folder.write(
+      "mine.json",
+      protocols::cutAsJson(haptics::recordings::parametricCut(), std::string(64, '0')));
+  auto json = nlohmann::ordered_json::parse(tests::contentOf(
+      (tests::repository() / "protocols/library/punch-counterbalanced.json").string()));
+  json["conditions"][0]["scene"]["parameters"] = {{"cut", "mine.json"}, {"beyond", beyond}};
+  return folder.write("protocol-" + beyond + ".json", json.dump());
+}
+
+tests::Finished explain(const std::string& protocol, const std::string& more = {}) {
+  std::vector<std::string> call{
+      tests::program(), "scene", "explain", protocol, "--condition", "interpolation"};
+  if (!more.empty()) call.push_back(more);
+  return tests::run(call);
+}
+
+TEST(SceneExplain, WarnsOfACutThatDropsAtItsEnd) {
+  tests::ScratchFolder folder;
+  const auto clamped = explain(protocolWith(folder, "authors-clamp"));
+  EXPECT_EQ(clamped.status, 0) << clamped.error;
+  EXPECT_NE(
+      clamped.out.find("WARN, the recorded force drops from 4.29 to 0.01 N at once, at a travel of "
+                       "11 travel_unit"),
+      std::string::npos)
+      << clamped.out;
+  const auto faded = explain(protocolWith(folder, "ramp-out"));
+  EXPECT_EQ(faded.out.find("at once"), std::string::npos) << faded.out;
+}
+
+TEST(SceneExplain, ListsTheDropsForPrograms) {
+  tests::ScratchFolder folder;
+  const auto found = nlohmann::json::parse(explain(protocolWith(folder, "zero"), "--json").out);
+  ASSERT_EQ(found["jumps"].size(), 1U);
+  EXPECT_EQ(found["jumps"][0]["travel"], 11.0);
+  EXPECT_EQ(found["jumps"][0]["from_n"], 5.0);
+  EXPECT_EQ(found["jumps"][0]["to_n"], 0.0);
+}
+
+}  // namespace scene_explain_test
