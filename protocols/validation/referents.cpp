@@ -85,7 +85,8 @@ std::optional<base::Message> lackOf(const Condition& condition, const Item& item
                        : parts.packing != nullptr ? parts.packing->forceScale
                                                   : 1.0;
   const bool hasJitter = parts.material != nullptr && parts.material->jitter.rms > 0.0;
-  const bool isRemoved = parts.packing != nullptr && parts.packing->isRemoved;
+  const bool isRemoved = (parts.packing != nullptr && parts.packing->isRemoved) ||
+                         (parts.material != nullptr && parts.material->isRemoved);
   if (item.refersTo == Referent::Vibration && !hasJitter) {
     return message("no_vibration", item.id, condition.id);
   }

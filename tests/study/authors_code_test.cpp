@@ -26,6 +26,9 @@ using haptics::recordings::Cut;
 
 const char* const kCopy = "punch/matlab/11_meniscus_fast_1826 - Copy.txt";
 constexpr double kSame = 1e-9;  // [N]
+/// The filter of the code begins with P = 0 and ours with P = Q, which a hand at rest forgets:
+/// after two seconds the forces differ by less than 10 nN.
+constexpr double kSameFilter = 1e-7;  // [N]
 
 /// What the authors' program computes, step by step.
 class AuthorsCode {
@@ -126,14 +129,15 @@ void expectAuthorsForces(
   const auto feel = [](CompiledScene& scene, double travel) {
     return scene.respond({.travel = travel, .dt = 0.001}).force;
   };
-  for (int i = 0; i < 200; ++i) {  // a hand that rests at the first point
-    EXPECT_NEAR(feel(kalman, table.front().travel), authors.filtered(table.front().travel), kSame);
+  for (int i = 0; i < 2000; ++i) {  // a hand that rests at the first point for two seconds
+    EXPECT_NEAR(
+        feel(kalman, table.front().travel), authors.filtered(table.front().travel), kSameFilter);
   }
   for (const auto& point : table) {
     const double x = point.travel;
     EXPECT_NEAR(feel(interpolation, x), authors.recorded(x), kSame) << x;
     EXPECT_NEAR(feel(elements, x), AuthorsCode::elements(x), kSame) << x;
-    EXPECT_NEAR(feel(kalman, x), authors.filtered(x), kSame) << x;
+    EXPECT_NEAR(feel(kalman, x), authors.filtered(x), kSameFilter) << x;
   }
 }
 

@@ -105,6 +105,7 @@ TEST(Referents, AreRenderedByJitterByRemovalAndByForcesOfFullSize) {
   EXPECT_EQ(
       saidOf(MaterialSpec{.forceScale = 1.0, .jitter = {.rms = 2.0, .rate = 100.0}}),
       std::vector{message("no_removal", "progress", "bone")});
+  EXPECT_TRUE(saidOf(MaterialSpec{.isRemoved = true, .jitter = {.rms = 2.0}}).empty());
   EXPECT_EQ(
       saidOf(PackingSpec{.forceScale = 1.0, .isRemoved = true}),
       std::vector{message("no_vibration", "vibration", "bone")});
