@@ -100,7 +100,9 @@ TEST(ProtocolFormatPage, HasNoExampleThatIsNotRead) {
     ++all;
   }
   std::size_t read = 0;
-  for (const auto* kind : {"", " fragment", " phase", " cut"}) read += examples(kind).size();
+  for (const auto* kind : {"", " fragment", " phase", " cut", " columns", " calibration"}) {
+    read += examples(kind).size();
+  }
   EXPECT_EQ(read, all);
 }
 
