@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "haptics/bench/measurement.h"
+#include "haptics/filters/low_pass.h"
+#include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/node_choice.h"
 #include "haptics/reaming/material/sampled_curve.h"
 #include "haptics/reaming/material/synthetic_series.h"
-#include "haptics/signals/low_pass.h"
-#include "haptics/signals/spectrum.h"
 
 namespace haptics::bench {
 namespace {
 
+using filters::CutoffRule;
 using reaming::NodeRule;
-using signals::CutoffRule;
 
 constexpr const char* kFilterFamily = "filter";
 // Bounds: a cut-off that has not seen the noiseless curve, against the best one; nodes chosen from
@@ -48,7 +48,7 @@ double bestOfAllCutoffs(const reaming::Series& series, const reaming::Series& tr
   double best = rms(series.force, truth.force);
   for (double cutoff = 0.005; cutoff < 20.0; cutoff *= 1.15) {
     best = std::min(
-        best, rms(signals::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
+        best, rms(filters::zeroPhaseLowPass(series.force, series.rate, cutoff), truth.force));
   }
   return best;
 }
@@ -72,8 +72,8 @@ void measureCutoffs(const AccuracyRun& run) {
   for (const auto rule : {CutoffRule::Floor, CutoffRule::Plain}) {
     std::vector<double> filtered;
     const double time = nanoseconds([&] {
-      const double cutoff = signals::cutoffOf(series.force, series.rate, rule);
-      filtered = signals::zeroPhaseLowPass(series.force, series.rate, cutoff);
+      const double cutoff = filters::cutoffOf(series.force, series.rate, rule);
+      filtered = filters::zeroPhaseLowPass(series.force, series.rate, cutoff);
     });
     const bool isOurs = rule == CutoffRule::Floor;
     add(isOurs ? "detrended-hann" : "plain",
@@ -100,8 +100,8 @@ reaming::Series longSeries() {
 void measurePreparation(const AccuracyRun& run) {
   const auto series = longSeries();
   const double prepare = nanoseconds([&] {
-    const double cutoff = signals::cutoffOf(series.force, series.rate, CutoffRule::Floor);
-    const auto filtered = signals::zeroPhaseLowPass(series.force, series.rate, cutoff);
+    const double cutoff = filters::cutoffOf(series.force, series.rate, CutoffRule::Floor);
+    const auto filtered = filters::zeroPhaseLowPass(series.force, series.rate, cutoff);
     const auto curve = reaming::normalised(reaming::curveOver(series.displacement, filtered), 2001);
     return reaming::chooseNodes(curve, reaming::NodeWish()).nodes.size();
   });

@@ -53,7 +53,7 @@ struct Run {
     const auto felt = bone.step(device, kTick);
     const double force = length(felt.force);
     largestForce = std::max(largestForce, std::isfinite(force) ? force : largestForce);
-    isFinite &= std::isfinite(force) && std::isfinite(length(felt.torque));
+    isFinite &= std::isfinite(force) && std::isfinite(felt.rubbing);
     const double gap = length(device.centre - bone.tool().centre);
     if (std::isfinite(gap)) {
       aboveCoupling = std::max(aboveCoupling, force - coupling * gap * (1.0 + 1e-9));

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <numbers>
 
+#include "haptics/filters/low_pass.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/signals/low_pass.h"
 
 namespace haptics::recordings {
 namespace {
 
 using Kind = TravelFilter::Kind;
-using signals::KaiserLowPass;
+using filters::KaiserLowPass;
 
 constexpr std::array kKinds{
     Kind::AuthorsFir, Kind::AuthorsFir333, Kind::ButterworthZeroPhase, Kind::None};
@@ -78,7 +78,7 @@ std::vector<double> filtered(
       return KaiserLowPass(KaiserLowPass::Design{}).filtered(travel);
     case Kind::ButterworthZeroPhase:
       requireRate(rate, filter.cutoff);
-      return signals::zeroPhaseLowPass(travel, rate, filter.cutoff);
+      return filters::zeroPhaseLowPass(travel, rate, filter.cutoff);
     case Kind::None:
       break;
   }

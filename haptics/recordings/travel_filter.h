@@ -16,7 +16,7 @@ namespace haptics::recordings {
 /// frequency in hertz is one; `authors-fir-333` alone counts rows.
 ///
 /// - `authors-fir` has the response, in hertz, of the authors' call `lowpass(x, 5, Fs)` in MATLAB:
-///   a signals::KaiserLowPass with β = 5.653 and −6 dB at 17.69 Hz whose window lasts 0.144 s.
+///   a filters::KaiserLowPass with β = 5.653 and −6 dB at 17.69 Hz whose window lasts 0.144 s.
 ///   (5 Hz, which the paper calls the cut-off, is only the edge of the pass-band.) At 1000/3 Hz
 ///   these are the authors' 49 taps, at 1 kHz 145.
 /// - `authors-fir-333` is what the authors did: the 49 taps for a nominal 1000/3 Hz, at any
@@ -26,7 +26,7 @@ namespace haptics::recordings {
 ///   punch paper that depend on it, 7.0275 and 0.2772. How MATLAB treats the ends of a recording
 ///   no published number shows, since no published cut lies within 24 rows of one; here the end
 ///   values are held.
-/// - `butterworth-zero-phase` is signals::zeroPhaseLowPass() at a cut-off of one's own. With 5 Hz
+/// - `butterworth-zero-phase` is filters::zeroPhaseLowPass() at a cut-off of one's own. With 5 Hz
 ///   it does what the paper's text says.
 /// - `none` leaves the travel as it is.
 struct TravelFilter {

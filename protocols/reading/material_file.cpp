@@ -205,8 +205,8 @@ std::string_view nameOf(reaming::DepthAxis axis) noexcept {
   constexpr std::array<std::string_view, 3> kNames{"depth", "normalised", "normalised-series"};
   return kNames[static_cast<std::size_t>(axis)];
 }
-std::string_view nameOf(haptics::signals::CutoffRule rule) noexcept {
-  return rule == haptics::signals::CutoffRule::Floor ? "detrended-hann" : "plain";
+std::string_view nameOf(haptics::filters::CutoffRule rule) noexcept {
+  return rule == haptics::filters::CutoffRule::Floor ? "detrended-hann" : "plain";
 }
 
 std::optional<reaming::Material> readMaterial(std::string_view json, Problems& problems) {

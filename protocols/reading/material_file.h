@@ -36,6 +36,6 @@ std::string_view nameOf(haptics::reaming::NodeRule rule) noexcept;
 std::string_view nameOf(haptics::reaming::SplineKind kind) noexcept;
 std::string_view nameOf(haptics::reaming::EnvelopeRule rule) noexcept;
 std::string_view nameOf(haptics::reaming::DepthAxis axis) noexcept;
-std::string_view nameOf(haptics::signals::CutoffRule rule) noexcept;
+std::string_view nameOf(haptics::filters::CutoffRule rule) noexcept;
 
 }  // namespace protocols

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "haptics/filters/low_pass.h"
 #include "haptics/reaming/material/ordered_splines.h"
-#include "haptics/signals/low_pass.h"
 
 namespace haptics::reaming {
 namespace {
@@ -94,7 +94,7 @@ double rmsBetween(std::span<const double> a, std::span<const double> b) {
 std::vector<double> filtered(
     const std::vector<double>& samples, const Series& series, double cutoff) {
   if (series.set == TestSet::Static) return samples;
-  return signals::zeroPhaseLowPass(samples, series.rate, cutoff);
+  return filters::zeroPhaseLowPass(samples, series.rate, cutoff);
 }
 
 /// A signal over depth from the beginning [m].
@@ -141,7 +141,7 @@ PreparedSeries prepared(const Series& series, const FitOptions& options) {
   if (result.exclusion.isExcluded()) return result;
   const bool isFiltered = series.set != TestSet::Static;
   const auto cutoffFor = [&](const std::vector<double>& samples, std::optional<double> wanted) {
-    return wanted ? *wanted : signals::cutoffOf(samples, series.rate, options.cutoffRule);
+    return wanted ? *wanted : filters::cutoffOf(samples, series.rate, options.cutoffRule);
   };
   if (isFiltered) result.cutoff = cutoffFor(series.force, options.cutoff);
   const auto cleaned = filtered(series.force, series, result.cutoff);

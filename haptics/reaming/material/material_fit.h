@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/envelope.h"
 #include "haptics/reaming/material/exclusion.h"
 #include "haptics/reaming/material/material.h"
@@ -12,7 +13,6 @@
 #include "haptics/reaming/material/piecewise.h"
 #include "haptics/reaming/material/sampled_curve.h"
 #include "haptics/reaming/material/series.h"
-#include "haptics/signals/spectrum.h"
 
 namespace haptics::reaming {
 
@@ -31,7 +31,7 @@ enum class DepthAxis {
 /// How measured series become a material: every choice that the reaming paper leaves open, by name.
 struct FitOptions {
   DepthAxis axis = DepthAxis::Depth;
-  signals::CutoffRule cutoffRule = signals::CutoffRule::Floor;
+  filters::CutoffRule cutoffRule = filters::CutoffRule::Floor;
   std::optional<double> cutoff;        ///< of every dynamic force, instead of its own [Hz]
   std::optional<double> torqueCutoff;  ///< of every torque, instead of its own [Hz]
   EnvelopeRule envelope = EnvelopeRule::Pointwise;

@@ -5,12 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "study/app/measurements/figure_lines.h"
+
 namespace study::app {
 namespace {
 
 namespace reaming = haptics::reaming;
 
-constexpr double kInMillimetres = 1000.0;
 constexpr double kDepths[]{0.004, 0.006, 0.008};  // [m]
 constexpr double kMostDepth = 0.010;              // [m]
 
@@ -46,14 +47,14 @@ DataTable feedTable(
       .description = fmt::format(
           "Force by feed: reamed to {:g} mm with {:g} turns a second, {} teeth and {:g} mm per "
           "tooth, at most {:.3g} mm/s. Mass is density times volume: the work of removal.",
-          kInMillimetres * kMostDepth,
+          kMillimetres * kMostDepth,
           reamer.speed,
           reamer.teeth,
-          kInMillimetres * reamer.feedPerTooth,
-          kInMillimetres * reamer.mostFeed()),
+          kMillimetres * reamer.feedPerTooth,
+          kMillimetres * reamer.mostFeed()),
       .columns = {{"curve", "Curve"}, {"feed_mm_per_s", "Feed [mm/s]"}}};
   for (const double depth : kDepths) {
-    const double mm = kInMillimetres * depth;
+    const double mm = kMillimetres * depth;
     table.columns.push_back(
         {fmt::format("force_n_at_{:g}_mm", mm), fmt::format("Force at {:g} mm [N]", mm)});
     table.columns.push_back(
@@ -73,7 +74,7 @@ DataTable feedTable(
            .mostForce = 1e6,
            .mostFeed = reamer.mostFeed(),
            .cuttingDamping = reamer.dampingOf(reaming::BoneOptions().cuttingDamping)});
-      std::vector<Cell> row{curve.curve, kInMillimetres * feed};
+      std::vector<Cell> row{curve.curve, kMillimetres * feed};
       for (const double depth : kDepths) {
         row.push_back(orNothing(reaming::forceAt(result, depth)));
         row.push_back(orNothing(wantedAt(curve, depth)));

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string>
 
+#include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/sampled_curve.h"
-#include "haptics/signals/spectrum.h"
 #include "study/report/chart.h"
 
 namespace study::app {
@@ -40,7 +40,7 @@ inline report::ChartSeries lineOf(
 /// An amplitude spectrum for a logarithmic axis: the largest amplitude of each step of a hundredth,
 /// and at least @p least, where the axis begins.
 inline report::ChartSeries spectrumLine(
-    const std::string& title, const haptics::signals::Spectrum& spectrum, double least) {
+    const std::string& title, const haptics::filters::Spectrum& spectrum, double least) {
   constexpr double kStep = 1.01;
   report::ChartSeries line{.title = title};
   double end = 0.0;

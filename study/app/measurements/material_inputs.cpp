@@ -14,7 +14,7 @@ namespace study::app {
 namespace {
 
 namespace reaming = haptics::reaming;
-using haptics::signals::CutoffRule;
+using haptics::filters::CutoffRule;
 using reaming::DepthAxis;
 using reaming::EnvelopeRule;
 using reaming::NodeRule;

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "haptics/signals/low_pass.h"
-#include "haptics/signals/spectrum.h"
+#include "haptics/filters/low_pass.h"
+#include "haptics/filters/spectrum.h"
 #include "study/app/measurements/figure_lines.h"
 #include "study/app/measurements/material_report.h"
 
@@ -42,12 +42,12 @@ Chart filteredChart(const reaming::Series& series, const Quantity& of) {
 
 Chart spectrumChart(
     const reaming::Series& series, const Quantity& of, const reaming::FitOptions& options) {
-  const auto spectrum = haptics::signals::spectrumOf(of.samples, series.rate, options.cutoffRule);
+  const auto spectrum = haptics::filters::spectrumOf(of.samples, series.rate, options.cutoffRule);
   Chart chart{
       .x = {.title = "frequency [Hz]", .isLogarithmic = true},
       .y = {.title = fmt::format("amplitude [{}]", of.unit), .isLogarithmic = true}};
-  const auto filtered = haptics::signals::zeroPhaseLowPass(of.samples, series.rate, of.cutoff);
-  const auto after = haptics::signals::spectrumOf(filtered, series.rate, options.cutoffRule);
+  const auto filtered = haptics::filters::zeroPhaseLowPass(of.samples, series.rate, of.cutoff);
+  const auto after = haptics::filters::spectrumOf(filtered, series.rate, options.cutoffRule);
   ChartSeries cutoff{.title = "cut-off", .style = ChartSeries::Style::Dashed};
   const double highest = *std::max_element(spectrum.amplitude.begin(), spectrum.amplitude.end());
   cutoff.points = {{of.cutoff, 1e-6 * highest}, {of.cutoff, highest}};

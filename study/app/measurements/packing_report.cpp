@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "study/app/measurements/figure_lines.h"
+
 namespace study::app {
 namespace {
 
 namespace reaming = haptics::reaming;
 using report::Chart;
 using report::ChartSeries;
-
-constexpr double kInMillimetres = 1000.0;
 
 Chart forceChart(const reaming::BoneFitReport& fit) {
   Chart chart{.x = {.title = "depth [mm]"}, .y = {.title = "force [N]"}, .series = {}};
@@ -26,8 +26,8 @@ Chart forceChart(const reaming::BoneFitReport& fit) {
         .points = {},
         .colour = colour++};
     for (std::size_t i = 0; i < curve.depths.size(); ++i) {
-      wanted.points.push_back({.x = kInMillimetres * curve.depths[i], .y = curve.wanted[i]});
-      felt.points.push_back({.x = kInMillimetres * curve.depths[i], .y = curve.felt[i]});
+      wanted.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.wanted[i]});
+      felt.points.push_back({.x = kMillimetres * curve.depths[i], .y = curve.felt[i]});
     }
     chart.series.push_back(std::move(wanted));
     chart.series.push_back(std::move(felt));
@@ -52,7 +52,7 @@ Chart sizeChart(const reaming::Packing& packing) {
   for (std::size_t i = 0; i < kBins; ++i) {
     if (counts[i] == 0.0) continue;
     const double middle = least + (most - least) * (static_cast<double>(i) + 0.5) / kBins;
-    chart.series[0].points.push_back({.x = kInMillimetres * middle, .y = counts[i]});
+    chart.series[0].points.push_back({.x = kMillimetres * middle, .y = counts[i]});
   }
   return chart;
 }
@@ -145,7 +145,7 @@ report::Document packingReport(
       bone.packing.spheres.size(),
       100.0 * bone.packing.coverage(),
       1e6 * bone.packing.volume,
-      kInMillimetres * bone.reamerRadius));
+      kMillimetres * bone.reamerRadius));
   if (bone.isSynthetic) document.lead.push_back(syntheticMark(bone));
   for (const auto& warning : warningsOf(fit)) document.lead.push_back("WARNING: " + warning);
   document.parts.push_back(

@@ -6,14 +6,14 @@
 
 #include <fmt/format.h>
 
-#include "haptics/signals/spectrum.h"
+#include "haptics/filters/spectrum.h"
 #include "study/app/measurements/figure_lines.h"
 
 namespace study::app {
 namespace {
 
 namespace recordings = haptics::recordings;
-using haptics::signals::CutoffRule;
+using haptics::filters::CutoffRule;
 using report::Chart;
 using report::ChartSeries;
 
@@ -32,8 +32,8 @@ report::DocumentPart spectrumPart(
     double rate,
     const std::string& filterInWords) {
   const auto before = travelOf(recording);
-  const auto spectrumBefore = haptics::signals::spectrumOf(before, rate, CutoffRule::Floor);
-  const auto spectrumAfter = haptics::signals::spectrumOf(trace.travel, rate, CutoffRule::Floor);
+  const auto spectrumBefore = haptics::filters::spectrumOf(before, rate, CutoffRule::Floor);
+  const auto spectrumAfter = haptics::filters::spectrumOf(trace.travel, rate, CutoffRule::Floor);
   report::DocumentPart part{
       .heading = "Spectrum of the travel",
       .paragraphs = {
@@ -207,7 +207,7 @@ report::DocumentPart cutPart(
 }  // namespace
 
 double shareBelow(const std::vector<double>& samples, double rate, double frequency) {
-  const auto spectrum = haptics::signals::spectrumOf(samples, rate, CutoffRule::Floor);
+  const auto spectrum = haptics::filters::spectrumOf(samples, rate, CutoffRule::Floor);
   double below = 0.0;
   double all = 0.0;
   for (std::size_t i = 1; i < spectrum.amplitude.size(); ++i) {

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/filters/low_pass.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
-#include "haptics/signals/low_pass.h"
 #include "tests/support/test_data.h"
 
 // Does palpate read the published recordings as their authors did? Their own numbers, printed in
@@ -177,7 +177,7 @@ TEST(Reproduction, R5CovariancesOfTheTenCutsAsTheReferenceHasThem) {
   const Recording recording = copy();
   Trace trace = traceOf(recording, paperEq1(), TravelFilter{TravelFilter::Kind::None});
   // Slightly higher, and still 17.69 Hz: the best fit to the 76 printed angles.
-  const signals::KaiserLowPass filter({.cutoff = 17.6925});
+  const filters::KaiserLowPass filter({.cutoff = 17.6925});
   trace.travel = filter.filtered(trace.travel);
   const ProcessNoise found = ofTenCuts(trace);
 

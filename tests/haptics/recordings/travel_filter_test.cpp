@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "haptics/filters/low_pass.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/signals/low_pass.h"
 #include "tests/support/test_data.h"
 
 namespace haptics::recordings {

@@ -191,7 +191,7 @@ TEST(MaterialFit, FiltersATorqueByItsOwnSpectrum) {
   EXPECT_EQ(after.cutoff, before.cutoff);
   EXPECT_EQ(
       after.torqueCutoff,
-      signals::cutoffOf(series.torque, series.rate, signals::CutoffRule::Floor));
+      filters::cutoffOf(series.torque, series.rate, filters::CutoffRule::Floor));
   EXPECT_NE(after.torqueCutoff, after.cutoff);
   const auto asked = prepared(series, {.cutoff = 0.2, .torqueCutoff = 0.3});
   EXPECT_EQ(asked.cutoff, 0.2);

@@ -1,4 +1,4 @@
-#include "haptics/signals/low_pass.h"
+#include "haptics/filters/low_pass.h"
 
 #include <cmath>
 #include <numbers>
@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/filters/spectrum.h"
 #include "haptics/reaming/material/synthetic_series.h"
-#include "haptics/signals/spectrum.h"
 
-namespace haptics::signals {
+namespace haptics::filters {
 namespace low_pass_test {
 
 constexpr double kRate = 100.0;
@@ -102,4 +102,4 @@ TEST(Cutoff, LeavesOutNoiseAndKeepsTheCurve) {
 }
 
 }  // namespace low_pass_test
-}  // namespace haptics::signals
+}  // namespace haptics::filters

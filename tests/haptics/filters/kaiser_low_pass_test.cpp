@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "haptics/signals/low_pass.h"
+#include "haptics/filters/low_pass.h"
 #include "tests/support/test_data.h"
 
-namespace haptics::signals {
+namespace haptics::filters {
 namespace kaiser_low_pass_test {
 
 TEST(KaiserLowPass, HasTheTapsOfSciPy) {
@@ -85,4 +85,4 @@ TEST(KaiserLowPass, RefusesADesignThatIsNone) {
 }
 
 }  // namespace kaiser_low_pass_test
-}  // namespace haptics::signals
+}  // namespace haptics::filters

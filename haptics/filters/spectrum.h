@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace haptics::signals {
+namespace haptics::filters {
 
 /// How a series' cut-off is found in its spectrum.
 enum class CutoffRule {
@@ -26,4 +26,4 @@ Spectrum spectrumOf(std::span<const double> samples, double rate, CutoffRule rul
 /// below four periods of the whole series, never above 0.45 of the rate.
 double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule);
 
-}  // namespace haptics::signals
+}  // namespace haptics::filters

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace haptics::signals {
+namespace haptics::filters {
 
 /// A low-pass that delays nothing: a symmetric finite filter, applied about the middle.
 ///
@@ -48,4 +48,4 @@ class KaiserLowPass {
 /// @throws std::invalid_argument  if it is not.
 std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rate, double cutoff);
 
-}  // namespace haptics::signals
+}  // namespace haptics::filters

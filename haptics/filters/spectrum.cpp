@@ -1,4 +1,4 @@
-#include "haptics/signals/spectrum.h"
+#include "haptics/filters/spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace haptics::signals {
+namespace haptics::filters {
 namespace {
 
 /// The least length of factors 2, 3 and 5 that is not below @p n.
@@ -77,4 +77,4 @@ double cutoffOf(std::span<const double> samples, double rate, CutoffRule rule) {
   return most;
 }
 
-}  // namespace haptics::signals
+}  // namespace haptics::filters

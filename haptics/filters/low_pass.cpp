@@ -1,4 +1,4 @@
-#include "haptics/signals/low_pass.h"
+#include "haptics/filters/low_pass.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace haptics::signals {
+namespace haptics::filters {
 namespace {
 
 void requireSound(const KaiserLowPass::Design& design) {
@@ -160,4 +160,4 @@ std::vector<double> zeroPhaseLowPass(std::span<const double> samples, double rat
   return result;
 }
 
-}  // namespace haptics::signals
+}  // namespace haptics::filters

@@ -1,4 +1,4 @@
-#include "haptics/signals/spectrum.h"
+#include "haptics/filters/spectrum.h"
 
 #include <cmath>
 #include <fstream>
@@ -10,7 +10,7 @@
 
 #include "tests/support/test_data.h"
 
-namespace haptics::signals {
+namespace haptics::filters {
 namespace spectrum_test {
 
 TEST(Spectrum, HasTheAmplitudesOfSciPy) {
@@ -34,4 +34,4 @@ TEST(Spectrum, HasTheAmplitudesOfSciPy) {
 }
 
 }  // namespace spectrum_test
-}  // namespace haptics::signals
+}  // namespace haptics::filters
