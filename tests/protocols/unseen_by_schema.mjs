@@ -31,6 +31,7 @@ export const unseen = [
   /^this block has no condition '/,
   /has no items of the set '/,
   /have not been felt yet$/,
+  /' asks about a benchmark \(/,
   /has one alternative only$/,
   /^no block asks '.*' after its conditions$/,
   /has no Likert items to compare$/,
