@@ -136,7 +136,7 @@ void sweepRest(StabilityResult& result) {
   }
 }
 
-/// A grain makes a step of K times itself, and nothing makes a larger one; but for paper-text,
+/// One encoder step makes a step of K times itself, and nothing makes a larger one; but for paper-text,
 /// whose two forces take turns with any encoder.
 void sweepEncoders(StabilityResult& result) {
   for (const auto& [name, spec] : allScenes()) {

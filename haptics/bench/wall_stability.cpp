@@ -61,7 +61,7 @@ class Wall {
   }
 
   void judge() {
-    // What dies away is stable however slowly; a few grains of the encoder are a limit cycle that
+    // What dies away is stable however slowly; a few steps of the encoder are a limit cycle that
     // no linear theory forbids.
     const bool diesAway = point_.amplitude < 0.7 * early_.width();
     point_.isStable = diesAway || point_.amplitude < std::max(1e-3, 4.0 * point_.quantum);

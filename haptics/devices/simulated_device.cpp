@@ -53,8 +53,8 @@ DeviceSample SimulatedDevice::read(double dt) noexcept {
   }
   if (isGone_.load(std::memory_order_relaxed)) return {.status = DeviceStatus::Gone};
 
-  const double grain = mechanism_.resolution;
-  const double seen = grain > 0.0 ? grain * std::round(travel_ / grain) : travel_;
+  const double resolution = mechanism_.resolution;
+  const double seen = resolution > 0.0 ? resolution * std::round(travel_ / resolution) : travel_;
   return {
       .status = DeviceStatus::Ok,
       .travel = seen,

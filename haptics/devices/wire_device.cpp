@@ -57,7 +57,7 @@ void WireDevice::arm() {
     const std::string why = fault();
     throw DeviceError(
         name() + " is not ready" + (why.empty() ? "" : ": " + why) +
-        ". Mend that, and try again: it will be connected anew.");
+        ". Put that right and try again; the program then connects again.");
   }
   try {
     awaitReadiness();

@@ -181,7 +181,7 @@ class Node {
 /// Whether @p id is a name for people, files and columns (see Node::id()).
 bool isSoundId(std::string_view id) noexcept;
 
-/// What an id has to look like, as a mend for one that does not.
+/// What an id has to look like, as the fix of a problem with one that does not.
 inline constexpr std::string_view kIdRule =
     "use a letter or digit, then letters, digits, '.', '_' or '-', at most 64 in all";
 

@@ -13,7 +13,7 @@ void Problems::add(Problem problem) {
         {problem.severity,
          "$",
          Message::verbatim("there are more problems"),
-         Message::verbatim("mend these first")});
+         Message::verbatim("fix these first")});
   } else if (isError) {
     list_.back().severity = Severity::Error;
   }

@@ -37,7 +37,7 @@ int check(const CheckOptions& options) {
   }
   const auto& protocol = loaded->protocol;
   fmt::print(
-      "{} is sound: \"{}\", {}, {}, {}.\n",
+      "{} is valid: \"{}\", {}, {}, {}.\n",
       options.file,
       protocol.study.title,
       counted(protocol.conditions.size(), "condition"),

@@ -82,9 +82,9 @@ std::optional<Response> SimulatedParticipant::answer(
       return point(session, item, purpose);
     case AnswerKind::Number: {
       const double share = std::clamp(0.45 + 0.18 * random.normal(), 0.0, 1.0);
-      const double grain = item.step > 0.0 ? item.step : 1.0;
-      const double steps = std::floor((item.most - item.least) / grain + 1e-9);
-      return item.least + grain * std::round(share * steps);
+      const double step = item.step > 0.0 ? item.step : 1.0;
+      const double steps = std::floor((item.most - item.least) / step + 1e-9);
+      return item.least + step * std::round(share * steps);
     }
     case AnswerKind::Option:
       if (!item.consentOption.empty()) return item.consentOption;

@@ -156,7 +156,7 @@ std::string bidsSession(const RowOwner& owner) {
 std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions& options) {
   const StudyRows rows(study, options);
   auto readers = readersOf(study, options);
-  readers.isToldWhose = false;
+  readers.needParticipant = false;
   const auto sessions = rows.sessions();
   const auto answers = rows.answers();
   const auto trials = rows.trials();

@@ -47,7 +47,7 @@ Coarsening::Coarsening(const Item& item, std::string_view language) {
   if (item.type == ItemType::Number) {
     addBands(item);
   } else if (item.type == ItemType::MultipleChoice) {
-    grains_.emplace_back();
+    levels_.emplace_back();
   } else {
     addOptions(item, language);
   }
@@ -59,12 +59,12 @@ void Coarsening::addBands(const Item& item) {
   const double first = roundWidth(std::max(range / 20.0, 5.0 * item.step));
   isWhole_ = item.step >= 1.0 && std::floor(item.step) == item.step;
   for (double width = first; width < range; width *= 2.0) {
-    Grain grain{.values = {}, .byOption = {}, .width = width};
+    CoarseLevel level{.values = {}, .byOption = {}, .width = width};
     for (double from = std::floor(item.least / width) * width; from <= item.most; from += width) {
       const auto text = band(from, width);
-      grain.values.push_back({text, item.unit.empty() ? text : text + " " + item.unit});
+      level.values.push_back({text, item.unit.empty() ? text : text + " " + item.unit});
     }
-    grains_.push_back(std::move(grain));
+    levels_.push_back(std::move(level));
   }
 }
 
@@ -74,17 +74,17 @@ void Coarsening::addOptions(const Item& item, std::string_view language) {
     const auto groups = neighbours(item.options, together);
     if (groups.size() == before) return;
     before = groups.size();
-    Grain grain;
+    CoarseLevel level;
     for (const auto& group : groups) {
-      Level level{group.front().id, group.front().text.in(language)};
+      Level joined{group.front().id, group.front().text.in(language)};
       if (group.size() > 1) {
-        level.value += " to " + group.back().id;
-        level.label += " to " + group.back().text.in(language);
+        joined.value += " to " + group.back().id;
+        joined.label += " to " + group.back().text.in(language);
       }
-      for (const auto& option : group) grain.byOption[option.id] = level.value;
-      grain.values.push_back(std::move(level));
+      for (const auto& option : group) level.byOption[option.id] = joined.value;
+      level.values.push_back(std::move(joined));
     }
-    grains_.push_back(std::move(grain));
+    levels_.push_back(std::move(level));
   }
 }
 
@@ -95,17 +95,17 @@ std::string Coarsening::band(double from, double width) const {
          (isWhole_ ? rounded(from + width - 1.0) : "<" + rounded(from + width));
 }
 
-std::string Coarsening::told(std::size_t grain, const questionnaires::Response& response) const {
-  const auto& with = grains_.at(grain);
+std::string Coarsening::told(std::size_t level, const questionnaires::Response& response) const {
+  const auto& chosen = levels_.at(level);
   const auto stored = storage::stored(response);
-  if (with.width > 0.0) {
+  if (chosen.width > 0.0) {
     const auto number = stored.point ? static_cast<double>(*stored.point) : stored.number;
-    return number ? band(std::floor(*number / with.width) * with.width, with.width) : "";
+    return number ? band(std::floor(*number / chosen.width) * chosen.width, chosen.width) : "";
   }
   const auto text = stored.text.value_or("");
-  if (with.byOption.empty()) return text;
-  const auto option = with.byOption.find(text);
-  return option == with.byOption.end() ? std::string() : option->second;
+  if (chosen.byOption.empty()) return text;
+  const auto option = chosen.byOption.find(text);
+  return option == chosen.byOption.end() ? std::string() : option->second;
 }
 
 bool isAboutThePerson(const Item& item) noexcept {

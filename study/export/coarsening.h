@@ -21,16 +21,16 @@ class Coarsening {
   /// @param language  of the options' labels
   Coarsening(const questionnaires::Item& item, std::string_view language);
 
-  std::size_t grains() const noexcept { return grains_.size(); }
+  std::size_t levelCount() const noexcept { return levels_.size(); }
 
   /// The values of a level in order; empty if there is no closed list.
-  const std::vector<Level>& values(std::size_t grain) const { return grains_.at(grain).values; }
+  const std::vector<Level>& values(std::size_t level) const { return levels_.at(level).values; }
 
   /// The released value of @p response; empty if the response is not valid for the item.
-  std::string told(std::size_t grain, const questionnaires::Response& response) const;
+  std::string told(std::size_t level, const questionnaires::Response& response) const;
 
  private:
-  struct Grain {
+  struct CoarseLevel {
     std::vector<Level> values;
     std::map<std::string, std::string> byOption;  ///< released value of each option
     double width = 0.0;                           ///< of bands of numbers, in the item's unit
@@ -40,7 +40,7 @@ class Coarsening {
   void addOptions(const questionnaires::Item& item, std::string_view language);
   std::string band(double from, double width) const;
 
-  std::vector<Grain> grains_;
+  std::vector<CoarseLevel> levels_;
   bool isWhole_ = false;  ///< whole steps: "20 to 24", otherwise "20 to <25"
 };
 

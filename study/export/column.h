@@ -48,7 +48,7 @@ using ValueLists = std::map<ValueList, std::vector<Level>>;
 struct Readers {
   bool isBlinded = true;  ///< must not learn the condition behind a condition code
   bool isPublic = false;
-  bool isToldWhose = true;  ///< false if the file's name already says whose rows are in it
+  bool needParticipant = true;  ///< false if the file's name already says whose rows are in it
   /// The quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
   std::set<std::string> told = {};
   ValueLists lists = {};
@@ -203,14 +203,14 @@ class Column {
   }
 
   /// The column identifies the condition, and is left out of blinded folders.
-  Column tellsTheCondition() && {
-    tellsTheCondition_ = true;
+  Column revealsCondition() && {
+    revealsCondition_ = true;
     return std::move(*this);
   }
 
   /// The column identifies session and participant, and is left out if the file's name does so.
-  Column tellsWhose() && {
-    tellsWhose_ = true;
+  Column identifiesParticipant() && {
+    identifiesParticipant_ = true;
     return std::move(*this);
   }
 
@@ -228,8 +228,8 @@ class Column {
   }
 
   bool isFor(const Readers& readers) const {
-    if (tellsTheCondition_ && readers.isBlinded) return false;
-    if (tellsWhose_ && !readers.isToldWhose) return false;
+    if (revealsCondition_ && readers.isBlinded) return false;
+    if (identifiesParticipant_ && !readers.needParticipant) return false;
     if (!readers.isPublic) return true;
     return public_ && (public_->ifTold.empty() || readers.told.count(public_->ifTold) == 1);
   }
@@ -260,8 +260,8 @@ class Column {
   ExportedColumn head_;
   std::function<Cell(const Row&)> cell_;
   std::optional<ValueList> list_;
-  bool tellsTheCondition_ = false;
-  bool tellsWhose_ = false;
+  bool revealsCondition_ = false;
+  bool identifiesParticipant_ = false;
   std::optional<InPublic> public_;
 };
 
@@ -275,12 +275,12 @@ struct Table {
   std::string description;
   Columns<Row> columns;
   /// The whole table identifies conditions by its numbers, and is left out of blinded folders.
-  bool tellsTheCondition = false;
+  bool revealsCondition = false;
   /// Its description in public folders; std::nullopt: it is not part of them.
   std::optional<std::string> inPublic = std::nullopt;
 
   bool isFor(const Readers& readers) const {
-    return !(tellsTheCondition && readers.isBlinded) && (inPublic || !readers.isPublic);
+    return !(revealsCondition && readers.isBlinded) && (inPublic || !readers.isPublic);
   }
 };
 

@@ -43,7 +43,7 @@ Table<ExportedEvent> tableOfEvents(Columns<ExportedEvent> columns) {
       .columns = std::move(columns),
       // The times of events give the duration of each trial. Events of safety, of devices and notes
       // of the operator describe it.
-      .tellsTheCondition = true};
+      .revealsCondition = true};
 }
 
 }  // namespace

@@ -79,19 +79,19 @@ QuasiIdentifier PublicPeople::cohorts() const {
 }
 
 QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) const {
-  const std::size_t grains = question.coarsening.grains();
+  const std::size_t levelCount = question.coarsening.levelCount();
   QuasiIdentifier identifier{
       .name = question.column(),
       .exact = Values(count()),
-      .levels = std::vector<Values>(grains, Values(count()))};
+      .levels = std::vector<Values>(levelCount, Values(count()))};
   for (const auto& answer : answers_) {
     const bool isIt = answer.step.kind == StepKind::Form && answer.step.phase == question.phase &&
                       answer.answer.item == question.item->id;
     if (!isIt) continue;
     const std::size_t person = people_.at(answer.step.visit.session);
     identifier.exact[person] = asWritten(answer.answer.response);
-    for (std::size_t grain = 0; grain < grains; ++grain) {
-      identifier.levels[grain][person] = question.coarsening.told(grain, answer.answer.response);
+    for (std::size_t level = 0; level < levelCount; ++level) {
+      identifier.levels[level][person] = question.coarsening.told(level, answer.answer.response);
     }
   }
   return identifier;

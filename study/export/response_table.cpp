@@ -103,7 +103,7 @@ Columns<ExportedAnswer> columnsOfAnswer() {
         "When it was on the disk, ISO 8601, UTC",
         [](const ExportedAnswer& row) {
           return row.record->savedUtc;
-        }).tellsTheCondition()};
+        }).revealsCondition()};
 }
 
 }  // namespace

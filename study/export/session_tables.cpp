@@ -20,7 +20,7 @@ Columns<ExportedSession> columnsOfSession() {
        "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
        [](const ExportedSession& row) { return statusOf(row.record->state); }},
       // Written by the operator, or the device's reason.
-      C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason)).tellsTheCondition(),
+      C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason)).revealsCondition(),
       includedColumn<ExportedSession>(
           [](const ExportedSession& row) { return row.record->isCompleted(); }),
       {"session_language",
@@ -33,10 +33,10 @@ Columns<ExportedSession> columnsOfSession() {
         "Place in the design of the cohort, from 1",
         [](const ExportedSession& row) {
           return row.record->slot + 1;
-        }).tellsTheCondition(),
+        }).revealsCondition(),
       {"started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)},
       // End and start give the duration of all trials.
-      C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).tellsTheCondition(),
+      C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).revealsCondition(),
       {"protocol_hash",
        Text{},
        "SHA-256 of the protocol with its files",

@@ -148,7 +148,7 @@ ExportedTable statisticsTable(
       .name = "statistics",
       .description = "One row per test, score or check; what is missing says why.",
       .columns = statisticsColumns(),
-      .tellsTheCondition = true};
+      .revealsCondition = true};
   return filled(table, rows, readersOf(study, options));
 }
 

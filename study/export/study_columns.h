@@ -12,7 +12,7 @@ Column<Row> participantColumn() {
              holds::Text{},
              "Pseudonym of the participant",
              [](const Row& row) { return row.owner.participant; })
-      .tellsWhose();
+      .identifiesParticipant();
 }
 
 template <typename Row>
@@ -22,7 +22,7 @@ Column<Row> sessionNumberColumn() {
              holds::Integer{},
              "Which of the participant's sessions",
              [](const Row& row) { return row.owner.sessionNumber; })
-      .tellsWhose();
+      .identifiesParticipant();
 }
 
 template <typename Row>
@@ -92,7 +92,7 @@ Column<Row> conditionColumn() {
              holds::OneOf{ValueList::Conditions},
              "Which rendering it was",
              &Row::condition)
-      .tellsTheCondition();
+      .revealsCondition();
 }
 
 template <typename Row>

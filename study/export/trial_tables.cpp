@@ -87,7 +87,7 @@ Table<ExportedTrial> trialTable() {
            {"trace_samples", Integer{}, "Samples kept in traces.db", of(&Trial::traceSamples)}},
       // How long something was felt, how often the force was limited, whether a check failed, even
       // how late the loop was: each depends on the rendering.
-      .tellsTheCondition = true};
+      .revealsCondition = true};
 }
 
 Table<ExportedCut> cutTable() {
@@ -123,7 +123,7 @@ Table<ExportedCut> cutTable() {
            {"opening_n", Number{"N"}, "… and the force there", of(&Cut::openingForce)},
            {"peak_n", Number{"N"}, "Largest force of the cut", of(&Cut::peakForce)}},
       // The force at yield identifies the condition.
-      .tellsTheCondition = true};
+      .revealsCondition = true};
 }
 
 Table<ExportedTick> traceTable() {
@@ -175,7 +175,7 @@ Table<ExportedTick> traceTable() {
             Number{"N·m"},
             "… and that the device was told; 0 where it renders none",
             sampled(&Sample::torque)}},
-      .tellsTheCondition = true};
+      .revealsCondition = true};
 }
 
 Table<ExportedTick> traceTableWithoutTorque() {

@@ -98,7 +98,7 @@ Table<ExportedVote> voteTable() {
             Text{},
             "Why something is missing",
             [](const Vote& row) { return base::describe(row.result->test.reason); }}},
-      .tellsTheCondition = true};
+      .revealsCondition = true};
 }
 
 /// The preference items whose options are the alternatives of a block.

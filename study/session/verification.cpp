@@ -53,7 +53,7 @@ void checkContent(
   if (!expected) {
     problems.push_back("the audit trail knows nothing of " + name);
   } else if (!expected->empty() && *expected != storage::asBytes(found)) {
-    problems.push_back("what is kept of " + name + " is not what the audit trail vouches for");
+    problems.push_back("the data of " + name + " do not agree with the audit trail");
   }
 }
 
@@ -214,7 +214,7 @@ Verification verify(Study& study, const Progress& progress) {
   };
   check("the database files are whole, and every row refers to something", files);
   check("the audit trail is unbroken", auditTrail);
-  check("everything is what the audit trail vouches for", contents);
+  check("all data agree with the audit trail", contents);
   check("every answer is what the audit trail says", answers);
   check("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);

@@ -1,4 +1,4 @@
-// Gives a fuzz target the files of a folder, one after the other: what was found once stays mended.
+// Gives a fuzz target the files of a folder, one after the other: what was found once stays fixed.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>

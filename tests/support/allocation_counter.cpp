@@ -14,9 +14,9 @@ void* counted(std::size_t size) {
 
 void* countedAligned(std::size_t size, std::align_val_t alignment) {
   ++allocations;
-  const auto grain = static_cast<std::size_t>(alignment);
-  const std::size_t whole = (size + grain - 1) / grain * grain;  // what aligned_alloc asks for
-  if (void* memory = std::aligned_alloc(grain, whole == 0 ? grain : whole)) return memory;
+  const auto unit = static_cast<std::size_t>(alignment);
+  const std::size_t whole = (size + unit - 1) / unit * unit;  // what aligned_alloc asks for
+  if (void* memory = std::aligned_alloc(unit, whole == 0 ? unit : whole)) return memory;
   throw std::bad_alloc();
 }
 }  // namespace

@@ -18,7 +18,7 @@ struct TriangleMesh {
   double volume() const noexcept;  ///< that it encloses [m³]; below 0 where it is inside out
 };
 
-/// What was mended, in words.
+/// What was repaired, in words.
 using Repairs = std::vector<std::string>;
 
 /// Merges coinciding vertices, removes triangles without area and duplicates, and turns the faces

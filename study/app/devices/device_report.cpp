@@ -46,7 +46,7 @@ std::string checksAsText(const std::vector<DeviceFindings>& found) {
     for (const auto& result : device.results) {
       text += fmt::format(
           "  {}  {}: {}\n", haptics::devices::nameOf(result.finding), result.what, result.measured);
-      if (!result.mend.empty()) text += "        → " + result.mend + "\n";
+      if (!result.fix.empty()) text += "        → " + result.fix + "\n";
     }
   }
   return text;

@@ -17,7 +17,7 @@ struct CheckedProtocol {
 
   int errors() const noexcept;
   int warnings() const noexcept;
-  /// The last line of `palpate protocol check`: the protocol is sound, or cannot be used yet.
+  /// The last line of `palpate protocol check`: the protocol is valid, or cannot be used yet.
   std::string verdict() const;
 };
 

@@ -88,7 +88,7 @@ void ProtocolWindow::prepareText() {
 }
 
 void ProtocolWindow::prepareProblems() {
-  problems_->setHorizontalHeaderLabels({tr("What"), tr("Where"), tr("Problem"), tr("Mend")});
+  problems_->setHorizontalHeaderLabels({tr("What"), tr("Where"), tr("Problem"), tr("Fix")});
   problems_->setAccessibleName(tr("Problems"));
   problems_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   problems_->setSelectionBehavior(QAbstractItemView::SelectRows);

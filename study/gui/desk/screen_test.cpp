@@ -25,13 +25,13 @@ CheckResult judgeScreen(const QScreen& screen) {
                       .arg(screen.devicePixelRatio())
                       .arg(screen.refreshRate(), 0, 'f', 0)
                       .toStdString(),
-      .mend = ""};
+      .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
-    found.mend = "The windows want 1280 × 800 points: choose a higher resolution or less scaling.";
+    found.fix = "The windows want 1280 × 800 points: choose a higher resolution or less scaling.";
   } else if (screen.refreshRate() < kLeastRefresh) {
     found.finding = Finding::Warn;
-    found.mend = "Pictures come late: choose a refresh rate of 50 Hz or more.";
+    found.fix = "Pictures come late: choose a refresh rate of 50 Hz or more.";
   }
   return found;
 }

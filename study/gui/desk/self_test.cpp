@@ -50,7 +50,7 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
     }
   } catch (const UserError& error) {
     lines.push_back(
-        {"devices", {Finding::Fail, "device file", error.what(), "Mend the device file."}});
+        {"devices", {Finding::Fail, "device file", error.what(), "Correct the device file."}});
   }
   return lines;
 }
@@ -108,16 +108,16 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
           late,
           ticks,
           isRealtime ? "real-time priority" : "ordinary priority"),
-      .mend = ""};
+      .fix = ""};
   if (static_cast<double>(late) > kRoughShare * static_cast<double>(ticks)) {
     found.finding = Finding::Fail;
-    found.mend = "Forces would feel rough. Close other programs, or use another computer.";
+    found.fix = "Forces would feel rough. Close other programs, or use another computer.";
   } else if (isOftenLate(late, ticks)) {
     found.finding = Finding::Warn;
-    found.mend = "Trials would be marked. Close other programs; leave power saving off.";
+    found.fix = "Trials would be marked. Close other programs; leave power saving off.";
   } else if (!isRealtime) {
     found.finding = Finding::Warn;
-    found.mend =
+    found.fix =
         "Allow real-time priority: the three lines of /etc/security/limits.d/palpate.conf stand in "
         "docs/devices.md, \"Real time\".";
   }
@@ -133,13 +133,13 @@ SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& 
           times.commits,
           1e3 * times.longest,
           folder),
-      .mend = ""};
+      .fix = ""};
   if (times.median > kSlowCommit) {
     found.finding = Finding::Fail;
-    found.mend = "Every page would wait. Put the study on a disk inside this computer.";
+    found.fix = "Every page would wait. Put the study on a disk inside this computer.";
   } else if (times.median > kPromptCommit) {
     found.finding = Finding::Warn;
-    found.mend = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
+    found.fix = "Pages come slowly. A disk inside this computer, an SSD, is faster.";
   }
   return {"database", found};
 }

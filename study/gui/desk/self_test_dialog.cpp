@@ -99,7 +99,7 @@ void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
         signOf(found.finding),
         QString::fromStdString(found.what),
         QString::fromStdString(found.measured),
-        QString::fromStdString(found.mend)};
+        QString::fromStdString(found.fix)};
     for (int column = 0; column < 5; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -116,7 +116,7 @@ void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
   outcome_->setText(
       worst == Finding::Pass   ? tr("✓  Everything is as it should be.")
       : worst == Finding::Warn ? tr("!  A study can be run. Look at what is marked WARN.")
-                               : tr("✕  Mend what is marked FAIL before a participant comes."));
+                               : tr("✕  Fix what is marked FAIL before a participant comes."));
   outcome_->setVisible(true);
 }
 

@@ -37,7 +37,7 @@ void addRow(
       QString::fromStdString(haptics::devices::nameOf(result.finding)),
       QString::fromStdString(result.what),
       QString::fromStdString(result.measured),
-      QString::fromStdString(result.mend)};
+      QString::fromStdString(result.fix)};
   for (int column = 0; column < table.columnCount(); ++column) {
     auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
     table.setItem(row, column, cell);

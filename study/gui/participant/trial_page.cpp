@@ -19,7 +19,7 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       count_(nullptr),
       hint_(nullptr),
       begin_(new QPushButton(tr("Begin"), this)),
-      enough_(new QPushButton(tr("I have felt enough"), this)),
+      enough_(new QPushButton(tr("I have finished"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);

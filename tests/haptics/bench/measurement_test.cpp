@@ -83,12 +83,12 @@ TEST(Encoders, ChangeTheForcesAsExpected) {
   measureEncoders({.report = [&](const Measurement& m) {
     found[m.setting + "/" + m.method + "/" + std::to_string(m.parameter)] = *m.error;
   }});
-  const auto at = [&](const std::string& what, const std::string& method, double grain) {
-    return found.at(what + " [N], 10 travel units/s/" + method + "/" + std::to_string(grain));
+  const auto at = [&](const std::string& what, const std::string& method, double resolution) {
+    return found.at(what + " [N], 10 travel units/s/" + method + "/" + std::to_string(resolution));
   };
   const std::string difference = "RMS difference from an ideal encoder";
   EXPECT_EQ(at(difference, "interpolation", 0.0), 0.0);
-  // A grain q is off by q / √12; the finite elements make K of it where they are elastic.
+  // A resolution of q is off by q / √12; the finite elements make K of it where they are elastic.
   EXPECT_NEAR(
       at(difference, "finite elements", 0.176) / at(difference, "finite elements", 0.0439),
       4.0,

@@ -84,7 +84,7 @@ TEST(Cutoff, LeavesOutNoiseAndKeepsTheCurve) {
     const reaming::SyntheticTest test{.hardness = hardness, .seed = 7};
     const auto measured = reaming::syntheticSeries(test);
     const auto truth = reaming::noiselessSeries(test);
-    // A reamer that stalls earlier or later for a grain of noise ends earlier or later.
+    // A reamer that stalls earlier or later for a little noise ends earlier or later.
     const std::size_t count = std::min(measured.force.size(), truth.force.size());
     const std::vector<double> force(measured.force.begin(), measured.force.begin() + count);
     const std::vector<double> wanted(truth.force.begin(), truth.force.begin() + count);

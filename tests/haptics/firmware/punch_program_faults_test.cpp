@@ -41,7 +41,7 @@ TEST_P(PunchProgramLatches, UntilItIsArmedAgain) {
   EXPECT_TRUE(has(GetParam().fault));
   EXPECT_EQ(said_.count(GetParam().code), 1);
   bench_.isFaulty = false;
-  EXPECT_EQ(hold(6000, 20), 0);  // mended, and still off
+  EXPECT_EQ(hold(6000, 20), 0);  // repaired, and still off
   greet();
   EXPECT_TRUE(has(GetParam().fault));
   send(Arm{.isArmed = true, .expiry = 20});

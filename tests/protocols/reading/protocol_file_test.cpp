@@ -53,7 +53,7 @@ bool isAsExpected(const Problem& problem, const tests::Refusal& expected) {
          base::describe(problem.fix).find(expected.fix) != std::string::npos;
 }
 
-/// Refused, with the problem that is expected, where it is expected, and how to mend it.
+/// Refused, with the problem that is expected, where it is expected, and how to correct it.
 void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& refusals) {
   const auto names = tests::corpusNames(kind);
   std::set<std::string> files(names.begin(), names.end());

@@ -45,7 +45,7 @@ Instrument good(const std::string& name) {
   return reading.instrument.value_or(Instrument{});
 }
 
-/// Refused, with the problem that is expected, where it is expected, and how to mend it.
+/// Refused, with the problem that is expected, where it is expected, and how to correct it.
 void expectRefusals(const std::string& kind, const std::vector<tests::Refusal>& refusals) {
   auto files = filesIn(kind);
   for (const auto& expected : refusals) {

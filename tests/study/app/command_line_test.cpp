@@ -470,7 +470,7 @@ TEST_F(CommandLineTest, WritesBenchmarksAsAPageTablesAndFigures) {
   }
   const auto encoders =
       linesOf(tests::contentOf(std::filesystem::path(folder) / "accuracy-encoders.csv"));
-  EXPECT_EQ(encoders.size(), 1U + 6U * 3U * 3U * 2U);  // scenes, speeds, grains, two errors
+  EXPECT_EQ(encoders.size(), 1U + 6U * 3U * 3U * 2U);  // scenes, speeds, resolutions, two errors
   const auto walls =
       linesOf(tests::contentOf(std::filesystem::path(folder) / "stability-walls.csv"));
   EXPECT_GT(walls.size(), 100U);

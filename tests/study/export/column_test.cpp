@@ -56,10 +56,10 @@ Table<Row> table() {
       .name = "rows",
       .description = "One row per row.",
       .columns = {
-          Column<Row>("code", OneOf{ValueList::Cohorts}, "A code", &Row::code).tellsWhose(),
+          Column<Row>("code", OneOf{ValueList::Cohorts}, "A code", &Row::code).identifiesParticipant(),
           {"count", Integer{}, "How many", &Row::count},
           Column<Row>("secret", FreeText{}, "Which rendering it was", &Row::code)
-              .tellsTheCondition()
+              .revealsCondition()
               .inPublic("Which rendering, coded"),
           Column<Row>("seconds_s", Number{"s"}, "How long", &Row::seconds)
               .inPublicIfTold("haste")}};
@@ -78,7 +78,7 @@ using Names = std::vector<std::string>;
 TEST(Column, DeclaresItsReaders) {
   EXPECT_EQ(namesFor({.isBlinded = false}), (Names{"code", "count", "secret", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = true}), (Names{"code", "count", "seconds_s"}));
-  EXPECT_EQ(namesFor({.isBlinded = true, .isToldWhose = false}), (Names{"count", "seconds_s"}));
+  EXPECT_EQ(namesFor({.isBlinded = true, .needParticipant = false}), (Names{"count", "seconds_s"}));
   EXPECT_EQ(namesFor({.isBlinded = false, .isPublic = true}), (Names{"secret"}));
   EXPECT_EQ(
       namesFor({.isBlinded = true, .isPublic = true, .told = {"haste"}}), (Names{"seconds_s"}));

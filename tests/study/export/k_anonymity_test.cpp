@@ -132,7 +132,7 @@ questionnaires::Item years() {
 
 TEST(Coarsening, NeverReleasesAnExactAge) {
   const Coarsening coarsening(years(), "en");
-  ASSERT_EQ(coarsening.grains(), 4U);
+  ASSERT_EQ(coarsening.levelCount(), 4U);
   EXPECT_EQ(coarsening.told(0, 37.0), "35 to 39");
   EXPECT_EQ(coarsening.told(1, 37.0), "30 to 39");
   EXPECT_EQ(coarsening.told(2, 37.0), "20 to 39");
@@ -158,7 +158,7 @@ TEST(Coarsening, JoinsNeighbouringBandsAndLeavesOtherOptionsAlone) {
     item.options.push_back({id, questionnaires::LocalizedText(text)});
   }
   const Coarsening coarsening(item, "en");
-  ASSERT_EQ(coarsening.grains(), 3U);
+  ASSERT_EQ(coarsening.levelCount(), 3U);
   EXPECT_EQ(coarsening.told(0, std::string("10-59")), "10-59");
   EXPECT_EQ(coarsening.told(1, std::string("10-59")), "1-9 to 10-59");
   EXPECT_EQ(coarsening.told(1, std::string("60-plus")), "60-plus");

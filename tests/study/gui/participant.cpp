@@ -118,7 +118,7 @@ void Participant::doStep() {
   if (step.kind == StepKind::Trial) {
     cut(step.minimumCuts);
     look();
-    auto* enough = buttonSaying(page(), QStringLiteral("I have felt enough"));
+    auto* enough = buttonSaying(page(), QStringLiteral("I have finished"));
     waitFor([&] { return enough->isEnabled(); }, 2000);
     QTest::mouseClick(enough, Qt::LeftButton);
     return;

@@ -202,7 +202,7 @@ TEST(Preflight, WarnsIfTheProtocolNeedsMoreForceThanTheDeviceHas) {
   const auto found = preflight(*deviceSet.find("spare"), &need, 0.1);
   EXPECT_EQ(found.back().finding, haptics::devices::Finding::Warn);
   EXPECT_EQ(found.back().measured, "300 N of 140 N");
-  expectIn(found.back().mend, "force_scale");
+  expectIn(found.back().fix, "force_scale");
 }
 
 }  // namespace device_file_test

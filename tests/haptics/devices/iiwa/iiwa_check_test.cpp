@@ -83,7 +83,7 @@ TEST_F(IiwaCheckTest, NamesTheOverlayThatTheRobotTakes) {
   during([&] { found = device_->check(0.2); });
   ASSERT_NE(lineOf(found, "force overlay"), nullptr);
   EXPECT_EQ(lineOf(found, "force overlay")->finding, Finding::Fail);
-  EXPECT_TRUE(says(lineOf(found, "force overlay")->mend, R"("overlay": "wrench")"));
+  EXPECT_TRUE(says(lineOf(found, "force overlay")->fix, R"("overlay": "wrench")"));
 }
 
 TEST_F(IiwaCheckTest, FailsItsCheckWhenMessagesStop) {
@@ -126,7 +126,7 @@ TEST_F(IiwaCheckTest, FailsItsCheckWhereItsPortIsInUse) {
   const auto found = device.check(0.1);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].finding, Finding::Fail);
-  EXPECT_TRUE(says(found[0].mend, "cannot be had"));
+  EXPECT_TRUE(says(found[0].fix, "cannot be had"));
 }
 
 }  // namespace iiwa_check_test

@@ -127,7 +127,7 @@ TEST_F(PunchCheckTest, PassesItsCheck) {
   } while (!isFit(found) && timing::now() < until);
   for (const auto& line : found) {
     EXPECT_NE(line.finding, Finding::Fail) << line.what << ": " << line.measured;
-    EXPECT_EQ(line.finding == Finding::Pass, line.mend.empty()) << line.what;
+    EXPECT_EQ(line.finding == Finding::Pass, line.fix.empty()) << line.what;
   }
   for (const char* what : {"firmware", "telemetry", "round trip", "travel", "force at most"}) {
     EXPECT_NE(lineOf(found, what), nullptr) << what;
@@ -144,7 +144,7 @@ TEST_F(PunchCheckTest, FailsItsCheckWithoutABoard) {
   const auto found = device.check(0.1);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].finding, Finding::Fail);
-  EXPECT_TRUE(says(found[0].mend, "no serial port"));
+  EXPECT_TRUE(says(found[0].fix, "no serial port"));
 }
 
 TEST_F(PunchCheckTest, FailsItsCheckWithABrokenDriver) {
@@ -173,7 +173,7 @@ TEST_F(PunchCheckTest, FailsItsCheckWhenFramesAreLost) {
   ASSERT_NE(lost, nullptr);
   EXPECT_EQ(lost->finding, Finding::Fail);
   EXPECT_EQ(lost->measured, "20, 0, 0, 0");
-  EXPECT_TRUE(says(lost->mend, "cable"));
+  EXPECT_TRUE(says(lost->fix, "cable"));
 }
 
 }  // namespace punch_check_test

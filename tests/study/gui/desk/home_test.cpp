@@ -85,7 +85,7 @@ TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
   }
   const auto place = text.find("\"phases\"");
   ASSERT_NE(place, std::string::npos);
-  const auto mended = text;
+  const auto corrected = text;
   text.replace(place, 8, "\"phasen\"");
   const auto file = folder_.write("mine.json", text);
 
@@ -107,12 +107,12 @@ TEST_F(HomeTest, CreatesAStudyAfterItsProtocolWasCorrected) {
       questionnaires::describe(problems.all()));
   tests::photographInAllThemes(*dialog, QStringLiteral("new-study-broken"));
 
-  folder_.write("mine.json", mended);
+  folder_.write("mine.json", corrected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return go->isEnabled(); }));
   QTest::mouseClick(go, Qt::LeftButton);
   ASSERT_EQ(listOf(home)->rowCount(), 1);
   auto study = Study::open(folder.toStdString(), clock_);
-  EXPECT_EQ(study.protocol().text, mended);
+  EXPECT_EQ(study.protocol().text, corrected);
   tests::photographInAllThemes(home, QStringLiteral("home"));
 }
 

@@ -30,7 +30,7 @@ TEST(SelfTest, JudgesTheClockByMissedTicksAndPriority) {
   const auto rough = judgeClock(reportOf(2000, 200), true, 1000.0).found;
   EXPECT_EQ(rough.finding, Finding::Fail);
   EXPECT_NE(rough.measured.find("200 of 2000"), std::string::npos) << rough.measured;
-  EXPECT_FALSE(rough.mend.empty());
+  EXPECT_FALSE(rough.fix.empty());
 }
 
 TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
@@ -40,8 +40,8 @@ TEST(SelfTest, JudgesTheDiskByTheTimeOfACommit) {
   EXPECT_EQ(judge(0.002).finding, Finding::Pass);
   EXPECT_EQ(judge(0.05).finding, Finding::Warn);
   EXPECT_EQ(judge(0.5).finding, Finding::Fail);
-  EXPECT_TRUE(judge(0.002).mend.empty());
-  EXPECT_FALSE(judge(0.5).mend.empty());
+  EXPECT_TRUE(judge(0.002).fix.empty());
+  EXPECT_FALSE(judge(0.5).fix.empty());
 }
 
 class StudySelfTest : public testing::Test {
@@ -74,7 +74,7 @@ TEST_F(StudySelfTest, TestsEveryPartAndLeavesNoFiles) {
   for (const auto& line : lines) {
     parts.insert(line.part);
     EXPECT_FALSE(line.found.measured.empty()) << line.found.what;
-    EXPECT_EQ(line.found.mend.empty(), line.found.finding == Finding::Pass) << line.found.what;
+    EXPECT_EQ(line.found.fix.empty(), line.found.finding == Finding::Pass) << line.found.what;
   }
   EXPECT_EQ(parts, (std::set<std::string>{"clock", "database", "devices"}));
   ASSERT_NE(about(lines, "study.db"), nullptr);

@@ -29,7 +29,7 @@ TEST_F(TourTest, LetsTheUserFeelAPunchAndShowsTheRecord) {
   tour.show();
   auto* page = tour.findChild<TrialPage*>();
   QTest::mouseClick(buttonSaying(page, QStringLiteral("Begin")), Qt::LeftButton);
-  auto* enough = buttonSaying(page, QStringLiteral("I have felt enough"));
+  auto* enough = buttonSaying(page, QStringLiteral("I have finished"));
   ASSERT_NE(enough, nullptr);
   QTest::keyPress(page, Qt::Key_Space);
   QTest::qWait(900);
