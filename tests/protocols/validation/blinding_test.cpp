@@ -62,11 +62,12 @@ TEST(Blinding, IsBrokenByLabelsThatStandForConditions) {
 
 TEST(Blinding, IsBrokenByStatementsThatDifferBetweenConditions) {
   const auto text = tests::with(
-      tests::with(tests::usualProtocol(), "realism-common", "punch-face-validity"),
+      tests::with(
+          tests::withBenchmark(tests::usualProtocol()), "realism-cuts", "punch-face-validity"),
       R"("questionnaires": [{ "instrument": "punch-face-validity" }])",
       R"("questionnaires": [{"instrument": "punch-face-validity", "set_by_condition":
          {"soft": "1", "firm": "2"}}])");
-  EXPECT_EQ(foundIn(text), Words{"$.phases[1].questionnaires[0] statements_tell"});
+  EXPECT_EQ(foundIn(text), Words{"$.phases[2].questionnaires[0] statements_tell"});
 }
 
 TEST(Blinding, IsBrokenByABlockThatHasSomeOfTheConditionsOnly) {

@@ -65,7 +65,7 @@ TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   EXPECT_EQ(events.back().name(), "gave_consent");
   EXPECT_TRUE(verify(*study_).isSound());
 
-  const auto tables = exportTables(*study_, {});
+  const auto tables = exportTables(*study_, {.isBlinded = false});
   const auto& last = tables.back().rows.back();
   EXPECT_EQ(std::get<double>(last[5]), 15.0);  // onset_s: 10 s and 5 s
 }
@@ -96,7 +96,7 @@ TEST_F(SteppedClockTest, BridgesTheTimeBetweenTwoRunsOfTheProgram) {
   auto resumed = Session::resume(study, id);
   later.advance(2.0);
   resumed.finishStep();
-  const auto events = exportTables(study, {}).back();
+  const auto events = exportTables(study, {.isBlinded = false}).back();
   EXPECT_EQ(std::get<double>(events.rows.back()[5]), 1812.0);  // 10 s + 1800 s + 2 s
 }
 

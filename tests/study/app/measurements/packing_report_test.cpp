@@ -55,8 +55,8 @@ TEST(FeedTable, GivesBackTheCurveAtTheMeasuredFeedsAndAccountsForAllMass) {
   const auto table = feedTable(bone, fit);
   // 0.01, 0.03, 0.1, 0.3, 1 and 1.8 mm/s, for three curves.
   ASSERT_EQ(table.rows.size(), 18U);
-  EXPECT_EQ(cellOf(table, 0, "feed_mm_per_s"), 0.01);
-  EXPECT_EQ(cellOf(table, 1, "feed_mm_per_s"), 0.03);
+  EXPECT_DOUBLE_EQ(cellOf(table, 0, "feed_mm_per_s"), 0.01);
+  EXPECT_DOUBLE_EQ(cellOf(table, 1, "feed_mm_per_s"), 0.03);
   EXPECT_NEAR(cellOf(table, 5, "feed_mm_per_s"), 1.8, 1e-9);
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     EXPECT_LT(cellOf(table, row, "unaccounted_share"), 1e-6) << row;
