@@ -26,7 +26,11 @@ class RenderingWriter : HtmlWriter {
           "later ones, which go through its hole, are in this together: the median then lies "
           "between both.");
     }
-    if (s_.curvesReason.empty()) {
+    const bool isEmpty = std::all_of(
+        s_.curves.begin(), s_.curves.end(), [](const auto& curve) { return curve.points.empty(); });
+    if (s_.curvesReason.empty() && isEmpty) {
+      note("No tool advanced in any trial: there is no curve of force over travel.");
+    } else if (s_.curvesReason.empty()) {
       if (s_.figures.felt.empty()) figure("", "Force over travel for every alternative.");
       manipulation();
       againstMaterial();
@@ -41,7 +45,7 @@ class RenderingWriter : HtmlWriter {
   void manipulation() {
     table(
         say("Manipulation check: root mean square difference of the median forces"),
-        {say("Pair"), say("All samples [N]"), "n", say("By participant [N]"), say("95 % CI")});
+        {say("Pair"), say("All strokes [N]"), "n", say("By participant [N]"), say("95 % CI")});
     for (const auto& d : feltDifferences(s_.curves)) {
       row(
           {condition(d.condition1) + " vs. " + condition(d.condition2),

@@ -9,12 +9,14 @@ namespace study {
 namespace {
 
 constexpr int kBins = 80;                // over the device's whole travel
-constexpr std::size_t kFewest = 20;      // samples that a bin needs to be shown
 constexpr double kOwnSpeed = 0.95;       // quantile of speeds that is taken for the hand's speed
 constexpr double kShareOfOwn = 0.1;      // of that speed: slower samples may be at rest
 constexpr double kSlowestStroke = 16.0;  // [s] over the whole travel: faster is never at rest
 
 using haptics::engine::TickSample;
+
+constexpr auto kStrokeEnds =
+    static_cast<std::uint8_t>(haptics::models::CutDetector<double>::Event::CutCompleted);
 
 bool isFelt(const storage::TraceSample& sample) noexcept {
   return (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0;
@@ -25,6 +27,13 @@ double endOf(const haptics::engine::SceneSpec& scene) {
   const auto parts = haptics::engine::partsOf(scene.model);
   if (parts.cut != nullptr && !parts.cut->curve.empty()) return parts.cut->curve.back().travel;
   return haptics::engine::endOfData(scene.model).value_or(0.0);
+}
+
+/// The lower of two middle values, so that the median is a force that was commanded.
+float lowerMedian(std::vector<float>& forces) {
+  const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
+  std::nth_element(forces.begin(), middle, forces.end());
+  return *middle;
 }
 
 /// The speed at which the hand closed against a force in these samples [unit/s]; 0 if it never did.
@@ -54,24 +63,48 @@ FeltBins::FeltBins(
 
 void FeltBins::add(std::span<const storage::TraceSample> samples) {
   const double closing = std::min(closing_, kShareOfOwn * ownSpeed(samples));
+  Stroke stroke;
+  const storage::TraceSample* before = nullptr;  // the sample before, if the tool closed in it
   for (const auto& sample : samples) {
     const auto velocity = static_cast<double>(sample.velocity);
-    if (!isFelt(sample) || !(velocity > 0.0) || velocity < closing) continue;
-    const double bin = std::floor(static_cast<double>(sample.travel) / width_);
-    if (!(bin >= 0.0 && bin < static_cast<double>(forces_.size()))) continue;
-    forces_[static_cast<std::size_t>(bin)].push_back(sample.force);
+    const bool closes = isFelt(sample) && velocity > 0.0 && velocity >= closing;
+    if (closes) {
+      if (const auto bin = binOf(sample.travel)) stroke[*bin].push_back(sample.force);
+      if (before != nullptr) addBetween(*before, sample, stroke);
+    }
+    before = closes ? &sample : nullptr;
+    if (sample.landmark == kStrokeEnds) endStroke(stroke);
   }
+  endStroke(stroke);
+}
+
+std::optional<std::size_t> FeltBins::binOf(double travel) const {
+  const double bin = std::floor(travel / width_);
+  if (!(bin >= 0.0 && bin < static_cast<double>(forces_.size()))) return std::nullopt;
+  return static_cast<std::size_t>(bin);
+}
+
+/// The forces in the bins that the tool passed between two samples, on the line between these.
+void FeltBins::addBetween(
+    const storage::TraceSample& a, const storage::TraceSample& b, Stroke& stroke) const {
+  const auto first = binOf(a.travel);
+  const auto last = binOf(b.travel);
+  if (!first || !last) return;
+  for (std::size_t bin = *first + 1; bin < *last; ++bin) {
+    const double share = (middleOf(bin) - a.travel) / (static_cast<double>(b.travel) - a.travel);
+    stroke[bin].push_back(static_cast<float>(std::lerp(a.force, b.force, share)));
+  }
+}
+
+void FeltBins::endStroke(Stroke& stroke) {
+  for (auto& [bin, forces] : stroke) forces_[bin].push_back(lowerMedian(forces));
+  stroke.clear();
 }
 
 std::map<int, double> FeltBins::medians() {
   std::map<int, double> medians;
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
-    auto& forces = forces_[bin];
-    if (forces.empty()) continue;
-    // The lower of two middle values, so that the median is a force that was commanded.
-    const auto middle = forces.begin() + static_cast<std::ptrdiff_t>((forces.size() - 1) / 2);
-    std::nth_element(forces.begin(), middle, forces.end());
-    medians[static_cast<int>(bin)] = *middle;
+    if (!forces_[bin].empty()) medians[static_cast<int>(bin)] = lowerMedian(forces_[bin]);
   }
   return medians;
 }
@@ -80,13 +113,13 @@ std::vector<FeltCurve::Point> FeltBins::points() {
   std::vector<FeltCurve::Point> points;
   for (std::size_t bin = 0; bin < forces_.size(); ++bin) {
     auto& forces = forces_[bin];
-    if (forces.size() < kFewest) continue;
+    if (forces.empty()) continue;
     std::sort(forces.begin(), forces.end());
     const auto at = [&](double share) {
       return static_cast<double>(
           forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))]);
     };
-    points.push_back({(static_cast<double>(bin) + 0.5) * width_, at(0.1), at(0.5), at(0.9)});
+    points.push_back({middleOf(bin), at(0.1), at(0.5), at(0.9)});
   }
   return points;
 }

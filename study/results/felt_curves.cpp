@@ -71,7 +71,7 @@ std::vector<FeltCurve> feltCurves(Study& study, RunMode mode) {
 }
 
 std::optional<double> rmsFromMeant(const FeltCurve& curve) {
-  if (curve.meant.empty()) return std::nullopt;
+  if (curve.meant.empty() || curve.points.empty()) return std::nullopt;
   double sum = 0.0;
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     sum += std::pow(curve.points[i].median - curve.meant[i], 2.0);

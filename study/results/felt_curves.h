@@ -17,7 +17,7 @@ namespace study {
 struct FeltCurve {
   struct Point {
     double travel = 0.0;  ///< middle of a bin [device's travel unit]
-    double low = 0.0;     ///< 10th percentile [N]
+    double low = 0.0;     ///< 10th percentile over strokes [N]
     double median = 0.0;  ///< [N]
     double high = 0.0;    ///< 90th percentile [N]
   };
@@ -38,7 +38,7 @@ struct FeltCurve {
 struct FeltDifference {
   std::string condition1;
   std::string condition2;
-  double pooled = 0.0;                         ///< of the medians over all participants' samples
+  double pooled = 0.0;                         ///< of the medians over all participants' strokes
   std::size_t participants = 0;                ///< who had both
   std::optional<double> mean;                  ///< of the participants' own differences
   std::optional<analysis::Interval> interval;  ///< of that mean, Student's, at 95 %

@@ -66,7 +66,7 @@ void paintFigures(ReportSection& section) {
   for (const auto& device : section.protocol.devices) {
     const bool wasFelt =
         std::any_of(section.curves.begin(), section.curves.end(), [&](const FeltCurve& curve) {
-          return curve.device == device.id;
+          return curve.device == device.id && !curve.points.empty();
         });
     if (!wasFelt) continue;
     section.figures.felt.push_back(asSvg(feltFigureSize(), [&](QPainter& painter) {

@@ -233,7 +233,7 @@ TEST_F(ReportTables, OfPreferencesHasVotesAndIntervalsOfEachCondition) {
 TEST_F(ReportTables, OfForcesHasThePooledAndTheMeanDifference) {
   const Row expected{
       {"Pair", "Interpolation vs. FEM"},
-      {"All samples [N]", "3.00"},
+      {"All strokes [N]", "3.00"},
       {"n", "3"},
       {"By participant [N]", "2.50"},
       {"95 % CI", "[-1.98, 6.98]"}};

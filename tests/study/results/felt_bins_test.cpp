@@ -68,6 +68,47 @@ TEST(FeltBins, CountFastMovementFromAFixedSpeedOn) {
   EXPECT_EQ(medians.count(static_cast<int>(8.0 / (11.0 / 80.0))), 0U);
 }
 
+/// A punch that closes from open to shut at @p speed [unit/s] at 1 kHz against @p force [N].
+template <typename Force>
+std::vector<TraceSample> closing(double speed, Force force) {
+  using Event = haptics::models::CutDetector<double>::Event;
+  std::vector<TraceSample> samples;
+  for (double travel = 0.0; travel <= 10.0; travel += 1e-3 * speed) {
+    samples.push_back(
+        {.travel = static_cast<float>(travel),
+         .velocity = static_cast<float>(speed),
+         .force = static_cast<float>(force(travel))});
+  }
+  samples.push_back({.travel = 10.0F, .landmark = static_cast<std::uint8_t>(Event::CutCompleted)});
+  return samples;
+}
+
+TEST(FeltBins, GiveACurveOfOneStrokeHoweverFastItWas) {
+  const auto linear = [](double travel) { return 0.5 * travel; };
+  for (const double speed : {2.0, 45.0, 400.0}) {  // 400: three bins a sample
+    FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+    bins.add(closing(speed, linear));
+    const auto points = bins.points();
+    ASSERT_GE(points.size(), 70U) << speed;
+    for (const auto& point : points) {
+      EXPECT_NEAR(point.median, linear(point.travel), 0.5 * 11.0 / 160.0) << speed;
+      EXPECT_EQ(point.low, point.high) << "there is one stroke";
+    }
+  }
+}
+
+TEST(FeltBins, CountEveryStrokeOnce) {
+  FeltBins bins(punchKind(), {.model = haptics::engine::publishedElements(5)});
+  auto samples = closing(5.0, [](double) { return 1.0; });  // 2,000 samples
+  for (int i = 0; i < 2; ++i) {
+    const auto fast = closing(50.0, [](double) { return 3.0; });  // 200
+    samples.insert(samples.end(), fast.begin(), fast.end());
+  }
+  bins.add(samples);
+  for (const auto& [bin, median] : bins.medians()) EXPECT_EQ(median, 3.0) << bin;
+  EXPECT_EQ(bins.points().front().low, 1.0);
+}
+
 TEST(FeltBins, ReachAsDeepAsTheDataOfTheScene) {
   MaterialSpec deep{.nodes = haptics::engine::parametricMaterial()};
   deep.nodes.push_back({0.03, 900.0, 950.0});
