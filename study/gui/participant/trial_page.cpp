@@ -1,6 +1,7 @@
 #include "study/gui/participant/trial_page.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -11,7 +12,9 @@
 namespace study::gui {
 namespace {
 constexpr double kWholeStroke = 220.0;  // [px] of dragging that close the handle completely
-}
+constexpr int kClosing = 1200;          // [ms] of the space bar, from open to closed
+constexpr int kOpening = 400;
+}  // namespace
 
 TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
     : QWidget(parent),
@@ -47,7 +50,23 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
   connect(begin_, &QPushButton::clicked, this, &TrialPage::beginRequested);
   connect(enough_, &QPushButton::clicked, this, &TrialPage::enoughRequested);
   connect(decline_, &QPushButton::clicked, this, &TrialPage::declined);
+  hand_.setStartValue(0.0);
+  connect(&hand_, &QVariantAnimation::valueChanged, this, [this](const QVariant& share) {
+    if (isRunning_) emit handMoved(share.toDouble());
+  });
   setRunning(false);
+}
+
+/// Moves the hand from where the space bar left it to @p share, in @p duration [ms] for a whole
+/// stroke.
+void TrialPage::moveHandTo(double share, int duration) {
+  const double from = hand_.state() == QAbstractAnimation::Running ? hand_.currentValue().toDouble()
+                                                                   : hand_.endValue().toDouble();
+  hand_.stop();
+  hand_.setStartValue(from);
+  hand_.setEndValue(share);
+  hand_.setDuration(std::max(1, static_cast<int>(std::abs(share - from) * duration)));
+  hand_.start();
 }
 
 QString TrialPage::cutsInWords(int cuts) const {
@@ -90,7 +109,7 @@ void TrialPage::mouseReleaseEvent(QMouseEvent* /*event*/) {
 
 void TrialPage::keyPressEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) emit handMoved(1.0);
+    if (!event->isAutoRepeat()) moveHandTo(1.0, kClosing);
     return;
   }
   const bool isReamer = content_.device->tissue == haptics::devices::Tissue::Bone;
@@ -103,7 +122,7 @@ void TrialPage::keyPressEvent(QKeyEvent* event) {
 
 void TrialPage::keyReleaseEvent(QKeyEvent* event) {
   if (isRunning_ && event->key() == Qt::Key_Space) {
-    if (!event->isAutoRepeat()) emit handMoved(0.0);
+    if (!event->isAutoRepeat()) moveHandTo(0.0, kOpening);
     return;
   }
   QWidget::keyReleaseEvent(event);

@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
+#include <QVariantAnimation>
 #include <QWidget>
 
 #include "haptics/devices/device_kind.h"
@@ -14,8 +15,9 @@ namespace study::gui {
 /// The participant's page during a trial. It shows only the alternative's name and the number of
 /// cuts made and required.
 ///
-/// With a virtual device the page is the handle: holding the space bar closes it, and dragging
-/// closes it in proportion to the distance.
+/// With a virtual device the page is the handle: holding the space bar closes it in 1.2 s, about as
+/// long as a cut of the published recordings takes, and dragging closes it in proportion to the
+/// distance.
 class TrialPage final : public QWidget {
   Q_OBJECT
 
@@ -54,6 +56,7 @@ class TrialPage final : public QWidget {
 
  private:
   QString cutsInWords(int cuts) const;
+  void moveHandTo(double share, int duration);
 
   Content content_;
   QLabel* count_;
@@ -63,6 +66,7 @@ class TrialPage final : public QWidget {
   QPushButton* decline_;
   bool isRunning_ = false;
   double pressedAt_ = 0.0;
+  QVariantAnimation hand_;  ///< of the space bar
 };
 
 }  // namespace study::gui

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTest>
@@ -78,6 +79,20 @@ void Participant::answerAll() {
   }
 }
 
+/// One event of a drag with the left button, @p y pixels below the top of the page.
+static void drag(QWidget& page, QEvent::Type type, int y) {
+  const QPointF place(10.0, y);
+  const bool isMove = type == QEvent::MouseMove;
+  QMouseEvent event(
+      type,
+      place,
+      page.mapToGlobal(place),
+      isMove ? Qt::NoButton : Qt::LeftButton,
+      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+      Qt::NoModifier);
+  QCoreApplication::sendEvent(&page, &event);
+}
+
 void Participant::cut(int cuts) {
   QCoreApplication::processEvents();  // the page may be new
   auto* feel = page()->findChild<TrialPage*>();
@@ -85,7 +100,8 @@ void Participant::cut(int cuts) {
   const double far = study::farthestFor(study::deviceFor(controller->session()));
   QTest::mouseClick(buttonSaying(feel, QStringLiteral("Begin")), Qt::LeftButton);
   for (int made = controller->trialStatus().cuts; made < cuts;) {
-    QTest::keyPress(feel, Qt::Key_Space);
+    drag(*feel, QEvent::MouseButtonPress, 0);  // the space bar would take its time
+    drag(*feel, QEvent::MouseMove, 300);
     double before = -1.0;
     // A stroke does not go through bone at once: it also ends when the hand stops moving.
     const auto isThrough = [&] {
@@ -95,7 +111,7 @@ void Participant::cut(int cuts) {
       return travel > 0.75 * far || isAtRest;
     };
     waitFor(isThrough, 10'000);  // a reamer goes through some millimetres a second
-    QTest::keyRelease(feel, Qt::Key_Space);
+    drag(*feel, QEvent::MouseButtonRelease, 300);
     waitFor([&] { return controller->trialStatus().travel < 0.04 * far; }, 2000);
     made = controller->trialStatus().cuts;
   }
