@@ -9,6 +9,7 @@
 
 #include "protocols/orders/schedule.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/results/balance_words.h"
 
 namespace study::gui {
@@ -44,7 +45,7 @@ OrdersPage::OrdersPage(QWidget* parent)
   seed_->setAccessibleName(tr("Seed"));
   seed_->setValidator(
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->verticalHeader()->hide();
   table_->setAccessibleName(tr("Orders"));

@@ -17,6 +17,7 @@
 #include "study/gui/authoring/orders_page.h"
 #include "study/gui/authoring/timeline_page.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -90,7 +91,7 @@ void ProtocolWindow::prepareText() {
 void ProtocolWindow::prepareProblems() {
   problems_->setHorizontalHeaderLabels({tr("What"), tr("Where"), tr("Problem"), tr("Fix")});
   problems_->setAccessibleName(tr("Problems"));
-  problems_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*problems_);
   problems_->setSelectionBehavior(QAbstractItemView::SelectRows);
   problems_->setSelectionMode(QAbstractItemView::SingleSelection);
   problems_->verticalHeader()->hide();

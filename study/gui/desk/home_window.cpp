@@ -24,6 +24,7 @@
 #include "study/gui/desk/tour.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -66,7 +67,7 @@ QWidget* HomeWindow::makeList() {
   list_->setObjectName(QStringLiteral("studies"));
   list_->setSelectionBehavior(QAbstractItemView::SelectRows);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*list_);
   list_->setShowGrid(false);
   list_->setWordWrap(true);
   list_->verticalHeader()->hide();

@@ -9,6 +9,7 @@
 
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
@@ -43,7 +44,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOrder order, QWidget* parent)
   table_->setAccessibleName(tr("What was found"));
   table_->setHorizontalHeaderLabels(
       {tr("Part"), tr("Result"), tr("What"), tr("Measured"), tr("What to do")});
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*table_);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->setWordWrap(true);
   table_->verticalHeader()->hide();

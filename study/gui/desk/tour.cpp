@@ -15,6 +15,7 @@
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/studio_settings.h"
 
 namespace study::gui {
@@ -153,7 +154,7 @@ QWidget* Tour::makeRecord() {
   record_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   record_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   record_->verticalHeader()->hide();
-  record_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*record_);
   record_->setSelectionMode(QAbstractItemView::NoSelection);
   kept_ = bodyLabel({}, step);
   auto* layout = new QVBoxLayout(step);

@@ -3,6 +3,7 @@
 #include <QHeaderView>
 
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
 namespace {
@@ -43,7 +44,7 @@ CutTable::CutTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
       {tr("Contact"), tr("Yield"), tr("Bottom"), tr("Opening"), tr("Largest force")});
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   setSelectionMode(QAbstractItemView::NoSelection);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);
 }
 

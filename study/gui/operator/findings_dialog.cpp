@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
 namespace {
@@ -57,7 +58,7 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
        FindingsDialog::tr("What"),
        FindingsDialog::tr("Measured"),
        FindingsDialog::tr("What to do")});
-  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*table);
   table->setSelectionMode(QAbstractItemView::NoSelection);
   table->setFocusPolicy(Qt::NoFocus);
   table->setWordWrap(true);

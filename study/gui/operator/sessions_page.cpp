@@ -13,6 +13,7 @@
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
 namespace {
@@ -80,7 +81,7 @@ QWidget* SessionsPage::makeList() {
   table_->verticalHeader()->hide();
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*table_);
   details_->setObjectName(QStringLiteral("session-details"));
   resume_->setProperty("role", QStringLiteral("main"));
 

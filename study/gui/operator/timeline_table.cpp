@@ -6,6 +6,7 @@
 #include <QResizeEvent>
 
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/read_only_table.h"
 
 namespace study::gui {
 namespace {
@@ -54,7 +55,7 @@ TimelineTable::TimelineTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setColumnWidth(4, kWideEnough);
   verticalHeader()->hide();
   setSelectionMode(QAbstractItemView::NoSelection);
-  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  makeReadOnly(*this);
   setFocusPolicy(Qt::NoFocus);
 }
 

@@ -110,6 +110,7 @@ void ParticipantWindow::showStep() {
   updateProgress();
   QSignalBlocker quiet(languages_);
   languages_->setCurrentIndex(languages_->findData(QString::fromStdString(session.language())));
+  languages_->setVisible(languages_->count() > 1 && session.stepIndex() == 0);
   showPage(makePage());
 }
 

@@ -1,7 +1,9 @@
 // The participant's window in right-to-left languages, with a screen reader, and by keyboard.
 #include "study/gui/participant/participant_window.h"
 
+#include <algorithm>
 #include <fstream>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,11 +13,13 @@
 #include <QCoreApplication>
 #include <QTest>
 
+#include "haptics/devices/punch/punch_kind.h"
 #include "protocols/load_protocol.h"
 #include "protocols/model/loaded_protocol.h"
 #include "study/gui/operator/consent_copy_dialog.h"
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/participant/option_buttons.h"
+#include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/participant.h"
 #include "tests/support/scratch_folder.h"
 
@@ -61,6 +65,14 @@ TEST_F(ParticipantPages, SwitchToRightToLeftAndBack) {
   choose("ar");
   EXPECT_EQ(page().layoutDirection(), Qt::RightToLeft);
   EXPECT_EQ(window_.controller()->session().language(), "ar");
+}
+
+TEST_F(ParticipantPages, OfferLanguagesOnTheFirstPageOnly) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  EXPECT_TRUE(page().findChild<QComboBox*>()->isVisible());
+  participant_.takePart(1);
+  EXPECT_FALSE(page().findChild<QComboBox*>()->isVisible());
 }
 
 TEST_F(ParticipantPages, MirrorScalesInRightToLeftLanguages) {
@@ -200,6 +212,23 @@ TEST_F(OptionalTrialPages, RepeatATrialOrSkipIt) {
   EXPECT_TRUE(window_.controller()->isTrialRunning());
   EXPECT_EQ(tests::buttonSaying(page, QStringLiteral("No, go on")), nullptr);
   window_.controller()->stop();
+}
+
+TEST(TrialPage, ClosesTheHandGraduallyWhileTheSpaceBarIsHeld) {
+  TrialPage page(
+      {.name = QStringLiteral("Tissue 1"), .device = &haptics::devices::punchKind()}, nullptr);
+  page.show();
+  page.setRunning(true);
+  std::vector<double> shares;
+  QObject::connect(&page, &TrialPage::handMoved, [&](double share) { shares.push_back(share); });
+  QTest::keyPress(&page, Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shares.empty() && shares.back() == 1.0; }, 20'000));
+  EXPECT_LT(shares.front(), 0.5);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  shares.clear();
+  QTest::keyRelease(&page, Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !shares.empty() && shares.back() == 0.0; }, 20'000));
+  EXPECT_TRUE(std::is_sorted(shares.rbegin(), shares.rend()));
 }
 
 TEST_F(OptionalTrialPages, WriteACopyOfTheConsentOnRequest) {

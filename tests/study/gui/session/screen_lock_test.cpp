@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QComboBox>
 #include <QDialog>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -111,6 +114,23 @@ TEST(StopKey, WorksInDialogsWhileArmed) {
   QTest::keyClick(&dialog, Qt::Key_Escape);
   EXPECT_EQ(pressed.count(), 3);
   EXPECT_FALSE(dialog.isVisible());
+}
+
+TEST(StopKey, LetsEscapeCloseAListInATrial) {
+  StopKey stop;
+  QSignalSpy pressed(&stop, &StopKey::pressed);
+  QComboBox box;
+  box.addItems({QStringLiteral("one"), QStringLiteral("two")});
+  box.show();
+  stop.setArmed(true);
+  box.showPopup();
+  auto* list = QApplication::activePopupWidget();
+  ASSERT_NE(list, nullptr);
+  QTest::keyClick(box.view(), Qt::Key_Escape);
+  EXPECT_EQ(pressed.count(), 0);
+  EXPECT_FALSE(list->isVisible());
+  QTest::keyClick(&box, Qt::Key_Escape);
+  EXPECT_EQ(pressed.count(), 1);
 }
 
 }  // namespace screen_lock_test

@@ -1,14 +1,18 @@
 #include "study/gui/widgets/theme.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
 #include <QRegularExpression>
@@ -97,6 +101,40 @@ TEST_P(ThemeTest, HasReadablePlaceHolders) {
   EXPECT_GE(contrast(words, theme_.field.background), least_) << words.name().toStdString();
   const auto written = line.palette().color(QPalette::Text);
   EXPECT_GE(contrast(written, theme_.field.background), least_) << written.name().toStdString();
+  applyTheme(application);
+}
+
+/// The largest contrast of a pixel with the colour that most pixels have.
+double contrastWithin(const QImage& picture) {
+  std::map<QRgb, int> counts;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
+  }
+  const auto ground = std::max_element(
+      counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
+  double most = 1.0;
+  for (const auto& [colour, count] : counts) {
+    most = std::max(most, contrast(QColor(colour), QColor(ground->first)));
+  }
+  return most;
+}
+
+TEST_P(ThemeTest, HasReadableEntriesInDropDownListsAlsoUnderTheCursor) {
+  auto& application = *qobject_cast<QApplication*>(QApplication::instance());
+  applyTheme(application, GetParam());
+  QComboBox box;
+  box.addItems({QStringLiteral("live"), QStringLiteral("pilot"), QStringLiteral("simulated")});
+  box.show();
+  box.showPopup();
+  auto* list = box.view();
+  list->setCurrentIndex(list->model()->index(1, 0));
+  QCoreApplication::processEvents();
+  const QImage shown = list->viewport()->grab().toImage();
+  for (int row = 0; row < box.count(); ++row) {
+    const auto place = list->visualRect(list->model()->index(row, 0)).adjusted(4, 4, -4, -4);
+    EXPECT_GE(contrastWithin(shown.copy(place)), least_) << "row " << row;
+  }
+  box.hidePopup();
   applyTheme(application);
 }
 
