@@ -136,8 +136,8 @@ void sweepRest(StabilityResult& result) {
   }
 }
 
-/// One encoder step makes a step of K times itself, and nothing makes a larger one; but for paper-text,
-/// whose two forces take turns with any encoder.
+/// One encoder step makes a step of K times itself, and nothing makes a larger one; but for
+/// paper-text, whose two forces take turns with any encoder.
 void sweepEncoders(StabilityResult& result) {
   for (const auto& [name, spec] : allScenes()) {
     const double stiffness = engine::CompiledScene(spec).largestStiffness();

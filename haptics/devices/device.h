@@ -33,7 +33,7 @@ struct CheckResult {
   Finding finding = Finding::Pass;
   std::string what;      ///< what was looked at: "telemetry rate"
   std::string measured;  ///< what was seen, with its unit
-  std::string fix;      ///< what to do about it; empty where all is well
+  std::string fix;       ///< what to do about it; empty where all is well
 };
 
 /// A device that cannot be used: which, why, and what to do about it, in words.

@@ -130,7 +130,9 @@ class AnatomyReader {
   bool isSound(NamedSurface& surface, const std::string& place) {
     if (!std::all_of(surface.places.begin(), surface.places.end(), isFinite)) {
       problems_.add(
-          place, "a corner of it lies at no number (nan or inf)", "repair the mesh and save it anew");
+          place,
+          "a corner of it lies at no number (nan or inf)",
+          "repair the mesh and save it anew");
       return false;
     }
     if (surface.triangles.empty()) {

@@ -56,7 +56,8 @@ Table<Row> table() {
       .name = "rows",
       .description = "One row per row.",
       .columns = {
-          Column<Row>("code", OneOf{ValueList::Cohorts}, "A code", &Row::code).identifiesParticipant(),
+          Column<Row>("code", OneOf{ValueList::Cohorts}, "A code", &Row::code)
+              .identifiesParticipant(),
           {"count", Integer{}, "How many", &Row::count},
           Column<Row>("secret", FreeText{}, "Which rendering it was", &Row::code)
               .revealsCondition()
