@@ -174,7 +174,7 @@ void addProtocolCommands(CLI::App& program, Action& action) {
       ->required()
       ->check(CLI::Range(1, 100'000));
   auto* seed =
-      orders->add_option("--seed", ordering->seed, "Of the study (see 'palpate study status')");
+      orders->add_option("--seed", ordering->seed, "Of a study; its simulated sessions have these orders");
   orders->add_flag(
       "--csv", ordering->csv, "Write the trials of all participants as CSV, without the balance");
   orders->callback([&action, ordering, seed] {

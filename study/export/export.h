@@ -40,7 +40,7 @@ inline constexpr std::size_t kSmallestPublicClass = 5;
 
 /// All data for analyses, as tables: sessions, responses, trials, cuts, events. A blinded export
 /// has sessions and responses only, without anything that depends on the rendering; conditions have
-/// codes that are drawn from the study's seed and are the same in every row.
+/// codes that are the same in every row of a run mode.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
@@ -65,6 +65,10 @@ std::string blindingInWords(Study& study, const ExportOptions& options);
 
 /// The codes of conditions in exports: "C2". A condition that a later version of the protocol adds
 /// gets a new code; codes never change.
-std::map<std::string, std::string> conditionCodes(Study& study);
+///
+/// The study's secret draws other codes for each of live and pilot sessions, so that an unblinded
+/// export of a pilot says nothing of the study. Simulated sessions, and all sessions of studies
+/// that release 0.1 made, have the codes of the seed.
+std::map<std::string, std::string> conditionCodes(Study& study, RunMode mode);
 
 }  // namespace study

@@ -56,8 +56,10 @@ Cell responseOf(const questionnaires::Response& response) {
 
 }  // namespace
 
-StudyRows::StudyRows(Study& study, const ExportOptions& options)
-    : study_(study), codes_(conditionCodes(study)) {
+StudyRows::StudyRows(Study& study, const ExportOptions& options) : study_(study) {
+  for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
+    codes_.emplace(mode, conditionCodes(study, mode));
+  }
   const storage::Records records(study.database());
   for (auto& session : records.sessions()) {
     const bool isWanted = !options.runMode || session.runMode == *options.runMode;
@@ -70,14 +72,15 @@ StudyRows::StudyRows(Study& study, const ExportOptions& options)
 
 ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& step) const {
   const bool isFelt = !step.condition.empty();
-  const auto code = codes_.find(step.condition);
+  const auto& codes = codes_.at(session.runMode);
+  const auto code = codes.find(step.condition);
   return {
       .owner = ownerOf(session),
       .visit = step.visit,
       .block = step.phase,
       .position = isFelt && step.position > 0 ? std::optional(step.position) : std::nullopt,
       .alternative = isFelt ? std::optional(step.label) : std::nullopt,
-      .conditionCode = code == codes_.end() ? std::string_view() : code->second,
+      .conditionCode = code == codes.end() ? std::string_view() : code->second,
       .condition = step.condition};
 }
 

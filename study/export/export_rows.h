@@ -79,7 +79,7 @@ class StudyRows {
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
 
   Study& study_;
-  std::map<std::string, std::string> codes_;
+  std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< by condition
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;
   std::vector<storage::TrialRow> trials_;

@@ -39,7 +39,7 @@ std::string BackgroundQuestion::column() const {
 }
 
 PublicPeople::PublicPeople(Study& study, RunMode mode)
-    : study_(study), questions_(questionsOf(study.protocol())) {
+    : study_(study), mode_(mode), questions_(questionsOf(study.protocol())) {
   const storage::Records records(study.database());
   std::set<std::string> seen;
   for (auto& session : records.sessions()) {
@@ -98,7 +98,7 @@ QuasiIdentifier PublicPeople::background(const BackgroundQuestion& question) con
 }
 
 QuasiIdentifier PublicPeople::orders() const {
-  const auto codes = conditionCodes(study_);
+  const auto codes = conditionCodes(study_, mode_);
   std::vector<std::map<std::pair<int, std::string>, std::map<int, std::string>>> felt(count());
   for (const auto& trial : trials_) {
     if (trial.step.isOfferedAgain()) continue;  // it has no position in the order

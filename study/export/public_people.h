@@ -49,6 +49,7 @@ class PublicPeople {
   QuasiIdentifier orders() const;
 
   Study& study_;
+  RunMode mode_;
   std::vector<storage::SessionRecord> sessions_;
   std::map<SessionId, std::size_t> people_;
   std::vector<storage::AnswerRecord> answers_;  ///< of these people, from visits that count

@@ -58,7 +58,7 @@ class PublicTables {
         release_(publicRelease(study, options)),
         readers_(readersOf(study, options)),
         ids_(drawnIds(people_.count())),
-        codes_(conditionCodes(study)),
+        codes_(conditionCodes(study, options.runMode.value_or(RunMode::Live))),
         allocation_(storage::Records(study.database()).allocation()) {
     for (const auto& column : release_.columns) {
       if (column.level) readers_.told.insert(column.name);

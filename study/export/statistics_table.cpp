@@ -139,10 +139,10 @@ std::vector<Results> resultsFor(Study& study, const ExportOptions& options) {
 
 ExportedTable statisticsTable(
     Study& study, const ExportOptions& options, const std::vector<Results>& results) {
-  const auto codes = conditionCodes(study);
   std::vector<Row> rows;
   for (const auto& one : results) {
-    for (auto& row : rowsOf(study, one, codes)) rows.push_back(std::move(row));
+    for (auto& row : rowsOf(study, one, conditionCodes(study, one.runMode)))
+      rows.push_back(std::move(row));
   }
   const Table<Row> table{
       .name = "statistics",

@@ -60,7 +60,9 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
            statusOf)},
       {ValueList::Verdicts, levelsNamed({Verdict::Pass, Verdict::Warn, Verdict::Fail}, nameOf)},
       {ValueList::ItemTypes, itemTypeLevels()}};
-  const auto byCondition = conditionCodes(study);
+  // Where rows of several run modes stand together, a code has no one condition.
+  const auto byCondition = conditionCodes(study, options.runMode.value_or(RunMode::Live));
+  const bool isNamed = !options.isBlinded && options.runMode;
   auto& codes = lists[ValueList::ConditionCodes];
   for (const auto* protocol : versionsOf(study)) {
     for (const auto& cohort : protocol->cohorts) {
@@ -70,7 +72,7 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
       addLevel(lists[ValueList::Blocks], phase.id, phase.id);
     for (const auto& condition : protocol->conditions) {
       const auto& code = byCondition.at(condition.id);
-      addLevel(codes, code, options.isBlinded ? code : condition.title);
+      addLevel(codes, code, isNamed ? condition.title : code);
       if (!options.isBlinded) addLevel(lists[ValueList::Conditions], condition.id, condition.title);
     }
   }

@@ -116,9 +116,9 @@ std::string votedOn(const protocols::LoadedProtocol& loaded, const std::string& 
 
 ExportedTable votesTable(
     Study& study, const ExportOptions& options, const std::vector<Results>& results) {
-  const auto codes = conditionCodes(study);
   std::vector<ExportedVote> rows;
   for (const auto& one : results) {
+    const auto codes = conditionCodes(study, one.runMode);
     for (const auto& vote : one.votes) {
       const auto total = vote.votes.total();
       for (const auto& share : vote.votes.shares()) {

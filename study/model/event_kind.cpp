@@ -19,7 +19,7 @@ constexpr EventPattern kSafety{
 
 /// In the order of EventKind.
 constexpr std::array<EventFacts, kKnown> kFacts{
-    EventFacts{"made_study"},
+    EventFacts{"made_study", {"{study}"}},
     EventFacts{"froze_protocol"},
     EventFacts{"amended_protocol", {"version {version}: {reason}"}},
     EventFacts{"public_export", {"k = {k}, {people} people, smallest class {smallest}"}},

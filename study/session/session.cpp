@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "protocols/orders/schedule.h"
 #include "questionnaires/json/document.h"
+#include "study/session/drawn_plan.h"
 #include "study/storage/transaction.h"
 
 namespace study {
@@ -18,14 +18,6 @@ using storage::StorageError;
 using storage::VisitStatus;
 
 constexpr double kClockSlack = 2.0;  // [s]: clocks do not drift by more; somebody set the clock
-
-std::vector<Step> planFor(Study& study, const SessionRow& row) {
-  const auto& protocol = study.protocol(row.protocol).protocol;
-  return sessionPlan(
-      protocol,
-      protocols::scheduleFor(
-          protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
-}
 
 [[noreturn]] void refuseDamaged(const std::string& what) {
   throw StorageError(
@@ -74,7 +66,7 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   row.startedUtc = asUtc(now.wall);
   if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode);
   row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
-  auto plan = planFor(study, row);
+  auto plan = drawnPlan(study, row);
   freezeFor(study, row, now);
   sessions.add(row, plan, std::string(appVersion()));
   sessions.openVisit({row.id, 0, 1}, row.startedUtc);
@@ -126,7 +118,7 @@ Session Session::resume(Study& study, SessionId id) {
     row = study.sessions().load(id);  // read again: only now can no other program change it
     transaction.commit();
   });
-  auto plan = planFor(study, row);
+  auto plan = drawnPlan(study, row);
   requireSound(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;

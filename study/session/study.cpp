@@ -77,6 +77,27 @@ void Study::readHead() {
   createdUtc_ = select.text(3);
 }
 
+void Study::readSecret() {
+  const auto committed = events().commitment();
+  auto found = identities_.blindingSecret();
+  const bool isSound = committed.empty() || (found && found->commitment() == committed);
+  if (!isSound) {
+    throw StorageError(
+        identities_.database().path() +
+            " has not the secret of this study's codes and orders. Restore it from a copy; do not "
+            "go on with it.",
+        StorageError::Kind::Damaged);
+  }
+  if (!committed.empty()) secret_ = found;
+  isSecretRead_ = true;
+}
+
+const storage::BlindingSecret* Study::secretFor(RunMode mode) {
+  if (mode == RunMode::Simulated) return nullptr;
+  if (!isSecretRead_) readSecret();
+  return secret_ ? &*secret_ : nullptr;
+}
+
 const protocols::LoadedProtocol& Study::protocol() {
   return protocol(protocols().current().id);
 }

@@ -10,6 +10,8 @@
 
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/clock.h"
+#include "study/model/run_mode.h"
+#include "study/storage/blinding_secret.h"
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"
 #include "study/storage/identity_store.h"
@@ -28,11 +30,14 @@ class Study {
   /// @throws storage::StorageError  if it exists already, or cannot be written.
   /// @param seed  of everything that is drawn; if there is none, the protocol's, or else a random
   ///     one.
+  /// @param secret  of its blinding; if there is none, a random one. Only tests give one, to know
+  ///     codes and orders beforehand.
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
       Clock& clock,
-      std::optional<std::uint64_t> seed = std::nullopt);
+      std::optional<std::uint64_t> seed = std::nullopt,
+      const std::optional<storage::BlindingSecret>& secret = std::nullopt);
 
   /// Opens an existing folder. @throws storage::StorageError
   static Study open(
@@ -43,6 +48,12 @@ class Study {
   const std::filesystem::path& folder() const noexcept { return folder_; }
   const std::string& uuid() const noexcept { return uuid_; }
   std::uint64_t seed() const noexcept { return seed_; }
+
+  /// What hides the conditions of that run mode: nullptr for simulated sessions, which have nothing
+  /// to hide and can be made again from the seed, and in studies that an older release made.
+  /// @throws storage::StorageError  if it is not the secret that the study was made with.
+  const storage::BlindingSecret* secretFor(RunMode mode);
+
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
 
@@ -88,6 +99,7 @@ class Study {
       storage::Database traces,
       storage::Database identities);
   void readHead();
+  void readSecret();
   bool isEventStored(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;
@@ -99,6 +111,8 @@ class Study {
   std::string uuid_;
   std::uint64_t seed_ = 0;
   std::string createdUtc_;
+  bool isSecretRead_ = false;
+  std::optional<storage::BlindingSecret> secret_;
 };
 
 /// The version of this program, as stored with every session.

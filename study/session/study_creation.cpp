@@ -74,11 +74,13 @@ void begin(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
-    std::uint64_t seed) {
+    std::uint64_t seed,
+    const storage::BlindingSecret& secret) {
   const StudyFiles files{folder};
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
-  Database::create(files.identity(), storage::identitySchema());
+  storage::IdentityStore identities(Database::create(files.identity(), storage::identitySchema()));
+  identities.put(secret);
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
   // The row of the study is committed last. A folder without it was never finished, and
   // Study::open() refuses it.
@@ -98,7 +100,9 @@ void begin(
       .bind(5, asUtc(now.wall));
   insert.run();
   storage::EventLog(database).append(
-      {.when = now, .kind = EventKind::MadeStudy, .detail = protocol.protocol.study.id});
+      {.when = now,
+       .kind = EventKind::MadeStudy,
+       .values = {{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}}});
   transaction.commit();
 }
 
@@ -108,11 +112,17 @@ Study Study::create(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
-    std::optional<std::uint64_t> seed) {
+    std::optional<std::uint64_t> seed,
+    const std::optional<storage::BlindingSecret>& secret) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   makeFolder(folder);
   try {
-    begin(folder, protocol, clock, seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()));
+    begin(
+        folder,
+        protocol,
+        clock,
+        seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()),
+        secret ? *secret : storage::BlindingSecret::drawn());
   } catch (const StorageError&) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);  // the study was never complete: no data are lost

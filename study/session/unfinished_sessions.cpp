@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "study/session/drawn_plan.h"
 #include "study/session/session.h"
 
 namespace study {
@@ -92,11 +93,7 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
   std::vector<UnfinishedSession> unfinished;
   for (const auto& row : study.sessions().all()) {
     if (isOver(row.state)) continue;
-    const auto& protocol = study.protocol(row.protocol).protocol;
-    const auto plan = sessionPlan(
-        protocol,
-        protocols::scheduleFor(
-            protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+    const auto plan = drawnPlan(study, row);
     UnfinishedSession session{
         .id = row.id,
         .participant = row.participant,

@@ -6,8 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "protocols/orders/schedule.h"
-#include "study/model/session_plan.h"
+#include "study/session/drawn_plan.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
@@ -127,12 +126,9 @@ Problems protocolHashes(Study& study) {
 
 Problems orders(Study& study) {
   Problems problems;
+  study.secretFor(RunMode::Live);  // throws where it is lost or another, even before a session
   for (const auto& row : study.sessions().all()) {
-    const auto& protocol = study.protocol(row.protocol).protocol;
-    const auto plan = sessionPlan(
-        protocol,
-        protocols::scheduleFor(
-            protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+    const auto plan = drawnPlan(study, row);
     std::vector<std::pair<int, std::string>> drawn;
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (!plan[i].condition.empty()) drawn.emplace_back(static_cast<int>(i), plan[i].condition);

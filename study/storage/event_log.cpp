@@ -197,6 +197,17 @@ std::int64_t EventLog::last() const {
   return last.number(0);
 }
 
+std::string EventLog::commitment() const {
+  Statement first(database_, "SELECT detail FROM event WHERE seq = 1 AND kind = ?");
+  first.bind(1, study::nameOf(EventKind::MadeStudy));
+  if (!first.step()) return {};
+  Event made{.kind = EventKind::MadeStudy};
+  made.values = valuesIn(first.text(0)).value_or(base::NamedArguments());
+  const auto* value = made.value("secret");
+  const auto* secret = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  return secret == nullptr ? std::string() : *secret;
+}
+
 bool EventLog::holds(const std::vector<std::byte>& head) const {
   Statement select(database_, "SELECT 1 FROM event WHERE hash = ?");
   select.bind(1, std::span(head));

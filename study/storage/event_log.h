@@ -61,6 +61,10 @@ class EventLog {
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 
+  /// What the first event says of the secret with which the study was made
+  /// (BlindingSecret::commitment()); empty in studies without one.
+  std::string commitment() const;
+
   /// Whether the event with hash @p head is stored.
   bool holds(const std::vector<std::byte>& head) const;
 

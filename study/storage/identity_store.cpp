@@ -1,5 +1,8 @@
 #include "study/storage/identity_store.h"
 
+#include <algorithm>
+#include <span>
+
 #include "study/storage/hasher.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
@@ -66,6 +69,28 @@ bool IdentityStore::has(const Place& place, const std::string& item) const {
       "AND attempt = ? AND item = ? AND text <> ''");
   bindPlace(select, place, item);
   return select.step();
+}
+
+void IdentityStore::put(const BlindingSecret& secret) {
+  Transaction transaction(database_);
+  Statement insert(database_, "INSERT INTO blinding_secret (id, bytes) VALUES (1, ?)");
+  insert.bind(1, std::as_bytes(std::span(secret.bytes())));
+  insert.run();
+  transaction.commit();
+}
+
+std::optional<BlindingSecret> IdentityStore::blindingSecret() const {
+  // A file of format 2 that is only read does not have the table.
+  Statement table(
+      database_, "SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = 'blinding_secret'");
+  if (!table.step()) return std::nullopt;
+  Statement select(database_, "SELECT bytes FROM blinding_secret WHERE id = 1");
+  if (!select.step()) return std::nullopt;
+  const auto stored = select.blob(0);
+  BlindingSecret::Bytes bytes{};
+  if (stored.size() != bytes.size()) return std::nullopt;
+  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
+  return BlindingSecret(bytes);
 }
 
 std::vector<std::string> IdentityStore::damaged() const {

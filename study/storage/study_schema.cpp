@@ -335,7 +335,7 @@ constexpr std::array<std::string_view, 1> kTraceSteps{
     )sql",
 };
 
-constexpr std::array<std::string_view, 2> kIdentitySteps{
+constexpr std::array<std::string_view, 3> kIdentitySteps{
     R"sql(
       CREATE TABLE identifying_answer (
         participant TEXT NOT NULL,
@@ -352,6 +352,19 @@ constexpr std::array<std::string_view, 2> kIdentitySteps{
       -- Of the row itself: the audit trail knows nothing that would name a person.
       ALTER TABLE identifying_answer
         ADD COLUMN hash BLOB CHECK (hash IS NULL OR length(hash) = 32);
+    )sql",
+    R"sql(
+      -- What hides which condition a code stands for (docs/decisions/0038). Studies that were made
+      -- before have none, and keep their codes.
+      CREATE TABLE blinding_secret (
+        id    INTEGER PRIMARY KEY CHECK (id = 1),
+        bytes BLOB NOT NULL CHECK (length(bytes) = 32)
+      ) STRICT;
+
+      CREATE TRIGGER a_secret_is_never_changed BEFORE UPDATE ON blinding_secret
+      BEGIN SELECT RAISE(ABORT, 'the secret is never changed'); END;
+      CREATE TRIGGER a_secret_is_never_removed BEFORE DELETE ON blinding_secret
+      BEGIN SELECT RAISE(ABORT, 'the secret is never removed'); END;
     )sql",
 };
 
@@ -372,7 +385,7 @@ const Schema& traceSchema() {
 }
 
 const Schema& identitySchema() {
-  static const Schema kSchema{kIdentityId, "the identities of a palpate study", kIdentitySteps};
+  static const Schema kSchema{kIdentityId, "the identities of a palpate study", kIdentitySteps, 2};
   return kSchema;
 }
 

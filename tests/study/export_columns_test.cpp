@@ -93,7 +93,7 @@ class ExportedTrial : public testing::Test {
     session_.finishTrial(trial_);
   }
 
-  std::string code() { return conditionCodes(*study_).at(step_.condition); }
+  std::string code() { return conditionCodes(*study_, RunMode::Live).at(step_.condition); }
   std::string stepNumber() const { return std::to_string(visit_.step + 1); }
 
   tests::MadeStudy study_;
@@ -209,9 +209,9 @@ TEST(Export, MarksAnswersThatDoNotCountWithTheReason) {
 }
 
 /// Conditions in the order of their codes: C1, C2, …
-Names codedConditions(Study& study) {
+Names codedConditions(Study& study, RunMode mode) {
   std::map<std::string, std::string> byCode;
-  for (const auto& [condition, code] : conditionCodes(study)) byCode[code] = condition;
+  for (const auto& [condition, code] : conditionCodes(study, mode)) byCode[code] = condition;
   Names conditions;
   for (const auto& [code, condition] : byCode) conditions.push_back(code + " " + condition);
   return conditions;
@@ -219,10 +219,10 @@ Names codedConditions(Study& study) {
 
 // Computed in Python independently of base/random.cpp: the sorted ids, shuffled by Fisher–Yates
 // with xoshiro256**; its state is filled by SplitMix64 from the seed, 0 and FNV-1a("blinding").
-TEST(ConditionCodes, AreShuffledByTheSeedOfTheStudy) {
+TEST(ConditionCodes, OfSimulatedSessionsAreShuffledByTheSeedOfTheStudy) {
   const auto codes = [](std::uint64_t seed) {
     tests::MadeStudy study(tests::protocolFrom(tests::shortProtocol()), seed);
-    return codedConditions(*study);
+    return codedConditions(*study, RunMode::Simulated);
   };
   EXPECT_EQ(codes(1), (Names{"C1 kalman", "C2 finite-elements", "C3 interpolation"}));
   EXPECT_EQ(codes(2), (Names{"C1 finite-elements", "C2 kalman", "C3 interpolation"}));
@@ -237,7 +237,7 @@ TEST(ConditionCodes, StayWhenALaterVersionAddsConditions) {
           {.conditions = {"another", "finite-elements", "interpolation", "kalman"}})),
       "for a test");
   EXPECT_EQ(
-      codedConditions(*study),
+      codedConditions(*study, RunMode::Simulated),
       (Names{"C1 kalman", "C2 finite-elements", "C3 interpolation", "C4 another"}));
 }
 

@@ -123,8 +123,11 @@ std::string shortProtocol(const ShortProtocol& options) {
          "}";
 }
 
-MadeStudy::MadeStudy(const protocols::LoadedProtocol& protocol, std::uint64_t seed) {
-  study_.emplace(study::Study::create(folder(), protocol, clock, seed));
+MadeStudy::MadeStudy(
+    const protocols::LoadedProtocol& protocol,
+    std::uint64_t seed,
+    const study::storage::BlindingSecret& secret) {
+  study_.emplace(study::Study::create(folder(), protocol, clock, seed, secret));
 }
 
 void MadeStudy::reopen() {

@@ -8,6 +8,7 @@
 #include "study/model/clock.h"
 #include "study/session/session.h"
 #include "study/session/study.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace tests {
@@ -42,7 +43,8 @@ class MadeStudy {
  public:
   explicit MadeStudy(
       const protocols::LoadedProtocol& protocol = protocolFrom(shortProtocol()),
-      std::uint64_t seed = 1);
+      std::uint64_t seed = 1,
+      const study::storage::BlindingSecret& secret = knownSecret());
 
   study::Study& operator*() { return *study_; }
   study::Study* operator->() { return &*study_; }

@@ -27,7 +27,7 @@ class StatisticsJson : public testing::Test {
     study_.emplace(tests::protocolFrom(text));
     simulateCohorts(**study_, study_->clock, 12, 3, [](const auto&) {});
     compute();
-    for (const auto& [condition, code] : conditionCodes(**study_)) codes_[condition] = code;
+    codes_ = conditionCodes(**study_, RunMode::Simulated);
   }
 
   /// Computes the results of the present study in both forms.

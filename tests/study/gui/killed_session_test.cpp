@@ -9,6 +9,7 @@
 #include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/child_process.h"
 #include "tests/support/programs.h"
 #include "tests/support/scratch_folder.h"
@@ -44,7 +45,7 @@ TEST(KilledSession, ResumesAtTheInterruptedTrial) {
   SystemClock clock;
   questionnaires::Problems problems;
   auto protocol = protocols::loadProtocolFile("punch-face-validity", problems);
-  Study::create(place, *protocol, clock, 7);
+  Study::create(place, *protocol, clock, 7, tests::knownSecret());
   const auto killed = tests::run(
       {tests::thisProgram(),
        "--gtest_also_run_disabled_tests",

@@ -14,6 +14,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/long_form.h"
 #include "tests/support/scratch_folder.h"
 
@@ -86,7 +87,8 @@ class LeakSearch : public testing::TestWithParam<std::string> {
     const auto protocol = protocols::loadProtocolFile(file, problems);
     if (!protocol) throw std::runtime_error(questionnaires::describe(problems.all()));
     SystemClock clock;
-    auto study = Study::create(folder_ / ("study-" + name), *protocol, clock, 7);
+    auto study =
+        Study::create(folder_ / ("study-" + name), *protocol, clock, 7, tests::knownSecret());
     OperatorWindow window(study);
     window.show();
     window.enrol(

@@ -15,6 +15,7 @@
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/sessions_page.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -83,7 +84,8 @@ class OperatorLayout : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(folder_ / "study", shipped("punch-face-validity"), clock_, 7)};
+  Study study_{Study::create(
+      folder_ / "study", shipped("punch-face-validity"), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };

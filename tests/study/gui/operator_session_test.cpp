@@ -20,6 +20,7 @@
 #include "study/model/study_files.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/study/storage/sql.h"
 #include "tests/support/scratch_folder.h"
 
@@ -81,7 +82,7 @@ class OperatorSession : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };

@@ -20,6 +20,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -72,7 +73,11 @@ class ConnectedPunch : public testing::Test {
   SystemClock clock_;
   questionnaires::Problems problems_;
   Study study_ = Study::create(
-      folder_ / "study", *protocols::loadProtocolFile("punch-face-validity", problems_), clock_, 7);
+      folder_ / "study",
+      *protocols::loadProtocolFile("punch-face-validity", problems_),
+      clock_,
+      7,
+      tests::knownSecret());
 };
 
 TEST_F(ConnectedPunch, RecoversFromBeingUnpluggedInATrial) {

@@ -17,6 +17,7 @@
 #include "study/storage/records.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/visible_words.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -39,7 +40,8 @@ class PunchSession : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(folder_ / "study", library("punch-face-validity"), clock_, 7)};
+  Study study_{Study::create(
+      folder_ / "study", library("punch-face-validity"), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };

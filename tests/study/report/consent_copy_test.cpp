@@ -20,8 +20,12 @@ class ConsentCopy : public testing::Test {
 
   tests::ScratchFolder folder_;
   SimulatedClock clock_;
-  Study study_ =
-      Study::create(folder_ / "study", tests::libraryProtocol("punch-face-validity"), clock_, 7);
+  Study study_ = Study::create(
+      folder_ / "study",
+      tests::libraryProtocol("punch-face-validity"),
+      clock_,
+      7,
+      tests::knownSecret());
 };
 
 TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {

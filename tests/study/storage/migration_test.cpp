@@ -180,6 +180,17 @@ TEST(Schema, IsTheSameForNewAndConvertedStudies) {
   EXPECT_EQ(tests::Sql(folder / "old.db").text(all), tests::Sql(folder / "new.db").text(all));
 }
 
+TEST(Identities, OfFormatTwoHaveNoSecretAndAreReadAsTheyAre) {
+  const tests::ScratchFolder folder;
+  const auto file = folder / "identity.db";
+  const Schema now = identitySchema();
+  Database::create(file, {now.applicationId, now.name, now.steps.first(2)});
+  EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadOnly)).blindingSecret());
+  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 2);
+  EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadWrite)).blindingSecret());
+  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 3);
+}
+
 TEST(Identities, OfFormatOneAreKeptAndLaterOnesHaveAHash) {
   tests::ScratchFolder folder;
   const auto file = folder / "identity.db";

@@ -99,7 +99,7 @@ ScriptedStudy::ScriptedStudy() {
   study::SimulatedClock clock;
   const std::string original = scratch_ / "original";
   {
-    auto study = Study::create(original, protocol, clock, 3);
+    auto study = Study::create(original, protocol, clock, 3, tests::knownSecret());
     Session::enrol(study, {.cohort = "surgeons"});
   }
   fs::remove(original + "/ballast");  // reserved again when a copy is opened

@@ -19,6 +19,7 @@
 #include "study/gui/desk/tour.h"
 #include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -72,7 +73,11 @@ TEST_F(HelpTest, OpensForTheOperatorButNotForTheParticipant) {
   SystemClock clock;
   questionnaires::Problems problems;
   auto study = Study::create(
-      folder / "study", *protocols::loadProtocolFile("punch-face-validity", problems), clock, 7);
+      folder / "study",
+      *protocols::loadProtocolFile("punch-face-validity", problems),
+      clock,
+      7,
+      tests::knownSecret());
   OperatorWindow window(study);
   EXPECT_TRUE(pressF1(window).contains(QStringLiteral("The day")));
   QMessageBox box(&window);

@@ -15,6 +15,7 @@
 #include "study/gui/widgets/studio_settings.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -32,7 +33,7 @@ class HomeTest : public testing::Test {
   void SetUp() override { studioSettings().clear(); }
 
   QString makeStudy(const std::string& name) {
-    Study::create(folder_ / name, punchProtocol(), clock_, 7);
+    Study::create(folder_ / name, punchProtocol(), clock_, 7, tests::knownSecret());
     return QString::fromStdString(folder_ / name);
   }
 

@@ -10,6 +10,7 @@
 #include "study/gui/desk/self_test_dialog.h"
 #include "study/session/study.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -49,7 +50,7 @@ class StudySelfTest : public testing::Test {
   void SetUp() override {
     questionnaires::Problems problems;
     const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
-    Study::create(folder_ / "study", protocol, clock_, 7);
+    Study::create(folder_ / "study", protocol, clock_, 7, tests::knownSecret());
   }
 
   std::vector<SelfTestLine> test() {

@@ -18,6 +18,7 @@
 #include "study/gui/desk/export_dialog.h"
 #include "study/model/clock.h"
 #include "tests/study/gui/pictures.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -31,7 +32,7 @@ class StudyDialogsTest : public testing::Test {
     questionnaires::Problems problems;
     const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
     SimulatedClock clock;
-    auto study = Study::create(*made_ / "study", protocol, clock, 7);
+    auto study = Study::create(*made_ / "study", protocol, clock, 7, tests::knownSecret());
     simulateCohorts(study, clock, 8, 7, [](const auto&) {});
   }
   static void TearDownTestSuite() { delete made_; }

@@ -12,6 +12,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/visible_words.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -43,7 +44,7 @@ bool hasWord(const std::set<QString>& words, const QString& part) {
 TEST(PaddleSession, ShowsPressesAndDegrees) {
   tests::ScratchFolder folder;
   SystemClock clock;
-  Study study = Study::create(folder / "study", protocol(folder), clock, 7);
+  Study study = Study::create(folder / "study", protocol(folder), clock, 7, tests::knownSecret());
   OperatorWindow window(study);
   tests::Participant participant(window);
   window.show();

@@ -21,6 +21,7 @@
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -49,7 +50,7 @@ class ParticipantPages : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };
@@ -190,7 +191,7 @@ class OptionalTrialPages : public testing::Test {
 
   tests::ScratchFolder folder_;
   SystemClock clock_;
-  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7)};
+  Study study_{Study::create(folder_ / "study", protocol(), clock_, 7, tests::knownSecret())};
   OperatorWindow window_{study_};
   tests::Participant participant_{window_};
 };

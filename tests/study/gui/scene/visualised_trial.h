@@ -14,6 +14,7 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/scene/simulation_view.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
 namespace tests {
@@ -34,7 +35,7 @@ class VisualisedTrial : public testing::Test {
   }
 
   void beginWith(const protocols::LoadedProtocol& loaded, RunMode mode = RunMode::Live) {
-    study_.emplace(Study::create(folder_ / "study", loaded, clock_, 7));
+    study_.emplace(Study::create(folder_ / "study", loaded, clock_, 7, tests::knownSecret()));
     window_.emplace(*study_);
     window_->show();
     window_->enrol(

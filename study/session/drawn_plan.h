@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "study/model/session_plan.h"
+#include "study/session/study.h"
+
+namespace study {
+
+/// The steps of a session, as they were drawn for it.
+///
+/// The seed draws a schedule for the session's place. In live and pilot sessions of a study with a
+/// secret, conditions then change parts: one that the seed calls "a" is everywhere "c", for all
+/// participants of that run mode. That keeps every design balanced, and hides from whoever knows
+/// the seed what was felt. Conditions stay as the seed has them where the protocol itself promises
+/// which is which: with a seed of its own, with labels that stand for conditions, in blocks of a
+/// fixed order. They change parts only with conditions of the same blocks.
+/// @throws storage::StorageError  if the study's secret is not the one that it was made with.
+std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row);
+
+}  // namespace study

@@ -1,0 +1,41 @@
+#include "study/storage/blinding_secret.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <sodium.h>
+
+namespace study::storage {
+
+BlindingSecret BlindingSecret::drawn() {
+  Bytes bytes{};
+  randombytes_buf(bytes.data(), bytes.size());
+  return BlindingSecret(bytes);
+}
+
+std::string BlindingSecret::hashOf(std::string_view text) const {
+  std::array<unsigned char, crypto_generichash_BYTES> hash{};
+  crypto_generichash(
+      hash.data(),
+      hash.size(),
+      reinterpret_cast<const unsigned char*>(text.data()),
+      text.size(),
+      bytes_.data(),
+      bytes_.size());
+  std::array<char, 2 * hash.size() + 1> hexadecimal{};
+  sodium_bin2hex(hexadecimal.data(), hexadecimal.size(), hash.data(), hash.size());
+  return hexadecimal.data();
+}
+
+std::string BlindingSecret::commitment() const {
+  return hashOf("commitment");
+}
+
+void BlindingSecret::arrange(std::vector<std::string>& ids, std::string_view purpose) const {
+  std::vector<std::pair<std::string, std::string>> hashed;
+  for (const auto& id : ids) hashed.emplace_back(hashOf(std::string(purpose) + "/" + id), id);
+  std::sort(hashed.begin(), hashed.end());
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = std::move(hashed[i].second);
+}
+
+}  // namespace study::storage

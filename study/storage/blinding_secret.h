@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace study::storage {
+
+/// What keeps a study blinded: 256 random bits, drawn when the study is made and stored in
+/// identity.db alone (docs/decisions/0038).
+///
+/// Codes of conditions, and which condition takes which part in the orders, depend on it. Neither
+/// can be computed from the study's seed, its name or its protocol.
+class BlindingSecret {
+ public:
+  using Bytes = std::array<unsigned char, 32>;
+
+  explicit BlindingSecret(const Bytes& bytes) noexcept : bytes_(bytes) {}
+
+  /// From the operating system's random numbers.
+  static BlindingSecret drawn();
+
+  const Bytes& bytes() const noexcept { return bytes_; }
+
+  /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
+  std::string commitment() const;
+
+  /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): to whoever does not
+  /// know it, all orders are equally likely. Purposes are independent of each other.
+  /// @param ids  distinct; their order does not matter.
+  void arrange(std::vector<std::string>& ids, std::string_view purpose) const;
+
+ private:
+  std::string hashOf(std::string_view text) const;
+
+  Bytes bytes_;
+};
+
+}  // namespace study::storage
