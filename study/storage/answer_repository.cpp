@@ -56,13 +56,15 @@ questionnaires::Response restored(const StoredResponse& response) {
 
 void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
+  // The first touch stays. After a crash somebody may answer the same page faster than they first
+  // touched it before; the later of the two times is kept.
   Statement put(
       database_,
       "INSERT INTO answer (session_id, step, attempt, " + std::string(kAnswerColumns) +
           ", saved_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
           "ON CONFLICT (session_id, step, attempt, item) DO UPDATE SET kind = excluded.kind, "
           "point = excluded.point, number = excluded.number, text = excluded.text, "
-          "response_s = excluded.response_s, changes = excluded.changes, "
+          "response_s = max(excluded.response_s, first_touch_s), changes = excluded.changes, "
           "language = excluded.language, saved_utc = excluded.saved_utc");
   put.bind(1, visit);
   const auto response = stored(answer.response);

@@ -1,8 +1,10 @@
 // The items of a step, and how answers are stored.
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "study/session/verification.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/records.h"
 #include "tests/study/everything_instrument.h"
@@ -79,6 +81,21 @@ TEST_F(SessionAnswersTest, ChangesAnAnswerInPlace) {
   EXPECT_EQ(events.back().values, said(4));
   // the first answer stays in the audit trail
   EXPECT_EQ(events[events.size() - 2].values, said(2));
+}
+
+TEST_F(SessionAnswersTest, TakesAnAnswerThatIsGivenFasterAfterACrash) {
+  for (const double seconds : {9.0, 0.0, 0.25, 8.999, 9.0, 30.0}) {
+    session_.record(
+        {.item = "agree",
+         .response = std::int64_t{2},
+         .itemOrder = 1,
+         .firstTouch = seconds,
+         .responseTime = seconds,
+         .language = "en"});
+    EXPECT_EQ(kept("agree")->firstTouch, 9.0);
+    EXPECT_EQ(kept("agree")->responseTime, std::max(seconds, 9.0));
+  }
+  EXPECT_TRUE(verify(*study_).isSound());
 }
 
 TEST_F(SessionAnswersTest, StoresChangesTimeAndLanguageOfACorrectedAnswer) {
