@@ -1,16 +1,19 @@
 #include "study/session/verification.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "study/model/study_files.h"
 #include "study/session/drawn_plan.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
 #include "study/storage/records.h"
+#include "study/storage/study_schema.h"
 
 namespace study {
 namespace {
@@ -187,6 +190,57 @@ Problems traces(Study& study, const Progress& progress) {
   return problems;
 }
 
+/// While it exists, the study's connections see its three files as they were at one moment.
+class Snapshot {
+ public:
+  explicit Snapshot(Study& study)
+      : databases_{&study.database(), &study.traces().database(), &study.identities().database()} {
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      if (isTaken(study)) return;
+      end();
+    }
+    throw storage::StorageError(
+        study.folder().string() +
+            " is being written all the time, so that its files cannot be compared. Try again when "
+            "less goes on.",
+        storage::StorageError::Kind::Busy);
+  }
+  ~Snapshot() { end(); }
+  Snapshot(const Snapshot&) = delete;
+  Snapshot& operator=(const Snapshot&) = delete;
+
+ private:
+  static constexpr int kMostTries = 1000;
+
+  /// Answers and traces are in different files. What belongs together ends with an event in
+  /// study.db: if there is no new one after the last snapshot, all are of one moment.
+  bool isTaken(Study& study) {
+    try {
+      for (auto* database : databases_) database->beginSnapshot();
+      auto now = storage::Database::open(
+          StudyFiles{study.folder()}.study(),
+          storage::studySchema(),
+          storage::Database::Access::ReadOnly);
+      return storage::EventLog(study.database()).last() == storage::EventLog(now).last();
+    } catch (const storage::StorageError&) {
+      return true;  // a damaged file: the checks say of each what is wrong
+    }
+  }
+
+  void end() noexcept {
+    for (auto* database : databases_) {
+      database->owesRollback();
+      try {
+        database->rollBackIfOwed();
+      } catch (const storage::StorageError&) {
+        continue;  // the next transaction of this connection rolls back first
+      }
+    }
+  }
+
+  std::array<storage::Database*, 3> databases_;
+};
+
 }  // namespace
 
 bool Verification::isSound() const noexcept {
@@ -196,6 +250,7 @@ bool Verification::isSound() const noexcept {
 
 Verification verify(Study& study, const Progress& progress) {
   constexpr double kChecksBeforeTraces = 7.0;
+  const Snapshot snapshot(study);
   Verification result;
   const auto check = [&](const char* what, const std::function<Problems(Study&)>& look) {
     const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
