@@ -81,6 +81,7 @@ int writeKnee(const QString& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  study::keepNewFilesPrivate();
   QCommandLineParser parser;
   describe(parser);
   if (isAmong(argc, argv, {"--help", "-h", "-?", "--help-all", "--version", "-v"})) {

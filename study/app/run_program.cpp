@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/model/new_file.h"
+
 namespace study::app {
 namespace {
 
@@ -54,6 +56,7 @@ bool isPrinted(const CLI::App& program) {
 }  // namespace
 
 int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
+  keepNewFilesPrivate();
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -145,9 +145,7 @@ std::size_t exportStudy(
   try {
     const auto sessions = writeAll(study, unfinished, options);
     tell(options.progress, 1.0, "giving the folder its name");
-    fs::rename(unfinished, target, error);
-    if (error)
-      throw storage::StorageError("Could not finish " + folder + " (" + error.message() + ").");
+    nameFinished(unfinished, target);
     return sessions;
   } catch (...) {
     fs::remove_all(unfinished, error);

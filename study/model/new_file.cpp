@@ -1,6 +1,7 @@
 #include "study/model/new_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -28,10 +29,31 @@ namespace {
       code == ENOSPC ? storage::StorageError::Kind::DiskFull : storage::StorageError::Kind::Other);
 }
 
+/// Flushes a file, or the names in a folder.
+void flush(const std::filesystem::path& what) {
+  const int file = open(what.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool isFlushed = file >= 0 && fsync(file) == 0;
+  const int code = errno;
+  if (file >= 0) close(file);
+  // Some file systems cannot flush a folder, and some folders may be written and not be read.
+  if (isFlushed || code == EINVAL || code == EACCES) return;
+  throw storage::StorageError(
+      "Could not write " + what.string() + " to the disk (" +
+      std::generic_category().message(code) + "). Is the disk healthy and connected?");
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).lexically_normal().parent_path();
+}
+
 }  // namespace
 
+void keepNewFilesPrivate() noexcept {
+  umask(S_IRWXG | S_IRWXO);
+}
+
 void writeNewFile(const std::string& path, const std::string& content) {
-  const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0644);
+  const int file = open(path.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
   if (file < 0) fail(path, file);
   std::size_t written = 0;
   while (written < content.size()) {
@@ -43,6 +65,27 @@ void writeNewFile(const std::string& path, const std::string& content) {
   // Until here the data may be in memory only; a full or failing disk may show not before now.
   if (fsync(file) != 0) fail(path, file);
   close(file);
+  flush(folderOf(path));
+}
+
+void flushFolder(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.is_symlink()) continue;
+    if (entry.is_regular_file() || entry.is_directory()) flush(entry.path());
+  }
+  flush(folder);
+  flush(folderOf(folder));
+}
+
+void nameFinished(const std::filesystem::path& folder, const std::filesystem::path& target) {
+  flushFolder(folder);
+  std::error_code error;
+  std::filesystem::rename(folder, target, error);
+  if (error) {
+    throw storage::StorageError(
+        "Could not finish " + target.string() + " (" + error.message() + ").");
+  }
+  flush(folderOf(target));
 }
 
 std::filesystem::path newFolderBeside(const std::filesystem::path& target) {
@@ -55,7 +98,6 @@ std::filesystem::path newFolderBeside(const std::filesystem::path& target) {
     throw storage::StorageError(
         "Could not make the folder " + target.string() + " (" + why + "). Choose another place.");
   }
-  std::filesystem::permissions(name, std::filesystem::perms(0755), error);
   return name;
 }
 

@@ -5,13 +5,27 @@
 
 namespace study {
 
-/// Writes a new file, and returns when its content is on the disk.
+/// From now on, files and folders that this process makes are for its own user alone: a study holds
+/// answers of people. The rights of what exists stay. Call it before any thread starts.
+void keepNewFilesPrivate() noexcept;
+
+/// Writes a new file that its owner alone can read, and returns when content and name are on the
+/// disk.
 /// @throws storage::StorageError  in words, if the file exists already or cannot be written;
 ///     nothing is ever overwritten.
 void writeNewFile(const std::string& path, const std::string& content);
 
-/// A new empty folder beside @p target, to be renamed to @p target when it is complete.
+/// A new empty folder beside @p target, for nameFinished() when it is complete. Its owner alone can
+/// read it.
 /// @throws storage::StorageError  in words, if it cannot be made.
 std::filesystem::path newFolderBeside(const std::filesystem::path& target);
+
+/// Returns when all files in @p folder, their names and its own are on the disk.
+/// @throws storage::StorageError  in words, if the disk fails.
+void flushFolder(const std::filesystem::path& folder);
+
+/// Gives a complete folder its name. After a power cut it is there as a whole or not at all.
+/// @throws storage::StorageError  in words, if it cannot be renamed or the disk fails.
+void nameFinished(const std::filesystem::path& folder, const std::filesystem::path& target);
 
 }  // namespace study

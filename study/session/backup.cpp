@@ -161,7 +161,7 @@ Backup copyInto(
   removeLogs(unfinished);
   backup.bytes = bytesIn(unfinished);
   // Last: the target appears only when the copy is complete and verified.
-  fs::rename(unfinished, target);
+  nameFinished(unfinished, target);
   return backup;
 }
 

@@ -5,6 +5,7 @@
 #include <sodium.h>
 
 #include "base/random.h"
+#include "study/model/new_file.h"
 #include "study/model/study_files.h"
 #include "study/session/study.h"
 #include "study/storage/statement.h"
@@ -58,6 +59,7 @@ void makeFolder(const fs::path& folder) {
         folder.string() + " cannot be made (" + error.message() +
         "). Choose a folder on a disk of this computer that may be written.");
   }
+  fs::permissions(folder, fs::perms::owner_all, error);
   const auto space = fs::space(folder, error);
   if (!error && space.available < kLeastFreeSpace) {
     fs::remove(folder, error);
@@ -104,6 +106,7 @@ void begin(
        .kind = EventKind::MadeStudy,
        .values = {{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}}});
   transaction.commit();
+  flushFolder(folder);
 }
 
 }  // namespace
