@@ -109,7 +109,10 @@ std::string statusAsJson(Study& study) {
 }
 
 std::string verificationAsJson(const Verification& verification) {
-  Json json{{"sound", verification.isSound()}, {"checks", Json::array()}};
+  Json json{
+      {"sound", verification.isSound()},
+      {"audit_trail", verification.head},
+      {"checks", Json::array()}};
   for (const auto& check : verification.checks) {
     json["checks"].push_back(
         {{"what", check.what}, {"sound", check.problems.empty()}, {"problems", check.problems}});

@@ -37,6 +37,7 @@ struct StudyArguments {
   std::string runMode;
   std::string language = "en";
   std::string out;
+  std::string noted;
   int participants = 0;
   std::uint64_t seed = 0;
   bool hasSeed = false;
@@ -208,6 +209,10 @@ void printChecks(const Verification& verification) {
   }
 }
 
+void printHead(const Verification& verification) {
+  fmt::print("Head of the audit trail: {}\n", verification.head);
+}
+
 int backup(const StudyArguments& options) {
   const auto copy = backUp(options.folder, options.out);
   fmt::print(
@@ -217,6 +222,7 @@ int backup(const StudyArguments& options) {
       1e-6 * static_cast<double>(copy.bytes));
   if (copy.verification.isSound()) {
     fmt::print("It was read again to the last byte: everything is what was written.\n");
+    printHead(copy.verification);
     return 0;
   }
   fmt::print("It is NOT sound, and so is the study that it was made of:\n");
@@ -227,11 +233,12 @@ int backup(const StudyArguments& options) {
 int verify(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, Access::ReadOnly);
-  const auto verification = study::verify(study);
+  const auto verification = study::verify(study, {}, options.noted);
   if (options.json) {
     std::fputs(verificationAsJson(verification).c_str(), stdout);
   } else {
     printChecks(verification);
+    if (verification.isSound()) printHead(verification);
   }
   return verification.isSound() ? 0 : 1;
 }
@@ -342,6 +349,11 @@ void addStudyCommands(CLI::App& program, Action& action) {
       action,
       app::verify);
   verify->add_flag("--json", options->json, "JSON");
+  verify->add_option(
+      "--expect",
+      options->noted,
+      "A head of the audit trail that was noted earlier, in quotes: fails where the trail does not "
+      "go on from it");
 
   addConsentCommand(*noun, action);
 }

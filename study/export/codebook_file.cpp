@@ -83,6 +83,12 @@ std::string tracesInWords() {
   return text;
 }
 
+/// Whether the folder notes how far the audit trail was. Simulated sessions are made again from a
+/// seed, and have nothing to prove; a public folder must not lead to its study.
+bool hasHead(const ExportOptions& options) {
+  return options.runMode != RunMode::Simulated && !options.publicClass;
+}
+
 Json levelsAsJson(const std::vector<Level>& levels) {
   Json json = Json::array();
   for (const auto& level : levels) json.push_back({{"value", level.value}, {"label", level.label}});
@@ -106,6 +112,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
     head["not_blinded_because"] = base::describe(disclosures);
   }
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
+  if (hasHead(options)) head["audit_trail"] = study.events().headInWords();
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
   for (const auto& source : study.protocol().sources) {
@@ -155,6 +162,10 @@ std::string readmeOf(
       "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
       "- What a column holds is written in `codebook.json`, or beside each table.\n"
       "- Nothing in this folder names a person.\n";
+  if (hasHead(options)) {
+    text += "- The study's audit trail had " + study.events().headInWords() +
+            ". `palpate study verify --expect` finds whether it goes on from there.\n";
+  }
   text += codesInWords(study, options);
   if (options.isBlinded) {
     text +=

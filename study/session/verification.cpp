@@ -248,7 +248,7 @@ bool Verification::isSound() const noexcept {
       checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
 }
 
-Verification verify(Study& study, const Progress& progress) {
+Verification verify(Study& study, const Progress& progress, const std::string& noted) {
   constexpr double kChecksBeforeTraces = 7.0;
   const Snapshot snapshot(study);
   Verification result;
@@ -270,6 +270,18 @@ Verification verify(Study& study, const Progress& progress) {
   check("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);
+  if (!noted.empty()) {
+    const bool isHeld = study.events().extends(noted);
+    Problems problems;
+    if (!isHeld) {
+      problems.push_back(
+          "no event has the head " + noted +
+          ": the end was cut off since, or the trail was written "
+          "anew");
+    }
+    result.checks.push_back({"the audit trail goes on from what was noted of it", problems});
+  }
+  result.head = study.events().headInWords();
   check(kOfTraces, [&](Study& of) { return traces(of, progress); });
   return result;
 }

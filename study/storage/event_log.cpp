@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
 
 #include "questionnaires/json/document.h"
+#include "study/model/user_error.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
 #include "study/storage/statement.h"
@@ -44,6 +46,8 @@ struct Row {
     return hasher.finish();
   }
 };
+
+constexpr std::size_t kDigitsOfHead = 32;  // 128 bits: short enough to be read aloud
 
 constexpr const char* kEventColumns =
     "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash";
@@ -189,6 +193,34 @@ void EventLog::append(const Event& event) {
 std::vector<std::byte> EventLog::head() const {
   Statement last(database_, "SELECT hash FROM event ORDER BY seq DESC LIMIT 1");
   return last.step() ? last.blob(0) : std::vector<std::byte>();
+}
+
+std::string EventLog::headInWords() const {
+  Statement select(database_, "SELECT seq, lower(hex(hash)) FROM event ORDER BY seq DESC LIMIT 1");
+  if (!select.step()) return {};
+  std::string words = std::to_string(select.number(0)) + " events,";
+  const auto hash = select.text(1);
+  for (std::size_t i = 0; i < kDigitsOfHead; i += 4) words += " " + hash.substr(i, 4);
+  return words;
+}
+
+bool EventLog::extends(const std::string& noted) const {
+  const auto comma = noted.find(',');
+  std::string digits;
+  for (const char c : noted.substr(comma == std::string::npos ? 0 : comma + 1)) {
+    if (c != ' ') digits += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  const bool isHead = digits.size() == kDigitsOfHead &&
+                      digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!isHead) {
+    throw UserError(
+        "'" + noted +
+        "' is no head of an audit trail: that has eight groups of four digits or "
+        "letters a to f. 'palpate study verify' prints it.");
+  }
+  Statement select(database_, "SELECT 1 FROM event WHERE substr(lower(hex(hash)), 1, ?) = ?");
+  select.bind(1, static_cast<std::int64_t>(kDigitsOfHead)).bind(2, digits);
+  return select.step();
 }
 
 std::int64_t EventLog::last() const {

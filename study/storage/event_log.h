@@ -58,6 +58,15 @@ class EventLog {
   /// The hash of the last event; empty before the first.
   std::vector<std::byte> head() const;
 
+  /// How many events there are, and the first 128 bits of the last one's hash in eight groups, to
+  /// be read aloud: "812 events, 1a2b 3c4d 5e6f 7081 92a3 b4c5 d6e7 f809".
+  std::string headInWords() const;
+
+  /// Whether some event has the head @p noted, as headInWords() gave it earlier, with or without
+  /// the number of events before it. Then nothing up to that event was cut off or written anew.
+  /// @throws UserError  if it is no head.
+  bool extends(const std::string& noted) const;
+
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 

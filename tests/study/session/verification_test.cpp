@@ -1,9 +1,16 @@
 #include "study/session/verification.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include <gtest/gtest.h>
 
 #include "study/cohort/simulated_participant.h"
+#include "study/export/export.h"
+#include "study/model/user_error.h"
 #include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
 
 namespace study {
 namespace verification_test {
@@ -32,6 +39,92 @@ TEST(Verification, IsSoundWhileOthersTakePart) {
   EXPECT_EQ(problemsIn(verify(*study)), "");
   // Nothing of it is left open: the study can be written.
   EXPECT_NO_THROW(Session::enrol(*study, {.cohort = "surgeons"}));
+}
+
+/// A study with two people, and the head of its audit trail that was noted after the first.
+class NotedTrail : public testing::Test {
+ protected:
+  NotedTrail() {
+    takePart();
+    noted_ = study_->events().headInWords();
+    takePart();
+  }
+
+  void takePart() {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+    tests::walkToTheEnd(session);
+  }
+
+  /// Removes the last events, as somebody can who may write the file.
+  void cutOff(int events) {
+    study_.close();
+    tests::Sql sql(study_.file("study.db"));
+    sql.run(
+        "DROP TRIGGER an_event_is_never_removed; DELETE FROM event WHERE seq > "
+        "(SELECT max(seq) FROM event) - " +
+        std::to_string(events));
+    study_.reopen();
+  }
+
+  bool isSound(const std::string& noted = {}) { return verify(*study_, {}, noted).isSound(); }
+
+  tests::MadeStudy study_;
+  std::string noted_;
+};
+
+TEST_F(NotedTrail, IsGoneOnFrom) {
+  const auto last = study_->events().headInWords();
+  EXPECT_NE(noted_, last);
+  EXPECT_TRUE(isSound(noted_));
+  EXPECT_TRUE(isSound(last));
+  EXPECT_EQ(verify(*study_).head, last);
+  // As somebody may write it down.
+  const auto groups = noted_.substr(noted_.find(',') + 2);
+  EXPECT_EQ(groups.size(), 39U);
+  EXPECT_TRUE(isSound(groups));
+  std::string shouted = groups;
+  std::transform(shouted.begin(), shouted.end(), shouted.begin(), ::toupper);
+  EXPECT_TRUE(isSound(shouted));
+}
+
+TEST_F(NotedTrail, ShowsThatItsEndWasCutOff) {
+  study_->note(EventKind::UnblindedExport, "a reason");
+  const auto last = study_->events().headInWords();
+  cutOff(1);
+  EXPECT_TRUE(isSound()) << "nothing inside the folder says so";
+  EXPECT_FALSE(isSound(last));
+  EXPECT_TRUE(isSound(noted_)) << "what was noted before is still there";
+}
+
+TEST_F(NotedTrail, ShowsThatOtherEventsCameInPlaceOfThoseThatWereCutOff) {
+  study_->note(EventKind::UnblindedExport, "a reason");
+  const auto last = study_->events().headInWords();
+  cutOff(1);
+  study_->note(EventKind::PublicExport, "harmless");
+  EXPECT_TRUE(isSound());
+  EXPECT_FALSE(isSound(last));
+}
+
+TEST_F(NotedTrail, IsNoHeadIfItHasOtherThanEightGroups) {
+  for (const std::string wrong : {"1a2b", "812 events", "812 events, ", "xxxx", "812"}) {
+    EXPECT_THROW(isSound(wrong), UserError) << wrong;
+  }
+  EXPECT_THROW(isSound(noted_ + " 1a2b"), UserError);
+  std::string letter = noted_;
+  letter.back() = 'g';
+  EXPECT_THROW(isSound(letter), UserError);
+}
+
+TEST_F(NotedTrail, StandsInEveryFolderOfLiveSessions) {
+  const auto head = study_->events().headInWords();
+  const auto readme = [&](const std::string& name, RunMode mode) {
+    const auto folder = study_.scratch() / name;
+    exportStudy(*study_, folder, {.runMode = mode});
+    return tests::contentOf(folder + "/README.md") + tests::contentOf(folder + "/codebook.json");
+  };
+  EXPECT_NE(readme("live", RunMode::Live).find("\"audit_trail\": \"" + head), std::string::npos);
+  EXPECT_NE(readme("pilot", RunMode::Pilot).find("audit trail had " + head), std::string::npos);
+  EXPECT_EQ(readme("simulated", RunMode::Simulated).find(head), std::string::npos);
 }
 
 }  // namespace verification_test
