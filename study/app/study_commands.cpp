@@ -38,6 +38,7 @@ struct StudyArguments {
   std::string language = "en";
   std::string out;
   std::string noted;
+  std::string takeOver;
   int participants = 0;
   std::uint64_t seed = 0;
   bool hasSeed = false;
@@ -153,7 +154,8 @@ int run(const StudyArguments& options) {
        .runMode = runModeNamed(options.runMode).value_or(RunMode::Live),
        .language = options.language,
        .code = options.participant},
-      options.devices);
+      options.devices,
+      options.takeOver);
 }
 
 int status(const StudyArguments& options) {
@@ -296,6 +298,11 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option("--language", options->language, "Language of the texts")->capture_default_str();
   addRunModeOfSession(*run, options->runMode);
   run->add_option("--devices", options->devices, kDevicesHelp);
+  run->add_option(
+      "--take-over",
+      options->takeOver,
+      "Why a session is taken from another computer, which is gone or has another name now; goes "
+      "into the audit trail");
 
   auto* simulate = addVerb(
       *noun,

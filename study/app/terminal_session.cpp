@@ -307,7 +307,8 @@ bool confirmEnrolment(Study& study, const Enrolment& enrolment) {
 
 }  // namespace
 
-int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFile) {
+int runInTerminal(
+    Study& study, Enrolment enrolment, const std::string& deviceFile, const std::string& takeOver) {
   if (enrolment.cohort.empty()) enrolment.cohort = study.protocol().protocol.cohorts.front().id;
   const auto open = unfinished(study, enrolment);
   if (!open && !confirmEnrolment(study, enrolment)) {
@@ -315,7 +316,8 @@ int runInTerminal(Study& study, Enrolment enrolment, const std::string& deviceFi
     return 1;
   }
   try {
-    auto session = open ? Session::resume(study, *open) : Session::enrol(study, enrolment);
+    auto session =
+        open ? Session::resume(study, *open, takeOver) : Session::enrol(study, enrolment);
     TerminalSession(study, session, deviceFile).run();
     return 0;
   } catch (const InputEnded&) {

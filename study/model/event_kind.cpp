@@ -42,6 +42,7 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"gave_up_on_device"},
     EventFacts{"enrolled", {"{participant} {cohort} {run_mode}, place {place}"}},
     EventFacts{"resumed"},
+    EventFacts{"took_over", {"from {station}, process {process}, since {since}: {reason}"}},
     EventFacts{"clock_stepped", {"by {by_s:.6f} s; durations are not affected"}},
     EventFacts{"chose_language"},
     EventFacts{"note"},

@@ -37,7 +37,8 @@ enum class EventKind {
 
   // What else happens in it
   Enrolled,
-  Resumed,  ///< by another run of the program
+  Resumed,   ///< by another run of the program
+  TookOver,  ///< from a computer that is gone, with a reason
   ClockStepped,
   ChoseLanguage,
   Note,

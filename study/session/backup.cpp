@@ -8,6 +8,8 @@
 
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
+#include "study/storage/lease.h"
+#include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
 
@@ -146,6 +148,18 @@ void refuseUnlessNew(const fs::path& from, const fs::path& target) {
   }
 }
 
+/// A copy is for another computer, where nobody could give the leases back.
+void clearLeases(const fs::path& copy) {
+  const auto file = StudyFiles{copy}.study();
+  {
+    const auto study = Database::open(file, storage::studySchema(), Access::ReadOnly);
+    storage::Statement held(study, "SELECT 1 FROM lease");
+    if (!held.step()) return;
+  }
+  auto study = Database::open(file, storage::studySchema(), Access::ReadWrite);
+  storage::Lease::clear(study);
+}
+
 Backup copyInto(
     const fs::path& from,
     const fs::path& unfinished,
@@ -155,6 +169,7 @@ Backup copyInto(
     const Snapshot snapshot(StudyFiles{from});
     copyDatabases(snapshot, unfinished, told);
   }
+  clearLeases(unfinished);
   copyOtherFiles(from, unfinished, told);
   Backup backup;
   backup.verification = verifyCopy(unfinished, told);

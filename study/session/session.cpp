@@ -109,12 +109,18 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
   return Session(study, std::move(row), std::move(plan), std::move(*lease));
 }
 
-Session Session::resume(Study& study, SessionId id) {
+Session Session::resume(Study& study, SessionId id, const std::string& takeOver) {
+  using From = storage::Lease::From;
   auto row = study.sessions().load(id);
+  const auto holder = storage::Lease::holder(study.database(), id);
   std::optional<storage::Lease> lease;
   study.withReservedSpace([&] {
     storage::Transaction transaction(study.database());
-    lease.emplace(study.database(), id, asUtc(study.clock().now().wall));
+    lease.emplace(
+        study.database(),
+        id,
+        asUtc(study.clock().now().wall),
+        takeOver.empty() ? From::EndedPrograms : From::OtherComputersToo);
     row = study.sessions().load(id);  // read again: only now can no other program change it
     transaction.commit();
   });
@@ -122,7 +128,18 @@ Session Session::resume(Study& study, SessionId id) {
   requireSound(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
-  session.transact([&] { session.say(Actor::Program, EventKind::Resumed); });
+  session.transact([&] {
+    if (holder && holder->isAlive) {
+      session.say(
+          Actor::Operator,
+          EventKind::TookOver,
+          {{"station", holder->station},
+           {"process", holder->pid},
+           {"since", holder->since},
+           {"reason", takeOver}});
+    }
+    session.say(Actor::Program, EventKind::Resumed);
+  });
   if (session.state() == SessionState::InTrial) {
     session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
   }
@@ -176,6 +193,7 @@ void Session::transact(const std::function<void()>& action) {
       row_ = before;
       lastMoment_ = lastMoment;
       pendingEvents_.clear();
+      lease_.requireHeld();
       action();
       study_.sessions().update(row_);
       for (const auto& event : pendingEvents_) study_.events().append(event);

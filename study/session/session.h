@@ -38,8 +38,10 @@ class Session {
   static Session enrol(Study& study, const Enrolment& enrolment);
 
   /// Continues a session at its present step. A trial that was running counts as broken off.
+  /// @param takeOver  why a session is taken from a computer that is gone, for the audit trail;
+  ///     empty: it is not.
   /// @throws storage::StorageError  (Busy) if another program is running it.
-  static Session resume(Study& study, SessionId id);
+  static Session resume(Study& study, SessionId id, const std::string& takeOver = {});
 
   SessionId id() const noexcept { return row_.id; }
   const std::string& participant() const noexcept { return row_.participant; }

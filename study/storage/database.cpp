@@ -273,6 +273,12 @@ void Database::fail(int code, const std::string& action) const {
     case SQLITE_IOERR:
       throw StorageError(
           could + "the disk reports an error (" + reason + "). Is it healthy and connected?");
+    case SQLITE_CONSTRAINT:
+      throw StorageError(
+          could +
+          "what was to be stored contradicts what is there. Nothing was changed. This is a "
+          "fault of palpate: please report it, with the number " +
+          std::to_string(code) + ".");
     case SQLITE_TOOBIG:
       throw StorageError(could + "a value is too large.");
     default:

@@ -75,14 +75,19 @@ bool isAlive(const std::string& station, std::int64_t pid, const std::string& to
 
 }  // namespace
 
-Lease::Lease(Database& database, SessionId session, const std::string& utc)
+Lease::Lease(Database& database, SessionId session, const std::string& utc, From from)
     : database_(&database), session_(session), token_(tokens().make()) {
   const auto held = holder(database, session);
-  if (held && held->isAlive) {
+  const bool isFree = !held || !held->isAlive;
+  if (!isFree && (held->isHere || from == From::EndedPrograms)) {
+    const std::string orElse =
+        held->isHere ? std::string()
+                     : " If that computer is gone, or has another name now: palpate study run DIR "
+                       "--take-over \"why\".";
     throw StorageError(
         "This session is open already, on " + held->station + " (process " +
             std::to_string(held->pid) + ", since " + held->since +
-            "). Go on there, or close it there first.",
+            "). Go on there, or close it there first." + orElse,
         StorageError::Kind::Busy);
   }
   Statement take(
@@ -106,7 +111,21 @@ std::optional<Lease::Holder> Lease::holder(const Database& database, SessionId s
       .station = held.text(0),
       .pid = held.number(1),
       .since = held.text(2),
-      .isAlive = isAlive(held.text(0), held.number(1), held.text(3))};
+      .isAlive = isAlive(held.text(0), held.number(1), held.text(3)),
+      .isHere = held.text(0) == thisStation()};
+}
+
+void Lease::clear(Database& database) {
+  database.execute("DELETE FROM lease");
+}
+
+void Lease::requireHeld() const {
+  Statement held(*database_, "SELECT 1 FROM lease WHERE session_id = ? AND process = ?");
+  held.bind(1, static_cast<std::int64_t>(session_)).bind(2, token_);
+  if (held.step()) return;
+  throw StorageError(
+      "This session was taken over by another program. Go on there; nothing more is stored here.",
+      StorageError::Kind::Busy);
 }
 
 Lease::Lease(Lease&& other) noexcept

@@ -11,12 +11,19 @@ namespace study::storage {
 
 /// The exclusive right to run a session, for one program and one window. The destructor gives it
 /// back. A lease that a crashed program of this computer left, or that could not be given back, is
-/// taken over.
+/// taken over. Whether a program on another computer is still running cannot be seen from here: its
+/// lease is taken over only on request.
 class Lease {
  public:
+  enum class From { EndedPrograms, OtherComputersToo };
+
   /// Takes the lease, inside the caller's transaction.
   /// @throws StorageError  (Busy) if the session is running elsewhere; says where.
-  Lease(Database& database, SessionId session, const std::string& utc);
+  Lease(
+      Database& database,
+      SessionId session,
+      const std::string& utc,
+      From from = From::EndedPrograms);
   ~Lease();
 
   /// The program that holds a session's lease.
@@ -25,9 +32,16 @@ class Lease {
     std::int64_t pid = 0;  ///< process there
     std::string since;     ///< UTC
     bool isAlive = false;  ///< false: that program ended without giving the lease back
+    bool isHere = false;   ///< on this computer: then isAlive is certain
   };
   /// The present holder, without taking the lease; std::nullopt if there is none.
   static std::optional<Holder> holder(const Database& database, SessionId session);
+
+  /// Gives all leases back, of whatever program: in a copy nobody runs a session.
+  static void clear(Database& database);
+
+  /// @throws StorageError  (Busy) if somebody took it over meanwhile.
+  void requireHeld() const;
 
   Lease(Lease&& other) noexcept;
   Lease& operator=(Lease&&) = delete;

@@ -14,7 +14,7 @@
 namespace study {
 namespace event_kind_test {
 
-/// Every kind, as it is stored since release 0.1; torques since 0.2.
+/// Every kind, as it is stored since release 0.1; torques and taking over since 0.2.
 constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::MadeStudy, "made_study"},
     {EventKind::FrozeProtocol, "froze_protocol"},
@@ -39,6 +39,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {kindOf(SessionEvent::GaveUpOnDevice), "gave_up_on_device"},
     {EventKind::Enrolled, "enrolled"},
     {EventKind::Resumed, "resumed"},
+    {EventKind::TookOver, "took_over"},
     {EventKind::ClockStepped, "clock_stepped"},
     {EventKind::ChoseLanguage, "chose_language"},
     {EventKind::Note, "note"},

@@ -179,6 +179,21 @@ TEST_F(SessionAnswersTest, RefusesImpossibleTimes) {
   EXPECT_EQ(tests::eventsOf(*study_, session_.id()).find("answered finished"), std::string::npos);
 }
 
+TEST_F(SessionAnswersTest, ShowsNobodyTheWordsOfAConstraint) {
+  auto answer = tests::answerTo(session_, session_.items().front());
+  answer.firstTouch = 3.0;
+  answer.responseTime = 2.0;
+  try {
+    session_.record(answer);
+    FAIL() << "an impossible time was stored";
+  } catch (const StorageError& error) {
+    const std::string words = error.what();
+    EXPECT_EQ(words.find("CHECK"), std::string::npos) << words;
+    EXPECT_EQ(words.find("response_s"), std::string::npos) << words;
+    EXPECT_NE(words.find("please report it"), std::string::npos) << words;
+  }
+}
+
 TEST_F(SessionAnswersTest, RetractsAnAnswerSoThatItIsMissingAgain) {
   give("agree", std::int64_t{2});
   give("name", std::string("Somebody"));

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "study/session/backup.h"
+#include "study/session/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
 #include "tests/study/storage/sql.h"
@@ -136,6 +138,49 @@ TEST_F(LeaseTest, OfAnotherComputerIsNotTakenOver) {
   const auto refusal = resuming();
   EXPECT_EQ(refusal.kind, Kind::Busy);
   tests::expectClear(refusal, "the-other-laboratory");
+}
+
+TEST_F(LeaseTest, OfAnotherComputerIsTakenOverWithAReason) {
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  const auto session = Session::resume(*study_, id_, "it was replaced");
+  const auto events = study_->events().read(id_);
+  ASSERT_GE(events.size(), 2U);
+  const auto& taken = events[events.size() - 2];
+  EXPECT_EQ(taken.kind, EventKind::TookOver);
+  EXPECT_EQ(
+      describe(taken), "from the-other-laboratory, process 4711, since earlier: it was replaced");
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(LeaseTest, OfAProgramThatRunsHereIsNotTakenOver) {
+  study_.close();
+  const OtherProgram other(study_.folder(), id_);
+  ASSERT_TRUE(other.hasIt());
+  study_.reopen();
+  const auto refusal = tests::refusalOf([&] { Session::resume(*study_, id_, "I am in a hurry"); });
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+}
+
+TEST_F(LeaseTest, ThatWasTakenOverStoresNothingMore) {
+  auto session = Session::resume(*study_, id_);
+  const auto before = study_->events().last();
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  const auto refusal = tests::refusalOf([&] { tests::passStep(session); });
+  EXPECT_EQ(refusal.kind, Kind::Busy);
+  tests::expectClear(refusal, "taken over");
+  EXPECT_EQ(study_->events().last(), before);
+}
+
+TEST_F(LeaseTest, IsNotInABackup) {
+  const auto session = Session::resume(*study_, id_);
+  leave("the-other-laboratory", 4711, "boot/1#1");
+  const auto copy = study_.scratch() / "copy";
+  EXPECT_TRUE(backUp(study_.folder(), copy).verification.isSound());
+  auto study = Study::open(copy, study_.clock);
+  EXPECT_NO_THROW(Session::resume(study, id_));
+  EXPECT_EQ(
+      tests::Sql(study_.file("study.db")).text("SELECT station FROM lease"),
+      "the-other-laboratory");
 }
 
 TEST_F(LeaseTest, ThatCouldNotBeGivenBackIsTakenOverByItsOwnProgram) {
