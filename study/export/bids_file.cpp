@@ -18,16 +18,20 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// A cell of a tab-separated table. It cannot contain tabs or line breaks: they become spaces.
-std::string tsvCell(const Cell& cell) {
+std::string tsvCell(const Cell& cell, bool isFreeText) {
   const auto* words = std::get_if<std::string>(&cell);
-  std::string text = words != nullptr ? *words : csvCell(cell);
+  std::string text = words == nullptr ? csvCell(cell)
+                     : isFreeText     ? withoutFormula(*words)
+                                      : *words;
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
   return text.empty() ? "n/a" : text;
 }
 
 std::string asTsv(const ExportedTable& table) {
-  return asLines(table, '\t', [](const Cell& cell, const auto&) { return tsvCell(cell); });
+  return asLines(table, '\t', [](const Cell& cell, const auto& column) {
+    return tsvCell(cell, column.isFreeText);
+  });
 }
 
 Json sidecarOf(const ExportedTable& table) {

@@ -34,6 +34,9 @@ struct DataTable {
   std::vector<std::vector<Cell>> rows;
 };
 
+/// @p text, with an apostrophe before it if a spreadsheet would take it for a formula.
+std::string withoutFormula(const std::string& text);
+
 /// One cell of a CSV file. Numbers have a point and as many digits as read back exactly, in every
 /// locale. A missing value is an empty cell. Free text that begins like a formula (= + - @ or a
 /// tab) gets an apostrophe before it.

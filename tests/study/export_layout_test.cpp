@@ -21,7 +21,9 @@
 #include "study/export/export.h"
 #include "study/storage/records.h"
 #include "study/storage/trace_store.h"
+#include "tests/study/everything_instrument.h"
 #include "tests/study/made_study.h"
+#include "tests/study/walk.h"
 #include "tests/support/child_process.h"
 #include "tests/support/long_form.h"
 #include "tests/support/scratch_folder.h"
@@ -416,6 +418,25 @@ TEST_F(ExportLayoutTest, FollowsTheBidsLayout) {
     if (file.ends_with("responses_beh.tsv")) answers += lines.size() - 1;
   }
   EXPECT_EQ(answers, storage::Records(study_->database()).answers().size());
+}
+
+TEST(BidsExport, HasNoFreeTextThatASpreadsheetTakesForAFormula) {
+  tests::MadeStudy study(tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}}));
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkTo(session, StepKind::Form);
+  const std::string words = "=HYPERLINK(\"http://x\")";
+  session.record({.item = "line", .response = words, .itemOrder = 1, .language = "en"});
+  const fs::path folder = study.scratch() / "bids";
+  exportStudy(*study, folder.string(), {.format = ExportFormat::Bids, .runMode = RunMode::Live});
+  std::size_t found = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".tsv") continue;
+    const auto text = tests::contentOf(entry.path());
+    EXPECT_EQ(text.find("\t" + words), std::string::npos) << entry.path();
+    if (text.find("\t'" + words + "\t") != std::string::npos) ++found;
+  }
+  EXPECT_EQ(found, 1U);
 }
 
 TEST_F(ExportLayoutTest, HasNoPublicBidsFolder) {
