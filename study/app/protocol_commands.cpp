@@ -173,8 +173,8 @@ void addProtocolCommands(CLI::App& program, Action& action) {
   orders->add_option("--participants", ordering->participants, "Participants of each cohort")
       ->required()
       ->check(CLI::Range(1, 100'000));
-  auto* seed =
-      orders->add_option("--seed", ordering->seed, "Of a study; its simulated sessions have these orders");
+  auto* seed = orders->add_option(
+      "--seed", ordering->seed, "Of a study; its simulated sessions have these orders");
   orders->add_flag(
       "--csv", ordering->csv, "Write the trials of all participants as CSV, without the balance");
   orders->callback([&action, ordering, seed] {
