@@ -191,9 +191,9 @@ Problems traces(Study& study, const Progress& progress) {
 }
 
 /// While it exists, the study's connections see its three files as they were at one moment.
-class Snapshot {
+class OneMoment {
  public:
-  explicit Snapshot(Study& study)
+  explicit OneMoment(Study& study)
       : databases_{&study.database(), &study.traces().database(), &study.identities().database()} {
     for (int tries = 0; tries < kMostTries; ++tries) {
       if (isTaken(study)) return;
@@ -205,9 +205,9 @@ class Snapshot {
             "less goes on.",
         storage::StorageError::Kind::Busy);
   }
-  ~Snapshot() { end(); }
-  Snapshot(const Snapshot&) = delete;
-  Snapshot& operator=(const Snapshot&) = delete;
+  ~OneMoment() { end(); }
+  OneMoment(const OneMoment&) = delete;
+  OneMoment& operator=(const OneMoment&) = delete;
 
  private:
   static constexpr int kMostTries = 1000;
@@ -250,7 +250,7 @@ bool Verification::isSound() const noexcept {
 
 Verification verify(Study& study, const Progress& progress, const std::string& noted) {
   constexpr double kChecksBeforeTraces = 7.0;
-  const Snapshot snapshot(study);
+  const OneMoment moment(study);
   Verification result;
   const auto check = [&](const char* what, const std::function<Problems(Study&)>& look) {
     const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
