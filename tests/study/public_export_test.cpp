@@ -149,7 +149,7 @@ TEST_F(PublicExportTest, ReleasesOpinionsUnchanged) {
       ++told[cell("condition_code") + " " + cell("item_id") + " " + cell("response")];
   }
   std::map<std::string, int> given;
-  const auto codes = conditionCodes(*study_, RunMode::Live);
+  const auto codes = conditionCodes(*study_, RunMode::Simulated);
   for (const auto& answer : storage::Records(study_->database()).answers()) {
     const auto* point = std::get_if<std::int64_t>(&answer.answer.response);
     if (point == nullptr || answer.step.kind == StepKind::Benchmark) continue;
