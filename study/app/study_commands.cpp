@@ -301,8 +301,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   run->add_option(
       "--take-over",
       options->takeOver,
-      "Why a session is taken from another computer, which is gone or has another name now; goes "
-      "into the audit trail");
+      "Why a session is taken from a computer that is gone or renamed; for the audit trail");
 
   auto* simulate = addVerb(
       *noun,
@@ -359,8 +358,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   verify->add_option(
       "--expect",
       options->noted,
-      "A head of the audit trail that was noted earlier, in quotes: fails where the trail does not "
-      "go on from it");
+      "A head of the audit trail that was noted earlier: fails if it is not there");
 
   addConsentCommand(*noun, action);
 }
