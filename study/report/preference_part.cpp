@@ -3,6 +3,7 @@
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
+#include "study/results/vote_tables.h"
 
 namespace study::report {
 namespace {
@@ -14,15 +15,14 @@ class PreferenceWriter : HtmlWriter {
   std::string all() {
     if (s_.results.votes.empty()) return {};
     heading("Preferences");
-    std::vector<std::vector<std::string>> sets;
-    for (const auto& vote : s_.results.votes) {
-      auto options = optionsOf(vote);
-      if (std::find(sets.begin(), sets.end(), options) == sets.end()) {
-        sets.push_back(std::move(options));
-      }
-    }
-    for (const auto& options : sets) tableOf(options);
+    const auto tables = voteTables(s_.results);
+    for (const auto& one : tables) tableOf(one);
     note("Exact multinomial test of equal shares, for each round by itself (exploratory).");
+    if (std::ranges::any_of(tables, hasSums)) {
+      note(
+          "Sums count a participant once a round. Votes of one person are not independent, so sums "
+          "are not tested.");
+    }
     figure(
         s_.figures.votes,
         "Preferences by cohort and round, with Wilson’s 95 % intervals; dashed: equal shares.");
@@ -30,27 +30,33 @@ class PreferenceWriter : HtmlWriter {
   }
 
  private:
-  static std::vector<std::string> optionsOf(const VoteResult& vote) {
-    std::vector<std::string> options;
-    for (const auto& share : vote.votes.shares()) options.push_back(share.option);
-    return options;
+  static bool hasSums(const VoteTable& votes) {
+    return std::ranges::any_of(
+        votes.cohorts, [](const auto& cohort) { return cohort.rounds.size() > 1; });
   }
 
-  /// The table of all votes between the same renderings.
-  void tableOf(const std::vector<std::string>& options) {
+  /// As Table 4 of the punch paper: by cohort and round, with sums and the total.
+  void tableOf(const VoteTable& votes) {
     std::vector<std::string> columns{say("Cohort"), say("After")};
-    for (const auto& option : options) columns.push_back(condition(option));
+    for (const auto& option : votes.options) columns.push_back(condition(option));
     columns.push_back(say("exact p"));
     table(say("How many participants named each method, with Wilson’s 95 % interval"), columns);
-    for (const auto& flow : s_.results.flow) {
-      for (const auto& vote : s_.results.votes) {
-        if (vote.cohort == flow.cohort && optionsOf(vote) == options) votes(vote);
-      }
+    for (const auto& one : votes.cohorts) {
+      for (const auto* vote : one.rounds) rowOf(*vote);
+      if (one.rounds.size() > 1) rowOf(cohort(one.cohort), say("Sum"), one.sum);
     }
+    if (votes.cohorts.size() > 1) rowOf(say("Total"), {}, votes.total);
     endTable();
   }
 
-  void votes(const VoteResult& vote) {
+  void rowOf(const std::string& who, const std::string& when, const analysis::VoteCounts& sum) {
+    std::vector<std::string> cells{who, when};
+    for (const auto& share : sum.shares()) cells.push_back(std::to_string(share.votes));
+    cells.emplace_back();
+    row(cells);
+  }
+
+  void rowOf(const VoteResult& vote) {
     std::vector<std::string> cells{cohort(vote.cohort), escaped(vote.block)};
     const auto shares = vote.votes.shares();
     for (std::size_t i = 0; i < shares.size(); ++i) {

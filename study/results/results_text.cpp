@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analysis/registry/registry.h"
+#include "study/results/vote_tables.h"
 #include "study/words/counted.h"
 
 namespace study {
@@ -229,14 +230,28 @@ class Writer {
 
   void votes() {
     line("\nPreferences: how many named each method");
-    for (const auto& vote : results_.votes) {
-      std::string row = padded(cohortTitle(vote.cohort), 40) + padded("after " + vote.block, 22);
-      for (const auto& share : vote.votes.shares()) {
-        row += padded(titleOf(share.option) + " " + std::to_string(share.votes), 18);
+    for (const auto& table : voteTables(results_)) {
+      for (const auto& cohort : table.cohorts) {
+        const auto& title = cohortTitle(cohort.cohort);
+        for (const auto* vote : cohort.rounds) {
+          const auto& p = vote->test.exactP;
+          line(
+              votesInWords(title, "after " + vote->block, vote->votes) +
+              (p ? "exact p " + equalsInWords(pInWords(p)) : ""));
+        }
+        if (cohort.rounds.size() > 1) line(votesInWords(title, "Sum", cohort.sum));
       }
-      if (vote.test.exactP) row += "exact p " + equalsInWords(pInWords(vote.test.exactP));
-      line(row);
+      if (table.cohorts.size() > 1) line(votesInWords("Total", "", table.total));
     }
+  }
+
+  std::string votesInWords(
+      const std::string& who, const std::string& when, const analysis::VoteCounts& votes) const {
+    std::string row = padded(who, 40) + padded(when, 22);
+    for (const auto& share : votes.shares()) {
+      row += padded(titleOf(share.option) + " " + std::to_string(share.votes), 18);
+    }
+    return row;
   }
 
   void scores() {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -171,6 +172,27 @@ TEST_F(PublishedStudyTest, HasTheVotesOfThePapersTable4) {
       {"non-professional preference-1", {2, 1, 2}},
       {"non-professional preference-2", {2, 0, 3}}};
   EXPECT_EQ(counts, printed);
+}
+
+TEST_F(PublishedStudyTest, PrintsThePapersTable4WithItsSumsAndTotal) {
+  const auto text =
+      resultsAsText(*study_, computeResults(*study_, RunMode::Live), Profile::AsPublished);
+  const auto table = text.substr(text.find("Preferences: "));
+  std::vector<std::vector<int>> rows;
+  std::istringstream lines(table.substr(table.find('\n') + 1));
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    auto& row = rows.emplace_back();
+    for (const auto& condition : study_->protocol().protocol.conditions) {
+      const auto place = line.find(condition.title + " ");
+      if (place != std::string::npos) {
+        row.push_back(std::stoi(line.substr(place + condition.title.size())));
+      }
+    }
+  }
+  const std::vector<std::vector<int>> printed{
+      {4, 0, 2}, {3, 0, 2}, {7, 0, 4}, {2, 1, 2}, {2, 0, 3}, {4, 1, 5}, {11, 1, 9}};
+  EXPECT_EQ(rows, printed) << table;
+  EXPECT_NE(table.find("\nTotal "), std::string::npos);
 }
 
 TEST_F(PublishedStudyTest, ExportsEveryAnswerAsItWasGivenAndAsItIsScored) {

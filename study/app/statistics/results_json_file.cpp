@@ -6,6 +6,7 @@
 #include "study/export/statistics_row.h"
 #include "study/results/apa_text.h"
 #include "study/results/felt_curves.h"
+#include "study/results/vote_tables.h"
 
 namespace study::app {
 namespace {
@@ -388,6 +389,25 @@ ResultJson instrumentAsJson(const InstrumentSummary& summary) {
       {"forms", summary.forms},
       {"contradictory", summary.contradictory},
       {"scores", ResultJson::array()},
+/// Sums over rounds, and over cohorts where the cohort is null.
+ResultJson voteSumAsJson(const std::string& cohort, const analysis::VoteCounts& sum) {
+  ResultJson json{{"cohort", textOrNull(cohort)}};
+  for (const auto& share : sum.shares()) json["votes"][share.option] = share.votes;
+  json["total"] = sum.total();
+  return json;
+}
+
+ResultJson voteSumsAsJson(const Results& results) {
+  auto json = ResultJson::array();
+  for (const auto& table : voteTables(results)) {
+    for (const auto& cohort : table.cohorts) {
+      json.push_back(voteSumAsJson(cohort.cohort, cohort.sum));
+    }
+    json.push_back(voteSumAsJson({}, table.total));
+  }
+  return json;
+}
+
       {"acceptable", ResultJson::array()}};
   for (const auto& score : summary.scores) {
     json["scores"].push_back(
@@ -471,6 +491,7 @@ std::string resultsAsJson(Study& study, const Results& results) {
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
   addFelt(json, feltResult(study, results.runMode));
+      {"vote_sums", voteSumsAsJson(results)},
   return json.dump(2) + "\n";
 }
 

@@ -1,6 +1,7 @@
 // All commands of the program, called as a user does.
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -286,6 +287,18 @@ TEST_F(CommandLineTest, PrintsEveryTestOfAStudyAsJson) {
   }
   EXPECT_TRUE(family["between"].at(0)["mann_whitney"]["p"].is_number());
   EXPECT_TRUE(results["votes"].at(0)["p_exact"].is_number());
+  std::map<std::string, std::map<std::string, int>> sums;
+  for (const auto& vote : results["votes"]) {
+    for (const auto& [condition, votes] : vote["votes"].items()) {
+      sums[vote["cohort"]][condition] += votes.get<int>();
+      sums["all"][condition] += votes.get<int>();
+    }
+  }
+  ASSERT_EQ(results["vote_sums"].size(), sums.size());
+  for (const auto& sum : results["vote_sums"]) {
+    const auto cohort = sum["cohort"].is_null() ? "all" : sum["cohort"].get<std::string>();
+    EXPECT_EQ(sum["votes"], json(sums.at(cohort)));
+  }
 }
 
 TEST_F(CommandLineTest, ReportsThatOutputWasNotWritten) {

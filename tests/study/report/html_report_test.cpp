@@ -48,6 +48,26 @@ TEST(HtmlReport, SeparatesVotesBetweenDifferentRenderings) {
   EXPECT_TRUE(has(page, "<td>round-2</td><td>0</td><td>3</td>"));
 }
 
+// TABLE 4 of the punch paper, row by row.
+TEST(HtmlReport, SumsVotesOverRoundsAndCohorts) {
+  const auto page = asHtml({tests::madeUpSection()});
+  EXPECT_TRUE(has(page, "<td>Sum</td><td>7</td><td>0</td><td>4</td>"));
+  EXPECT_TRUE(has(page, "<td>Sum</td><td>4</td><td>1</td><td>5</td>"));
+  EXPECT_TRUE(has(page, "<td>Total</td><td></td><td>11</td><td>1</td><td>9</td>"));
+  EXPECT_TRUE(has(page, "Sums count a participant once a round."));
+}
+
+TEST(HtmlReport, HasNoSumOfOneRoundAndNoTotalOfOneCohort) {
+  auto section = tests::madeUpSection();
+  auto& votes = section.results.votes;
+  votes.erase(votes.begin() + 1, votes.end());
+  const auto page = asHtml({section});
+  EXPECT_TRUE(has(page, "<td>round-1</td>"));
+  EXPECT_FALSE(has(page, "<td>Sum</td>"));
+  EXPECT_FALSE(has(page, "<td>Total</td>"));
+  EXPECT_FALSE(has(page, "Sums count"));
+}
+
 TEST(HtmlReport, NamesNoPerson) {
   const auto section = tests::madeUpSection();
   const auto page = asHtml({section});

@@ -1,5 +1,7 @@
 #include "tests/study/report/section.h"
 
+#include <array>
+
 #include "analysis/effects/share_interval.h"
 #include "protocols/load_protocol.h"
 #include "study/model/messages.h"
@@ -82,6 +84,24 @@ study::FeltCurve curve(const std::string& condition, double force) {
   return curve;
 }
 
+/// One row of TABLE 4 of the punch paper.
+study::VoteResult vote(
+    const std::string& cohort, const std::string& round, const std::array<std::uint64_t, 3>& n) {
+  analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});
+  std::vector<std::optional<analysis::Interval>> intervals;
+  for (std::size_t i = 0; i < n.size(); ++i) {
+    votes.add(votes.shares()[i].option, n[i]);
+    intervals.push_back(analysis::wilsonInterval(n[i], n[0] + n[1] + n[2]));
+  }
+  return {
+      cohort,
+      "preference-" + round,
+      "round-" + round,
+      votes,
+      analysis::equalSharesTest(votes),
+      intervals};
+}
+
 }  // namespace
 
 study::report::ReportSection madeUpSection() {
@@ -150,18 +170,11 @@ study::report::ReportSection madeUpSection() {
        true,
        {cohort("professional", {1, 3, 6, 9, 17}, {13, 7, 4, 4, 8}, {8, 5, 5, 8, 10}),
         cohort("non-professional", {0, 0, 0, 0, 5}, {0, 0, 5, 0, 0}, {0, 0, 0, 0, 5})}});
-  analysis::VoteCounts votes({"interpolation", "finite-elements", "kalman"});
-  votes.add("interpolation", 4);
-  votes.add("kalman", 2);
-  section.results.votes.push_back(
-      {"professional",
-       "preference-1",
-       "round-1",
-       votes,
-       analysis::equalSharesTest(votes),
-       {analysis::wilsonInterval(4, 6),
-        analysis::wilsonInterval(0, 6),
-        analysis::wilsonInterval(2, 6)}});
+  section.results.votes = {
+      vote("professional", "1", {4, 0, 2}),
+      vote("non-professional", "1", {2, 1, 2}),
+      vote("professional", "2", {3, 0, 2}),
+      vote("non-professional", "2", {2, 0, 3})};
   section.curves = {curve("interpolation", 3.0), curve("finite-elements", 5.0)};
   section.quality = {.trials = 36, .feltAgain = 2, .pass = 34, .warn = 1, .fail = 1, .cuts = 110};
   section.quality.worstLateness = 84.0;
