@@ -1,7 +1,9 @@
 #include "analysis/data/answer_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "analysis/numerics/exact_arithmetic.h"
 
@@ -14,6 +16,10 @@ struct Sum {
 };
 
 }  // namespace
+
+int AnswerTable::aboveMiddle() const {
+  return static_cast<int>(std::floor(std::midpoint<double>(lowest, highest))) + 1;
+}
 
 LikertCounts AnswerTable::countsOf(std::size_t method) const {
   LikertCounts counts(lowest, highest);

@@ -30,6 +30,9 @@ struct AnswerTable {
   std::vector<std::string> statements;
   std::vector<ScoredAnswer> answers;
 
+  /// The lowest answer above the middle of the scale: 4 of 1 … 5.
+  int aboveMiddle() const;
+
   /// All answers about a method, of all participants.
   LikertCounts countsOf(std::size_t method) const;
 

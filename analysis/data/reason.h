@@ -101,6 +101,8 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
      "every method came at one position only: order and method cannot be told apart"},
     {"one_random_level", "'{}' has one level only: how its levels vary cannot be estimated"},
     {"one_row_or_column", "all counts are in one row or one column: there is nothing to compare"},
+    {"one_side_of_level",
+     "no answer is below {}, or none reaches it: the model tells no probability of it"},
     {"one_value_each", "every group has one value only: there is no spread within them"},
     {"p_too_small", "p is too small for a double; its logarithm holds"},
     {"pairs_equal", "all pairs are equal: there is no spread to hold a difference against"},

@@ -173,7 +173,10 @@ CumulativeLinkFit fitOf(
       .covariance = {}};
   const Index thresholds = answers.thresholds();
   const Index effects = static_cast<Index>(fixed.columns()) - 1;
-  const Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
+  Matrix back = Standardised(fixed).backTransform(thresholds, minimum.at.size());
+  for (Index k = thresholds + effects; k < minimum.at.size(); ++k) {
+    if (minimum.at(k) < 0.0) back(k, k) = -1.0;  // the likelihood is even in every deviation
+  }
   const VectorXd at = back * minimum.at;
   const Matrix covariance = back * standardisedCovariance * back.transpose();
   for (Index c = 0; c < thresholds; ++c) {
@@ -186,10 +189,9 @@ CumulativeLinkFit fitOf(
     const auto& name = fixed.name(static_cast<std::size_t>(j) + 1);
     fit.fixedEffects.push_back(waldEstimate(name, at(place), covariance(place, place)));
   }
-  const Matrix ofEffects = covariance.block(thresholds, thresholds, effects, effects);
-  fit.covariance.assign(ofEffects.data(), ofEffects.data() + ofEffects.size());
+  fit.covariance.assign(covariance.data(), covariance.data() + covariance.size());
   for (Index k = thresholds + effects; const auto& factor : random) {
-    const double deviation = std::abs(at(k++));
+    const double deviation = at(k++);
     fit.components.push_back(
         {.name = factor.name,
          .levels = factor.levels.size(),
@@ -234,12 +236,14 @@ WaldEstimate contrast(
     throw std::invalid_argument(
         "a contrast needs one weight for each column, and none for the intercept");
   }
+  const std::size_t base = fit.thresholds.size();  // where the effects are in the covariance
   double value = 0.0;
   double variance = 0.0;
   for (std::size_t i = 0; i < size; ++i) {
     value += weights[i + 1] * fit.fixedEffects[i].estimate;
     for (std::size_t j = 0; j < size; ++j) {
-      variance += weights[i + 1] * weights[j + 1] * fit.covariance[i * size + j];
+      const std::size_t place = (base + i) * fit.parameters() + base + j;
+      variance += weights[i + 1] * weights[j + 1] * fit.covariance[place];
     }
   }
   return waldEstimate(std::move(name), value, variance);

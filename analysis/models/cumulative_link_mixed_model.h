@@ -23,7 +23,12 @@ struct CumulativeLinkFit {
   std::vector<VarianceComponent> components;
   double logLikelihood = 0.0;
   int iterations = 0;
-  std::vector<double> covariance;  ///< of the fixed effects, p × p, row by row
+  /// Of θ, β and the standard deviations of the components, in this order; row by row.
+  std::vector<double> covariance;
+
+  std::size_t parameters() const {
+    return thresholds.size() + fixedEffects.size() + components.size();
+  }
 };
 
 struct CumulativeLinkResult {

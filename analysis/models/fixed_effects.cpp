@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -96,6 +97,27 @@ std::vector<double> FixedEffects::difference(
   add(level1, 1.0);
   add(level2, -1.0);
   return weights;
+}
+
+std::vector<std::vector<double>> FixedEffects::combinations(
+    std::string_view name, std::string_view level) const {
+  const Factor& held = factor(name);
+  if (std::ranges::find(held.levels, level) == held.levels.end()) {
+    throw std::invalid_argument("'" + std::string(level) + "' is no level of '" + held.name + "'");
+  }
+  std::vector<std::vector<double>> rows{{1.0}};
+  for (const auto& factor : factors_) {
+    std::vector<std::vector<double>> longer;
+    for (const auto& row : rows) {
+      for (std::size_t at = 0; at < factor.levels.size(); ++at) {
+        if (&factor == &held && factor.levels[at] != level) continue;
+        auto& next = longer.emplace_back(row);
+        for (std::size_t l = 1; l < factor.levels.size(); ++l) next.push_back(l == at ? 1.0 : 0.0);
+      }
+    }
+    rows = std::move(longer);
+  }
+  return rows;
 }
 
 Reason whyNotDefined(const FixedEffects& fixed, std::span<const Factor> random) {

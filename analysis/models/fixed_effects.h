@@ -40,6 +40,12 @@ class FixedEffects {
   std::vector<double> difference(
       std::string_view factor, std::string_view level1, std::string_view level2) const;
 
+  /// The design of an answer at one level of a factor: a row of columns for each combination of the
+  /// levels of all other factors; one row where there are none.
+  /// @throws std::invalid_argument  for a factor or level that is not there.
+  std::vector<std::vector<double>> combinations(
+      std::string_view factor, std::string_view level) const;
+
  private:
   struct Column {
     std::string name;

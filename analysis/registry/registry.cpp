@@ -339,7 +339,7 @@ Rows mixedModel(const TestData& data, const TestSettings& settings) {
       });
 }
 
-Rows ordinalModel(const TestData& data, const TestSettings& settings) {
+std::vector<int> wholeAnswers(const TestData& data) {
   std::vector<int> answers;
   for (const double value : first(data)) {
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
@@ -347,6 +347,11 @@ Rows ordinalModel(const TestData& data, const TestSettings& settings) {
     }
     answers.push_back(static_cast<int>(value));
   }
+  return answers;
+}
+
+Rows ordinalModel(const TestData& data, const TestSettings& settings) {
+  const auto answers = wholeAnswers(data);
   const auto design = designOf(data);
   const auto result = fitCumulativeLinkMixedModel(answers, design.fixed, design.random);
   return ofPairsOfGroups(
@@ -359,15 +364,28 @@ Rows ordinalModel(const TestData& data, const TestSettings& settings) {
       });
 }
 
+Rows answerProbabilities(const TestData& data, const TestSettings& settings) {
+  const auto answers = wholeAnswers(data);
+  const auto design = designOf(data);
+  const auto model = fitCumulativeLinkMixedModel(answers, design.fixed, design.random);
+  Rows rows;
+  for (const auto& group : data.factor(kGroup).levels) {
+    const HighAnswers asked{.factor = kGroup, .group = group, .from = settings.from.value()};
+    rows.push_back(answerProbabilityRow(model, design.fixed, answers, asked, settings.level));
+  }
+  return rows;
+}
+
 using Icc = IntraclassCorrelations;
 using Shape = DataShape;
 using Use = StudyUse;
 
 // clang-format off
 // Every test: id, title, question, source, data, function, use in a study; kNeedsBound where it
-// needs a bound, kEachPair where it has a row for each pair of groups.
+// needs a bound, kEachPair where it has a row for each pair of groups, kEachGroup for each group.
 constexpr auto kNeedsBound = StatisticalTest::Form::NeedsBound;
 constexpr auto kEachPair = StatisticalTest::Form::RowOfEachPair;
+constexpr auto kEachGroup = StatisticalTest::Form::RowOfEachGroup;
 constexpr std::array kTests{
     StatisticalTest{"welch", "Welch's t-test", "Do two groups differ in their mean?", "Welch 1947", Shape::TwoGroups, welch},
     StatisticalTest{"student", "Student's t-test", "Do two groups of equal variance differ in their mean?", "Student 1908", Shape::TwoGroups, student},
@@ -405,6 +423,7 @@ constexpr std::array kTests{
     StatisticalTest{"cluster_robust", "Cluster-robust t-tests (CR2)", "Do groups differ in their mean, if values of a cluster go together?", "Bell & McCaffrey 2002", Shape::Clusters, clusterRobustRows, Use::None, kEachPair},
     StatisticalTest{"mixed_model", "Linear mixed model", "The same with random intercepts of clusters", "Bates et al. 2015, Kuznetsova et al. 2017", Shape::Clusters, mixedModel, Use::None, kEachPair},
     StatisticalTest{"ordinal_model", "Cumulative link mixed model", "The same of ordered answers, as odds ratios", "Christensen 2022", Shape::Clusters, ordinalModel, Use::None, kEachPair},
+    StatisticalTest{"answer_probability", "Probability of a high answer, by the cumulative link mixed model", "How likely is an answer of --from or more, in all clusters?", "Christensen 2022", Shape::Clusters, answerProbabilities, Use::None, kEachGroup},
 };
 // clang-format on
 
@@ -433,6 +452,11 @@ std::vector<TestRow> computeTest(
         "to the plan of the study");
   }
   if (!needsBound && settings.bound) throw Error("the test does not use --bound");
+  const bool needsFrom = test.form == StatisticalTest::Form::RowOfEachGroup;
+  if (needsFrom && !settings.from) {
+    throw Error("the test needs --from: it tells how likely this answer and all above it are");
+  }
+  if (!needsFrom && settings.from) throw Error("the test does not use --from");
   Rows rows;
   try {
     rows = test.rows(data, settings);

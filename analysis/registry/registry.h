@@ -15,6 +15,7 @@ struct TestSettings {
   double level = 0.95;                  ///< of confidence intervals, between 0 and 1
   std::optional<double> adjustedLevel;  ///< of the interval of one of several tests, if wanted
   std::optional<double> bound;  ///< of tests of equivalence: smaller differences count as none, > 0
+  std::optional<int> from;      ///< of probabilities of answers: this one and all above it
 };
 
 /// Whether the results of a study have a test, and of what. A test that is used is computed for
@@ -31,8 +32,9 @@ enum class StudyUse {
 struct StatisticalTest {
   enum class Form {
     OneRow,
-    NeedsBound,     ///< one row, and TestSettings::bound
-    RowOfEachPair,  ///< of groups or columns
+    NeedsBound,      ///< one row, and TestSettings::bound
+    RowOfEachPair,   ///< of groups or columns
+    RowOfEachGroup,  ///< and TestSettings::from
   };
 
   std::string_view id;        ///< `palpate stats test ID`, and in tables
@@ -43,6 +45,10 @@ struct StatisticalTest {
   std::vector<TestRow> (*rows)(const TestData&, const TestSettings&) = nullptr;
   StudyUse use = StudyUse::None;
   Form form = Form::OneRow;
+
+  bool hasSeveralRows() const noexcept {
+    return form == Form::RowOfEachPair || form == Form::RowOfEachGroup;
+  }
 };
 
 /// Every test, by what it needs: two groups, several, pairs, columns, counts, models. A new test is

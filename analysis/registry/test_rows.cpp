@@ -1,5 +1,7 @@
 #include "analysis/registry/test_rows.h"
 
+#include "analysis/models/answer_probability.h"
+
 namespace analysis {
 namespace {
 
@@ -296,6 +298,44 @@ TestRow rowOf(const WaldEstimate& estimate, std::size_t answers, double level) {
   row.log10P = estimate.log10P;
   row.effect = {"odds_ratio", estimate.oddsRatio};
   row.effectInterval = oddsRatioInterval(estimate, level);
+  return row;
+}
+
+TestRow answerProbabilityRow(
+    const CumulativeLinkResult& model,
+    const FixedEffects& fixed,
+    std::span<const int> answers,
+    const HighAnswers& asked,
+    double level) {
+  TestRow row;
+  row.group1 = asked.group;
+  row.estimate.name = "logit";
+  row.effect.name = "probability";
+  row.more = {{"from", asked.from}};
+  const auto& factor = fixed.factor(asked.factor);
+  std::uint64_t given = 0;
+  std::uint64_t high = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (factor.levels[factor.levelOfAnswer[i]] != asked.group) continue;
+    ++given;
+    if (answers[i] >= asked.from) ++high;
+  }
+  row.n1 = given;
+  row.statistic.name = "observed_share";
+  if (given > 0) row.statistic.value = static_cast<double>(high) / static_cast<double>(given);
+  row.reason = given == 0 ? reason("no_answers_to_method") : model.reason;
+  if (!row.reason.empty()) return row;
+  const auto likely =
+      answerProbability(*model.fit, asked.from, fixed.combinations(asked.factor, asked.group));
+  if (!likely) {
+    row.reason = reason("one_side_of_level", asked.from);
+    return row;
+  }
+  row.estimate.value = likely->logit.estimate;
+  row.standardError = likely->logit.standardError;
+  row.interval = confidenceInterval(likely->logit, level);
+  row.effect.value = likely->probability;
+  row.effectInterval = probabilityInterval(*likely, level);
   return row;
 }
 

@@ -2,13 +2,17 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "analysis/data/test_row.h"
 #include "analysis/effects/bayes_factor.h"
 #include "analysis/effects/effect_size.h"
 #include "analysis/effects/rank_effects.h"
+#include "analysis/models/cumulative_link_mixed_model.h"
 #include "analysis/models/estimates.h"
+#include "analysis/models/fixed_effects.h"
 #include "analysis/models/linear_mixed_model.h"
 #include "analysis/reliability/intraclass_correlation.h"
 #include "analysis/reliability/reliability.h"
@@ -78,5 +82,22 @@ TestRow rowOf(const EqualSharesResult& result);
 /// @param answers  all that the model was fitted to.
 TestRow rowOf(const TEstimate& estimate, std::size_t answers);
 TestRow rowOf(const WaldEstimate& estimate, std::size_t answers, double level);
+
+/// Which answers are asked for: those to one level of a factor, from one answer on.
+struct HighAnswers {
+  std::string_view factor;
+  std::string_view group;  ///< a level of the factor
+  int from = 0;
+};
+/// How likely they are by a model of all @p answers, and the share that was observed. Where the
+/// model cannot tell, the row has the reason.
+/// @param fixed  of the model.
+/// @param level  of the confidence interval.
+TestRow answerProbabilityRow(
+    const CumulativeLinkResult& model,
+    const FixedEffects& fixed,
+    std::span<const int> answers,
+    const HighAnswers& asked,
+    double level);
 
 }  // namespace analysis

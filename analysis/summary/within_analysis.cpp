@@ -126,6 +126,12 @@ class Comparing {
     std::vector<int> levels;
     for (const auto& answer : table_.answers) levels.push_back(answer.score);
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);
+    for (const auto& method : table_.methods) {
+      const HighAnswers asked{.factor = kMethod, .group = method, .from = table_.aboveMiddle()};
+      result_.probabilities.push_back(answerProbabilityRow(
+          result_.ordinal, design_->fixed, levels, asked, 1.0 - options_.alpha));
+      result_.probabilities.back().id = "answer_probability";
+    }
   }
 
   void row(const DeclaredPair& pair) {

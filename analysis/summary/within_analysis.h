@@ -34,9 +34,11 @@ struct WithinAnalysis {
   std::vector<std::string> leftOut;
   std::size_t tests = 0;  ///< comparisons declared
   std::optional<double> alphaPerTest;
-  std::vector<TestRow> overall;        ///< the registered tests of all methods at once
-  LinearMixedResult mixed;             ///< score ~ method [+ round] + (1 | participant) + (1 | …)
-  CumulativeLinkResult ordinal;        ///< the same model of logits
+  std::vector<TestRow> overall;  ///< the registered tests of all methods at once
+  LinearMixedResult mixed;       ///< score ~ method [+ round] + (1 | participant) + (1 | …)
+  CumulativeLinkResult ordinal;  ///< the same model of logits
+  /// `answer_probability` of each method: of answers above the middle of the scale, by that model.
+  std::vector<TestRow> probabilities;
   std::vector<WithinComparison> rows;  ///< in the order of the pairs
 };
 

@@ -105,7 +105,8 @@ Columns<StatisticsRow> statisticsColumns() {
        &Row::occasion},
       {"acceptable_from",
        Number{},
-       "From which answer on an item counts as acceptable",
+       "From which answer on an item counts as acceptable; of answer_probability, an answer as "
+       "high",
        &Row::acceptableFrom},
       {"n_missing",
        Integer{},
@@ -126,7 +127,7 @@ Columns<StatisticsRow> statisticsColumns() {
        listed(
            "welch, paired_t, sign_flip, signed_rank, mixed_model, ordinal_model, friedman, "
            "rm_anova, mann_whitney, brunner_munzel, order_slope, cronbach_alpha, shapiro_wilk, "
-           "brown_forsythe, tost, bayes_factor, omega_total",
+           "brown_forsythe, tost, bayes_factor, omega_total, answer_probability",
            tests,
            [](const auto& row) { return row.id; }) +
            "; not of a family: score, acceptability, felt_difference",
@@ -147,13 +148,16 @@ Columns<StatisticsRow> statisticsColumns() {
       {"sd2", Number{}, "Standard deviation of group 2, with n - 1", deviationOf(1)},
       {"estimate",
        Number{},
-       "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; slope over "
-       "positions; of felt_difference the mean over participants [N]",
+       "Mean difference, of signed_rank Hodges and Lehmann's; log odds ratio; logit of a "
+       "probability; slope over positions; of felt_difference the mean over participants [N]",
        [](const Row& row) { return row.test.estimate.value; }},
       {"se", Number{}, "Its standard error", ofTest(&TestRow::standardError)},
       {"statistic_name",
        Text{},
-       listed("t, z, V, U, chi2, F, W", tests, [](const auto& row) { return row.statistic.name; }),
+       listed(
+           "t, z, V, U, chi2, F, W, observed_share",
+           tests,
+           [](const auto& row) { return row.statistic.name; }),
        nameOfNumber(&TestRow::statistic)},
       {"statistic", Number{}, "Its value", valueOfNumber(&TestRow::statistic)},
       {"df", Number{}, "Degrees of freedom; of F its first", ofTest(&TestRow::df)},
@@ -201,7 +205,7 @@ Columns<StatisticsRow> statisticsColumns() {
        Text{},
        listed(
            "g_z, cliff_delta, kendall_w, partial_eta2, odds_ratio, cronbach_alpha, omega_total, "
-           "rank_biserial, bf10",
+           "rank_biserial, bf10, probability",
            tests,
            [](const auto& row) { return row.effect.name; }) +
            ", share or rms_pooled [N]",

@@ -72,6 +72,12 @@ std::vector<StatisticsRow> overallRows(
   add("paired", std::move(slope)).level = 0.95;
   add("unpaired", named("brown_forsythe", analysis::rowOf(cohort.checks.spread)));
   for (auto& row : rows) row.groups = allCodes(cohort, codes);
+  for (const auto& test : cohort.within.probabilities) {
+    auto& row = add("mixed", test);
+    row.unit = "answer";
+    row.group1 = codes.at(test.group1);
+    row.acceptableFrom = test.also("from");
+  }
   for (const auto& checks : cohort.checks.methods) {
     const auto& code = codes.at(checks.method);
     auto& alpha = add("paired", named("cronbach_alpha", analysis::rowOf(checks.alpha)));

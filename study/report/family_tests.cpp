@@ -82,6 +82,7 @@ class TestsWriter : HtmlWriter {
               "the protocol declares it, are differences that count as none."
             : "Mean differences within people with their intervals at 1 − α. Shaded, where the "
               "protocol declares it, are differences that count as none.");
+    probabilities();
     sentences();
     between();
     return std::move(html_);
@@ -138,6 +139,42 @@ class TestsWriter : HtmlWriter {
     note(
         f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
                       : "* the test that the protocol names, exploratory; bold: adjusted p ≤ α.");
+  }
+
+  void probabilities() {
+    const auto& first = f_.cohorts.front().within.probabilities;
+    if (first.empty()) return;
+    table(
+        say("How likely answers of {:g} or more are, by the ordinal mixed model",
+            first.front().also("from").value_or(0.0)),
+        {say("Method"),
+         say("Answers"),
+         say("Observed share"),
+         say("Probability"),
+         say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha))});
+    for (const auto& part : f_.cohorts) {
+      rowOver(cohort(part.cohort), 5);
+      for (const auto& test : part.within.probabilities) probability(test);
+    }
+    endTable();
+    note(
+        "The probability is that of all people for whom the participants stand, with the leniency "
+        "and the taste that the model gives them; rounds count equally (exploratory).");
+  }
+
+  void probability(const analysis::TestRow& test) {
+    if (!test.effect.value) {
+      put("<tr><td>{}</td><td class=\"words\" colspan=\"4\">{}</td></tr>",
+          condition(test.group1),
+          say("not defined: {}", s_.words(test.reason)));
+      return;
+    }
+    row(
+        {condition(test.group1),
+         std::to_string(test.n1.value_or(0)),
+         rounded(test.statistic.value, 2),
+         rounded(test.effect.value, 2),
+         intervalInWords(test.effectInterval)});
   }
 
   void difference(const analysis::WithinComparison& c) {

@@ -140,6 +140,7 @@ class Writer {
               ? ""
               : fmt::format(", {} left out", cohort.within.leftOut.size())));
       for (const auto& words : apaLines(cohort.within, family.family)) line("  " + words);
+      for (const auto& row : cohort.within.probabilities) probability(row, family.family.alpha);
       for (const auto& row : cohort.within.rows) {
         line("  " + titleOf(row.group1) + " vs. " + titleOf(row.group2));
         for (const auto& words : apaLines(row, family.family)) line("    " + words);
@@ -147,6 +148,20 @@ class Writer {
       checks(cohort);
     }
     between(family);
+  }
+
+  void probability(const analysis::TestRow& row, double alpha) {
+    line(fmt::format(
+        "  {}: answers of {:g} or more: observed {}, probability {}",
+        titleOf(row.group1),
+        row.also("from").value_or(0.0),
+        rounded(row.statistic.value, 2),
+        row.effect.value ? fmt::format(
+                               "{}, {:g} % CI {} (ordinal mixed model)",
+                               rounded(row.effect.value, 2),
+                               100.0 * (1.0 - alpha),
+                               intervalInWords(row.effectInterval))
+                         : "not defined: " + base::describe(row.reason)));
   }
 
   /// The effect of order, and the reliability of the scale.

@@ -80,7 +80,7 @@ void addRow(ResultJson& json, const analysis::TestRow& row) {
 void addNames(ResultJson& json, const analysis::TestRow& row) {
   if (row.group1.empty()) return;
   json["group1"] = row.group1;
-  json["group2"] = row.group2;
+  if (!row.group2.empty()) json["group2"] = row.group2;
 }
 
 ResultJson pooledAsJson(const analysis::PairwiseComparison& comparison) {
@@ -239,6 +239,12 @@ ResultJson withinAsJson(const analysis::WithinAnalysis& within) {
       {"m", within.tests},
       {"alpha_per_test", nullable(within.alphaPerTest)}};
   json.update(overallAsJson(within));
+  json["answer_probabilities"] = ResultJson::array();
+  for (const auto& row : within.probabilities) {
+    auto& json_row = json["answer_probabilities"].emplace_back();
+    json_row["condition"] = row.group1;
+    addRow(json_row, row);
+  }
   json["comparisons"] = ResultJson::array();
   for (const auto& row : within.rows) json["comparisons"].push_back(withinAsJson(row));
   return json;
@@ -383,12 +389,6 @@ ResultJson voteAsJson(const VoteResult& vote) {
   return json;
 }
 
-ResultJson instrumentAsJson(const InstrumentSummary& summary) {
-  ResultJson json{
-      {"instrument", summary.instrument},
-      {"forms", summary.forms},
-      {"contradictory", summary.contradictory},
-      {"scores", ResultJson::array()},
 /// Sums over rounds, and over cohorts where the cohort is null.
 ResultJson voteSumAsJson(const std::string& cohort, const analysis::VoteCounts& sum) {
   ResultJson json{{"cohort", textOrNull(cohort)}};
@@ -408,6 +408,12 @@ ResultJson voteSumsAsJson(const Results& results) {
   return json;
 }
 
+ResultJson instrumentAsJson(const InstrumentSummary& summary) {
+  ResultJson json{
+      {"instrument", summary.instrument},
+      {"forms", summary.forms},
+      {"contradictory", summary.contradictory},
+      {"scores", ResultJson::array()},
       {"acceptable", ResultJson::array()}};
   for (const auto& score : summary.scores) {
     json["scores"].push_back(
@@ -461,7 +467,7 @@ std::string testAsJson(
     const analysis::TestData& data,
     const std::vector<analysis::TestRow>& rows,
     double level) {
-  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
+  const bool isList = test.hasSeveralRows();
   ResultJson json{{"test", test.id}};
   if (!isList) addNames(json, rows.front());
   json["missing"] = data.missing;
@@ -485,13 +491,13 @@ std::string resultsAsJson(Study& study, const Results& results) {
       {"flow", ResultJson::array()},
       {"families", ResultJson::array()},
       {"votes", ResultJson::array()},
+      {"vote_sums", voteSumsAsJson(results)},
       {"instruments", ResultJson::array()}};
   for (const auto& flow : results.flow) json["flow"].push_back(flowAsJson(flow));
   for (const auto& family : results.families) json["families"].push_back(familyAsJson(family));
   for (const auto& vote : results.votes) json["votes"].push_back(voteAsJson(vote));
   for (const auto& i : results.instruments) json["instruments"].push_back(instrumentAsJson(i));
   addFelt(json, feltResult(study, results.runMode));
-      {"vote_sums", voteSumsAsJson(results)},
   return json.dump(2) + "\n";
 }
 

@@ -46,6 +46,7 @@ std::string columnsOf(const analysis::StatisticalTest& test) {
     text += (text.empty() ? "" : " ") + (column.isRequired ? option : "[" + option + "]");
   }
   if (test.form == analysis::StatisticalTest::Form::NeedsBound) text += " --bound";
+  if (test.form == analysis::StatisticalTest::Form::RowOfEachGroup) text += " --from";
   return text;
 }
 
@@ -111,8 +112,10 @@ void print(
     const analysis::TestData& data,
     const std::vector<analysis::TestRow>& rows,
     double level) {
-  const bool isList = test.form == analysis::StatisticalTest::Form::RowOfEachPair;
-  const auto names = [](const analysis::TestRow& row) { return row.group1 + " − " + row.group2; };
+  const bool isList = test.hasSeveralRows();
+  const auto names = [](const analysis::TestRow& row) {
+    return row.group2.empty() ? row.group1 : row.group1 + " − " + row.group2;
+  };
   const bool hasNames = !isList && !rows.front().group1.empty();
   fmt::print("{}{}\n\n", test.title, hasNames ? ", " + names(rows.front()) : "");
   printGroups(data);
@@ -173,6 +176,8 @@ void addTestCommand(CLI::App& stats, Action& action) {
   column("round", "Column that names the round")->expected(1);
   command->add_option("--bound", options->settings.bound, "Of equivalence: smaller counts as none")
       ->check(finiteRange(1e-300, 1e300));
+  command->add_option(
+      "--from", options->settings.from, "Of probabilities: this answer and all above it count");
   command->add_option("--level", options->settings.level, "Of the confidence interval")
       ->check(finiteRange(1e-9, 1.0 - 1e-9))
       ->capture_default_str();

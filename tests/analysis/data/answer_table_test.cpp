@@ -43,4 +43,18 @@ TEST(AnswerTable, LeavesOutParticipantsWhoLackAMethod) {
   EXPECT_EQ(complete.of(1), (std::vector<double>{5.0 / 3.0, 3.0}));
 }
 
+TEST(AnswerTable, KnowsTheLowestAnswerAboveTheMiddle) {
+  const auto aboveMiddle = [](int lowest, int highest) {
+    analysis::AnswerTable table;
+    table.lowest = lowest;
+    table.highest = highest;
+    return table.aboveMiddle();
+  };
+  EXPECT_EQ(aboveMiddle(1, 5), 4);
+  EXPECT_EQ(aboveMiddle(1, 4), 3);
+  EXPECT_EQ(aboveMiddle(0, 20), 11);
+  EXPECT_EQ(aboveMiddle(-3, 3), 1);
+  EXPECT_EQ(aboveMiddle(-4, -1), -2);
+}
+
 }  // namespace answer_table_test

@@ -73,4 +73,14 @@ TEST(FixedEffects, RejectInvalidFactors) {
   EXPECT_THROW(fixed.factor("cohort"), std::invalid_argument);
 }
 
+TEST(FixedEffects, CombineALevelWithAllLevelsOfOtherFactors) {
+  const auto fixed = design();
+  using Rows = std::vector<Numbers>;
+  EXPECT_EQ(fixed.combinations("method", "interpolation"), (Rows{{1, 0, 0, 0}, {1, 0, 0, 1}}));
+  EXPECT_EQ(fixed.combinations("method", "kalman"), (Rows{{1, 0, 1, 0}, {1, 0, 1, 1}}));
+  EXPECT_EQ(fixed.combinations("round", "2"), (Rows{{1, 0, 0, 1}, {1, 1, 0, 1}, {1, 0, 1, 1}}));
+  EXPECT_THROW(fixed.combinations("method", "other"), std::invalid_argument);
+  EXPECT_THROW(fixed.combinations("cohort", "a"), std::invalid_argument);
+}
+
 }  // namespace fixed_effects_test

@@ -66,4 +66,41 @@ TEST(WithinAnalysis, SubtractsTheSecondMethodFromTheFirstInEveryTest) {
   expectDifference(result.rows[3], 20.0 / 36.0);
 }
 
+// R: ordinal::clmm, clmm_prof_from_4 of tests/data/stats/study/study_golden.json
+TEST(WithinAnalysis, HasTheProbabilityOfAnswersAboveTheMiddleOfEachMethod) {
+  const auto result = analysis::compareWithin(professionals(), {}, {});
+  ASSERT_EQ(result.probabilities.size(), 3U);
+  const std::vector<std::string> methods{"interpolation", "fem", "kalman"};
+  const std::vector<double> shares{26.0 / 36.0, 12.0 / 36.0, 18.0 / 36.0};
+  const std::vector<double> probabilities{0.7148, 0.3072, 0.4519};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = result.probabilities[i];
+    EXPECT_EQ(row.id, "answer_probability");
+    EXPECT_EQ(row.group1, methods[i]);
+    EXPECT_EQ(row.n1, 36U);
+    EXPECT_EQ(row.also("from"), 4.0);
+    EXPECT_DOUBLE_EQ(row.statistic.value.value(), shares[i]);
+    EXPECT_NEAR(row.effect.value.value(), probabilities[i], 1e-3);
+    EXPECT_LT(row.effectInterval->low, row.effect.value);
+    EXPECT_GT(row.effectInterval->high, row.effect.value);
+    EXPECT_FALSE(row.p);
+  }
+}
+
+TEST(WithinAnalysis, SaysWhyThereIsNoProbability) {
+  auto table = professionals();
+  for (auto& answer : table.answers) answer.score = 1 + answer.score % 3;  // nobody answers 4 or 5
+  const auto none = analysis::compareWithin(table, {}, {});
+  for (const auto& row : none.probabilities) {
+    EXPECT_FALSE(row.effect.value);
+    EXPECT_EQ(row.statistic.value, 0.0);
+    EXPECT_EQ(row.reason, analysis::reason("one_side_of_level", 4));
+  }
+  for (auto& answer : table.answers) answer.score = 5;
+  const auto same = analysis::compareWithin(table, {}, {});
+  ASSERT_EQ(same.probabilities.size(), 3U);
+  EXPECT_EQ(same.probabilities[0].reason, analysis::reason("all_answers_same"));
+  EXPECT_EQ(same.probabilities[0].statistic.value, 1.0);
+}
+
 }  // namespace within_analysis_test

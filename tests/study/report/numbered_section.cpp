@@ -132,6 +132,15 @@ analysis::WithinAnalysis withinAnalysis() {
   within.mixed.fit->components = {{.name = "participant", .variance = 4.13}};
   within.mixed.fit->residualVariance = 4.14;
   within.ordinal.reason = base::Message::verbatim("it was not asked for");
+  analysis::TestRow probability;
+  probability.id = "answer_probability";
+  probability.group1 = kFirst;
+  probability.n1 = 415;
+  probability.statistic = {"observed_share", 0.41};
+  probability.effect = {"probability", 0.42};
+  probability.effectInterval = {0.43, 0.44};
+  probability.more = {{"from", 4.0}};
+  within.probabilities = {probability};
   within.rows = {withinComparison()};
   return within;
 }

@@ -218,6 +218,16 @@ TEST_F(ReportTables, OfAcceptabilityHasThresholdShareAndInterval) {
   EXPECT_EQ(row("Scored: participants at or above the threshold of acceptability"), expected);
 }
 
+TEST_F(ReportTables, OfProbabilitiesHaveShareProbabilityAndInterval) {
+  const Row expected{
+      {"Method", "Interpolation"},
+      {"Answers", "415"},
+      {"Observed share", "0.41"},
+      {"Probability", "0.42"},
+      {"99 % CI", "[0.43, 0.44]"}};
+  EXPECT_EQ(row("How likely answers of 4 or more are"), expected);
+}
+
 TEST_F(ReportTables, OfPreferencesHasVotesAndIntervalsOfEachCondition) {
   const Row expected{
       {"Cohort", "Orthopaedic surgeons"},

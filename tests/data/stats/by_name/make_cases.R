@@ -161,4 +161,8 @@ add("mixed_model", "answers.csv", c(model, "--round", "round"), tolerance = 2e-5
 add("ordinal_model", "answers.csv", c(model, "--round", "round"), tolerance = 1e-3, rows = list(
   list(group1 = i, group2 = "fem", log_odds_ratio = 2.6604352284786, se = 0.603520866865139, z = 4.40819095833035, odds_ratio = exp(2.6604352284786)),
   list(group1 = i, group2 = "kalman", log_odds_ratio = 1.70912649480622, se = 0.565046599108214, z = 3.02475317523131, odds_ratio = exp(1.70912649480622))))
+add("answer_probability", "answers.csv", c(model, "--round", "round", "--from", "4"), tolerance = 2e-2, rows = list(   # clmm_prof_from_4
+  list(group1 = i, n = 36, observed_share = 26 / 36, logit = 0.918778274649396, se = 0.55410666096314, probability = 0.71479310535273, probability_low = 0.458284490353745, probability_high = 0.881300898101772),
+  list(group1 = "fem", n = 36, observed_share = 12 / 36, logit = -0.813250068508771, se = 0.54971587024455, probability = 0.307198358558007, probability_low = 0.13116771061115, probability_high = 0.565661888225528),
+  list(group1 = "kalman", n = 36, observed_share = 18 / 36, logit = -0.193027559478199, se = 0.518431254774151, probability = 0.451892390133397, probability_low = 0.229854289467466, probability_high = 0.69488954119449)))
 writeLines(c("[", paste(cases, collapse = ",\n"), "]"), "cases.json")
