@@ -7,6 +7,7 @@
 
 #include "analysis/data/nearest_name.h"
 #include "analysis/registry/test_rows.h"
+#include "analysis/tests/welch.h"
 
 namespace analysis {
 namespace {
@@ -39,22 +40,13 @@ const LikertCounts& countsOf(const std::string& name, std::span<const NamedCount
   return group->counts;
 }
 
-void judge(PairwiseComparisons& family) {
-  std::vector<std::optional<double>> pValues;
-  for (const auto& row : family.rows) pValues.push_back(row.welch.p);
-  family.tests = definedCount(pValues);
-  if (family.tests == 0) return;
-
-  const double each = alphaPerTest(family.alpha, family.tests);
-  const auto adjusted = adjust(pValues, family.adjustment);
-  family.alphaPerTest = each;
-  for (std::size_t i = 0; i < family.rows.size(); ++i) {
-    auto& row = family.rows[i];
-    row.adjustedP = adjusted[i];
-    if (row.adjustedP) row.isSignificant = *row.adjustedP <= family.alpha;
-    row.interval = confidenceInterval(row.welch, 1.0 - family.alpha);
-    row.adjustedInterval = confidenceInterval(row.welch, 1.0 - each);
-  }
+TestRow rowOf(const DeclaredPair& pair, const WelchResult& result, double alpha) {
+  auto row = rowOf(result, confidenceInterval(result, 1.0 - alpha));
+  row.id = "welch";
+  row.group1 = pair.first;
+  row.group2 = pair.second;
+  row.isOfFamily = true;
+  return row;
 }
 
 }  // namespace
@@ -71,27 +63,25 @@ PairwiseComparisons comparePairwise(
   PairwiseComparisons family;
   family.alpha = alpha;
   family.adjustment = adjustment;
-  for (const auto& [first, second] : pairs) {
-    PairwiseComparison row;
-    row.group1 = first;
-    row.group2 = second;
-    row.welch = welchTTest(countsOf(first, groups), countsOf(second, groups));
-    family.rows.push_back(std::move(row));
+  std::vector<WelchResult> results;
+  std::vector<std::optional<double>> pValues;
+  for (const auto& pair : pairs) {
+    results.push_back(welchTTest(countsOf(pair.first, groups), countsOf(pair.second, groups)));
+    pValues.push_back(results.back().p);
+    family.rows.push_back(rowOf(pair, results.back(), alpha));
   }
-  judge(family);
-  return family;
-}
+  family.tests = definedCount(pValues);
+  if (family.tests == 0) return family;
 
-TestRow rowOf(const PairwiseComparison& comparison) {
-  auto row = rowOf(comparison.welch, comparison.interval);
-  row.id = "welch";
-  row.group1 = comparison.group1;
-  row.group2 = comparison.group2;
-  row.adjustedInterval = comparison.adjustedInterval;
-  row.isOfFamily = true;
-  row.adjusted = comparison.adjustedP;
-  row.isSignificant = comparison.isSignificant;
-  return row;
+  family.alphaPerTest = alphaPerTest(alpha, family.tests);
+  const auto adjusted = adjust(pValues, adjustment);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    auto& row = family.rows[i];
+    row.adjusted = adjusted[i];
+    if (row.adjusted) row.isSignificant = *row.adjusted <= alpha;
+    row.adjustedInterval = confidenceInterval(results[i], 1.0 - *family.alphaPerTest);
+  }
+  return family;
 }
 
 }  // namespace analysis

@@ -8,9 +8,7 @@
 
 #include "analysis/data/likert_counts.h"
 #include "analysis/data/test_row.h"
-#include "analysis/numerics/interval.h"
 #include "analysis/tests/adjustment.h"
-#include "analysis/tests/welch.h"
 
 namespace analysis {
 
@@ -26,20 +24,6 @@ struct DeclaredPair {
   std::string second;
 };
 
-/// One row of the table of results.
-struct PairwiseComparison {
-  std::string group1;
-  std::string group2;
-  WelchResult welch;
-  std::optional<double> adjustedP;
-  std::optional<bool> isSignificant;         ///< adjusted p ≤ alpha; nothing without p
-  std::optional<Interval> interval;          ///< of the difference, at 1 − alpha
-  std::optional<Interval> adjustedInterval;  ///< of the difference, at 1 − alpha per test
-};
-
-/// The result as a TestRow, the form that all tests share.
-TestRow rowOf(const PairwiseComparison& comparison);
-
 /// The family of comparisons that a study declared, each by Welch's test, held to account for
 /// their number.
 struct PairwiseComparisons {
@@ -47,7 +31,7 @@ struct PairwiseComparisons {
   Adjustment adjustment = Adjustment::Bonferroni;
   std::size_t tests = 0;               ///< m: the comparisons that have a p value
   std::optional<double> alphaPerTest;  ///< alpha / m, of the intervals; std::nullopt for m = 0
-  std::vector<PairwiseComparison> rows;
+  std::vector<TestRow> rows;           ///< `welch`, with intervals at both levels
 };
 
 /// The declared comparisons, in their order.

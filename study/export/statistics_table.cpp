@@ -24,7 +24,7 @@ class FamilyRows {
 
   std::vector<Row> all() {
     for (const auto& cohort : family_.cohorts) {
-      for (const auto& comparison : cohort.comparisons.rows) addPooled(cohort, comparison);
+      for (const auto& test : cohort.comparisons.rows) addPooled(cohort, test);
       for (const auto& comparison : cohort.within.rows) {
         for (const auto& test : comparison.tests) addWithin(cohort, test);
       }
@@ -71,8 +71,8 @@ class FamilyRows {
     return added;
   }
 
-  void addPooled(const CohortResult& cohort, const analysis::PairwiseComparison& comparison) {
-    auto& added = addPair(cohort, "unpaired", "answer", rowOf(comparison));
+  void addPooled(const CohortResult& cohort, const analysis::TestRow& test) {
+    auto& added = addPair(cohort, "unpaired", "answer", test);
     added.tests = cohort.comparisons.tests;
     added.adjustment = family_.isNamed("welch") ? declaredCorrection() : "bonferroni";
     added.alphaPerTest = cohort.comparisons.alphaPerTest;

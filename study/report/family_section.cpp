@@ -77,7 +77,7 @@ class FamilyWriter : HtmlWriter {
       rowOver(
           cohort(part.cohort) + (perTest ? say(", α per test {:.4f}", *perTest) : std::string()),
           7);
-      for (const auto& comparison : part.comparisons.rows) pooled(comparison);
+      for (const auto& test : part.comparisons.rows) pooled(test);
     }
     endTable();
     note(
@@ -90,24 +90,23 @@ class FamilyWriter : HtmlWriter {
             f_.isConfirmatory("welch") ? "declared in the protocol: confirmatory" : "exploratory"));
   }
 
-  void pooled(const analysis::PairwiseComparison& comparison) {
-    const auto& w = comparison.welch;
+  void pooled(const analysis::TestRow& test) {
     put("<tr{}><td>{} vs. {}</td>",
-        comparison.isSignificant.value_or(false) ? " class=\"yes\"" : "",
-        condition(comparison.group1),
-        condition(comparison.group2));
-    if (!w.p) {
+        test.isSignificant.value_or(false) ? " class=\"yes\"" : "",
+        condition(test.group1),
+        condition(test.group2));
+    if (!test.p) {
       put("<td class=\"words\" colspan=\"6\">{}</td></tr>",
-          say("not defined: {}", s_.words(w.reason)));
+          say("not defined: {}", s_.words(test.reason)));
       return;
     }
     put("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-        rounded(w.difference, 2),
-        intervalInWords(comparison.interval),
-        rounded(w.t, 2),
-        rounded(w.degreesOfFreedom, 2),
-        escaped(pInWords(w.p)),
-        escaped(pInWords(comparison.adjustedP)));
+        rounded(test.estimate.value, 2),
+        intervalInWords(test.interval),
+        rounded(test.statistic.value, 2),
+        rounded(test.df, 2),
+        escaped(pInWords(test.p)),
+        escaped(pInWords(test.adjusted)));
   }
 
   const FamilyResult& f_;

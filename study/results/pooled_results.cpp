@@ -13,9 +13,9 @@ namespace {
 void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
   comparisons.alphaPerTest = comparisons.alpha;
   for (auto& row : comparisons.rows) {
-    row.adjustedP = row.welch.p;
+    row.adjusted = row.p;
     row.adjustedInterval = row.interval;
-    if (row.welch.p) row.isSignificant = *row.welch.p <= comparisons.alpha;
+    if (row.p) row.isSignificant = *row.p <= comparisons.alpha;
   }
 }
 

@@ -187,7 +187,7 @@ class Computation {
       const protocols::Family& family, const CohortResult& part) {
     std::vector<std::optional<double>> pValues;
     if (family.test == protocols::TestType::Welch) {
-      for (const auto& row : part.comparisons.rows) pValues.push_back(row.welch.p);
+      for (const auto& row : part.comparisons.rows) pValues.push_back(row.p);
     }
     for (const auto& row : part.within.rows) {
       if (const auto* test = analysis::findTest(row.tests, idOf(family.test))) {

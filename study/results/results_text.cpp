@@ -211,20 +211,19 @@ class Writer {
     return words;
   }
 
-  void comparison(const analysis::PairwiseComparison& row) {
-    const auto& w = row.welch;
+  void comparison(const analysis::TestRow& row) {
     std::string words = "  " + padded(titleOf(row.group1) + " vs. " + titleOf(row.group2), 38);
-    if (!w.p) {
-      line(words + "not defined: " + base::describe(w.reason));
+    if (!row.p) {
+      line(words + "not defined: " + base::describe(row.reason));
       return;
     }
     words += fmt::format(
         "difference {:>6.2f}, t({:.2f}) = {:>6.2f}, p {:<9} adjusted p {:<9}",
-        *w.difference,
-        *w.degreesOfFreedom,
-        *w.t,
-        equalsInWords(pInWords(w.p)),
-        equalsInWords(pInWords(row.adjustedP)));
+        *row.estimate.value,
+        *row.df,
+        *row.statistic.value,
+        equalsInWords(pInWords(row.p)),
+        equalsInWords(pInWords(row.adjusted)));
     line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
   }
 

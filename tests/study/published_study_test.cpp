@@ -148,10 +148,10 @@ TEST_F(PublishedStudyTest, HasTheComparisonsOfThePipelineInR) {
         const double expected = std::stod(truth[quantity].get<std::string>());
         EXPECT_NEAR(number / expected, 1.0, 1e-12) << row.group1 << " " << quantity;
       };
-      expectNear("t", row.welch.t.value());
-      expectNear("df", row.welch.degreesOfFreedom.value());
-      expectNear("p", row.welch.p.value());
-      expectNear("p_bonferroni", row.adjustedP.value());
+      expectNear("t", row.statistic.value.value());
+      expectNear("df", row.df.value());
+      expectNear("p", row.p.value());
+      expectNear("p_bonferroni", row.adjusted.value());
       expectNear("cib_lo", row.adjustedInterval.value().low);
       expectNear("cib_hi", row.adjustedInterval.value().high);
     }

@@ -83,8 +83,7 @@ void addNames(ResultJson& json, const analysis::TestRow& row) {
   if (!row.group2.empty()) json["group2"] = row.group2;
 }
 
-ResultJson pooledAsJson(const analysis::PairwiseComparison& comparison) {
-  const auto test = rowOf(comparison);
+ResultJson pooledAsJson(const analysis::TestRow& test) {
   ResultJson json;
   addNames(json, test);
   addRow(json, test);

@@ -20,20 +20,19 @@ LocalizedText inEnglish(const std::string& text) {
 }
 
 analysis::PairwiseComparisons pooledComparisons() {
-  analysis::PairwiseComparison row{.group1 = kFirst, .group2 = kSecond};
-  row.welch.n1 = 201;
-  row.welch.n2 = 202;
-  row.welch.mean1 = 2.03;
-  row.welch.mean2 = 2.04;
-  row.welch.variance1 = 2.05;
-  row.welch.variance2 = 2.06;
-  row.welch.difference = 2.07;
-  row.welch.standardError = 2.08;
-  row.welch.t = 2.09;
-  row.welch.degreesOfFreedom = 21.11;
-  row.welch.p = 0.212;
-  row.welch.pToolpak = 0.213;
-  row.adjustedP = 0.214;
+  analysis::TestRow row;
+  row.id = "welch";
+  row.group1 = kFirst;
+  row.group2 = kSecond;
+  row.n1 = 201;
+  row.n2 = 202;
+  row.moments = {{{2.03, 2.05}, {2.04, 2.06}}};
+  row.estimate = {"difference", 2.07};
+  row.standardError = 2.08;
+  row.statistic = {"t", 2.09};
+  row.df = 21.11;
+  row.p = 0.212;
+  row.adjusted = 0.214;
   row.isSignificant = true;
   row.interval = {2.15, 2.16};
   row.adjustedInterval = {2.17, 2.18};
