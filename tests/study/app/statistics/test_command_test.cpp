@@ -107,6 +107,13 @@ TEST(StatsTest, ReportsMistakesInACall) {
   const auto column = statsTest({"welch", file, "--cluster", "g"});
   EXPECT_EQ(column.status, 1);
   EXPECT_NE(column.error.find("it uses --group, --value"), std::string::npos) << column.error;
+  const auto clusters = folder.write("clusters.csv", "p,g,x\n1,a,1\n2,b,2\n");
+  const auto from = statsTest({"answer_probability", clusters});
+  EXPECT_EQ(from.status, 1);
+  EXPECT_NE(from.error.find("the test needs --from"), std::string::npos) << from.error;
+  const auto useless = statsTest({"welch", file, "--from", "4"});
+  EXPECT_EQ(useless.status, 1);
+  EXPECT_NE(useless.error.find("does not use --from"), std::string::npos) << useless.error;
   const auto nothing = statsTest({});
   EXPECT_EQ(nothing.status, 2);
   EXPECT_NE(nothing.error.find("TEST is required"), std::string::npos) << nothing.error;
