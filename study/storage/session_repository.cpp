@@ -186,7 +186,7 @@ void SessionRepository::update(const SessionRow& session) {
 }
 
 SessionRow SessionRepository::load(SessionId id) const {
-  Statement select(database_, std::string(kSelect) + "WHERE s.id = ?");
+  Statement select(database_, std::string(kSelect).append("WHERE s.id = ?"));
   select.bind(1, static_cast<std::int64_t>(id));
   if (!select.step()) {
     throw StorageError(
@@ -196,7 +196,7 @@ SessionRow SessionRepository::load(SessionId id) const {
 }
 
 std::vector<SessionRow> SessionRepository::all() const {
-  Statement select(database_, std::string(kSelect) + "ORDER BY s.id");
+  Statement select(database_, std::string(kSelect).append("ORDER BY s.id"));
   std::vector<SessionRow> sessions;
   while (select.step()) sessions.push_back(sessionIn(select));
   return sessions;
