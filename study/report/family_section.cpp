@@ -28,8 +28,9 @@ class FamilyWriter : HtmlWriter {
         "What every participant thought: a dot is the mean of all that one person answered about a "
         "method. Above, their density; the box holds the middle half, with the median; the diamond "
         "is the mean.");
-    pooled();
+    if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
+    if (!f_.isNamed("welch")) pooled();
     html_ += checksAsHtml(s_, f_, figures_.positions);
     return std::move(html_);
   }
@@ -83,16 +84,17 @@ class FamilyWriter : HtmlWriter {
     note(
         "Profile as-published ({}): answers of all statements and rounds are pooled per "
         "participant "
-        "and method and treated as independent, as in the punch paper; bold: adjusted p ≤ α. "
+        "and method and treated as independent, as in the punch paper. "
         "Several answers of one person are not independent, so these p values may be too small or "
         "too large.",
         s_.words(
             f_.isConfirmatory("welch") ? "declared in the protocol: confirmatory" : "exploratory"));
+    if (f_.isConfirmatory("welch")) note("Bold: adjusted p ≤ α.");
   }
 
   void pooled(const analysis::TestRow& test) {
     put("<tr{}><td>{} vs. {}</td>",
-        test.isSignificant.value_or(false) ? " class=\"yes\"" : "",
+        f_.isConfirmatory("welch") && test.isSignificant.value_or(false) ? " class=\"yes\"" : "",
         condition(test.group1),
         condition(test.group2));
     if (!test.p) {

@@ -11,14 +11,15 @@
 namespace study::report {
 namespace {
 
-/// p and, if it differs, the adjusted p in brackets; bold if the test is the declared one and
+/// p and, if it differs, the adjusted p in brackets; bold if the test is confirmatory and
 /// significant.
-std::string pCell(const analysis::TestRow& test, bool isNamed) {
+std::string pCell(const analysis::TestRow& test, bool isConfirmatory) {
   std::string text = escaped(pInWords(test.p));
   if (test.p && test.adjusted && *test.adjusted != *test.p) {
     text += " (" + escaped(pInWords(test.adjusted)) + ")";
   }
-  return isNamed && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>" : text;
+  return isConfirmatory && test.isSignificant.value_or(false) ? "<strong>" + text + "</strong>"
+                                                              : text;
 }
 
 /// The heading of a column of p values.
@@ -129,7 +130,7 @@ class TestsWriter : HtmlWriter {
       for (const auto& comparison : part.within.rows) {
         std::vector<std::string> cells{pairOf(comparison)};
         for (const auto& test : comparison.tests) {
-          if (test.isOfFamily) cells.push_back(pCell(test, f_.isNamed(test.id)));
+          if (test.isOfFamily) cells.push_back(pCell(test, f_.isConfirmatory(test.id)));
         }
         row(cells);
       }
@@ -138,7 +139,7 @@ class TestsWriter : HtmlWriter {
     if (f_.isNamed("welch")) return;
     note(
         f_.isDeclared ? "* the declared test; bold: adjusted p ≤ α."
-                      : "* the test that the protocol names, exploratory; bold: adjusted p ≤ α.");
+                      : "* the test that the protocol names; exploratory");
   }
 
   void probabilities() {

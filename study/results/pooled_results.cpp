@@ -1,7 +1,11 @@
 #include "study/results/pooled_results.h"
 
 #include <cstdint>
+#include <map>
+#include <set>
+#include <string>
 
+#include "analysis/data/reason.h"
 #include "study/results/answer_tables.h"
 #include "study/session/plan_history.h"
 #include "study/storage/records.h"
@@ -16,6 +20,21 @@ void withoutCorrection(analysis::PairwiseComparisons& comparisons) {
     row.adjusted = row.p;
     row.adjustedInterval = row.interval;
     if (row.p) row.isSignificant = *row.p <= comparisons.alpha;
+  }
+}
+
+/// Answers of one person say nothing of how people differ.
+void withoutTests(analysis::PairwiseComparisons& comparisons) {
+  comparisons.tests = 0;
+  comparisons.alphaPerTest.reset();
+  for (auto& row : comparisons.rows) {
+    row = {
+        .id = row.id,
+        .group1 = row.group1,
+        .group2 = row.group2,
+        .estimate = row.estimate,
+        .isOfFamily = true,
+        .reason = analysis::reason("two_participants_needed")};
   }
 }
 
@@ -76,7 +95,9 @@ std::optional<analysis::Adjustment> adjustmentOf(protocols::CorrectionType corre
 }
 
 analysis::PairwiseComparisons comparePooled(
-    const protocols::Family& family, const std::vector<analysis::NamedCounts>& conditions) {
+    const protocols::Family& family,
+    const std::vector<analysis::NamedCounts>& conditions,
+    std::size_t participants) {
   std::vector<analysis::DeclaredPair> pairs;
   for (const auto& pair : family.comparisons) pairs.push_back({pair.first, pair.second});
   const bool isDeclared = family.test == protocols::TestType::Welch;
@@ -87,6 +108,7 @@ analysis::PairwiseComparisons comparePooled(
       family.alpha,
       isDeclared && declared ? *declared : analysis::Adjustment::Bonferroni);
   if (isDeclared && !declared) withoutCorrection(comparisons);
+  if (participants == 1) withoutTests(comparisons);
   return comparisons;
 }
 
@@ -96,10 +118,13 @@ Results pooledResults(Study& study, RunMode mode) {
   const auto history = planHistory(study);
   Results results{.runMode = mode};
   for (const auto& cohort : protocol.cohorts) results.flow.push_back({.cohort = cohort.id});
+  std::map<std::string, std::set<std::string>> participants;  // of completed sessions, by cohort
   for (const auto& row : study.sessions().all()) {
+    if (row.runMode != mode) continue;
     for (auto& flow : results.flow) {
-      if (row.runMode == mode && row.cohort == flow.cohort) flow.add(row.state);
+      if (row.cohort == flow.cohort) flow.add(row.state);
     }
+    if (row.state == SessionState::Completed) participants[row.cohort].insert(row.participant);
   }
   const auto points = storage::Records(study.database()).pointCounts(mode);
   for (const auto& family : protocol.analysis.families) {
@@ -107,7 +132,7 @@ Results pooledResults(Study& study, RunMode mode) {
     FamilyResult result{.family = family, .isDeclared = history.isDeclared(family.id)};
     for (const auto& cohort : protocol.cohorts) {
       CohortResult part{.cohort = cohort.id, .conditions = countsIn(layout, cohort.id, points)};
-      part.comparisons = comparePooled(family, part.conditions);
+      part.comparisons = comparePooled(family, part.conditions, participants[cohort.id].size());
       result.cohorts.push_back(std::move(part));
     }
     results.families.push_back(std::move(result));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,9 +23,12 @@ Results pooledResults(Study& study, RunMode mode);
 std::vector<analysis::NamedCounts> pooledCounts(const analysis::AnswerTable& table);
 
 /// The comparisons that a family declares, by Welch's test on pooled answers. They are adjusted as
-/// declared if Welch's test is the declared one, otherwise by Bonferroni's method.
+/// declared if Welch's test is the declared one, otherwise by Bonferroni's method. Answers of one
+/// person are not tested: they say nothing of how people differ.
 analysis::PairwiseComparisons comparePooled(
-    const protocols::Family& family, const std::vector<analysis::NamedCounts>& conditions);
+    const protocols::Family& family,
+    const std::vector<analysis::NamedCounts>& conditions,
+    std::size_t participants);
 
 /// A family's correction as the analysis room names it; std::nullopt for none.
 std::optional<analysis::Adjustment> adjustmentOf(protocols::CorrectionType correction);

@@ -86,7 +86,7 @@ class Computation {
     for (const auto& cohort : loaded_.protocol.cohorts) {
       CohortResult part{.cohort = cohort.id, .table = tableOf(family, cohort.id)};
       part.conditions = pooledCounts(part.table);
-      part.comparisons = comparePooled(family, part.conditions);
+      part.comparisons = comparePooled(family, part.conditions, part.table.participants.size());
       part.within = analysis::compareWithin(
           part.table,
           pairs,

@@ -77,6 +77,7 @@ struct FamilyResult {
 
 /// A way to compute a study's results (docs/statistics.md).
 enum class Profile {
+  Declared,     ///< of each family the one that has its declared test
   AsPublished,  ///< all answers pooled, Welch's t-test, as in the punch paper
   Recommended,  ///< the participant is the unit
 };

@@ -32,7 +32,7 @@ class Writer {
     head();
     for (const auto& family : results_.families) {
       means(family);
-      profile_ == Profile::AsPublished ? asPublished(family) : recommended(family);
+      isPooled(family) ? asPublished(family) : recommended(family);
       flags(family);
     }
     if (!results_.votes.empty()) votes();
@@ -41,6 +41,11 @@ class Writer {
   }
 
  private:
+  bool isPooled(const FamilyResult& family) const {
+    return profile_ == Profile::AsPublished ||
+           (profile_ == Profile::Declared && family.isNamed("welch"));
+  }
+
   void line(const std::string& words) { text_ += words + "\n"; }
 
   const std::string& titleOf(const std::string& condition) const {
@@ -109,7 +114,9 @@ class Writer {
           (cohort.comparisons.alphaPerTest
                ? fmt::format(" (alpha per test {:.4f})", *cohort.comparisons.alphaPerTest)
                : ""));
-      for (const auto& row : cohort.comparisons.rows) comparison(row);
+      for (const auto& row : cohort.comparisons.rows) {
+        comparison(row, family.isConfirmatory("welch"));
+      }
     }
   }
 
@@ -211,7 +218,7 @@ class Writer {
     return words;
   }
 
-  void comparison(const analysis::TestRow& row) {
+  void comparison(const analysis::TestRow& row, bool isConfirmatory) {
     std::string words = "  " + padded(titleOf(row.group1) + " vs. " + titleOf(row.group2), 38);
     if (!row.p) {
       line(words + "not defined: " + base::describe(row.reason));
@@ -224,7 +231,7 @@ class Writer {
         *row.statistic.value,
         equalsInWords(pInWords(row.p)),
         equalsInWords(pInWords(row.adjusted)));
-    line(words + (row.isSignificant.value_or(false) ? " significant" : ""));
+    line(words + (isConfirmatory && row.isSignificant.value_or(false) ? " significant" : ""));
   }
 
   /// Each kind of flag once, with its cohorts.

@@ -163,5 +163,22 @@ TEST_F(PooledResultsTest, NameTheItemWithEveryCount) {
   EXPECT_EQ(answers, 18U);
 }
 
+TEST_F(PooledResultsTest, TestNothingWhereOnePersonAnswered) {
+  takePart("surgeons");
+  for (const auto& results :
+       {pooledResults(*study_, RunMode::Live), computeResults(*study_, RunMode::Live)}) {
+    for (const auto& row : results.families.at(0).cohorts.at(0).comparisons.rows) {
+      EXPECT_FALSE(row.p || row.adjusted || row.isSignificant || row.interval);
+      EXPECT_EQ(base::describe(row.reason), "the test needs two participants");
+      EXPECT_TRUE(row.estimate.value);
+    }
+  }
+  takePart("surgeons");
+  for (const auto& results :
+       {pooledResults(*study_, RunMode::Live), computeResults(*study_, RunMode::Live)}) {
+    EXPECT_TRUE(results.families.at(0).cohorts.at(0).comparisons.rows.at(0).p);
+  }
+}
+
 }  // namespace pooled_results_test
 }  // namespace study
