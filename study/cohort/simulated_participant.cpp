@@ -13,6 +13,11 @@ using questionnaires::Response;
 
 constexpr double kLeavesOut = 0.3;  // probability that an optional item is left out
 
+// The noise of a choice between alternatives, as a share of that of an answer. Ours, not measured:
+// with all alternatives felt, a person compares and needs no scale, so that choices are to follow
+// realism more closely than answers do.
+constexpr double kNoiseOfAChoice = 0.5;
+
 }  // namespace
 
 SimulatedParticipant::SimulatedParticipant(
@@ -60,9 +65,9 @@ std::string SimulatedParticipant::preferred(
                           step.phase == phase->block &&
                           std::find(labels.begin(), labels.end(), label) != labels.end();
     if (!isChoice) continue;
-    // direct comparison is assumed to spread half as much as an answer on a scale
-    const double felt = realismOf(step.condition) +
-                        0.5 * truth_.answerDeviation * stream(purpose + "/" + label).normal();
+    const double deviation = kNoiseOfAChoice * truth_.answerDeviation;
+    const double felt =
+        realismOf(step.condition) + deviation * stream(purpose + "/" + label).normal();
     if (felt > most) {
       most = felt;
       best = label;

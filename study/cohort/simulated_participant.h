@@ -28,9 +28,10 @@ struct OnDevices {
 ///     realism(condition) + leniency(person) + taste(person, condition).
 ///
 /// An answer to a statement is that realism, reversed where the statement's key is −1, plus noise,
-/// rounded to the points of the scale. All random numbers depend on the seed, the place in the
-/// cohort and the name of what is asked only, so that a participant who is interrupted and resumed
-/// gives the same answers.
+/// rounded to the points of the scale. The preferred alternative is the one with the largest
+/// realism plus half of that noise. All random numbers depend on the seed, the place in the cohort
+/// and the name of what is asked only, so that a participant who is interrupted and resumed gives
+/// the same answers.
 class SimulatedParticipant {
  public:
   SimulatedParticipant(
