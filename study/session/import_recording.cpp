@@ -24,7 +24,11 @@ haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Rec
   constexpr double kAsRecorded = 1e6;  // steeper than any recording [N/travel unit]
   const auto rows = haptics::recordings::publishedCutIn(recording);
   if (!rows) return importRecording(recording, {});
-  return importRecording(recording, {.rows = rows, .maxSlope = kAsRecorded});
+  return importRecording(
+      recording,
+      {.rows = rows,
+       .filter = {.kind = haptics::recordings::TravelFilter::Kind::AuthorsFir333},
+       .maxSlope = kAsRecorded});
 }
 
 std::string withRecordedCut(std::string protocol, const std::string& file) {

@@ -10,8 +10,9 @@ namespace study {
 haptics::recordings::ImportedCut importRecording(
     const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options);
 
-/// Imports the cut that the authors' program renders, unchanged, from one of their recordings; from
-/// another recording the most typical cut, with its slope limited for the device.
+/// Imports the cut that the authors' program renders, unchanged and filtered by rows as they did,
+/// from one of their recordings; from another recording the most typical cut, with its slope
+/// limited for the device.
 haptics::recordings::ImportedCut importCutOfStudy(const haptics::recordings::Recording& recording);
 
 /// A shipped protocol of the punch, as text, with the cut file @p file in place of the synthetic

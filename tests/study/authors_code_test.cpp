@@ -1,5 +1,6 @@
 // The shipped protocol of the published study renders what the authors' code computes: boundary,
-// weights, clamp, filter and smoothing, written here from their program with plain matrices.
+// weights, clamp, filter and smoothing, written here from their program with plain matrices. Of
+// that program there are two versions, which differ in boundary and smoothing.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -14,6 +15,7 @@
 #include "protocols/model/library.h"
 #include "protocols/reading/cut_file.h"
 #include "study/session/import_recording.h"
+#include "tests/haptics/recordings/printed_table.h"
 #include "tests/study/made_study.h"
 #include "tests/support/test_data.h"
 
@@ -30,10 +32,17 @@ constexpr double kSame = 1e-9;  // [N]
 /// after two seconds the forces differ by less than 10 nN.
 constexpr double kSameFilter = 1e-7;  // [N]
 
+/// The versions of the authors' program, by commit.
+enum class Version {
+  At420bed5,  ///< all springs alike; the filtered force is averaged with its own output
+  At705a92e,  ///< the outer springs as in eq. (6); the filtered force goes to the motor as it is
+};
+
 /// What the authors' program computes, step by step.
 class AuthorsCode {
  public:
-  explicit AuthorsCode(std::vector<CurvePoint> table) : table_(std::move(table)) {}
+  explicit AuthorsCode(std::vector<CurvePoint> table, Version version = Version::At420bed5)
+      : table_(std::move(table)), version_(version) {}
 
   /// Its table between two lines, and never less than 0.01 N nor more than 4.29 N.
   double recorded(double travel) const {
@@ -48,14 +57,15 @@ class AuthorsCode {
     return std::clamp(force, 0.01, 4.29);
   }
 
-  /// Five elements from 0.5 to 2, all springs alike; the tool at 1.5 lies in the fourth and is put
-  /// onto the midpoints of the fourth and the fifth. K u = c by elimination.
-  static double elements(double travel) {
+  /// Five elements from 0.5 to 2; the tool at 1.5 lies in the fourth and is put onto the midpoints
+  /// of the fourth and the fifth. K u = c by elimination.
+  double elements(double travel) const {
     constexpr double kSpring = 1.0 / (2.0 * 0.3);
     const std::array<double, 5> c{0.0, 0.0, 0.0, (1.85 - 1.5) / 0.3, (1.5 - 1.55) / 0.3};
     std::array<double, 5> diagonal{};
     std::array<double, 5> u = c;
     diagonal.fill(2.0 * kSpring);
+    if (version_ == Version::At705a92e) diagonal.front() = diagonal.back() = 3.0 * kSpring;
     for (std::size_t i = 1; i < 5; ++i) {
       const double factor = -kSpring / diagonal[i - 1];
       diagonal[i] += factor * kSpring;
@@ -70,12 +80,17 @@ class AuthorsCode {
     return std::clamp((travel - 4.0) / compliance, 0.0, 7.0);
   }
 
-  /// Predicts and corrects with the elements, then again with the table; then the moving average.
+  /// Predicts and corrects with the elements, then again with the table; then the moving average of
+  /// the version that has one.
   double filtered(double travel) {
     const double moved = hasStarted_ ? travel - last_ : 0.0;
     last_ = travel;
     correct(moved, elements(travel), 0.001);
     correct(moved, recorded(travel), 7.742);
+    if (version_ == Version::At705a92e) {
+      hasStarted_ = true;
+      return force_;
+    }
     if (!hasStarted_) average_ = before_ = beforeThat_ = force_;
     hasStarted_ = true;
     average_ = (average_ + before_ + beforeThat_) / 3.0;
@@ -102,6 +117,7 @@ class AuthorsCode {
   }
 
   std::vector<CurvePoint> table_;
+  Version version_;
   std::array<double, 4> p_{};  ///< P by rows
   double force_ = 0.0;
   double slope_ = 0.0;
@@ -121,11 +137,13 @@ std::string shippedStudy() {
 
 /// Holds the three conditions against the authors' code, at the points of @p table in order.
 void expectAuthorsForces(
-    const protocols::Protocol& protocol, const std::vector<CurvePoint>& table) {
+    const protocols::Protocol& protocol,
+    const std::vector<CurvePoint>& table,
+    Version version = Version::At420bed5) {
   CompiledScene interpolation(protocol.condition("interpolation")->scene());
   CompiledScene elements(protocol.condition("finite-elements")->scene());
   CompiledScene kalman(protocol.condition("kalman")->scene());
-  AuthorsCode authors(table);
+  AuthorsCode authors(table, version);
   const auto feel = [](CompiledScene& scene, double travel) {
     return scene.respond({.travel = travel, .dt = 0.001}).force;
   };
@@ -136,7 +154,7 @@ void expectAuthorsForces(
   for (const auto& point : table) {
     const double x = point.travel;
     EXPECT_NEAR(feel(interpolation, x), authors.recorded(x), kSame) << x;
-    EXPECT_NEAR(feel(elements, x), AuthorsCode::elements(x), kSame) << x;
+    EXPECT_NEAR(feel(elements, x), authors.elements(x), kSame) << x;
     EXPECT_NEAR(feel(kalman, x), authors.filtered(x), kSameFilter) << x;
   }
 }
@@ -147,7 +165,25 @@ TEST(AuthorsCode, IsWhatThePublishedStudyRendersFromTheSyntheticCut) {
 }
 
 TEST(AuthorsCode, HasElementsOfThePublishedStiffness) {
-  EXPECT_NEAR(AuthorsCode::elements(5.0), 1.055718, 1e-6);  // docs/force-models.md, B at N = 5
+  // docs/force-models.md, at N = 5: B and A with the weights of the code
+  EXPECT_NEAR(AuthorsCode({}, Version::At420bed5).elements(5.0), 1.055718, 1e-6);
+  EXPECT_NEAR(AuthorsCode({}, Version::At705a92e).elements(5.0), 1.276596, 1e-6);
+}
+
+TEST(AuthorsCode, OfTheOtherVersionIsRenderedWithBoundaryAAndWithoutSmoothing) {
+  std::string text = shippedStudy();
+  const auto replace = [&](const std::string& part, const std::string& other) {
+    ASSERT_NE(text.find(part), std::string::npos) << part;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at)) {
+      text.replace(at, part.size(), other);
+    }
+  };
+  replace("\"boundary\": \"B\"", "\"boundary\": \"A\"");
+  replace("\"smoothing\": \"authors-firmware\"", "\"smoothing\": \"none\"");
+  expectAuthorsForces(
+      tests::protocolFrom(text).protocol,
+      haptics::recordings::parametricCut({.release = 1.5}).curve.nodes(),
+      Version::At705a92e);
 }
 
 TEST(AuthorsCode, IsWhatThePublishedStudyRendersFromItsOwnRecordingAtThe76Points) {
@@ -156,6 +192,11 @@ TEST(AuthorsCode, IsWhatThePublishedStudyRendersFromItsOwnRecordingAtThe76Points
   const auto imported = importCutOfStudy(recording);
   const auto& table = imported.cut.curve.nodes();
   ASSERT_EQ(table.size(), 76U);
+  EXPECT_EQ(imported.cut.provenance.filter, "authors-fir-333");
+  for (const auto& printed : tests::kPrintedTable) {
+    EXPECT_NEAR(table[printed.index].travel, printed.travel, tests::kPrintedRounding);
+    EXPECT_NEAR(table[printed.index].force, printed.force, tests::kPrintedRounding);
+  }
   const auto loaded = tests::protocolFrom(
       withRecordedCut(shippedStudy(), "recorded-cut.json"),
       {{"recorded-cut.json", protocols::cutAsJson(imported.cut, std::string(64, '0'))}});

@@ -11,6 +11,7 @@
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/recording.h"
 #include "haptics/recordings/trace.h"
+#include "tests/haptics/recordings/printed_table.h"
 #include "tests/support/test_data.h"
 
 // Does palpate read the published recordings as their authors did? Their own numbers, printed in
@@ -24,24 +25,6 @@ const char* const kWhole = "punch/part-2/meniscus/fast/MENISK_FAST_1_14042021_18
 const char* const kReference = "punch/reference-cut-76.csv";
 constexpr RowRange kCut{5900, 5975};
 constexpr TravelFilter kAsPublished{.kind = TravelFilter::Kind::AuthorsFir333};
-
-/// Which of the 76 rows (from 0) has which angle and force in the authors' sketch.
-struct Printed {
-  std::size_t index;
-  double travel;
-  double force;
-};
-const std::vector<Printed> kPrinted{
-    {0, 2.079, 0.000},
-    {16, 3.813, 0.000},
-    {17, 3.961, 0.084},
-    {19, 4.283, 0.823},
-    {24, 5.171, 3.313},
-    {30, 6.335, 4.344},
-    {34, 7.183, 4.369},
-    {44, 9.429, 3.966},
-    {51, 10.349, 3.679},
-    {75, 10.820, 4.344}};
 
 Recording copy() {
   return readRecordingFile(tests::fetchedData(kCopy));
@@ -89,16 +72,17 @@ TEST(Reproduction, R1ForcesOfTheReferenceCut) {
   }
   EXPECT_EQ(rows, 76U);
   EXPECT_LE(largest, 1e-9);
-  for (const Printed& printed : kPrinted) {
-    EXPECT_NEAR(cut[printed.index].force, printed.force, 5e-4) << printed.index;
+  for (const auto& printed : tests::kPrintedTable) {
+    EXPECT_NEAR(cut[printed.index].force, printed.force, tests::kPrintedRounding) << printed.index;
   }
 }
 
 TEST(Reproduction, R2TravelsOfTheReferenceCut) {
   SKIP_WITHOUT_FETCHED_DATA(kCopy);
   const std::vector<CurvePoint> cut = pairs();
-  for (const Printed& printed : kPrinted) {
-    EXPECT_NEAR(cut[printed.index].travel, printed.travel, 5e-4) << printed.index;
+  for (const auto& printed : tests::kPrintedTable) {
+    EXPECT_NEAR(cut[printed.index].travel, printed.travel, tests::kPrintedRounding)
+        << printed.index;
   }
 }
 
