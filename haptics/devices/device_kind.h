@@ -125,7 +125,7 @@ struct DeviceKind {
   // Words.
   Text strokeName;   ///< "cut"
   Text strokesName;  ///< "cuts"
-  Text pointerHint;  ///< to a participant: how the space bar or the mouse moves a simulated one
+  Text pointerHint;  ///< to a participant: what keys and the mouse do
 
   /// The device's own texts for reports and exports of a study with this kind of device alone.
   struct Sentence {

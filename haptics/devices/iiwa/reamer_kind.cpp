@@ -66,13 +66,14 @@ const DeviceKind& reamerKind() {
       .strokesName = {"strokes", {{"de", "Fräsbewegungen"}, {"nb", "fresebevegelser"}}},
       .pointerHint = {
           "No instrument at hand? Hold the space bar, or drag down on this page, to push in; let "
-          "go to draw back.",
+          "go to draw back. R switches the reamer off and on.",
           {{"de",
             "Kein Instrument zur Hand? Halten Sie die Leertaste gedrückt oder ziehen Sie auf "
-            "dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen."},
+            "dieser Seite nach unten, um hineinzudrücken; lassen Sie los, um zurückzuziehen. R "
+            "schaltet die Fräse aus und wieder ein."},
            {"nb",
             "Ikke noe instrument for hånden? Hold mellomromstasten nede, eller dra nedover på "
-            "denne siden, for å skyve inn; slipp for å trekke tilbake."}}}};
+            "denne siden, for å skyve inn; slipp for å trekke tilbake. R slår fresen av og på."}}}};
   return kind;
 }
 

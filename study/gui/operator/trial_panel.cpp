@@ -118,7 +118,11 @@ void TrialPanel::showState() {
   } else if (session.state() == SessionState::Interrupted) {
     showHealth(tr("✖ trial broke off: no force"), Health::Bad);
   } else if (wasRunning_) {
-    showHealth(tr("● %1: running").arg(device), Health::Good);
+    const bool isReamer = controller_->deviceKind().tissue == haptics::devices::Tissue::Bone;
+    showHealth(
+        isReamer ? tr("● %1: running · R: reamer off and on").arg(device)
+                 : tr("● %1: running").arg(device),
+        Health::Good);
   } else {
     showHealth(
         device.isEmpty() ? tr("no device needed now") : tr("%1: not armed").arg(device),
