@@ -161,6 +161,7 @@ std::string passesAsJson(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
+    const haptics::devices::Capabilities& device,
     const std::vector<SceneCost>& costs) {
   Json json{
       {"condition", condition.id},
@@ -175,6 +176,9 @@ std::string passesAsJson(
           {"frequency_hz", cycle->frequency},
           {"travel", cycle->travel}};
     }
+  }
+  if (scene.hasTorque()) {
+    json["torque"] = {{"rendered", device.rendersTorque()}, {"device_max_nm", device.maxTorque}};
   }
   for (const auto& jump : haptics::engine::jumpsOf(*condition.model)) {
     json["jumps"].push_back({{"travel", jump.travel}, {"from_n", jump.from}, {"to_n", jump.to}});

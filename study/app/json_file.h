@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/registry/registry.h"
+#include "haptics/devices/device.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
@@ -48,11 +49,13 @@ std::string importAsJson(
 /// The keys of a protocol's `noise`.
 std::string processNoiseAsJson(const haptics::recordings::ProcessNoise& noise);
 
-/// The costs are left out if they were not measured.
+/// `torque`, of a scene that has one, says whether @p device renders it. The costs are left out if
+/// they were not measured.
 std::string passesAsJson(
     const protocols::Condition& condition,
     const haptics::engine::CompiledScene& scene,
     const haptics::engine::RenderedSlope& slope,
+    const haptics::devices::Capabilities& device,
     const std::vector<SceneCost>& costs);
 
 }  // namespace study::app

@@ -210,7 +210,7 @@ int explain(const ExplainOptions& options) {
   std::vector<SceneCost> costs;
   if (options.cost) costs = costsOf(spec, *device.kind);
   if (options.json) {
-    std::fputs(passesAsJson(*condition, scene, slope, costs).c_str(), stdout);
+    std::fputs(passesAsJson(*condition, scene, slope, device, costs).c_str(), stdout);
   } else {
     print(*condition, scene, slope, device, costs);
     printSources(file->sources, condition->id);

@@ -53,4 +53,37 @@ TEST(SceneExplain, ListsTheDropsForPrograms) {
   EXPECT_EQ(found["jumps"][0]["to_n"], 0.0);
 }
 
+/// What `--json` says of the torque on an arm that gives @p most N·m.
+nlohmann::json torqueOn(tests::ScratchFolder& folder, double most) {
+  const nlohmann::json arm{
+      {"id", "reamer"},
+      {"type", "iiwa-fri"},
+      {"robot_address", "127.0.0.1"},
+      {"max_torque_nm", most}};
+  const auto devices = folder.write(
+      "devices.json", nlohmann::json{{"format", "palpate-devices-1"}, {"devices", {arm}}}.dump());
+  const auto said = tests::run(
+      {tests::program(),
+       "scene",
+       "explain",
+       "reaming-hardness",
+       "--condition",
+       "hardness-33",
+       "--devices",
+       devices,
+       "--json"});
+  EXPECT_EQ(said.status, 0) << said.error;
+  return nlohmann::json::parse(said.out)["torque"];
+}
+
+TEST(SceneExplain, SaysAsAValueWhetherTheDeviceRendersTheTorque) {
+  tests::ScratchFolder folder;
+  const auto given = torqueOn(folder, 2.0);
+  EXPECT_EQ(given["rendered"], true);
+  EXPECT_EQ(given["device_max_nm"], 2.0);
+  EXPECT_EQ(torqueOn(folder, 0.0)["rendered"], false);
+  const auto punch = nlohmann::json::parse(explain("punch-counterbalanced", "--json").out);
+  EXPECT_FALSE(punch.contains("torque")) << "the scene has none";
+}
+
 }  // namespace scene_explain_test
