@@ -5,10 +5,41 @@
 #include <iterator>
 
 #include "haptics/recordings/published_cut.h"
+#include "protocols/reading/calibration_file.h"
+#include "protocols/reading/columns_file.h"
 #include "protocols/reading/cut_file.h"
+#include "questionnaires/json/document.h"
+#include "study/model/user_error.h"
 #include "study/storage/protocol_repository.h"
 
 namespace study {
+namespace {
+
+haptics::recordings::RecordingColumns columnsIn(const std::string& file) {
+  questionnaires::Problems problems;
+  const auto read = protocols::readColumns(questionnaires::readTextFile(file), problems);
+  if (!read) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
+  auto columns = read->columns;
+  if (!read->calibrationFile.empty()) {
+    const auto beside = std::filesystem::path(file).parent_path() / read->calibrationFile;
+    columns.calibration = calibrationIn(beside.string());
+  }
+  return columns;
+}
+
+}  // namespace
+
+haptics::recordings::ForceCalibration calibrationIn(const std::string& file) {
+  questionnaires::Problems problems;
+  const auto calibration = protocols::readCalibration(questionnaires::readTextFile(file), problems);
+  if (!calibration) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
+  return *calibration;
+}
+
+haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns) {
+  return columns.empty() ? haptics::recordings::readRecordingFile(file)
+                         : haptics::recordings::readRecordingTableFile(file, columnsIn(columns));
+}
 
 haptics::recordings::ImportedCut importRecording(
     const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options) {

@@ -6,6 +6,18 @@
 
 namespace study {
 
+/// The calibration that 'palpate recording calibrate' has written to @p file.
+/// @throws UserError  where it is wrong.
+haptics::recordings::ForceCalibration calibrationIn(const std::string& file);
+
+/// A recording of the punch's recorder; or, with a columns file, of another laboratory. A
+/// calibration file that the columns file names lies beside it.
+///
+/// @param columns  a columns file; empty: the recorder's five columns.
+/// @throws UserError  where the columns or the calibration file is wrong;
+///     haptics::recordings::Error where the recording is.
+haptics::recordings::Recording recordingIn(const std::string& file, const std::string& columns);
+
 /// Imports a cut under a name that a protocol can use.
 haptics::recordings::ImportedCut importRecording(
     const haptics::recordings::Recording& recording, haptics::recordings::ImportOptions options);

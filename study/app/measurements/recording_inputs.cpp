@@ -5,23 +5,14 @@
 #include <fmt/format.h>
 
 #include "haptics/recordings/trace.h"
-#include "protocols/reading/calibration_file.h"
-#include "protocols/reading/columns_file.h"
-#include "questionnaires/json/document.h"
 #include "study/app/finite_range.h"
 #include "study/model/user_error.h"
+#include "study/session/import_recording.h"
 
 namespace study::app {
 namespace {
 
 namespace recordings = haptics::recordings;
-
-recordings::ForceCalibration calibrationIn(const std::string& file) {
-  questionnaires::Problems problems;
-  const auto calibration = protocols::readCalibration(questionnaires::readTextFile(file), problems);
-  if (!calibration) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
-  return *calibration;
-}
 
 /// By its name, or from a file.
 recordings::ForceCalibration calibrationNamed(const std::string& name) {
@@ -33,18 +24,6 @@ recordings::ForceCalibration calibrationNamed(const std::string& name) {
       "There is no calibration '{}'. Name paper-eq1, recorder-2021, or a file that 'palpate "
       "recording calibrate' has written.",
       name));
-}
-
-recordings::RecordingColumns columnsIn(const std::string& file) {
-  questionnaires::Problems problems;
-  const auto read = protocols::readColumns(questionnaires::readTextFile(file), problems);
-  if (!read) throw UserError(file + ":\n" + questionnaires::describe(problems.all()));
-  recordings::RecordingColumns columns = read->columns;
-  if (!read->calibrationFile.empty()) {
-    const auto beside = std::filesystem::path(file).parent_path() / read->calibrationFile;
-    columns.calibration = calibrationIn(beside.string());
-  }
-  return columns;
 }
 
 }  // namespace
@@ -81,9 +60,7 @@ recordings::TravelFilter RecordingInputs::travelFilter() const {
 }
 
 ReadRecording readFrom(const RecordingInputs& inputs) {
-  auto recording = inputs.columns.empty()
-                       ? recordings::readRecordingFile(inputs.file)
-                       : recordings::readRecordingTableFile(inputs.file, columnsIn(inputs.columns));
+  auto recording = recordingIn(inputs.file, inputs.columns);
   if (!inputs.calibration.empty()) recording.calibration = calibrationNamed(inputs.calibration);
   auto calibration = recordings::calibrationFor(recording);
   return {std::move(recording), std::move(calibration)};

@@ -36,20 +36,26 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
     : WorkDialog(
           tr("Import a recording"),
           tr("Takes one cut from what the punch's recorder wrote (five columns), calibrated and "
-             "filtered as published. Put it beside a protocol and name it there as \"cut\"."),
+             "filtered as published, or from a table that a columns file describes. Put it beside "
+             "a "
+             "protocol and name it there as \"cut\"."),
           tr("Import"),
           parent),
       recording_(new PathField(
           PathField::Kind::ExistingFile, tr("Recording"), tr("Recordings (*)"), this)),
+      columns_(new PathField(
+          PathField::Kind::ExistingFile, tr("Columns file"), tr("Columns files (*.json)"), this)),
       cut_(new QSpinBox(this)),
       target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)) {
   cut_->setRange(0, 10'000);
   cut_->setSpecialValueText(tr("the most typical one"));
   cut_->setAccessibleName(tr("Which cut"));
   recording_->setObjectName(QStringLiteral("recording"));
+  columns_->setObjectName(QStringLiteral("columns"));
   target_->setObjectName(QStringLiteral("target"));
   target_->setPath(atHome("my-cut.json"));
   form().addRow(tr("Recording"), recording_);
+  form().addRow(tr("Columns file (if it has other columns)"), columns_);
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("To a new file"), target_);
   fit();
@@ -57,11 +63,12 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
 
 void ImportCutDialog::work() {
   const auto recording = recording_->path().toStdString();
+  const auto columns = columns_->path().toStdString();
   const auto target = target_->path().toStdString();
   const auto cut =
       cut_->value() == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(cut_->value()));
   const auto said = runWithProgress(this, tr("Importing"), [&](const Progress& progress) {
-    return importCutTo(recording, cut, target, progress);
+    return importCutTo(recording, columns, cut, target, progress);
   });
   if (!said) return clear();
   showOutcome(Outcome::Good, tr("%1 holds the cut.").arg(target_->path()), *said);

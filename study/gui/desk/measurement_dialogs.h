@@ -8,7 +8,8 @@
 
 namespace study::gui {
 
-/// Imports a cut from a recording of the punch for use in a protocol.
+/// Imports a cut for use in a protocol: from a recording of the punch, or from one that a columns
+/// file describes.
 class ImportCutDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -20,6 +21,7 @@ class ImportCutDialog final : public WorkDialog {
 
  private:
   PathField* recording_;
+  PathField* columns_;
   QSpinBox* cut_;
   PathField* target_;
 };

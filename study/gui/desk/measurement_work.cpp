@@ -99,12 +99,13 @@ std::string describe(const reaming::MaterialFit& fit) {
 
 std::string importCutTo(
     const std::string& recording,
+    const std::string& columns,
     std::optional<std::size_t> cut,
     const std::string& out,
     const Progress& progress) {
   requireNewFile(out, ".json");
   tell(progress, 0.0, "reading the recording");
-  const auto read = haptics::recordings::readRecordingFile(recording);
+  const auto read = recordingIn(recording, columns);
   tell(progress, 0.5, "taking the cut");
   haptics::recordings::ImportOptions options;
   if (cut) options.closures = {*cut};

@@ -13,9 +13,11 @@ namespace study::gui {
 // file, never overwrites one, and returns a few lines that describe the result. They throw errors
 // with a message for the user, and pass on what @p progress throws.
 
+/// @param columns  a columns file that describes @p recording; empty: the recorder's five columns.
 /// @param cut  its number in the recording, from 1; nothing: the most typical cut.
 std::string importCutTo(
     const std::string& recording,
+    const std::string& columns,
     std::optional<std::size_t> cut,
     const std::string& out,
     const Progress& progress);

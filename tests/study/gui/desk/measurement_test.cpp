@@ -46,6 +46,28 @@ TEST_F(MeasurementTest, ImportsACutThatAProtocolCanRead) {
   tests::photographInAllThemes(dialog, QStringLiteral("import"));
 }
 
+TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {
+  ImportCutDialog dialog;
+  set(dialog, "recording", folder_.write("table.txt", tests::textOf({})));
+  set(dialog, "columns", folder_.write("columns.json", R"({
+        "format": "palpate-columns-1",
+        "separator": "tab",
+        "time": {"column": 5, "unit": "ms"},
+        "travel": {"column": 4, "open": 0, "closed": 10},
+        "force": {"column": 1, "unit": "N", "factor": 0.005}})"));
+  set(dialog, "target", folder_ / "cut.json");
+  EXPECT_TRUE(press(dialog).starts_with("✓"));
+  const auto cut = tests::contentOf(folder_ / "cut.json");
+  EXPECT_NE(cut.find(R"("calibration": "newtons")"), std::string::npos) << cut;
+}
+
+TEST_F(MeasurementTest, SaysWhatIsWrongInAColumnsFile) {
+  const auto recording = folder_.write("table.txt", tests::textOf({}));
+  const auto columns = folder_.write("columns.json", R"({"format": "palpate-columns-1"})");
+  EXPECT_THROW(importCutTo(recording, columns, {}, folder_ / "cut.json", {}), UserError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "cut.json"));
+}
+
 TEST_F(MeasurementTest, FitsAMaterialToAFolderOfSeries) {
   std::filesystem::create_directory(folder_ / "series");
   int count = 0;
