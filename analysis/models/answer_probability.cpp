@@ -8,14 +8,12 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
+#include "analysis/models/laplace_likelihood.h"
+
 namespace analysis {
 namespace {
 
 using Eigen::Index;
-
-double logistic(double x) {
-  return x < 0.0 ? std::exp(x) / (1.0 + std::exp(x)) : 1.0 / (1.0 + std::exp(-x));
-}
 
 /// The mean of f(u) over the standard normal law.
 template <typename Function>

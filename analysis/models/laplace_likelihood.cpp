@@ -26,13 +26,6 @@ double logLogistic(double x) {
   return x > 0.0 ? -std::log1p(std::exp(-x)) : x - std::log1p(std::exp(x));
 }
 
-/// F(x) without loss for a very negative x.
-double logistic(double x) {
-  if (x > 0.0) return 1.0 / (1.0 + std::exp(-x));
-  const double power = std::exp(x);
-  return power / (1.0 + power);
-}
-
 /// One number of each answer as a vector.
 VectorXd each(const std::vector<CumulativeLogit>& answers, double CumulativeLogit::*number) {
   VectorXd numbers(static_cast<Index>(answers.size()));
@@ -45,6 +38,12 @@ double penalised(const std::vector<CumulativeLogit>& answers, const VectorXd& u)
 }
 
 }  // namespace
+
+double logistic(double x) {
+  if (x > 0.0) return 1.0 / (1.0 + std::exp(-x));
+  const double power = std::exp(x);
+  return power / (1.0 + power);
+}
 
 CumulativeLogit::CumulativeLogit(double above, double below) {
   const double overA = logistic(-above);  // 1 − F(a)

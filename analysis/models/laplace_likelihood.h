@@ -12,6 +12,9 @@
 
 namespace analysis {
 
+/// F(x) = 1 / (1 + e^−x), without loss for a very negative x.
+double logistic(double x);
+
 /// ln π of one answer between two thresholds a and b of the logistic law, and its derivatives.
 ///
 /// With η the linear predictor, a = θ_y − η above and b = θ_{y−1} − η below the answer,
