@@ -1,10 +1,12 @@
 #include "study/app/measurements/feed_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "haptics/engine/reamed_material.h"
 #include "study/app/measurements/figure_lines.h"
 
 namespace study::app {
@@ -36,22 +38,19 @@ double wantedAt(const reaming::CurveFit& curve, double depth) {
   return reaming::forceAt({.depth = curve.depths, .force = curve.wanted, .stop = {}}, depth);
 }
 
-}  // namespace
-
-DataTable feedTable(
-    const reaming::PackedBone& bone,
-    const reaming::BoneFitReport& fit,
-    const haptics::engine::Reamer& reamer) {
+/// The table without rows.
+DataTable emptyTable(const haptics::engine::Reamer& reamer, const char* mass) {
   DataTable table{
       .name = "feeds",
       .description = fmt::format(
           "Force by feed: reamed to {:g} mm with {:g} turns a second, {} teeth and {:g} mm per "
-          "tooth, at most {:.3g} mm/s. Mass is density times volume: the work of removal.",
+          "tooth, at most {:.3g} mm/s. {}",
           kMillimetres * kMostDepth,
           reamer.speed,
           reamer.teeth,
           kMillimetres * reamer.feedPerTooth,
-          kMillimetres * reamer.mostFeed()),
+          kMillimetres * reamer.mostFeed(),
+          mass),
       .columns = {{"curve", "Curve"}, {"feed_mm_per_s", "Feed [mm/s]"}}};
   for (const double depth : kDepths) {
     const double mm = kMillimetres * depth;
@@ -63,6 +62,80 @@ DataTable feedTable(
   table.columns.push_back({"removed_nm", "Removed [N·m]"});
   table.columns.push_back({"removed_share", "Share of the mass"});
   table.columns.push_back({"unaccounted_share", "Not accounted for"});
+  return table;
+}
+
+/// @param wanted  the force of the curve at a depth [N].
+template <typename Wanted>
+std::vector<Cell> rowOf(
+    const std::string& curve,
+    double feed,
+    const reaming::ExperimentResult& result,
+    const Wanted& wanted) {
+  std::vector<Cell> row{curve, kMillimetres * feed};
+  for (const double depth : kDepths) {
+    row.push_back(orNothing(reaming::forceAt(result, depth)));
+    row.push_back(orNothing(wanted(depth)));
+  }
+  for (const double value : {result.removed, result.removedShare, result.unaccounted}) {
+    row.push_back(orNothing(value));
+  }
+  return row;
+}
+
+/// ∫ F dz of a curve from its beginning to @p depth [N·m].
+double workTo(const reaming::CurveNodes& curve, double depth) {
+  constexpr int kSteps = 10'000;
+  const double begin = curve.front().position;
+  const double step = (depth - begin) / kSteps;
+  double work = 0.0;
+  for (int i = 0; i < kSteps; ++i) work += reaming::forceOf(curve, begin + (i + 0.5) * step) * step;
+  return work;
+}
+
+/// Reams the curve of hardness @p h with the model that renders it, at a feed of the tool.
+reaming::ExperimentResult ream(
+    const reaming::HardnessCurves& force,
+    double h,
+    double feed,
+    const haptics::engine::Reamer& reamer) {
+  using Model = haptics::engine::ReamedMaterialModel;
+  constexpr double kStep = 4e-6;  // of the tool [m]
+  const auto curve = reaming::curveOf(force, h);
+  const double begin = curve.front().position;
+  const double end = std::min(begin + kMostDepth, curve.back().position);
+  Model model(
+      {.nodes = {}, .curves = force, .torque = {}, .hardness = h, .isRemoved = true}, reamer);
+  reaming::ExperimentResult result{.depth = {}, .force = {}, .stop = "the largest depth"};
+  const double damping = reamer.dampingOf(Model::kCuttingDamping);
+  double work = 0.0;
+  double lost = 0.0;
+  double felt = 0.0;
+  for (double target = begin + kStep; model.depth() < end; target += kStep) {
+    // A machine that gives way as little as it likes: the coupling is made up for.
+    const double before = model.depth();
+    const double dt = kStep / feed;
+    felt = model.respond({.travel = target + felt / Model::kCoupling, .dt = dt}).force;
+    const double advance = model.depth() - before;
+    if (!(advance > 0.0)) continue;
+    work += felt * advance;
+    lost += damping * advance / dt * advance;
+    result.depth.push_back(model.depth());
+    result.force.push_back(felt);
+  }
+  result.removed = workTo(curve, model.depth());
+  result.removedShare = result.removed / workTo(curve, curve.back().position);
+  result.unaccounted = std::abs(work - lost - result.removed) / result.removed;
+  return result;
+}
+
+}  // namespace
+
+DataTable feedTable(
+    const reaming::PackedBone& bone,
+    const reaming::BoneFitReport& fit,
+    const haptics::engine::Reamer& reamer) {
+  auto table = emptyTable(reamer, "Mass is density times volume: the work of removal.");
   double h = 0.0;
   for (const auto& curve : fit.curves) {
     for (const double feed : feedsUpTo(reamer.mostFeed())) {
@@ -74,15 +147,26 @@ DataTable feedTable(
            .mostForce = 1e6,
            .mostFeed = reamer.mostFeed(),
            .cuttingDamping = reamer.dampingOf(reaming::BoneOptions().cuttingDamping)});
-      std::vector<Cell> row{curve.curve, kMillimetres * feed};
-      for (const double depth : kDepths) {
-        row.push_back(orNothing(reaming::forceAt(result, depth)));
-        row.push_back(orNothing(wantedAt(curve, depth)));
-      }
-      row.push_back(result.removed);
-      row.push_back(result.removedShare);
-      row.push_back(result.unaccounted);
-      table.rows.push_back(std::move(row));
+      table.rows.push_back(
+          rowOf(curve.curve, feed, result, [&](double depth) { return wantedAt(curve, depth); }));
+    }
+    h += 0.5;
+  }
+  return table;
+}
+
+DataTable feedTable(
+    const reaming::HardnessCurves& force,
+    const std::string& middle,
+    const haptics::engine::Reamer& reamer) {
+  auto table = emptyTable(reamer, "The mass of a curve is the work of its removal.");
+  double h = 0.0;
+  for (const std::string& name : {std::string("minimum"), middle, std::string("maximum")}) {
+    const auto curve = reaming::curveOf(force, h);
+    for (const double feed : feedsUpTo(reamer.mostFeed())) {
+      table.rows.push_back(rowOf(name, feed, ream(force, h, feed, reamer), [&](double depth) {
+        return reaming::forceOf(curve, depth);
+      }));
     }
     h += 0.5;
   }

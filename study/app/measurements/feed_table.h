@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "haptics/engine/reamer.h"
+#include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "study/model/data_table.h"
 
@@ -14,6 +17,16 @@ namespace study::app {
 DataTable feedTable(
     const haptics::reaming::PackedBone& bone,
     const haptics::reaming::BoneFitReport& fit,
+    const haptics::engine::Reamer& reamer = {});
+
+/// The same of the curves of a material, as a scene `material` renders them, up to 10 mm or the
+/// curve's end. The mass of a curve is the work of its removal, ∫ F dz; what the machine has worked
+/// beyond that and the cutting damping is not accounted for.
+///
+/// @param force  valid, over depth. @param middle  what the curve between the others is called.
+DataTable feedTable(
+    const haptics::reaming::HardnessCurves& force,
+    const std::string& middle,
     const haptics::engine::Reamer& reamer = {});
 
 }  // namespace study::app

@@ -7,6 +7,7 @@
 
 #include "haptics/reaming/material/spline_comparison.h"
 #include "protocols/reading/material_file.h"
+#include "study/app/measurements/feed_table.h"
 #include "study/app/measurements/figure_lines.h"
 
 namespace study::app {
@@ -212,6 +213,17 @@ std::string axisInWords(const reaming::TestSetFit& set, const reaming::FitOption
   return {};
 }
 
+/// Whether a scene can render the curves of a test set, and reams them.
+bool isReamed(const reaming::TestSetFit& set, const reaming::FitOptions& options) {
+  return set.set != reaming::TestSet::Static && options.axis == reaming::DepthAxis::Depth &&
+         options.spline != reaming::SplineKind::Linear;
+}
+
+reaming::HardnessCurves curvesOf(const reaming::FittedEnvelope& envelope) {
+  return {
+      envelope.minimum.spline.nodes, envelope.average.spline.nodes, envelope.maximum.spline.nodes};
+}
+
 report::DocumentPart setPart(
     const std::vector<reaming::Series>& series,
     const reaming::MaterialFit& fit,
@@ -237,6 +249,11 @@ report::DocumentPart setPart(
     part.tables.push_back(envelopeTable(set, quantity, column, envelope, options));
   };
   part.tables.push_back(specimenTable(set));
+  if (isReamed(set, options)) {
+    auto feeds = feedTable(curvesOf(set.force), middleNameOf(options.envelope));
+    feeds.name += "-" + name;
+    part.tables.push_back(std::move(feeds));
+  }
   add("force", "N", "n", set.force, false);
   if (set.torque) add("torque", "N·m", "nm", *set.torque, true);
   return part;

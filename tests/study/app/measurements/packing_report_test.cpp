@@ -79,5 +79,24 @@ TEST(FeedTable, GivesBackTheCurveAtTheMeasuredFeedsAndAccountsForAllMass) {
   }
 }
 
+TEST(FeedTable, OfAMaterialHasTheForceOfItsCurveAndWhatTheFeedAdds) {
+  // F = 30 N/mm · z to 20 mm: removed to 10 mm are ½ · 30 kN/m · (10 mm)² = 1.5 N·m, a quarter.
+  const haptics::reaming::CurveNodes ramp{{0.0, 0.0, 3e4}, {0.02, 600.0, 3e4}};
+  const auto table = feedTable({ramp, ramp, ramp}, "average");
+  ASSERT_EQ(table.rows.size(), 18U);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double added = 2.0 * cellOf(table, row, "feed_mm_per_s");  // b = 2000 N·s/m
+    for (const double depth : {4.0, 6.0, 8.0}) {
+      const std::string place = std::to_string(static_cast<int>(depth));
+      EXPECT_NEAR(cellOf(table, row, "curve_n_at_" + place + "_mm"), 30.0 * depth, 1e-9);
+      EXPECT_NEAR(cellOf(table, row, "force_n_at_" + place + "_mm"), 30.0 * depth + added, 0.3)
+          << row;
+    }
+    EXPECT_NEAR(cellOf(table, row, "removed_nm"), 1.5, 0.005) << row;
+    EXPECT_NEAR(cellOf(table, row, "removed_share"), 0.25, 0.001) << row;
+    EXPECT_LT(cellOf(table, row, "unaccounted_share"), 0.002) << row;
+  }
+}
+
 }  // namespace packing_report_test
 }  // namespace study::app
