@@ -185,6 +185,20 @@ TEST(Torque, OfSpheresIsThatOfTheMaterialOnAHomogeneousCup) {
   EXPECT_LT(ofTorque, 1.25 * ofForce);
 }
 
+// docs/decisions/0036: a fit by the force alone gives spheres at the rim up to 17 times the
+// density.
+TEST(Torque, OfSpheresIsOffTheCupOnceTheirDensitiesWereFittedToItsForceAlone) {
+  auto bone = *cup().bone;
+  const auto alike = reaming::fitFriction(bone, cup().torque);
+  EXPECT_NEAR(alike.friction, kFriction, 0.05 * kFriction);
+  EXPECT_LT(alike.error, 0.25);
+  const auto report = reaming::fitTo(bone, cup().force);
+  EXPECT_LT(report.curves[1].fit.spheres.error, 0.05);
+  const auto fitted = reaming::fitFriction(bone, cup().torque);
+  EXPECT_LT(fitted.friction, 0.6 * kFriction);
+  EXPECT_NEAR(fitted.error, 0.61, 0.1);
+}
+
 TEST(Torque, OfSpheresHasTheFrictionThatWasFittedToIt) {
   // Of the torque of these very spheres, so that nothing but the fit is looked at.
   PackingModel spheres(packing(false), turning(-5.0));
