@@ -32,6 +32,9 @@ void withoutTests(analysis::PairwiseComparisons& comparisons) {
         .id = row.id,
         .group1 = row.group1,
         .group2 = row.group2,
+        .n1 = row.n1,
+        .n2 = row.n2,
+        .moments = row.moments,
         .estimate = row.estimate,
         .isOfFamily = true,
         .reason = analysis::reason("two_participants_needed")};

@@ -77,8 +77,7 @@ void addStatsCommands(CLI::App& program, Action& action) {
   run->add_option(
          "--profile",
          running->profile,
-         "declared: the test that the protocol declares for each family, and what belongs to it; "
-         "as-published: pooled answers, as the punch paper did; recommended: within people")
+         "declared: as the protocol says; as-published: answers pooled; recommended: within people")
       ->check(CLI::IsMember({"declared", "as-published", "recommended"}))
       ->capture_default_str();
   addRunModeOption(*run, running->runMode);

@@ -5,6 +5,7 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/labels.h"
@@ -62,10 +63,13 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
 void TrialPage::moveHandTo(double share, int duration) {
   const double from = hand_.state() == QAbstractAnimation::Running ? hand_.currentValue().toDouble()
                                                                    : hand_.endValue().toDouble();
-  hand_.stop();
-  hand_.setStartValue(from);
-  hand_.setEndValue(share);
-  hand_.setDuration(std::max(1, static_cast<int>(std::abs(share - from) * duration)));
+  {
+    const QSignalBlocker quiet(hand_);  // each of these would tell a value of its own
+    hand_.stop();
+    hand_.setStartValue(from);
+    hand_.setEndValue(share);
+    hand_.setDuration(std::max(1, static_cast<int>(std::abs(share - from) * duration)));
+  }
   hand_.start();
 }
 

@@ -1,7 +1,10 @@
 #include "study/gui/session/stop_key.h"
 
+#include <utility>
+
 #include <QApplication>
 #include <QKeyEvent>
+#include <QWidget>
 
 namespace study::gui {
 
@@ -10,10 +13,18 @@ StopKey::StopKey(QObject* parent) : QObject(parent) {
 }
 
 bool StopKey::eventFilter(QObject* watched, QEvent* event) {
-  if (!isArmed_ || event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
+  const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (!isArmed_ || !isKey) return QObject::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();
+  auto* list = QApplication::activePopupWidget();
+  // A list closes by the ShortcutOverride that comes before the key itself.
+  if (key == Qt::Key_Escape && list != nullptr) isForList_ = true;
+  if (event->type() == QEvent::ShortcutOverride) return false;
+  if (key == Qt::Key_Escape && std::exchange(isForList_, false)) {
+    if (list != nullptr) list->close();
+    return true;
+  }
   if (key != Qt::Key_Escape && key != Qt::Key_Pause && key != Qt::Key_F12) return false;
-  if (key == Qt::Key_Escape && QApplication::activePopupWidget() != nullptr) return false;
   emit pressed();
   return true;
 }

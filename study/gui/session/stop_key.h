@@ -23,6 +23,7 @@ class StopKey final : public QObject {
 
  private:
   bool isArmed_ = false;
+  bool isForList_ = false;  ///< the Escape that is being delivered closes an open list
 };
 
 }  // namespace study::gui

@@ -59,8 +59,11 @@ QLineEdit:disabled, QComboBox:disabled { color: @disabled.text; background: @dis
 QSpinBox, QDoubleSpinBox { color: @field.text; background: @field; min-height: 34px; }
 QComboBox::drop-down { border: none; width: 28px; }
 QComboBox::down-arrow { image: url(@arrow); width: 12px; height: 12px; }
+QComboBox { combobox-popup: 0; }
 QComboBox QAbstractItemView { color: @field.text; background: @field; border: 1px solid @border;
                               selection-color: @selection.text; selection-background-color: @selection; }
+QComboBox QAbstractItemView::item { min-height: 28px; }
+QComboBox QAbstractItemView::item:selected { color: @selection.text; background: @selection; }
 QCheckBox:focus, QRadioButton:focus { border: 2px solid @focus; border-radius: 4px; }
 QCheckBox:disabled { color: @disabled.text; background: @disabled; }
 QProgressBar { border: none; background: @line; border-radius: 4px; max-height: 8px; }

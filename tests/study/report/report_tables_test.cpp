@@ -309,14 +309,26 @@ TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesAsPublished) {
   expectSaid(profile, "4.0 / 2.4 (n=6)");
   expectSaid(profile, "1.7 / 0.3 (n=3)");
   expectSaid(profile, "(alpha per test 0.0025)");
-  expectSaid(
-      profile,
-      "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214    significant");
+  expectSaid(profile, "difference   2.07, t(21.11) =   2.09, p = .212    adjusted p = .214");
   expectSaid(profile, "Interpolation 81");
   expectSaid(profile, "FEM 82");
   expectSaid(profile, "KF 83");
   expectSaid(profile, "exact p = .804");
   expectSaid(profile, "9.02 9.03 [9.04, 9.05], n = 3");
+}
+
+TEST_F(ResultsText, CallsConfirmatoryTestsSignificantOnly) {
+  auto results = tests::numberedSection().results;
+  auto& family = results.families.front();
+  const auto isCalledSignificant = [&] {
+    return resultsAsText(*study_, results, Profile::AsPublished).find(" significant") !=
+           std::string::npos;
+  };
+  EXPECT_FALSE(family.isConfirmatory("welch"));
+  EXPECT_FALSE(isCalledSignificant());
+  family.family.test = protocols::TestType::Welch;
+  family.isDeclared = true;
+  EXPECT_TRUE(isCalledSignificant());
 }
 
 TEST_F(ResultsText, HasTheNumbersOfTheReportsTablesWithinPeople) {

@@ -36,7 +36,7 @@ haptics::engine::SceneSpec bone() {
 TEST(FeltBins, CountReamingAtTheMeasuredSpeeds) {
   for (const double feed : {0.01e-3, 0.03e-3}) {  // reaming paper, "Experimental setup"
     FeltBins bins(reamerKind(), bone());
-    bins.add(advancing(0.005, feed, 2000));
+    bins.add(advancing(0.0051, feed, 2000));
     const auto points = bins.points();
     ASSERT_EQ(points.size(), 1U) << feed;
     EXPECT_EQ(points.front().median, 10.0);

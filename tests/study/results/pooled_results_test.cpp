@@ -164,7 +164,7 @@ TEST_F(PooledResultsTest, NameTheItemWithEveryCount) {
 }
 
 TEST_F(PooledResultsTest, TestNothingWhereOnePersonAnswered) {
-  takePart("surgeons");
+  takePart("professional");
   for (const auto& results :
        {pooledResults(*study_, RunMode::Live), computeResults(*study_, RunMode::Live)}) {
     for (const auto& row : results.families.at(0).cohorts.at(0).comparisons.rows) {
@@ -173,7 +173,7 @@ TEST_F(PooledResultsTest, TestNothingWhereOnePersonAnswered) {
       EXPECT_TRUE(row.estimate.value);
     }
   }
-  takePart("surgeons");
+  takePart("professional");
   for (const auto& results :
        {pooledResults(*study_, RunMode::Live), computeResults(*study_, RunMode::Live)}) {
     EXPECT_TRUE(results.families.at(0).cohorts.at(0).comparisons.rows.at(0).p);
