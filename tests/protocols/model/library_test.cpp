@@ -199,7 +199,8 @@ TEST(ProtocolLibrary, DeclaresTestsOfParticipantsMeansInStudiesOfOurOwn) {
 }
 
 TEST(ProtocolLibrary, AsksOfReamingWhatThePaperProposes) {
-  const auto reaming = read("reaming-hardness").loaded.protocol;
+  const auto loaded = read("reaming-hardness").loaded;
+  const auto& reaming = loaded.protocol;
   std::set<std::string> asked;
   for (const auto& use : instrumentUses(reaming)) asked.insert(use.instrument);
   for (const auto* instrument :
@@ -209,9 +210,10 @@ TEST(ProtocolLibrary, AsksOfReamingWhatThePaperProposes) {
         "presence-single-item",
         "reaming-quality",
         "training-capacity",
-        "interview"}) {
+        "interview-felt"}) {
     EXPECT_EQ(asked.count(instrument), 1U) << instrument;
   }
+  EXPECT_EQ(loaded.instrument("interview-felt")->item("picture"), nullptr) << "none is shown";
   EXPECT_EQ(reaming.cohorts.size(), 3U);
 }
 
