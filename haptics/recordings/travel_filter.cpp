@@ -22,7 +22,8 @@ constexpr int kMostTaps = 9999;
 /// As many taps as last as long at this rate as the authors' do at theirs.
 int tapsAt(double rate) {
   const KaiserLowPass::Design authors;
-  const double reach = (authors.taps - 1) / 2 * rate / authors.sampleRate;
+  const int half = (authors.taps - 1) / 2;  // taps is odd
+  const double reach = half * rate / authors.sampleRate;
   return 2 * static_cast<int>(std::lround(std::clamp(reach, 1.0, 1.0 * kMostTaps))) + 1;
 }
 
