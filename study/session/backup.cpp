@@ -148,7 +148,7 @@ void refuseUnlessNew(const fs::path& from, const fs::path& target) {
   }
 }
 
-/// A copy is for another computer, where nobody could give the leases back.
+/// A copy is for another computer, where no program could give the leases back.
 void clearLeases(const fs::path& copy) {
   const auto file = StudyFiles{copy}.study();
   {

@@ -11,7 +11,7 @@ namespace study {
 ///
 /// The seed draws a schedule for the session's place. In live and pilot sessions of a study with a
 /// secret, conditions then change parts: one that the seed calls "a" is everywhere "c", for all
-/// participants of that run mode. That keeps every design balanced, and hides from whoever knows
+/// participants of that run mode. That keeps every design balanced, and hides from anyone who knows
 /// the seed what was felt. Conditions stay as the seed has them where the protocol itself promises
 /// which is which: with a seed of its own, with labels that stand for conditions, in blocks of a
 /// fixed order. They change parts only with conditions of the same blocks.

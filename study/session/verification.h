@@ -29,8 +29,8 @@ struct Verification {
 ///     verification.
 /// @param noted  a head of the audit trail that was noted earlier, outside of the study; empty:
 /// none.
-///     Who can write the study's folder can cut off its last events, or compute the trail anew;
-///     that shows in this check alone.
+///     Anyone who can write the study's folder can cut off its last events, or compute the trail
+///     again; that shows in this check alone.
 /// @throws UserError  if @p noted is no head.
 /// @throws storage::StorageError  (Busy) if others write without any pause.
 Verification verify(Study& study, const Progress& progress = {}, const std::string& noted = {});

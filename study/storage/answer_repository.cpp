@@ -56,7 +56,7 @@ questionnaires::Response restored(const StoredResponse& response) {
 
 void AnswerRepository::put(
     const VisitKey& visit, const GivenAnswer& answer, const std::string& utc) {
-  // The first touch stays. After a crash somebody may answer the same page faster than they first
+  // The first touch stays. After a crash a person may answer the same page faster than they first
   // touched it before; the later of the two times is kept.
   Statement put(
       database_,

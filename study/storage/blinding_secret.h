@@ -26,8 +26,8 @@ class BlindingSecret {
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
   std::string commitment() const;
 
-  /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): to whoever does not
-  /// know it, all orders are equally likely. Purposes are independent of each other.
+  /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): to anyone who does
+  /// not know it, all orders are equally likely. Purposes are independent of each other.
   /// @param ids  distinct; their order does not matter.
   void arrange(std::vector<std::string>& ids, std::string_view purpose) const;
 

@@ -63,7 +63,7 @@ class EventLog {
   std::string headInWords() const;
 
   /// Whether some event has the head @p noted, as headInWords() gave it earlier, with or without
-  /// the number of events before it. Then nothing up to that event was cut off or written anew.
+  /// the number of events before it. Then nothing up to that event was cut off or rewritten.
   /// @throws UserError  if it is no head.
   bool extends(const std::string& noted) const;
 

@@ -37,10 +37,10 @@ class Lease {
   /// The present holder, without taking the lease; std::nullopt if there is none.
   static std::optional<Holder> holder(const Database& database, SessionId session);
 
-  /// Gives all leases back, of whatever program: in a copy nobody runs a session.
+  /// Gives all leases back, of whatever program: in a copy no session runs.
   static void clear(Database& database);
 
-  /// @throws StorageError  (Busy) if somebody took it over meanwhile.
+  /// @throws StorageError  (Busy) if another program took it over meanwhile.
   void requireHeld() const;
 
   Lease(Lease&& other) noexcept;

@@ -59,7 +59,7 @@ TEST(BlindingSecret, MakesAllOrdersEquallyLikely) {
   EXPECT_LT(chiSquare, 20.5);  // R: qchisq(0.999, 5)
 }
 
-/// Whether somebody who knows protocol and seed names every condition of the first session, of
+/// Whether a person who knows protocol and seed names every condition of the first session, of
 /// which a blinded export shows the code in each step.
 bool isNamedByTheSeed(Study& study, RunMode mode) {
   auto session = Session::enrol(study, {.cohort = "surgeons", .runMode = mode});

@@ -55,7 +55,7 @@ class NotedTrail : public testing::Test {
     tests::walkToTheEnd(session);
   }
 
-  /// Removes the last events, as somebody can who may write the file.
+  /// Removes the last events, as anyone can who may write the file.
   void cutOff(int events) {
     study_.close();
     tests::Sql sql(study_.file("study.db"));
@@ -78,7 +78,7 @@ TEST_F(NotedTrail, IsGoneOnFrom) {
   EXPECT_TRUE(isSound(noted_));
   EXPECT_TRUE(isSound(last));
   EXPECT_EQ(verify(*study_).head, last);
-  // As somebody may write it down.
+  // As a person may write it down.
   const auto groups = noted_.substr(noted_.find(',') + 2);
   EXPECT_EQ(groups.size(), 39U);
   EXPECT_TRUE(isSound(groups));
