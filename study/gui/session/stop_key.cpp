@@ -18,7 +18,12 @@ bool StopKey::eventFilter(QObject* watched, QEvent* event) {
   const int key = static_cast<QKeyEvent*>(event)->key();
   auto* list = QApplication::activePopupWidget();
   // A list closes by the ShortcutOverride that comes before the key itself.
-  if (key == Qt::Key_Escape && list != nullptr) isForList_ = true;
+  // If a shortcut takes the key, it never comes: the next Escape must stop all the same.
+  if (key == Qt::Key_Escape && list != nullptr) {
+    isForList_ = true;
+    QMetaObject::invokeMethod(
+        this, [this] { isForList_ = false; }, Qt::QueuedConnection);
+  }
   if (event->type() == QEvent::ShortcutOverride) return false;
   if (key == Qt::Key_Escape && std::exchange(isForList_, false)) {
     if (list != nullptr) list->close();

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -129,6 +130,22 @@ TEST(StopKey, LetsEscapeCloseAListInATrial) {
   QTest::keyClick(box.view(), Qt::Key_Escape);
   EXPECT_EQ(pressed.count(), 0);
   EXPECT_FALSE(list->isVisible());
+  QTest::keyClick(&box, Qt::Key_Escape);
+  EXPECT_EQ(pressed.count(), 1);
+}
+
+TEST(StopKey, StopsByTheNextEscapeAfterOneThatAShortcutTook) {
+  StopKey stop;
+  QSignalSpy pressed(&stop, &StopKey::pressed);
+  QComboBox box;
+  box.addItem(QStringLiteral("one"));
+  box.show();
+  stop.setArmed(true);
+  box.showPopup();
+  QKeyEvent before(QEvent::ShortcutOverride, Qt::Key_Escape, Qt::NoModifier);
+  QApplication::sendEvent(box.view(), &before);  // and no key press after it
+  box.hidePopup();
+  QApplication::processEvents();
   QTest::keyClick(&box, Qt::Key_Escape);
   EXPECT_EQ(pressed.count(), 1);
 }
