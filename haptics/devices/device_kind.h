@@ -120,6 +120,13 @@ struct DeviceKind {
   struct Serial {
     double travelPerCount = 0.00439;  ///< of the encoder [unit]
     Range believable{-2.0, 14.0};     ///< beyond it its zero is wrong [unit]
+
+    /// Whether the mechanism can reach @p travel, however wrong its zero is. An encoder that lost
+    /// count, or a fault in its cable, gives places far outside.
+    bool mayBeAt(double travel) const noexcept {
+      const double span = believable.most - believable.least;
+      return travel >= believable.least - span && travel <= believable.most + span;
+    }
   } serial;
 
   // Words.

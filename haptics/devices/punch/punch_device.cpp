@@ -248,9 +248,10 @@ DeviceSample PunchDevice::read(double) noexcept {
   isNew_ = false;
   isUnanswered_ = true;
   const std::uint8_t faults = faultsThatCount();
-  if (faults == 0) return sample;
+  if (faults == 0 && settings_.kind->serial.mayBeAt(sample.travel)) return sample;
   fail(
-      (faults & kDriverFault) != 0    ? "the motor's driver reports a fault"
+      faults == 0                     ? "it is where it cannot be: its encoder has lost count"
+      : (faults & kDriverFault) != 0  ? "the motor's driver reports a fault"
       : (faults & kEncoderFault) != 0 ? "its encoder jumps"
       : (faults & kTooFast) != 0      ? "it moves faster than any hand"
                                  : "it has let go by itself: it was restarted, or we were silent");

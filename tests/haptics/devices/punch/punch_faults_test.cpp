@@ -87,5 +87,20 @@ TEST_F(PunchFaultsTest, SaysWhatTheBoardFoundBroken) {
   EXPECT_TRUE(push(4.0));
 }
 
+TEST_F(PunchFaultsTest, FaultsAtAPositionThatItCannotHave) {
+  connect(atRest());
+  ASSERT_TRUE(push(4.0));  // control: the same board, where it can be
+  auto lost = settings(board_->port());
+  device_.reset();
+  lost.travelAtZero = kTravelPerCount * 2147483648.0;  // 2³¹ counts
+  device_ = std::make_unique<PunchDevice>(lost);
+  device_->open();
+  device_->arm();
+  ASSERT_TRUE(exchangeUntil(
+      0.0, [&](const DeviceSample& sample) { return sample.status == DeviceStatus::Faulted; }));
+  EXPECT_TRUE(says(device_->fault(), "where it cannot be"));
+  EXPECT_TRUE(waitUntil([&] { return board_->force() == 0.0; }));
+}
+
 }  // namespace punch_faults_test
 }  // namespace haptics::devices
