@@ -123,6 +123,11 @@ class Comparing {
     }
     design_ = designOf(table_);
     result_.mixed = fitLinearMixedModel(design_->scores, design_->fixed, design_->random);
+    if (table_.highest - table_.lowest >= kMostOrderedPoints) {
+      result_.ordinal.reason =
+          base::messageOf<kWithinMessages>("too_many_points_for_order", kMostOrderedPoints);
+      return;
+    }
     std::vector<int> levels;
     for (const auto& answer : table_.answers) levels.push_back(answer.score);
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);

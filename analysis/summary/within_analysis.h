@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -15,6 +16,13 @@
 #include "analysis/tests/adjustment.h"
 
 namespace analysis {
+
+/// Why a study has no ordinal model where the model itself would not mind.
+inline constexpr auto kWithinMessages = std::to_array<base::MessageKind>(
+    {{"too_many_points_for_order", "a scale of more than {} points is not modelled as ordered"}});
+
+/// A scale of more points has no ordinal model: each point is a parameter.
+inline constexpr int kMostOrderedPoints = 20;
 
 /// Two methods, compared within people.
 struct WithinComparison {
