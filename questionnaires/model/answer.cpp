@@ -84,6 +84,25 @@ std::int64_t keyed(const Item& item, std::int64_t point) noexcept {
   return item.key == -1 ? std::int64_t{item.scale.lowest} + item.scale.highest() - point : point;
 }
 
+bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector<Answer>& answers) {
+  if (!item.showIf.isSet()) return true;
+  const auto asked = std::find_if(
+      items.begin(), items.end(), [&](const Item& other) { return other.id == item.showIf.item; });
+  // A condition names an earlier item (problemsOf()), so this ends.
+  if (asked == items.end() || &*asked == &item || !isAsked(*asked, items, answers)) return false;
+  const auto last = std::find_if(answers.rbegin(), answers.rend(), [&](const Answer& answer) {
+    return answer.itemId == asked->id;
+  });
+  if (last == answers.rend() || !last->response) return false;
+  const auto& wanted = item.showIf.isIn;
+  const auto isWanted = [&](const std::string& id) {
+    return std::find(wanted.begin(), wanted.end(), id) != wanted.end();
+  };
+  if (const auto* chosen = std::get_if<std::string>(&*last->response)) return isWanted(*chosen);
+  const auto* several = std::get_if<std::vector<std::string>>(&*last->response);
+  return several != nullptr && std::any_of(several->begin(), several->end(), isWanted);
+}
+
 std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers) {
   const auto isAnswered = [&](const Item& item) {
@@ -93,7 +112,8 @@ std::vector<std::string> unanswered(
   };
   std::vector<std::string> ids;
   for (const auto& item : items) {
-    if (item.isRequired && !isAnswered(item)) ids.push_back(item.id);
+    if (!item.isRequired || isAnswered(item)) continue;
+    if (isAsked(item, items, answers)) ids.push_back(item.id);
   }
   return ids;
 }

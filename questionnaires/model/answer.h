@@ -34,8 +34,14 @@ std::string labelOf(const Item& item, const Response& response, std::string_view
 /// The answer as it counts: reversed where the key is -1, low + high - x.
 std::int64_t keyed(const Item& item, std::int64_t point) noexcept;
 
-/// The required items among @p items that have no answer in @p answers, or an empty one: a blank
-/// text, no option of several. Who may choose none of them is offered that as an option.
+/// Whether @p item, one of @p items, is asked after @p answers: an item with a condition is asked
+/// where the item it names is itself asked, and one of the options it lists was chosen there. An
+/// answer that is there twice counts as the last of them.
+bool isAsked(const Item& item, const std::vector<Item>& items, const std::vector<Answer>& answers);
+
+/// The required items among @p items that are asked and have no answer in @p answers, or an empty
+/// one: a blank text, no option of several. Who may choose none of them is offered that as an
+/// option.
 std::vector<std::string> unanswered(
     const std::vector<Item>& items, const std::vector<Answer>& answers);
 

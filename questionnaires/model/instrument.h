@@ -149,6 +149,14 @@ inline constexpr std::array kReferents{
 /// A text of an item that its instrument may leave to a wording file.
 enum class WordingField { Text, LowLabel, HighLabel, LeftLabel, RightLabel };
 
+/// Which answer to an earlier item makes a question one that is asked.
+struct ShowIf {
+  std::string item;               ///< a choice; empty: the question is always asked
+  std::vector<std::string> isIn;  ///< ids of its options, any of which will do
+
+  bool isSet() const noexcept { return !item.empty(); }
+};
+
 /// One question.
 struct Item {
   std::string id;
@@ -158,6 +166,8 @@ struct Item {
   int key = 1;         ///< +1: a high answer is good; -1: a low one is
   bool isRequired = true;
   bool isIdentifying = false;  ///< names a person: kept in identity.db, never exported
+  bool startsPage = false;     ///< participants see it at the top of a new page
+  ShowIf showIf;
   Reference reference = Reference::None;
   Referent refersTo = Referent::None;
 

@@ -125,7 +125,8 @@ void addNewContent(const Problems& more, Problems& problems) {
 
 }  // namespace
 
-std::optional<Instrument> readInstrument(std::string_view json, Problems& problems) {
+std::optional<Instrument> readInstrument(
+    std::string_view json, Problems& problems, BlankFiller* blanks) {
   Problems found;
   std::optional<Instrument> instrument;
   const auto value = parseJson(json, found);
@@ -145,6 +146,7 @@ std::optional<Instrument> readInstrument(std::string_view json, Problems& proble
              "occasions",
              "consistency"})) {
       instrument = readRoot(root);
+      if (blanks != nullptr) blanks->fill(*instrument);
       addNewContent(problemsOf(*instrument), found);
     }
   }

@@ -36,6 +36,37 @@ void inspectHead(const Instrument& instrument, const TextProblems& texts, Proble
   if (instrument.scale) inspectScale(*instrument.scale, "$.scale", texts, problems);
 }
 
+/// A condition names a choice that was made before, in the same set, by options that it lists.
+void inspectCondition(
+    const Instrument& instrument, std::size_t index, const std::string& path, Problems& problems) {
+  const Item& item = instrument.items[index];
+  if (!item.showIf.isSet()) return;
+  const auto end = instrument.items.begin() + static_cast<std::ptrdiff_t>(index);
+  const auto other = std::find_if(
+      instrument.items.begin(), end, [&](const Item& i) { return i.id == item.showIf.item; });
+  const std::string place = path + ".show_if";
+  if (other == end || other->set != item.set) {
+    return problems.add(
+        place + ".item",
+        "'" + shown(item.showIf.item) + "' is no earlier item of the same set",
+        "name an item above this one");
+  }
+  if (item.isIdentifying || !item.consentOption.empty()) {
+    problems.add(place, "consent and names are always asked for", "remove 'show_if'");
+  }
+  for (std::size_t i = 0; i < item.showIf.isIn.size(); ++i) {
+    const auto& options = other->options;
+    const bool isThere = std::any_of(options.begin(), options.end(), [&](const Option& option) {
+      return option.id == item.showIf.isIn[i];
+    });
+    if (isThere) continue;
+    problems.add(
+        place + ".is[" + std::to_string(i) + "]",
+        "'" + shown(item.showIf.isIn[i]) + "' is no option of '" + other->id + "'",
+        "write the id of one of its options");
+  }
+}
+
 void inspectItems(const Instrument& instrument, Problems& problems) {
   std::set<std::string> ids;
   for (std::size_t i = 0; i < instrument.items.size(); ++i) {
@@ -46,6 +77,7 @@ void inspectItems(const Instrument& instrument, Problems& problems) {
           path + ".id", "two items share the id '" + shown(item.id) + "'", "give each its own");
     }
     inspectItem(instrument, item, path, problems);
+    inspectCondition(instrument, i, path, problems);
   }
 }
 

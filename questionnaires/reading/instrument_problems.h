@@ -24,7 +24,7 @@ inline constexpr auto kWarnings = std::to_array<base::MessageKind>({
     {"language_not_listed", "a text in '{}', which is not among the languages of the instrument"},
     {"language_not_listed.fix", "add '{}' to $.languages, or remove the text"},
     {"blank_left", "still to be filled in: {}"},
-    {"blank_left.fix", "copy the instrument into the study's folder and write what holds there"},
+    {"blank_left.fix", "write it into 'texts' of the protocol, or into this file"},
 });
 
 /// One of them, with its arguments.

@@ -152,6 +152,8 @@ bool knowsItsKeys(const Node& node) {
        "set",
        "required",
        "identifying",
+       "page",
+       "show_if",
        "key",
        "relative_to",
        "refers_to",
@@ -189,6 +191,14 @@ void readRange(const Node& node, Item& item) {
     item.step = 0.0;
   }
   if (node.has("unit")) item.unit = node.text("unit");
+}
+
+ShowIf readShowIf(const Node& node) {
+  ShowIf showIf;
+  if (!node.isObjectWith({"item", "is"})) return showIf;
+  showIf.item = node.id("item");
+  for (const auto& option : node.requiredList("is")) showIf.isIn.push_back(option.asText());
+  return showIf;
 }
 
 /// The texts that a wording file brings, by the names that items of this type have for them.
@@ -237,6 +247,8 @@ void ItemReader::readHead(const Node& node, Item& item) const {
   item.key = static_cast<int>(node.wholeNumber("key", -1, 1, 1));
   item.isRequired = node.flag("required", true);
   item.isIdentifying = node.flag("identifying", false);
+  item.startsPage = node.flag("page", false);
+  if (const auto showIf = node.member("show_if")) item.showIf = readShowIf(*showIf);
   item.reference = node.choice("relative_to", kReferences, Reference::None);
   item.refersTo = node.choice("refers_to", kReferents, Referent::None);
   if (node.has("acceptable_from")) {

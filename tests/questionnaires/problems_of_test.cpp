@@ -102,8 +102,8 @@ TEST(ProblemsOf, AnInstrumentWarnOfWhatIsStillToBeFilledIn) {
   instrument.introduction = english("Write to [[name]] at [[place]]. [Not this.] [[nor this");
   EXPECT_EQ(
       said(instrument),
-      "warning $.introduction.en: still to be filled in: [[name]], [[place]]; copy the instrument "
-      "into the study's folder and write what holds there\n");
+      "warning $.introduction.en: still to be filled in: [[name]], [[place]]; write it into "
+      "'texts' of the protocol, or into this file\n");
 }
 
 TEST(ProblemsOf, AnInstrumentWarnOfLanguagesThatAreNotDeclared) {

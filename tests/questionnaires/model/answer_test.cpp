@@ -106,5 +106,37 @@ TEST_F(UnansweredTest, TakesZeroForAnAnswer) {
   EXPECT_TRUE(unanswered({{.id = "n", .type = ItemType::Number}}, {{"n", 0.0}}).empty());
 }
 
+/// A role, a question for surgeons, and one for those of them who operate on knees.
+class ConditionTest : public testing::Test {
+ protected:
+  std::vector<Item> items_{
+      {.id = "role", .type = ItemType::SingleChoice},
+      {.id = "knees",
+       .type = ItemType::MultipleChoice,
+       .showIf = {.item = "role", .isIn = {"surgeon", "resident"}}},
+      {.id = "years", .type = ItemType::Number, .showIf = {.item = "knees", .isIn = {"yes"}}}};
+};
+
+TEST_F(ConditionTest, AsksWhereOneOfTheOptionsWasChosen) {
+  EXPECT_TRUE(isAsked(items_[0], items_, {}));
+  EXPECT_FALSE(isAsked(items_[1], items_, {})) << "nothing was chosen yet";
+  EXPECT_TRUE(isAsked(items_[1], items_, {{"role", "resident"}}));
+  EXPECT_FALSE(isAsked(items_[1], items_, {{"role", "student"}}));
+  EXPECT_FALSE(isAsked(items_[1], items_, {{"role", "surgeon"}, {"role", "student"}}))
+      << "the last answer counts";
+}
+
+TEST_F(ConditionTest, AsksNothingAboutWhatIsItselfNotAsked) {
+  const Answer knees{"knees", Texts{"hips", "yes"}};
+  EXPECT_TRUE(isAsked(items_[2], items_, {{"role", "surgeon"}, knees}));
+  EXPECT_FALSE(isAsked(items_[2], items_, {{"role", "student"}, knees}));
+}
+
+TEST_F(ConditionTest, RequiresNoAnswerToWhatIsNotAsked) {
+  EXPECT_EQ(unanswered(items_, {}), (Texts{"role"}));
+  EXPECT_EQ(unanswered(items_, {{"role", "surgeon"}}), (Texts{"knees"}));
+  EXPECT_TRUE(unanswered(items_, {{"role", "student"}}).empty());
+}
+
 }  // namespace answer_test
 }  // namespace questionnaires

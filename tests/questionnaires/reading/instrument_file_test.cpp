@@ -170,12 +170,19 @@ TEST(InstrumentFile, ReadsEveryKeyOfAnItem) {
   EXPECT_EQ(name.longestAnswer, 1);
   EXPECT_EQ(good("consent").items.at(0).consentOption, "b");
   EXPECT_EQ(good("consent").items.at(0).options.at(1).text.in("en"), "B");
+
+  const auto why = good("asked-on-a-page-of-its-own").items.at(1);
+  EXPECT_TRUE(why.startsPage);
+  EXPECT_EQ(why.showIf.item, "role");
+  EXPECT_EQ(why.showIf.isIn, std::vector<std::string>{"surgeon"});
 }
 
 TEST(InstrumentFile, FillsInWhatIsUsual) {
   const auto why = good("smallest").items.at(0);
   EXPECT_TRUE(why.isRequired);
   EXPECT_FALSE(why.isIdentifying);
+  EXPECT_FALSE(why.startsPage);
+  EXPECT_FALSE(why.showIf.isSet());
   EXPECT_EQ(why.key, 1);
   EXPECT_EQ(why.longestAnswer, 100'000);
 
