@@ -7,6 +7,7 @@
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"
+#include "protocols/reading/texts_file.h"
 #include "protocols/validation/validation.h"
 #include "questionnaires/json/document.h"
 
@@ -38,6 +39,7 @@ std::optional<LoadedProtocol> load(
   if (defaults == Defaults::Current) validateBenchmarks(*draft, problems);
   if (problems.hasErrors()) return std::nullopt;
   addWarnings(draft->loaded, problems, defaults);
+  fillInLabels(draft->loaded);
   return std::move(draft->loaded);
 }
 
@@ -51,7 +53,9 @@ std::optional<LoadedProtocol> loadProtocol(
   return loaded;
 }
 
-std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
+namespace {
+
+std::optional<LoadedProtocol> loadAnyFile(const std::string& path, Problems& problems) {
   std::error_code ignored;
   // a study's folder may have the same name
   const bool isFile = fs::is_regular_file(path, ignored);
@@ -70,6 +74,29 @@ std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems
     return questionnaires::readTextFile(file.string(), largestOf(name));
   };
   return loadProtocol(questionnaires::readTextFile(path), beside, problems);
+}
+
+}  // namespace
+
+std::optional<LoadedProtocol> loadProtocolFile(const std::string& path, Problems& problems) {
+  auto loaded = loadAnyFile(path, problems);
+  if (!loaded) return std::nullopt;
+  Problems limits;
+  validateLimits(loaded->protocol, limits);
+  tell(limits, problems);
+  if (limits.hasErrors()) return std::nullopt;
+  return loaded;
+}
+
+std::optional<LoadedProtocol> withTexts(
+    const LoadedProtocol& loaded, const questionnaires::BlankTexts& texts, Problems& problems) {
+  const auto find = [&](const std::string& name) -> std::optional<std::string> {
+    for (const auto& file : loaded.files) {
+      if (file.name == name) return file.text;
+    }
+    return std::nullopt;
+  };
+  return loadProtocol(withTexts(loaded.text, texts), find, problems);
 }
 
 }  // namespace protocols

@@ -7,6 +7,7 @@
 #include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
+#include "questionnaires/reading/blanks.h"
 
 namespace protocols {
 
@@ -23,5 +24,12 @@ std::optional<LoadedProtocol> loadProtocol(
 /// @throws questionnaires::Error  if the file cannot be read at all.
 std::optional<LoadedProtocol> loadProtocolFile(
     const std::string& path, questionnaires::Problems& problems);
+
+/// @p loaded as it would be read with @p texts as its "texts", and with the same files.
+/// std::nullopt and problems if a text cannot be used.
+std::optional<LoadedProtocol> withTexts(
+    const LoadedProtocol& loaded,
+    const questionnaires::BlankTexts& texts,
+    questionnaires::Problems& problems);
 
 }  // namespace protocols

@@ -68,9 +68,8 @@ void look(
     std::vector<Placeholder>& found,
     const std::string& where,
     const Texts& texts,
-    const std::vector<std::string>& languages,
-    bool isInProtocol) {
-  Placeholder placeholder{.where = {}, .words = {}, .isInProtocol = isInProtocol};
+    const std::vector<std::string>& languages) {
+  Placeholder placeholder;
   std::string which;
   for (const auto& language : languages) {
     const auto words = placeholderTexts(texts, language);
@@ -83,21 +82,60 @@ void look(
   found.push_back(std::move(placeholder));
 }
 
+void replaceAll(std::string& text, std::string_view place, const std::string& words) {
+  for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at)) {
+    text.replace(at, place.size(), words);
+    at += words.size();
+  }
+}
+
+bool isCapital(char letter) noexcept {
+  return letter >= 'A' && letter <= 'Z';
+}
+
+/// As in the middle of a sentence: "Tissue" → "tissue"; "FEM" stays.
+std::string inSentence(std::string label) {
+  const bool isAbbreviation = label.size() > 1 && isCapital(label[1]);
+  if (!label.empty() && isCapital(label[0]) && !isAbbreviation) {
+    label[0] = static_cast<char>(label[0] - 'A' + 'a');
+  }
+  return label;
+}
+
+void fillIn(LocalizedText& text, const LocalizedText& label) {
+  auto words = text.all();
+  for (auto& [language, sentence] : words) {
+    replaceAll(sentence, "{Label}", label.in(language));
+    replaceAll(sentence, "{label}", inSentence(label.in(language)));
+  }
+  text = LocalizedText(std::move(words));
+}
+
 }  // namespace
+
+void fillInLabels(LoadedProtocol& loaded) {
+  const auto& label = loaded.protocol.labels.prefix;
+  for (auto& instrument : loaded.instruments) {
+    for (const auto& place : questionnaires::textPlacesOf(instrument)) {
+      for (auto* text : place.texts) fillIn(*text, label);
+    }
+  }
+  for (auto& phase : loaded.protocol.phases) fillIn(phase.text, label);
+}
 
 std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded) {
   std::vector<Placeholder> found;
   const auto& protocol = loaded.protocol;
-  look(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages, true);
+  look(found, "$.labels.prefix", {&protocol.labels.prefix}, protocol.languages);
   for (std::size_t i = 0; i < protocol.phases.size(); ++i) {
     const std::string where = "$.phases[" + std::to_string(i) + "].text";
-    look(found, where, {&protocol.phases[i].text}, protocol.languages, true);
+    look(found, where, {&protocol.phases[i].text}, protocol.languages);
   }
   std::set<std::string> seen;
   for (const auto& use : instrumentUses(protocol)) {
     if (!seen.insert(use.instrument).second) continue;
     const auto& instrument = *loaded.instrument(use.instrument);
-    look(found, use.instrument, textsOf(instrument), protocol.languages, false);
+    look(found, use.instrument, textsOf(instrument), protocol.languages);
   }
   return found;
 }

@@ -43,6 +43,8 @@ struct LoadedProtocol {
   std::vector<SourceFile>
       files;  ///< instruments, cuts and so on that are not built into the program
   std::vector<FeltSource> sources;  ///< of its conditions, each once
+  /// The keys of all blanks "[[key]]" in texts that participants read, filled in or not.
+  std::vector<std::string> blanks;
 
   const questionnaires::Instrument* instrument(std::string_view id) const noexcept;
 };
@@ -50,12 +52,16 @@ struct LoadedProtocol {
 /// Finds the text of a file that a protocol names; std::nullopt if there is none.
 using FileFinder = std::function<std::optional<std::string>(const std::string& name)>;
 
+/// Writes what the protocol calls its alternatives into all texts that a participant may read:
+/// "{Label}" as the prefix is written, "{label}" with a small first letter, unless it is an
+/// abbreviation.
+void fillInLabels(LoadedProtocol& loaded);
+
 /// Text in double square brackets that the laboratory has not filled in yet: a participant would
 /// read the brackets.
 struct Placeholder {
-  std::string where;          ///< the instrument, or the place in the protocol; and its languages
-  std::string words;          ///< "[[number]], [[institution]]", of the first of them
-  bool isInProtocol = false;  ///< true: in the protocol, not in an instrument
+  std::string where;  ///< the instrument, or the place in the protocol; and its languages
+  std::string words;  ///< "[[duration]], [[institution]]", of the first of them
 };
 
 /// The placeholders in all texts that a participant may read, in every language of the protocol,

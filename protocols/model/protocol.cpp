@@ -1,8 +1,38 @@
 #include "protocols/model/protocol.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace protocols {
+
+std::vector<questionnaires::Item> comparedItems(
+    const Family& family, const std::vector<questionnaires::Item>& items) {
+  std::vector<questionnaires::Item> compared;
+  for (const auto& item : items) {
+    const bool isCompared =
+        family.items.empty()
+            ? item.type == questionnaires::ItemType::Likert
+            : std::find(family.items.begin(), family.items.end(), item.id) != family.items.end();
+    if (isCompared) compared.push_back(item);
+  }
+  return compared;
+}
+
+std::optional<WholeScale> wholeScaleOf(const questionnaires::Item& item) {
+  const auto range = questionnaires::rangeOf(item);
+  if (!range) return std::nullopt;
+  if (answerKindOf(item.type) == questionnaires::AnswerKind::Point) {
+    return WholeScale{item.scale.lowest, item.scale.highest()};
+  }
+  constexpr double kFarthest = 1e6;  // that a table of answers counts
+  const auto isWhole = [](double value) {
+    return value == std::round(value) && std::abs(value) <= kFarthest;
+  };
+  const bool isCounted = isWhole(range->low) && isWhole(range->high) && isWhole(item.step) &&
+                         item.step > 0.0 && range->high - range->low < kMostComparedPoints;
+  if (!isCounted) return std::nullopt;
+  return WholeScale{static_cast<int>(range->low), static_cast<int>(range->high)};
+}
 namespace {
 
 template <typename T>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -85,6 +86,11 @@ enum class LabelPolicy {
 struct Labels {
   LabelPolicy policy = LabelPolicy::Position;
   LocalizedText prefix;  ///< "Alternative"
+
+  /// What an alternative is called: "Alternative 2".
+  std::string nameOf(std::string_view number, std::string_view language) const {
+    return prefix.in(language) + ' ' + std::string(number);
+  }
 };
 
 /// How the order of a block's conditions is determined.
@@ -173,8 +179,9 @@ enum class CorrectionType {
 struct Family {
   std::string id;
   std::string title;
-  std::string instrument;           ///< its Likert answers are compared, reversed where the key is
-                                    ///< −1
+  std::string instrument;           ///< its answers are compared, reversed where the key is −1
+  std::vector<std::string> items;   ///< those that are compared, on one scale of whole numbers (see
+                                    ///< comparedItems()); empty: all Likert items
   std::vector<std::string> blocks;  ///< those whose answers count; empty: all that ask this
                                     ///< instrument
   std::vector<Comparison> comparisons;
@@ -184,6 +191,25 @@ struct Family {
   /// Smaller differences of means are negligible [points of the scale].
   std::optional<double> equivalenceBound;
 };
+
+/// The items of @p instrument that @p family compares, in the instrument's order.
+std::vector<questionnaires::Item> comparedItems(
+    const Family& family, const std::vector<questionnaires::Item>& items);
+
+/// A scale of whole numbers, as a table of answers needs it.
+struct WholeScale {
+  int lowest = 1;
+  int highest = 5;
+
+  bool operator==(const WholeScale&) const = default;
+};
+
+/// The most points of a scale whose answers are compared: those of analysis::LikertCounts.
+inline constexpr int kMostComparedPoints = 1024;
+
+/// The scale of an item: its points; of a slider or a number its range, if its ends and its steps
+/// are whole numbers and there are at most kMostComparedPoints. std::nullopt for all others.
+std::optional<WholeScale> wholeScaleOf(const questionnaires::Item& item);
 
 struct AnalysisPlan {
   std::vector<Family> families;
@@ -208,6 +234,8 @@ struct Protocol {
   std::vector<Cohort> cohorts;
   std::vector<DeviceNeed> devices;
   std::vector<std::string> instrumentFiles;  ///< beside the protocol; the library needs no entry
+  /// What the laboratory has written for the blanks "[[key]]" of its texts, by key.
+  std::map<std::string, LocalizedText> texts;
   std::vector<Condition> conditions;
   Labels labels;
   std::vector<Phase> phases;

@@ -52,6 +52,7 @@ Family readFamily(const Node& node) {
           {"id",
            "title",
            "instrument",
+           "items",
            "blocks",
            "comparisons",
            "test",
@@ -63,6 +64,7 @@ Family readFamily(const Node& node) {
   family.id = node.id("id");
   family.title = node.text("title");
   family.instrument = node.id("instrument");
+  family.items = node.ids("items");
   family.blocks = node.ids("blocks");
   for (const auto& pair : node.requiredList("comparisons")) {
     family.comparisons.push_back(readComparison(pair));

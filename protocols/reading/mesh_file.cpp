@@ -1,5 +1,6 @@
 #include "protocols/reading/mesh_file.h"
 
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -8,6 +9,12 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
 
 #include "questionnaires/json/problem.h"
 
@@ -16,6 +23,9 @@ namespace {
 
 // between triangles without normals [°]; larger angles stay sharp edges
 constexpr float kStaysAnEdge = 40.0F;
+
+constexpr std::uintmax_t kLargestMesh = 512 * 1024 * 1024;  // [bytes]
+constexpr double kMostSteps = 1e8;  // of cutting faces into triangles: about 2 s
 
 /// Opens no files: a text stored in a study must not refer to files on the disk.
 class NoFiles final : public Assimp::IOSystem {
@@ -82,6 +92,65 @@ bool isFiniteMesh(const aiMesh& mesh) {
   });
 }
 
+/// "stl", "obj" or "ply" by how the text begins.
+/// @throws questionnaires::Error  if it is none of them.
+std::string formatOf(std::string_view text) {
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "ply";
+  constexpr std::size_t kHead =
+      80;  // of a binary STL; then follow the number of triangles, and they
+  constexpr std::size_t kTriangle = 50;
+  if (text.size() >= kHead + sizeof(std::uint32_t)) {
+    std::uint32_t triangles = 0;
+    std::memcpy(&triangles, text.data() + kHead, sizeof triangles);
+    if (text.size() == kHead + sizeof triangles + kTriangle * std::size_t{triangles}) return "stl";
+  }
+  const auto start = text.substr(0, std::min<std::size_t>(text.size(), 64 * 1024));
+  if (start.starts_with("solid") && start.find("facet") != std::string_view::npos) return "stl";
+  const bool isText = start.find('\0') == std::string_view::npos;
+  const bool hasVertex = start.starts_with("v ") || start.find("\nv ") != std::string_view::npos;
+  if (isText && hasVertex) return "obj";
+  throw questionnaires::Error("it is no STL, OBJ or PLY file");
+}
+
+/// Removes all readers but that of one format. The library has dozens, and takes the one that likes
+/// the text best.
+void keepOnly(Assimp::Importer& importer, const std::string& format) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    auto* reader = importer.GetImporter(i);
+    std::set<std::string> endings;
+    reader->GetExtensionList(endings);
+    if (endings.count(format) != 0) continue;
+    const std::unique_ptr<Assimp::BaseImporter> removed(reader);  // whose caller owns it from now on
+    importer.UnregisterLoader(reader);
+  }
+}
+
+/// Cutting a face with n corners into triangles takes up to n² steps.
+void requireFewCorners(const aiScene& scene) {
+  double steps = 0.0;
+  unsigned most = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    for (unsigned i = 0; i < scene.mMeshes[m]->mNumFaces; ++i) {
+      const unsigned corners = scene.mMeshes[m]->mFaces[i].mNumIndices;
+      if (corners > 4) steps += static_cast<double>(corners) * corners;
+      most = std::max(most, corners);
+    }
+  }
+  if (steps <= kMostSteps) return;
+  throw questionnaires::Error(
+      "its faces have too many corners to be cut into triangles (one has " + std::to_string(most) +
+      "): save it with triangles");
+}
+
+void read(
+    Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
+  importer.SetIOHandler(new NoFiles);  // the importer owns it from here on
+  keepOnly(importer, format);
+  importer.ReadFileFromMemory(
+      text.data(), text.size(), aiProcess_ValidateDataStructure | more, format.c_str());
+  if (const auto* scene = importer.GetScene()) requireFewCorners(*scene);
+}
+
 std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) {
   const aiScene* scene = importer.GetScene();
   if (scene == nullptr || scene->mNumMeshes == 0) {
@@ -107,16 +176,29 @@ std::vector<NamedSurface> surfacesOf(Assimp::Importer& importer, unsigned more) 
 
 }  // namespace
 
-std::vector<NamedSurface> readMeshFile(const std::string& path) {
+std::vector<NamedSurface> readMesh(std::string_view text) {
   Assimp::Importer importer;
-  importer.ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_PreTransformVertices);
+  read(importer, text, formatOf(text), aiProcess_PreTransformVertices);
   return surfacesOf(importer, aiProcess_Triangulate);
+}
+
+std::vector<NamedSurface> readMeshFile(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    throw questionnaires::Error("it is no file, or cannot be read");
+  }
+  if (std::filesystem::file_size(path, error) > kLargestMesh) {
+    throw questionnaires::Error("it is larger than 512 MB");
+  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw questionnaires::Error("it cannot be read");
+  return readMesh(text);
 }
 
 std::vector<NamedSurface> readObj(std::string_view text) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new NoFiles);  // the importer owns it from here on
-  importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_ValidateDataStructure, "obj");
+  read(importer, text, "obj", 0);
   return surfacesOf(importer, aiProcess_Triangulate | aiProcess_GenSmoothNormals);
 }
 

@@ -21,8 +21,13 @@ struct NamedSurface {
   bool hasNormals = true;  ///< true: from the file; false: computed from the triangles
 };
 
-/// All surfaces of a file on the disk: STL, OBJ, PLY.
-/// @throws questionnaires::Error  in words, if it has none that can be read.
+/// All surfaces of a mesh: STL, OBJ or PLY, which is told by how it begins. No other format is
+/// tried, and no file is opened that is named in it.
+/// @throws questionnaires::Error  in words, if it has none that can be read, or faces with so many
+///     corners that cutting them into triangles would take long.
+std::vector<NamedSurface> readMesh(std::string_view text);
+
+/// The same of a file on the disk, up to 512 MB.
 std::vector<NamedSurface> readMeshFile(const std::string& path);
 
 /// The surfaces of an OBJ file's text. Material files that it names are not read.

@@ -200,6 +200,32 @@ Labels readLabels(const Node& root) {
   return labels;
 }
 
+/// What the laboratory writes for the blanks of its texts. A text with a blank in it would be shown
+/// with the brackets.
+std::map<std::string, LocalizedText> readBlankTexts(const Node& node) {
+  std::map<std::string, LocalizedText> texts;
+  const questionnaires::TextReader reader({"en"});
+  for (const auto& [key, value] : node.members()) {
+    auto text = reader.read(value);
+    if (!text.has("en")) {
+      value.problem("", "the English text is missing", "add \"en\": every text falls back to it");
+    }
+    for (const auto& [language, words] : text.all()) {
+      if (words.find("[[") == std::string::npos) continue;
+      value.problem("", "this text has a blank itself", "write what is to be read in its place");
+      break;
+    }
+    texts[key] = std::move(text);
+  }
+  return texts;
+}
+
+/// Fills in the protocol's own texts; instruments are filled in as they are read.
+void fillOwnTexts(Protocol& protocol, questionnaires::BlankFiller& blanks) {
+  blanks.fill(protocol.labels.prefix);
+  for (auto& phase : protocol.phases) blanks.fill(phase.text);
+}
+
 template <typename T, typename Read>
 std::vector<T> readAll(const std::vector<Node>& nodes, Read read) {
   std::vector<T> all;
@@ -218,6 +244,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
   protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
   protocol.instrumentFiles = readFileNames(root);
+  if (const auto texts = root.object("texts")) protocol.texts = readBlankTexts(*texts);
   protocol.conditions = readAll<Condition>(root.requiredList("conditions"), [&](const Node& node) {
     return readCondition(node, protocol, files, sources);
   });
@@ -235,11 +262,16 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
 }
 
 /// Reads the file of the instrument with number @p index of 'instrument_files'.
-void addInstrument(Draft& draft, ReferencedFiles& files, std::size_t index, Problems& problems) {
+void addInstrument(
+    Draft& draft,
+    ReferencedFiles& files,
+    std::size_t index,
+    questionnaires::BlankFiller& blanks,
+    Problems& problems) {
   auto& loaded = draft.loaded;
   const auto& name = loaded.protocol.instrumentFiles[index];
   const std::string path = "$.instrument_files[" + std::to_string(index) + "]";
-  auto instrument = files.instrument(name, path, loaded.protocol.languages);
+  auto instrument = files.instrument(name, path, loaded.protocol.languages, blanks);
   if (!instrument) return;
   if (loaded.instrument(instrument->id) != nullptr) {
     problems.add(
@@ -252,18 +284,20 @@ void addInstrument(Draft& draft, ReferencedFiles& files, std::size_t index, Prob
 }
 
 /// Reads the instruments of 'instrument_files', and then those of the library that are used.
-void addInstruments(Draft& draft, ReferencedFiles& files, Problems& problems) {
+void addInstruments(
+    Draft& draft, ReferencedFiles& files, questionnaires::BlankFiller& blanks, Problems& problems) {
   auto& loaded = draft.loaded;
   const auto& names = loaded.protocol.instrumentFiles;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto end = names.begin() + static_cast<std::ptrdiff_t>(i);
     const bool isThere = std::find(names.begin(), end, names[i]) != end;
-    if (!names[i].empty() && !isThere) addInstrument(draft, files, i, problems);
+    if (!names[i].empty() && !isThere) addInstrument(draft, files, i, blanks, problems);
   }
   draft.hasAllInstruments = loaded.instruments.size() == names.size();
   for (const auto& use : instrumentUses(loaded.protocol)) {
     if (loaded.instrument(use.instrument) != nullptr) continue;
-    auto found = files.libraryInstrument(use.instrument, use.path, loaded.protocol.languages);
+    auto found =
+        files.libraryInstrument(use.instrument, use.path, loaded.protocol.languages, blanks);
     if (found) loaded.instruments.push_back(std::move(*found));
   }
 }
@@ -309,6 +343,7 @@ std::optional<Draft> readDraft(
            "cohorts",
            "devices",
            "instrument_files",
+           "texts",
            "conditions",
            "labels",
            "phases",
@@ -320,7 +355,10 @@ std::optional<Draft> readDraft(
   Draft draft;
   draft.loaded.text = json;
   draft.loaded.protocol = readRoot(root, files, draft.loaded.sources);
-  addInstruments(draft, files, problems);
+  questionnaires::BlankFiller blanks(draft.loaded.protocol.texts);
+  fillOwnTexts(draft.loaded.protocol, blanks);
+  addInstruments(draft, files, blanks, problems);
+  draft.loaded.blanks = blanks.keys();
   draft.loaded.files = files.takeFiles();
   return draft;
 }

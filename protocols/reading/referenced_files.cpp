@@ -101,24 +101,33 @@ std::shared_ptr<const Anatomy> ReferencedFiles::anatomy(
 }
 
 std::optional<Instrument> ReferencedFiles::instrument(
-    const std::string& name, const std::string& path, const std::vector<std::string>& languages) {
+    const std::string& name,
+    const std::string& path,
+    const std::vector<std::string>& languages,
+    questionnaires::BlankFiller& blanks) {
   const auto text = textOf(name, path);
   if (!text) return std::nullopt;
   Problems inFile;
-  auto instrument = questionnaires::readInstrument(*text, inFile);
+  auto instrument = questionnaires::readInstrument(*text, inFile, &blanks);
   addProblemsOf(inFile, name);
-  if (instrument) completeWording(*instrument, path, languages);
+  if (!instrument) return std::nullopt;
+  completeWording(*instrument, path, languages);
+  blanks.fill(*instrument);  // also those that its wording brings
   return instrument;
 }
 
 std::optional<Instrument> ReferencedFiles::libraryInstrument(
-    const std::string& id, const std::string& path, const std::vector<std::string>& languages) {
+    const std::string& id,
+    const std::string& path,
+    const std::vector<std::string>& languages,
+    questionnaires::BlankFiller& blanks) {
   // a file of the library that is not an instrument
   if (id.ends_with(".schema")) return std::nullopt;
   for (const auto& file : questionnaires::libraryFiles()) {
     if (file.name != id + ".json") continue;
     auto instrument = questionnaires::readSoundInstrument(file.content, id);
     completeWording(instrument, path, languages);
+    blanks.fill(instrument);
     return instrument;
   }
   return std::nullopt;

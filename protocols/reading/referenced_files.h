@@ -16,6 +16,7 @@
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/problem.h"
+#include "questionnaires/reading/blanks.h"
 
 namespace protocols {
 
@@ -45,14 +46,21 @@ class ReferencedFiles {
   const PackingFile* packing(const std::string& name, const std::string& path);
   std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
 
-  /// The instrument in a file, with its wording in @p languages, if it has or needs any.
+  /// The instrument in a file, with its wording in @p languages, if it has or needs any, and with
+  /// its blanks filled in by @p blanks.
   std::optional<questionnaires::Instrument> instrument(
-      const std::string& name, const std::string& path, const std::vector<std::string>& languages);
+      const std::string& name,
+      const std::string& path,
+      const std::vector<std::string>& languages,
+      questionnaires::BlankFiller& blanks);
 
-  /// The instrument of the library with that @p id, with its wording; std::nullopt without a
-  /// problem if there is none.
+  /// The instrument of the library with that @p id, in the same way; std::nullopt without a problem
+  /// if there is none.
   std::optional<questionnaires::Instrument> libraryInstrument(
-      const std::string& id, const std::string& path, const std::vector<std::string>& languages);
+      const std::string& id,
+      const std::string& path,
+      const std::vector<std::string>& languages,
+      questionnaires::BlankFiller& blanks);
 
   /// Every file that was found, as it was read.
   std::vector<SourceFile> takeFiles() { return std::move(files_); }

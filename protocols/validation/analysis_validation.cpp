@@ -57,24 +57,49 @@ class FamilyCheck {
   }
 
   void statements(const questionnaires::Instrument& asked) {
-    const questionnaires::Item* first = nullptr;
-    for (const auto& item : asked.items) {
-      if (item.type != ItemType::Likert) continue;
-      if (first == nullptr) first = &item;
-      if (item.scale.lowest == first->scale.lowest && item.scale.points == first->scale.points) {
-        continue;
-      }
+    for (std::size_t i = 0; i < family_.items.size(); ++i) item(asked, i);
+    const auto compared = comparedItems(family_, asked.items);
+    std::optional<WholeScale> first;
+    for (const auto& item : compared) {
+      const auto scale = wholeScaleOf(item);
+      if (!scale) continue;  // reported already
+      if (!first) first = scale;
+      if (*scale == *first) continue;
       problems_.add(
-          path_ + ".instrument",
-          "the Likert items of '" + asked.id + "' have different scales",
-          "answers on different scales cannot be pooled; make an instrument of each scale");
+          path_ + (family_.items.empty() ? ".instrument" : ".items"),
+          (family_.items.empty() ? "the Likert items of '" : "the compared items of '") + asked.id +
+              "' have different scales",
+          family_.items.empty()
+              ? "answers on different scales cannot be pooled; make an instrument of each scale"
+              : "answers on different scales cannot be pooled; make a family of each scale");
       return;
     }
-    if (first == nullptr) {
+    if (compared.empty() && family_.items.empty()) {
       problems_.add(
           path_ + ".instrument",
           "'" + asked.id + "' has no Likert items to compare",
-          "name one that has");
+          "name one that has, or the items to compare in 'items'");
+    }
+  }
+
+  void item(const questionnaires::Instrument& asked, std::size_t index) {
+    const auto& id = family_.items[index];
+    const std::string path = path_ + ".items[" + std::to_string(index) + "]";
+    if (!isSoundId(id)) return;
+    const auto* item = asked.item(id);
+    if (item == nullptr) {
+      problems_.add(path, "'" + asked.id + "' has no item '" + shown(id) + "'", "correct the name");
+    } else if (!questionnaires::rangeOf(*item)) {
+      problems_.add(
+          path,
+          "answers to '" + id + "' are no numbers",
+          "name a likert, semantic_differential, slider or number item");
+    } else if (!wholeScaleOf(*item)) {
+      problems_.add(
+          path,
+          "answers to '" + id + "' are not counted in whole numbers",
+          "give it whole numbers as its ends and its step, at most " +
+              std::to_string(kMostComparedPoints - 1) + " apart");
     }
   }
 

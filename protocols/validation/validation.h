@@ -24,6 +24,10 @@ void validateBlocks(const Draft& draft, questionnaires::Problems& problems);
 /// which keep their protocols.
 void validateBenchmarks(const Draft& draft, questionnaires::Problems& problems);
 
+/// Reports limits that no hand stands, or that limit nothing, and warns of forces that devices of
+/// the kind do not give. Only of a file: studies keep the limits that they were made with.
+void validateLimits(const Protocol& protocol, questionnaires::Problems& problems);
+
 /// Adds warnings about doubtful designs: a statement about the previous alternative when there is
 /// none, one order for all, a number of participants that does not balance, forms with
 /// placeholders, unused parts.
@@ -36,6 +40,10 @@ void addWarnings(
 /// Adds warnings about the blocks of a valid protocol: their orders, and the statements after their
 /// conditions.
 void addBlockWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
+
+/// Adds warnings about numeric items asked after conditions that no family, score or threshold
+/// uses.
+void addItemWarnings(const LoadedProtocol& loaded, questionnaires::Problems& problems);
 
 /// Adds warnings about questions after conditions whose scenes do not render what is asked about:
 /// vibration, the pace of removal, the size of forces.

@@ -58,6 +58,16 @@ class Advice {
     }
   }
 
+  void onUnusedTexts() {
+    for (const auto& [key, text] : protocol_.texts) {
+      if (isAmong(loaded_.blanks, key)) continue;
+      problems_.warn(
+          "$.texts." + questionnaires::shown(key),
+          message("text_not_used", key),
+          message("text_not_used.fix"));
+    }
+  }
+
   void onUnusedParts() {
     std::set<std::string> devices;
     for (const auto& condition : protocol_.conditions) devices.insert(condition.device);
@@ -162,6 +172,7 @@ class Advice {
 void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defaults) {
   Advice advice(loaded, problems);
   advice.onTexts();
+  advice.onUnusedTexts();
   advice.addInstrumentWarnings();
   addSceneWarnings(loaded.protocol, problems);
   addBlockWarnings(loaded, problems);
@@ -169,6 +180,7 @@ void addWarnings(const LoadedProtocol& loaded, Problems& problems, Defaults defa
   addBlindingWarnings(loaded.protocol, problems);
   if (defaults == Defaults::Current) {
     addReferentWarnings(loaded, problems);
+    addItemWarnings(loaded, problems);
     addPoolingWarnings(loaded.protocol, problems);
   }
   advice.onUnusedParts();

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "protocols/load_protocol.h"
 #include "protocols/reading/calibration_file.h"
 #include "protocols/reading/columns_file.h"
 #include "protocols/reading/cut_file.h"
@@ -93,6 +94,20 @@ TEST(ProtocolFormatPage, HasPhasesThatFitIntoIt) {
   EXPECT_TRUE(loading.loaded) << loading.describe();
 }
 
+TEST(ProtocolFormatPage, HasTextsThatFitIntoItAndNamesEveryBlank) {
+  auto whole = nlohmann::json::parse(examples("").at(0));
+  whole["texts"] = nlohmann::json::parse(examples(" texts").at(0));
+  const auto loading = tests::load(whole.dump());
+  ASSERT_TRUE(loading.loaded) << loading.describe();
+  EXPECT_EQ(loading.loaded->protocol.texts.size(), whole["texts"].size());
+  questionnaires::Problems problems;
+  const auto shipped = loadProtocolFile("punch-face-validity", problems);
+  ASSERT_TRUE(shipped);
+  for (const auto& key : shipped->blanks) {
+    EXPECT_NE(page().find("`" + key + "`"), std::string::npos) << key;
+  }
+}
+
 TEST(ProtocolFormatPage, HasNoExampleThatIsNotRead) {
   const std::string text = page();
   std::size_t all = 0;
@@ -100,7 +115,8 @@ TEST(ProtocolFormatPage, HasNoExampleThatIsNotRead) {
     ++all;
   }
   std::size_t read = 0;
-  for (const auto* kind : {"", " fragment", " phase", " cut", " columns", " calibration"}) {
+  for (const auto* kind :
+       {"", " fragment", " phase", " cut", " columns", " calibration", " texts"}) {
     read += examples(kind).size();
   }
   EXPECT_EQ(read, all);

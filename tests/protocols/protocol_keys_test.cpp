@@ -46,6 +46,8 @@ TEST(ProtocolKeys, DescribeTheStudy) {
   EXPECT_EQ(protocol.languages, (std::vector<std::string>{"en", "de"}));
   EXPECT_EQ(protocol.seed, 42U);
   EXPECT_EQ(protocol.instrumentFiles, std::vector<std::string>{"instruments/comfort.json"});
+  EXPECT_EQ(protocol.texts.at("institution").in("de"), "A laboratory");
+  EXPECT_EQ(protocol.texts.at("contact").in("de"), "Frau Author");
 }
 
 TEST(ProtocolKeys, DescribeCohortsAndDevices) {
@@ -183,6 +185,7 @@ TEST(ProtocolKeys, DescribeTheAnalysisPlanAndTheSimulation) {
   EXPECT_EQ(family.id, "methods");
   EXPECT_EQ(family.title, "Methods");
   EXPECT_EQ(family.instrument, "comfort");
+  EXPECT_EQ(family.items, std::vector<std::string>{"pleasant"});
   EXPECT_EQ(family.blocks, std::vector<std::string>{"first"});
   EXPECT_EQ(family.comparisons.at(1).first, "fused");
   EXPECT_EQ(family.comparisons.at(1).second, "elastic");

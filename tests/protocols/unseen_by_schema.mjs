@@ -30,6 +30,7 @@ export const unseen = [
   /is asked twice after each condition$/,
   /^this block has no condition '/,
   /has no items of the set '/,
+  /' has no item '/,
   /have not been felt yet$/,
   /' asks about a benchmark \(/,
   /has one alternative only$/,

@@ -17,11 +17,7 @@ TEST(Placeholders, AreFoundInTheInstrumentsThatAreUsed) {
   const auto found = placeholdersOf(tests::usualProtocol());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].where.substr(0, 17), "consent-punch (en");
-  EXPECT_EQ(
-      found[0].words,
-      "[[number]], [[date or event]], [[institution]], [[name, e-mail and telephone of the "
-      "responsible researcher]]");
-  EXPECT_FALSE(found[0].isInProtocol);
+  EXPECT_EQ(found[0].words, "[[duration]], [[delete_until]], [[institution]], [[contact]]");
 }
 
 TEST(Placeholders, AreFoundInEveryLanguageThatAParticipantCanChoose) {
@@ -34,7 +30,6 @@ TEST(Placeholders, AreFoundInEveryLanguageThatAParticipantCanChoose) {
   const auto found = placeholdersOf(both);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].words, "[[Raum]]");
-  EXPECT_TRUE(found[0].isInProtocol);
   EXPECT_TRUE(found[0].where.ends_with("].text (de)")) << found[0].where;
   EXPECT_EQ(found[1].where, "consent-punch (en, de)");
 }

@@ -14,10 +14,9 @@ using questionnaires::Severity;
 
 /// What every reading of usualProtocol() says: its consent form ships as a template.
 const std::string kTemplate =
-    "consent-punch $.introduction.en: still to be filled in: [[number]], [[date or event]], "
-    "[[institution]], [[name, e-mail and telephone of the responsible researcher]]; copy it beside "
-    "the protocol, give it an id of its own, write what holds there in every language, and list it "
-    "in 'instrument_files'";
+    "consent-punch $.introduction.en: still to be filled in: [[duration]], [[delete_until]], "
+    "[[institution]], [[contact]]; fill them in once for the whole study: 'Fill in the texts…' in "
+    "the windows, or 'palpate protocol texts'";
 
 /// All that is said about a sound protocol, without the template.
 std::vector<std::string> warningsOf(std::string_view json, const FileFinder& find = {}) {
@@ -75,15 +74,15 @@ TEST(ProtocolWarnings, WarnsOfATemplateOnce) {
        R"({"id": "again", "type": "debrief", "instrument": "debrief"})"});
   const auto said = warningsOf(text);
   ASSERT_EQ(said.size(), 1U) << said.back();
-  EXPECT_TRUE(said[0].starts_with("debrief $.introduction.en: still to be filled in: [[date"));
+  EXPECT_TRUE(said[0].starts_with("debrief $.introduction.en: still to be filled in: [[delete"));
 }
 
 TEST(ProtocolWarnings, WarnsOfPlaceholdersInAnOwnFileOnce) {
   const auto mine = tests::with(instrumentFile("mine"), "It felt real.", "As real as [[what]]?");
   EXPECT_EQ(
       warningsOf(askingMine(), holding(mine)),
-      Words{"mine.json $.items[0].text.en: still to be filled in: [[what]]; copy the instrument "
-            "into the study's folder and write what holds there"});
+      Words{"mine.json $.items[0].text.en: still to be filled in: [[what]]; write it into "
+            "'texts' of the protocol, or into this file"});
 }
 
 TEST(ProtocolWarnings, WarnsOfComparisonsWithThePreviousOnlyForAnOwnFile) {
@@ -127,9 +126,20 @@ TEST(ProtocolWarnings, FindsPlaceholdersInTheProtocolsTextsInEveryLanguage) {
   EXPECT_EQ(
       warningsOf(text),
       (Words{
-          "$.labels.prefix: still to be filled in ('en'): [[prefix]]; write what holds there",
-          "$.phases[2].text: still to be filled in ('de'): [[wie lange]]; write what holds "
-          "there"}));
+          "$.labels.prefix: still to be filled in ('en'): [[prefix]]; write it into 'texts' of the "
+          "protocol",
+          "$.phases[2].text: still to be filled in ('de'): [[wie lange]]; write it into "
+          "'texts' of the protocol"}));
+}
+
+TEST(ProtocolWarnings, NamesATextForWhichThereIsNoBlank) {
+  const auto text = tests::with(
+      tests::usualProtocol(),
+      "\"conditions\": [\n",
+      "\"texts\": {\"x\": \"y\"}, \"conditions\": [\n");
+  EXPECT_EQ(
+      warningsOf(text),
+      Words{"$.texts.x: no text has the blank [[x]]; remove it, or correct the name"});
 }
 
 TEST(ProtocolWarnings, MissesALanguageOfTheStudyInAnInstrument) {

@@ -1,0 +1,123 @@
+// Meshes of others: what is read, and what is refused at once.
+#include "protocols/reading/mesh_file.h"
+
+#include <sys/stat.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "questionnaires/json/problem.h"
+#include "tests/support/scratch_folder.h"
+
+namespace protocols {
+namespace mesh_file_test {
+
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string kPly =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+    "z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 "
+    "1 2\n";
+const std::string kStl =
+    "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+    "endfacet\nendsolid s\n";
+
+std::string binaryStl() {
+  std::string text = "solid, says its head, and is binary";
+  text.resize(80, ' ');
+  const std::uint32_t count = 1;
+  text.append(reinterpret_cast<const char*>(&count), sizeof count);
+  const float numbers[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  text.append(reinterpret_cast<const char*>(numbers), sizeof numbers);
+  return text + std::string(2, '\0');
+}
+
+std::string polygon(int corners, const std::string& more = "") {
+  std::string text = more;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    text += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+  }
+  text += "f";
+  for (int i = 1; i <= corners; ++i) text += " " + std::to_string(i);
+  return text + "\n";
+}
+
+std::string complaintAbout(const std::string& text) {
+  try {
+    readMesh(text);
+  } catch (const questionnaires::Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::size_t trianglesIn(const std::string& text) {
+  std::size_t count = 0;
+  for (const auto& surface : readMesh(text)) count += surface.triangles.size();
+  return count;
+}
+
+double secondsOf(const std::function<void()>& action) {
+  const auto began = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
+TEST(MeshFile, ReadsStlObjAndPly) {
+  for (const auto& text : {kObj, kPly, kStl, binaryStl()}) {
+    EXPECT_EQ(trianglesIn(text), 1U) << text.substr(0, 30);
+  }
+}
+
+TEST(MeshFile, RefusesOtherFormatsWhateverTheirName) {
+  const tests::ScratchFolder folder;
+  const std::string collada =
+      "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+      "version=\"1.4.1\"></COLLADA>";
+  const std::string gltf =
+      "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{\"uri\": \"x.bin\"}]}";
+  const std::string blender = "BLENDER-v279" + std::string(200, '\0');
+  const std::string ifc = "ISO-10303-21;\nHEADER;\n";
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const auto& text : {collada, gltf, blender, ifc, off, std::string()}) {
+    EXPECT_NE(complaintAbout(text).find("no STL, OBJ or PLY"), std::string::npos) << text;
+  }
+  const std::string path = folder / "bone.obj";
+  std::ofstream(path) << collada;
+  EXPECT_THROW(readMeshFile(path), questionnaires::Error);
+}
+
+TEST(MeshFile, OpensNoFileThatItNames) {
+  const tests::ScratchFolder folder;
+  const std::string fifo = folder / "pipe.mtl";
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  const std::string path = folder / "bone.obj";
+  std::ofstream(path) << "mtllib pipe.mtl\nmtllib " << fifo << "\n" << kObj;
+  EXPECT_EQ(readMeshFile(path).size(), 1U);  // whoever opens the pipe waits for ever
+}
+
+TEST(MeshFile, IsAnOrdinaryFile) {
+  const tests::ScratchFolder folder;
+  const std::string fifo = folder / "bone.stl";
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_THROW(readMeshFile(fifo), questionnaires::Error);
+  EXPECT_THROW(readMeshFile("/dev/zero"), questionnaires::Error);
+  EXPECT_THROW(readMeshFile(folder / "missing.stl"), questionnaires::Error);
+}
+
+TEST(MeshFile, CutsFacesOfAFewCornersAndRefusesThoseOfThousands) {
+  EXPECT_EQ(trianglesIn(polygon(300)), 298U);
+  double seconds = secondsOf(
+      [] { EXPECT_NE(complaintAbout(polygon(20'000)).find("20000"), std::string::npos); });
+  EXPECT_LT(seconds, 2.0);  // 7.4 s when all corners were cut
+}
+
+}  // namespace mesh_file_test
+}  // namespace protocols

@@ -1,0 +1,65 @@
+// Limits of force and of its change that a file may ask for.
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "protocols/load_protocol.h"
+#include "tests/protocols/small_protocol.h"
+#include "tests/support/scratch_folder.h"
+
+namespace protocols {
+namespace limits_test {
+
+/// What is said of a protocol on a punch with these limits, in a file.
+std::string verdict(const std::string& force, const std::string& rate) {
+  auto text = tests::usualProtocol();
+  text = tests::with(text, "\"max_force_n\": 8", "\"max_force_n\": " + force);
+  text =
+      tests::with(text, "\"max_force_rate_n_per_s\": 500", "\"max_force_rate_n_per_s\": " + rate);
+  const tests::ScratchFolder folder;
+  const std::string path = folder / "protocol.json";
+  std::ofstream(path) << text;
+  questionnaires::Problems problems;
+  const bool isUsable = loadProtocolFile(path, problems).has_value();
+  return (isUsable ? "usable " : "refused ") + questionnaires::describe(problems.all());
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Limits, OfShippedProtocolsAreBearable) {
+  EXPECT_TRUE(has(verdict("8", "500"), "usable "));
+  EXPECT_FALSE(has(verdict("8", "500"), "max_force"));
+}
+
+TEST(Limits, ThatNoHandStandsAreErrorsWithTheSourceOfTheBound) {
+  const auto said = verdict("1000", "500");
+  EXPECT_TRUE(has(said, "refused ")) << said;
+  EXPECT_TRUE(has(said, "ISO/TS 15066:2016, table A.2")) << said;
+  EXPECT_TRUE(has(verdict("140", "500"), "usable "));
+  EXPECT_TRUE(has(verdict("140.1", "500"), "refused "));
+}
+
+TEST(Limits, OfAForceThatComesInOneTickAreErrors) {
+  EXPECT_TRUE(has(verdict("8", "1000000"), "as a blow"));
+  EXPECT_TRUE(has(verdict("8", "8000"), "usable "));
+  EXPECT_TRUE(has(verdict("8", "8001"), "refused "));
+}
+
+TEST(Limits, BeyondTheKindOfDeviceAreWarnedOf) {
+  const auto said = verdict("40", "500");
+  EXPECT_TRUE(has(said, "usable ")) << said;
+  EXPECT_TRUE(has(said, "a punch gives 8 N")) << said;
+}
+
+TEST(Limits, OfAStudyThatExistsStayAsTheyAre) {
+  const auto text =
+      tests::with(tests::usualProtocol(), "\"max_force_n\": 8", "\"max_force_n\": 1000");
+  questionnaires::Problems problems;
+  EXPECT_TRUE(loadProtocol(
+      text, [](const auto&) { return std::nullopt; }, problems));
+}
+
+}  // namespace limits_test
+}  // namespace protocols
