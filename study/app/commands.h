@@ -16,7 +16,9 @@ using Action = std::function<int()>;
 void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
-void addConsentCommand(CLI::App& noun, Action& action);  // adds to the command "study"
+void addConsentCommand(CLI::App& noun, Action& action);        // adds to the command "study"
+void addProtocolTextsCommand(CLI::App& noun, Action& action);  // adds to "protocol"
+void addStudyTextsCommand(CLI::App& noun, Action& action);     // adds to "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);

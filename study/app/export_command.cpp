@@ -8,6 +8,7 @@
 #include "study/app/commands.h"
 #include "study/app/run_mode_option.h"
 #include "study/export/export.h"
+#include "study/export/named_people.h"
 #include "study/export/public_tables.h"
 #include "study/words/counted.h"
 
@@ -60,6 +61,9 @@ int exportAs(const ExportArguments& options) {
       .runMode = chosenRunMode(study, options.runMode),
       .isBlinded = !options.unblind,
       .hasTraces = options.traces};
+  if (!options.forPublic && how.runMode != RunMode::Simulated) {
+    fmt::print("{}", identifiabilityInWords(study, how));
+  }
   if (options.forPublic) {
     how.publicClass = options.smallestClass;
     fmt::print("{}", describe(publicRelease(study, how)));

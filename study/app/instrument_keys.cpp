@@ -15,7 +15,7 @@ using questionnaires::Item;
 using questionnaires::Score;
 using questionnaires::shown;
 
-std::string lineOf(const Item& item) {
+std::string keyLineOf(const Item& item) {
   const auto range = questionnaires::rangeOf(item);
   if (!range) return {};
   const std::string counts =
@@ -78,7 +78,7 @@ std::string formulaOf(const Score& score) {
 
 std::string keysInWords(const Instrument& instrument) {
   std::string text;
-  for (const auto& item : instrument.items) text += lineOf(item);
+  for (const auto& item : instrument.items) text += keyLineOf(item);
   for (const auto& score : instrument.scores) {
     text += fmt::format("\n{}: {}\n  = {}\n", score.id, score.title.in("en"), formulaOf(score));
     text += "  " + missingRuleOf(score);

@@ -108,6 +108,15 @@ std::string statusAsJson(Study& study) {
   return printed(json);
 }
 
+std::string blanksAsJson(const std::vector<protocols::Blank>& blanks) {
+  Json all = Json::array();
+  for (const auto& blank : blanks) {
+    const auto text = blank.text.isEmpty() ? Json(nullptr) : Json(blank.text.all());
+    all.push_back({{"key", blank.key}, {"title", base::describe(blank.title)}, {"text", text}});
+  }
+  return printed(all);
+}
+
 std::string verificationAsJson(const Verification& verification) {
   Json json{
       {"sound", verification.isSound()},

@@ -9,6 +9,7 @@
 #include "haptics/engine/rendered_slope.h"
 #include "haptics/recordings/cut_import.h"
 #include "haptics/recordings/trace.h"
+#include "protocols/model/blanks.h"
 #include "protocols/model/protocol.h"
 #include "questionnaires/json/problem.h"
 #include "study/app/scene_cost.h"
@@ -33,6 +34,9 @@ std::string testAsJson(
 std::string resultsAsJson(Study& study, const Results& results);
 
 std::string statusAsJson(Study& study);
+
+/// A list of blanks in texts: `key`, `title`, and `text` by language; null if it is blank.
+std::string blanksAsJson(const std::vector<protocols::Blank>& blanks);
 
 std::string verificationAsJson(const Verification& verification);
 

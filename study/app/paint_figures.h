@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "study/report/document.h"
+#include "study/report/pdf_report.h"
 #include "study/report/report_section.h"
 
 namespace study::app {
@@ -16,7 +17,11 @@ void paintFigures(std::vector<report::ReportSection>& sections);
 void paintFigures(report::Document& document);
 
 /// One of our pages as a PDF file. @throws std::runtime_error  if the program was built without Qt.
-std::string pdfOf(const std::string& html, const std::string& title);
+std::string pdfOf(
+    const std::string& html, const std::string& title, report::Paper paper = report::Paper::A4);
+
+/// The HTML of a text of an instrument; without Qt its markup stays as it is written.
+std::string htmlOf(const std::string& text);
 
 /// Writes every figure of a section into a folder as SVG, PDF and PNG (300 dpi).
 /// @return the number of figures; 0 if none were painted.

@@ -9,6 +9,7 @@
 #include "study/model/new_file.h"
 #include "study/report/figures/chart_painter.h"
 #include "study/report/figures/figures.h"
+#include "study/report/marked_text.h"
 #include "study/report/pdf_report.h"
 
 namespace study::app {
@@ -45,9 +46,14 @@ void paintFigures(report::Document& document) {
   }
 }
 
-std::string pdfOf(const std::string& html, const std::string& title) {
+std::string pdfOf(const std::string& html, const std::string& title, report::Paper paper) {
   const auto application = applicationForFonts();
-  return report::asPdf(html, title);
+  return report::asPdf(html, title, paper);
+}
+
+std::string htmlOf(const std::string& text) {
+  const auto application = applicationForFonts();
+  return report::asHtml(QString::fromStdString(text)).toStdString();
 }
 
 int writeFigures(const report::ReportSection& section, const std::filesystem::path& folder) {

@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QIcon>
 
+#include "study/app/printing/visible_output.h"
 #include "study/app/studio_options.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/desk/help_window.h"
@@ -82,6 +83,7 @@ int writeKnee(const QString& path) {
 
 int main(int argc, char** argv) {
   study::keepNewFilesPrivate();
+  study::app::printOnlyVisibleText();
   QCommandLineParser parser;
   describe(parser);
   if (isAmong(argc, argv, {"--help", "-h", "-?", "--help-all", "--version", "-v"})) {

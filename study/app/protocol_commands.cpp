@@ -154,7 +154,7 @@ int orders(const OrdersOptions& options) {
 
 void addProtocolCommands(CLI::App& program, Action& action) {
   auto* noun =
-      program.add_subcommand("protocol", "Check a protocol; list the orders of its participants");
+      program.add_subcommand("protocol", "Check a protocol; list its orders; fill in its texts");
   noun->require_subcommand(1);
 
   auto checking = std::make_shared<CheckOptions>();
@@ -181,6 +181,8 @@ void addProtocolCommands(CLI::App& program, Action& action) {
     ordering->hasSeed = seed->count() > 0;
     action = [ordering] { return app::orders(*ordering); };
   });
+
+  addProtocolTextsCommand(*noun, action);
 }
 
 }  // namespace study::app

@@ -22,6 +22,8 @@ struct ReportArguments {
   std::string out;
   std::string figures;
   std::string language = "en";
+  std::string paper = "a4";
+  bool hasQuotes = true;
   std::string runMode;
   std::string reason;
 };
@@ -59,8 +61,10 @@ int report(const ReportArguments& options) {
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));
+    sections.back().hasQuotes = options.hasQuotes;
   }
-  writeReport(sections, options.out);
+  writeReport(
+      sections, options.out, options.paper == "letter" ? report::Paper::Letter : report::Paper::A4);
   fmt::print("{} holds the report.\n", options.out);
   if (!options.figures.empty()) writeFigureFolder(sections, options.figures);
   return 0;
@@ -89,6 +93,13 @@ void addReportCommand(CLI::App& program, Action& action) {
   command->add_option("--language", options->language, "In which language: " + knownLanguages())
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));
+  command->add_option("--paper", options->paper, "Size of the pages of a PDF: a4, letter")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"a4", "letter"}));
+  command->add_flag(
+      "!--no-quotes",
+      options->hasQuotes,
+      "Leave out what participants wrote, to publish the report");
   addRunModeOption(*command, options->runMode);
   addReasonOption(*command, options->reason);
   command->callback([&action, options] { action = [options] { return app::report(*options); }; });

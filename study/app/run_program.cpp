@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "study/app/printing/visible_output.h"
 #include "study/model/new_file.h"
 
 namespace study::app {
@@ -57,6 +58,7 @@ bool isPrinted(const CLI::App& program) {
 
 int runProgram(CLI::App& program, const Action& action, int argc, char** argv) {
   keepNewFilesPrivate();
+  printOnlyVisibleText();
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

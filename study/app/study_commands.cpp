@@ -360,6 +360,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
       options->noted,
       "A head of the audit trail that was noted earlier: fails if it is not there");
 
+  addStudyTextsCommand(*noun, action);
   addConsentCommand(*noun, action);
 }
 

@@ -92,6 +92,11 @@ class TerminalSession {
  private:
   const std::string& language() const { return session_.language(); }
 
+  /// What the participant calls an alternative.
+  std::string alternative(const std::string& number) const {
+    return session_.protocol().protocol.labels.nameOf(number, language());
+  }
+
   void step() {
     if (session_.state() == SessionState::Interrupted) {
       fmt::print("\nThe last trial broke off. It begins again.\n");
@@ -118,8 +123,8 @@ class TerminalSession {
   bool acceptsOffer() {
     const auto& step = session_.step();
     if (!step.isOffered) return true;
-    const auto& prefix = session_.protocol().protocol.labels.prefix;
-    fmt::print("\nFeel {} {} again before you choose? [y/N] ", prefix.in(language()), step.label);
+    fmt::print(
+        "\nFeel {} again before you choose? [y/N] ", alternative(std::to_string(step.label)));
     return isYes(readLine());
   }
 
@@ -136,6 +141,7 @@ class TerminalSession {
     const auto items = session_.items();
     const auto begin = std::chrono::steady_clock::now();
     for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!session_.isAsked(items[i])) continue;
       while (!ask(items[i], static_cast<int>(i) + 1, begin)) {
       }
     }
@@ -197,9 +203,8 @@ class TerminalSession {
   std::vector<std::pair<std::string, std::string>> optionsOf(const Item& item) const {
     std::vector<std::pair<std::string, std::string>> options;
     if (item.optionSource == questionnaires::OptionSource::Alternatives) {
-      const auto& prefix = session_.protocol().protocol.labels.prefix.in(language());
       for (const auto& label : session_.step().alternatives) {
-        options.emplace_back(label, prefix + " " + label);
+        options.emplace_back(label, alternative(label));
       }
       return options;
     }
@@ -247,9 +252,8 @@ class TerminalSession {
     const std::string stroke(kind.strokeName.in("en"));
     const std::string strokes(kind.strokesName.in("en"));
     fmt::print(
-        "\n== {} {} == [Enter: then {} to be made] ",
-        session_.protocol().protocol.labels.prefix.in(language()),
-        step.label,
+        "\n== {} == [Enter: then {} to be made] ",
+        alternative(std::to_string(step.label)),
         words::counted(
             static_cast<std::uint64_t>(step.minimumCuts), stroke + " is", strokes + " are"));
     readLine();
@@ -294,10 +298,7 @@ bool confirmEnrolment(Study& study, const Enrolment& enrolment) {
   if (blanks.empty()) return true;
   fmt::print("A participant would read what is still to be filled in:\n");
   for (const auto& blank : blanks) fmt::print("  {}: {}\n", blank.where, blank.words);
-  fmt::print(
-      "Write what holds there beside the protocol and amend the study, or try it with --pilot. "
-      "Begin "
-      "all the same? [y/N] ");
+  fmt::print("Fill in with 'palpate study texts', or try it with --pilot. Start anyway? [y/N] ");
   try {
     return isYes(readLine());
   } catch (const InputEnded&) {

@@ -8,11 +8,12 @@
 
 namespace study::app {
 
-void writeReport(std::vector<report::ReportSection>& sections, const std::string& path) {
+void writeReport(
+    std::vector<report::ReportSection>& sections, const std::string& path, report::Paper paper) {
   paintFigures(sections);
   const auto html = report::asHtml(sections);
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
-  writeNewFile(path, isPdf ? pdfOf(html, sections.front().protocol.study.title) : html);
+  writeNewFile(path, isPdf ? pdfOf(html, sections.front().protocol.study.title, paper) : html);
 }
 
 }  // namespace study::app

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "study/report/pdf_report.h"
 #include "study/report/report_section.h"
 
 namespace study::app {
@@ -10,6 +11,9 @@ namespace study::app {
 /// Paints the figures if the program was built with Qt, and writes the page, as a PDF if @p path
 /// ends in .pdf.
 /// @throws storage::StorageError  if the file exists already or cannot be written.
-void writeReport(std::vector<report::ReportSection>& sections, const std::string& path);
+void writeReport(
+    std::vector<report::ReportSection>& sections,
+    const std::string& path,
+    report::Paper paper = report::Paper::A4);
 
 }  // namespace study::app

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,8 +53,8 @@ class SimulatedSession {
             static_cast<std::uint64_t>(session.slot())),
         seed_(seed) {}
 
-  void run() {
-    while (!session_.isOver()) {
+  void run(int until = std::numeric_limits<int>::max()) {
+    while (!session_.isOver() && session_.stepIndex() < until) {
       const std::string phase = session_.step().phase;
       if (session_.state() == SessionState::Interrupted) {
         session_.repeatStep("a trial had been broken off");
@@ -159,6 +160,7 @@ class SimulatedSession {
     const auto already = session_.answers();
     double shown = 0.0;
     for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!session_.isAsked(items[i])) continue;
       const double touched = shown + person_.secondsFor(phase + "/" + items[i].id, 1.0, 8.0);
       const auto response = person_.answer(session_, items[i]);
       const bool isThere = std::any_of(already.begin(), already.end(), [&](const auto& answer) {
@@ -265,6 +267,12 @@ void simulate(
     const Acknowledge& acknowledge,
     const OnDevices& on) {
   SimulatedSession(study, session, clock, seed, acknowledge, on).run();
+}
+
+void simulateUntil(
+    Study& study, Session& session, SimulatedClock& clock, std::uint64_t seed, int step) {
+  const Acknowledge nobody = [](const Acknowledged&) {};
+  SimulatedSession(study, session, clock, seed, nobody, {}).run(step);
 }
 
 std::vector<SimulatedEnding> simulateCohorts(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace study {
@@ -53,6 +54,18 @@ std::int64_t SimulatedParticipant::point(
   return std::clamp<std::int64_t>(std::llround(answer), item.scale.lowest, item.scale.highest());
 }
 
+double SimulatedParticipant::between(
+    const Session& session, const Item& item, const std::string& purpose) const {
+  const double felt =
+      realismOf(session.step().condition) + truth_.answerDeviation * stream(purpose).normal();
+  const double unit = (item.most - item.least) / 4.0;  // realism is defined on five points
+  const double answer = std::clamp(
+      std::midpoint(item.least, item.most) + item.key * unit * felt, item.least, item.most);
+  const double step = item.step > 0.0 ? item.step : 1.0;
+  const double steps = std::floor((item.most - item.least) / step + 1e-9);
+  return item.least + step * std::min(steps, std::round((answer - item.least) / step));
+}
+
 std::string SimulatedParticipant::preferred(
     const Session& session, const std::string& purpose) const {
   std::string best;
@@ -86,6 +99,9 @@ std::optional<Response> SimulatedParticipant::answer(
     case AnswerKind::Point:
       return point(session, item, purpose);
     case AnswerKind::Number: {
+      if (item.type == questionnaires::ItemType::Slider && !session.step().condition.empty()) {
+        return between(session, item, purpose);
+      }
       const double share = std::clamp(0.45 + 0.18 * random.normal(), 0.0, 1.0);
       const double step = item.step > 0.0 ? item.step : 1.0;
       const double steps = std::floor((item.most - item.least) / step + 1e-9);

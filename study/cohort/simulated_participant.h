@@ -54,6 +54,9 @@ class SimulatedParticipant {
   base::RandomStream stream(const std::string& purpose) const;
   std::int64_t point(
       const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
+  /// A slider's answer about a condition, which follows its realism as a point does.
+  double between(
+      const Session& session, const questionnaires::Item& item, const std::string& purpose) const;
   std::string preferred(const Session& session, const std::string& purpose) const;
 
   protocols::SimulationTruth truth_;
@@ -97,6 +100,11 @@ void simulate(
     std::uint64_t seed,
     const Acknowledge& acknowledge,
     const OnDevices& on = {});
+
+/// The same with simulated devices, but only until the session has come to @p step of its plan,
+/// from 0, or has ended.
+void simulateUntil(
+    Study& study, Session& session, SimulatedClock& clock, std::uint64_t seed, int step);
 
 /// Simulates until @p participants simulated participants have finished, divided among the cohorts
 /// in proportion to the plan. Interrupted sessions are resumed first. With a device file the trials

@@ -2,6 +2,7 @@
 
 #include "study/export/codebook.h"
 #include "study/export/export_parts.h"
+#include "study/export/named_people.h"
 #include "study/export/public_tables.h"
 #include "study/export/study_tables.h"
 #include "study/words/counted.h"
@@ -160,8 +161,8 @@ std::string readmeOf(
       "- UTF-8, decimal points, lines end with LF; an empty cell is a missing value.\n"
       "- Free text that begins with = + - @ has an apostrophe before it, so that no "
       "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
-      "- What a column holds is written in `codebook.json`, or beside each table.\n"
-      "- Nothing in this folder names a person.\n";
+      "- What a column holds is written in `codebook.json`, or beside each table.\n";
+  text += identifiabilityInWords(study, options);
   if (hasHead(options)) {
     text += "- The study's audit trail had " + study.events().headInWords() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";

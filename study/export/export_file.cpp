@@ -6,6 +6,7 @@
 #include "study/export/export.h"
 #include "study/export/export_parts.h"
 #include "study/export/library.h"
+#include "study/export/public_history.h"
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"
 
@@ -106,7 +107,8 @@ void noteExport(Study& study, const ExportOptions& options, const std::string& r
          .values = {
              {"k", base::asArgument(release.k)},
              {"people", base::asArgument(release.after.people)},
-             {"smallest", base::asArgument(release.after.smallest)}}});
+             {"smallest", base::asArgument(release.after.smallest)},
+             {"run_mode", std::string(nameOf(options.runMode.value_or(RunMode::Live)))}}});
   }
   if (!options.isBlinded) study.note(EventKind::UnblindedExport, reason);
 }
@@ -139,6 +141,7 @@ std::size_t exportStudy(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
   requireAllowed(options, reason);
+  if (options.publicClass) requireNothingLaidBare(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, options, reason);
   const fs::path unfinished = newFolderBeside(target);

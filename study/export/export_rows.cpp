@@ -1,6 +1,7 @@
 #include "study/export/export_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
@@ -12,17 +13,26 @@ namespace {
 using storage::SessionRecord;
 using storage::StepRecord;
 
-/// The time of events since the session's first event. The monotonic clock starts again with the
-/// computer, so the time between two runs of the program is taken from the wall clock.
+/// The time between two events of a session [ns]. The monotonic clock starts again with the
+/// computer, so the time between two runs of the program is taken from the wall clock, less what
+/// that was set by.
+std::int64_t timeBetween(const Moment& last, const storage::Event& event) {
+  const std::int64_t byWallClock = (event.when.wall - last.wall) * 1'000'000;
+  if (event.kind == EventKind::Resumed || event.kind == EventKind::TookOver) return byWallClock;
+  if (const auto* by = event.value("by_s");
+      event.kind == EventKind::ClockStepped && by != nullptr) {
+    if (const auto* step = std::get_if<double>(by)) return byWallClock - std::llround(*step * 1e9);
+  }
+  return event.when.monotonic - last.monotonic;
+}
+
+/// The time of events since the session's first event.
 class Onsets {
  public:
   double of(const storage::Event& event) {
     auto& last = last_[event.visit->session];
     if (last) {
-      const bool isNewRun = event.kind == EventKind::Resumed;
-      const auto passed = isNewRun ? (event.when.wall - last->when.wall) * 1'000'000
-                                   : event.when.monotonic - last->when.monotonic;
-      last->onset += std::max<std::int64_t>(passed, 0);
+      last->onset += std::max<std::int64_t>(timeBetween(last->when, event), 0);
       last->when = event.when;
     } else {
       last = {.when = event.when};

@@ -1,6 +1,7 @@
 #include "study/results/answer_tables.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <variant>
@@ -9,8 +10,6 @@
 
 namespace study {
 namespace {
-
-using questionnaires::ItemType;
 
 std::optional<std::size_t> placeOf(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -30,6 +29,12 @@ const protocols::ConditionQuestionnaire* questionnaireIn(
 
 }  // namespace
 
+std::optional<double> numberOf(const questionnaires::Response& response) {
+  if (const auto* point = std::get_if<std::int64_t>(&response)) return static_cast<double>(*point);
+  if (const auto* number = std::get_if<double>(&response)) return *number;
+  return std::nullopt;
+}
+
 std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family) {
   std::set<std::string> named;
@@ -47,23 +52,25 @@ FamilyLayout::FamilyLayout(const protocols::LoadedProtocol& loaded, const protoc
   for (const auto& phase : loaded.protocol.phases) {
     if (questionnaireIn(phase, family) != nullptr) table_.rounds.push_back(phase.id);
   }
-  for (const auto& item : instrument_.items) {
-    if (item.type != ItemType::Likert) continue;
-    table_.lowest = item.scale.lowest;
-    table_.highest = item.scale.highest();
+  for (const auto& item : protocols::comparedItems(family, instrument_.items)) {
+    const auto scale = protocols::wholeScaleOf(item);
+    if (!scale) continue;  // of an earlier version's protocol
+    table_.lowest = scale->lowest;
+    table_.highest = scale->highest;
     table_.statements.push_back(item.id);
   }
 }
 
-std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(
-    const Origin& origin, std::int64_t point) const {
+std::optional<FamilyLayout::Cell> FamilyLayout::cellOf(const Origin& origin, double answer) const {
   if (origin.instrument != instrument_.id) return std::nullopt;
   const auto method = placeOf(table_.methods, origin.condition);
   const auto round = placeOf(table_.rounds, origin.phase);
   const auto statement = placeOf(table_.statements, origin.item);
   if (!method || !round || !statement) return std::nullopt;
-  const auto score = questionnaires::keyed(*instrument_.item(origin.item), point);
-  if (score < table_.lowest || score > table_.highest) return std::nullopt;
+  const double score = questionnaires::keyedNumber(*instrument_.item(origin.item), answer);
+  const bool isOnScale =
+      score == std::round(score) && score >= table_.lowest && score <= table_.highest;
+  if (!isOnScale) return std::nullopt;
   return Cell{*method, *round, *statement, static_cast<int>(score)};
 }
 
@@ -78,10 +85,10 @@ analysis::AnswerTable answerTable(
   for (const auto& [participant, record] : answers) {
     const auto& step = record->step;
     const auto person = placeOf(table.participants, *participant);
-    const auto* point = std::get_if<std::int64_t>(&record->answer.response);
-    if (step.kind != StepKind::Questionnaire || !person || point == nullptr) continue;
+    const auto given = numberOf(record->answer.response);
+    if (step.kind != StepKind::Questionnaire || !person || !given) continue;
     const auto cell =
-        layout.cellOf({step.instrument, step.phase, step.condition, record->answer.item}, *point);
+        layout.cellOf({step.instrument, step.phase, step.condition, record->answer.item}, *given);
     if (!cell) continue;
     table.answers.push_back(
         {.participant = *person,
@@ -105,9 +112,8 @@ std::vector<std::size_t> expectedAnswers(
     if (questionnaire == nullptr) continue;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (!placeOf(phase.trials.conditions, table.methods[i])) continue;
-      for (const auto& item : instrument.itemsOf(questionnaire->setFor(table.methods[i]))) {
-        if (item.type == ItemType::Likert) ++expected[i];
-      }
+      const auto items = instrument.itemsOf(questionnaire->setFor(table.methods[i]));
+      expected[i] += protocols::comparedItems(family, items).size();
     }
   }
   return expected;

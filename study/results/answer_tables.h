@@ -17,13 +17,16 @@ struct OwnedAnswer {
   const storage::AnswerRecord* record = nullptr;
 };
 
+/// A point or a number that was answered; std::nullopt for options and texts.
+std::optional<double> numberOf(const questionnaires::Response& response);
+
 /// The conditions that a family compares, in the protocol's order.
 std::vector<std::string> conditionsOf(
     const protocols::Protocol& protocol, const protocols::Family& family);
 
 /// Which answers a family compares, and their cells in its table. Methods are the conditions that
-/// it compares, rounds the blocks that ask its instrument, statements that instrument's Likert
-/// items. The protocol must outlive it.
+/// it compares, rounds the blocks that ask its instrument, statements the items that it compares.
+/// The protocol must outlive it.
 class FamilyLayout {
  public:
   FamilyLayout(const protocols::LoadedProtocol& loaded, const protocols::Family& family);
@@ -46,7 +49,7 @@ class FamilyLayout {
   };
   /// The cell of an answer. std::nullopt if the family does not compare it, or if it was given on
   /// the scale of an earlier version of the protocol; it then counts as missing.
-  std::optional<Cell> cellOf(const Origin& origin, std::int64_t point) const;
+  std::optional<Cell> cellOf(const Origin& origin, double answer) const;
 
  private:
   const questionnaires::Instrument& instrument_;

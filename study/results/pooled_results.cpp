@@ -52,8 +52,8 @@ std::vector<analysis::NamedCounts> countsIn(
       table.methods.size(), std::vector<std::uint64_t>(width));
   for (const auto& one : points) {
     if (one.cohort != cohort) continue;
-    const auto cell =
-        layout.cellOf({one.instrument, one.phase, one.condition, one.item}, one.point);
+    const auto cell = layout.cellOf(
+        {one.instrument, one.phase, one.condition, one.item}, static_cast<double>(one.point));
     if (!cell) continue;
     times[cell->method][static_cast<std::size_t>(cell->score - table.lowest)] += one.times;
   }

@@ -62,6 +62,7 @@ class Computation {
       }
     }
     results.instruments = summariseInstruments(loaded_, sessions_, answers_);
+    results.answers = summariseItems(loaded_, sessions_, answers_, allocation_);
     return results;
   }
 

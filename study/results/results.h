@@ -15,6 +15,7 @@
 #include "analysis/tests/vote_tests.h"
 #include "study/model/run_mode.h"
 #include "study/results/instrument_scores.h"
+#include "study/results/item_summaries.h"
 #include "study/session/study.h"
 
 namespace study {
@@ -110,6 +111,7 @@ struct Results {
   std::vector<FamilyResult> families;
   std::vector<VoteResult> votes;
   std::vector<InstrumentSummary> instruments;  ///< see InstrumentSummary
+  ItemResults answers;                         ///< every answered item by itself
 
   int completed() const;
 };

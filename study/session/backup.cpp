@@ -43,12 +43,13 @@ class Snapshot {
   const std::array<Database, 3>& databases() const noexcept { return databases_; }
 
  private:
-  /// std::nullopt if the study cannot be written at all: an archive, or a read-only disk.
+  /// std::nullopt if the study cannot be written at all: an archive, a read-only or a full disk.
   static std::optional<Database> writerOf(const StudyFiles& files) {
     try {
       return Database::open(files.study(), storage::studySchema(), Access::ReadWrite);
     } catch (const StorageError& error) {
-      if (error.kind() != StorageError::Kind::Other) throw;
+      using Kind = StorageError::Kind;
+      if (error.kind() != Kind::Other && error.kind() != Kind::DiskFull) throw;
       return std::nullopt;
     }
   }

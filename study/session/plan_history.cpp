@@ -110,6 +110,7 @@ std::vector<std::string_view> differingKeys(const Family& before, const Family& 
     if (differs) keys.push_back(key);
   };
   note(before.instrument != after.instrument, "instrument");
+  note(before.items != after.items, "items");
   note(before.blocks != after.blocks, "blocks");
   note(pairsOf(before) != pairsOf(after), "comparisons");
   note(before.test != after.test, "test");

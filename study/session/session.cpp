@@ -73,6 +73,22 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   return plan;
 }
 
+/// When something was stored of the session for the last time, on clocks that can be compared with
+/// those of now. Only the computer on which a program crashed, and only until it is restarted, has
+/// the same monotonic clock. Elsewhere the time since is what the wall clocks say, and nothing if
+/// they go back.
+std::optional<Moment> lastMomentOf(
+    Study& study, const SessionRow& row, const std::optional<storage::Lease::Holder>& holder) {
+  if (row.runMode == RunMode::Simulated) return std::nullopt;  // its time is made up anyway
+  const auto events = study.events().read(row.id);
+  if (events.empty()) return std::nullopt;
+  Moment last = events.back().when;
+  const Moment now = study.clock().now();
+  if (holder && holder->isOfThisBoot && last.monotonic <= now.monotonic) return last;
+  last.monotonic = now.monotonic - std::max<std::int64_t>(now.wall - last.wall, 0) * 1'000'000;
+  return last;
+}
+
 }  // namespace
 
 Session::Session(Study& study, SessionRow row, std::vector<Step> plan, storage::Lease lease)
@@ -128,6 +144,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
   requireSound(study, row, plan);
   Session session(study, std::move(row), std::move(plan), std::move(*lease));
   if (session.isOver()) return session;
+  session.lastMoment_ = lastMomentOf(study, session.row_, holder);
   session.transact([&] {
     if (holder && holder->isAlive) {
       session.say(

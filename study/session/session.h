@@ -66,7 +66,10 @@ class Session {
   std::vector<questionnaires::Item> items() const;
   /// The answers given in this step so far.
   std::vector<GivenAnswer> answers() const;
-  /// The required items without an answer. Answers that name a person count as given.
+  /// Whether the answers given so far leave @p item, one of items(), to be asked.
+  bool isAsked(const questionnaires::Item& item) const;
+  /// The required items that are asked and have no answer. Answers that name a person count as
+  /// given.
   std::vector<std::string> missing() const;
 
   /// Stores an answer, or a changed one, in one transaction.

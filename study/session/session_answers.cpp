@@ -22,6 +22,12 @@ GivenAnswer asKept(const questionnaires::Item& item, GivenAnswer answer) {
   return answer;
 }
 
+std::vector<questionnaires::Answer> responses(const std::vector<GivenAnswer>& answers) {
+  std::vector<questionnaires::Answer> responses;
+  for (const auto& answer : answers) responses.push_back({answer.item, answer.response});
+  return responses;
+}
+
 }  // namespace
 
 const questionnaires::Instrument* Session::instrument() const {
@@ -41,11 +47,13 @@ storage::IdentityStore::Place Session::place() const {
   return {row_.participant, row_.number, row_.step, row_.attempt};
 }
 
+bool Session::isAsked(const questionnaires::Item& item) const {
+  return !item.showIf.isSet() || questionnaires::isAsked(item, items(), responses(answers()));
+}
+
 std::vector<std::string> Session::missing() const {
-  std::vector<questionnaires::Answer> given;
-  for (auto& answer : answers()) given.push_back({answer.item, std::move(answer.response)});
   const auto asked = items();
-  auto missing = questionnaires::unanswered(asked, given);
+  auto missing = questionnaires::unanswered(asked, responses(answers()));
   std::erase_if(missing, [&](const std::string& id) {
     const auto item =
         std::find_if(asked.begin(), asked.end(), [&](const auto& i) { return i.id == id; });

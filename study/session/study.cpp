@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "protocols/load_protocol.h"
 #include "study/model/study_files.h"
+#include "study/storage/network_drive.h"
 #include "study/storage/reserved_space.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
@@ -51,6 +52,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
         ". Make one with 'palpate study create', or check the folder's name.");
   }
   const StudyFiles files{folder};
+  if (access == Database::Access::ReadWrite) storage::requireOwnDisk(files.study());
   auto database = Database::open(files.study(), storage::studySchema(), access);
   requireFinished(database);
   auto traces = Database::open(files.traces(), storage::traceSchema(), access);

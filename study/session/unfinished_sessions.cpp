@@ -9,10 +9,10 @@ namespace study {
 namespace {
 
 /// A step in words for the operator: the label of the alternative, never its condition.
-std::string placeOf(const Step& step) {
+std::string placeOf(const Step& step, const protocols::Labels& labels) {
   const bool hasLabel = step.kind == StepKind::Trial || step.kind == StepKind::Questionnaire;
   if (!hasLabel) return step.phase;
-  const std::string label = "Alternative " + std::to_string(step.label);
+  const std::string label = labels.nameOf(std::to_string(step.label), "en");
   return step.phase + (step.kind == StepKind::Trial ? ": " : ": questions on ") + label;
 }
 
@@ -44,10 +44,15 @@ std::optional<std::string> choiceFor(SessionState state, SessionEvent event) {
 std::vector<std::string> choicesFor(
     const UnfinishedSession& session, const std::vector<Step>& plan) {
   if (session.isOpenElsewhere()) {
+    const std::string there = "It is open on " + session.holder->station + " (process " +
+                              std::to_string(session.holder->pid) + ", since " +
+                              session.holder->since + "): go on there, or close it there first.";
+    if (!session.mayBeTakenOver()) return {there};
     return {
-        "It is open on " + session.holder->station + " (process " +
-        std::to_string(session.holder->pid) + ", since " + session.holder->since +
-        "): go on there, or close it there first."};
+        there,
+        "Take it over with a reason, if that computer is gone or has another name now. It "
+        "last stored something at " +
+            session.lastStoredUtc + "."};
   }
   // A trial that no program ended is broken off when its session is resumed.
   const auto found =
@@ -65,6 +70,11 @@ std::vector<std::string> choicesFor(
     if (choice) choices.push_back(*choice);
   }
   return choices;
+}
+
+std::string lastStoredOf(Study& study, const storage::SessionRow& row) {
+  const auto events = study.events().read(row.id);
+  return events.empty() ? row.startedUtc : asUtc(events.back().when.wall);
 }
 
 std::string whatHappened(const UnfinishedSession& session) {
@@ -101,8 +111,11 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
         .state = row.state,
         .step = row.step,
         .steps = static_cast<int>(plan.size()),
-        .place = placeOf(plan.at(static_cast<std::size_t>(row.step))),
+        .place = placeOf(
+            plan.at(static_cast<std::size_t>(row.step)),
+            study.protocol(row.protocol).protocol.labels),
         .startedUtc = row.startedUtc,
+        .lastStoredUtc = lastStoredOf(study, row),
         .holder = storage::Lease::holder(study.database(), row.id),
         .choices = {}};
     session.choices = choicesFor(session, plan);

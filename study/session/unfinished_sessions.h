@@ -20,11 +20,14 @@ struct UnfinishedSession {
   int steps = 0;      ///< number of all steps
   std::string place;  ///< "round-1: Alternative 2"; never a condition
   std::string startedUtc;
+  std::string lastStoredUtc;                     ///< of its last event
   std::optional<storage::Lease::Holder> holder;  ///< the program that has it open, or had it open
                                                  ///< when it ended
   std::vector<std::string> choices;  ///< the possible actions, one sentence each; never empty
 
   bool isOpenElsewhere() const noexcept { return holder && holder->isAlive; }
+  /// Whether it is open on another computer: nobody can see from here whether that is gone.
+  bool mayBeTakenOver() const noexcept { return isOpenElsewhere() && !holder->isHere; }
 };
 
 /// All unfinished sessions of a study, the oldest first. Changes nothing.

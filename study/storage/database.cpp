@@ -1,7 +1,6 @@
 #include "study/storage/database.h"
 
 #include <sys/statvfs.h>
-#include <sys/vfs.h>
 
 #include <cerrno>
 #include <chrono>
@@ -12,6 +11,8 @@
 
 #include <sqlite3.h>
 
+#include "study/storage/network_drive.h"
+#include "study/storage/reserved_space.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
 
@@ -20,19 +21,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kBusyPause{2};
 constexpr int kMostPauses = 1500;  // about 3 s in all; then the caller gets an error
-
-/// Whether the file is on a network file system. There SQLite's write-ahead log does not work
-/// between computers.
-bool isNetworkFileSystem(const std::string& path) {
-  constexpr long kNfs = 0x6969;
-  constexpr long kSmb = 0x517b;
-  constexpr long kSmb2 = 0xfe534d42;
-  constexpr long kCifs = 0xff534d42;
-  struct statfs info {};
-  const auto folder = std::filesystem::absolute(path).parent_path().string();
-  if (statfs(folder.c_str(), &info) != 0) return false;
-  return info.f_type == kNfs || info.f_type == kSmb || info.f_type == kSmb2 || info.f_type == kCifs;
-}
 
 /// Whether the file cannot be written by anyone: an archive, or a read-only disk. A log beside the
 /// file would have to be read as well, which is impossible without writing.
@@ -80,9 +68,9 @@ int waitForOthers(void* /*unused*/, int pauses) {
 
 }  // namespace
 
-Database::Database(std::string path, int flags) : path_(std::move(path)) {
+Database::Database(std::string path, int flags, Reading reading) : path_(std::move(path)) {
   const bool isOnlyRead = (flags & SQLITE_OPEN_READONLY) != 0;
-  const bool isAsSealed = isOnlyRead && isSealed(path_);
+  const bool isAsSealed = isOnlyRead && (reading == Reading::AsSealed || isSealed(path_));
   const int code = sqlite3_open_v2(
       (isAsSealed ? sealedName(path_) : path_).c_str(),
       &handle_,
@@ -114,12 +102,7 @@ Database Database::create(const std::string& path, const Schema& schema) {
     throw StorageError(
         path + " is there already. Nothing is ever overwritten: choose another folder.");
   }
-  if (isNetworkFileSystem(path)) {
-    throw StorageError(
-        path +
-        " would lie on a network drive, where answers can get lost. Choose a folder on a disk of "
-        "this computer.");
-  }
+  requireOwnDisk(path);
   Database database(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   database.configure(Access::ReadWrite);
   database.execute("PRAGMA application_id = " + std::to_string(schema.applicationId));
@@ -128,12 +111,29 @@ Database Database::create(const std::string& path, const Schema& schema) {
 }
 
 Database Database::open(const std::string& path, const Schema& schema, Access access) {
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  if (!fs::exists(path, ignored)) {
     throw StorageError("There is no file " + path + ". Is this the folder of a study?");
   }
+  try {
+    return openNow(path, schema, access, Reading::WithOthers);
+  } catch (const StorageError& error) {
+    if (error.kind() != StorageError::Kind::DiskFull) throw;
+  }
+  // Even a reader needs some space, for the memory that it shares with other programs. Without any,
+  // a file that has no log is complete by itself; nobody can write one to a full disk.
+  const bool hasSpace = ReservedSpace(fs::absolute(path).parent_path()).release();
+  const bool hasLog =
+      fs::exists(path + "-wal", ignored) && fs::file_size(path + "-wal", ignored) > 0;
+  const bool isAlone = !hasSpace && !hasLog && access == Access::ReadOnly;
+  return openNow(path, schema, access, isAlone ? Reading::AsSealed : Reading::WithOthers);
+}
+
+Database Database::openNow(
+    const std::string& path, const Schema& schema, Access access, Reading reading) {
   const bool isReadOnly = access == Access::ReadOnly;
-  Database database(path, isReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE);
+  Database database(path, isReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE, reading);
   database.requireKind(schema);
   database.configure(access);
   database.bringUpToDate(schema, access);

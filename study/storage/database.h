@@ -30,10 +30,13 @@ class Database {
  public:
   enum class Access { ReadWrite, ReadOnly };
 
-  /// Creates a file. @throws StorageError  if it exists already, or it cannot be written.
+  /// Creates a file. @throws StorageError  if it exists already, it cannot be written, or it would
+  ///     lie on a network drive.
   static Database create(const std::string& path, const Schema& schema);
 
   /// Opens an existing file; older formats are first converted to the present one.
+  /// A full disk can be read: where a reader finds no space, the reserved space beside the file is
+  /// released.
   /// @throws StorageError  if it is missing, in use, damaged, of another kind, or newer than this
   ///     program.
   static Database open(const std::string& path, const Schema& schema, Access access);
@@ -78,7 +81,12 @@ class Database {
   [[noreturn]] void fail(int code, const std::string& action) const;
 
  private:
-  Database(std::string path, int flags);
+  /// With locks and memory that are shared with other programs, or as a file that nobody changes.
+  enum class Reading { WithOthers, AsSealed };
+
+  Database(std::string path, int flags, Reading reading = Reading::WithOthers);
+  static Database openNow(
+      const std::string& path, const Schema& schema, Access access, Reading reading);
   void configure(Access access);
   void requireKind(const Schema& schema) const;
   void bringUpToDate(const Schema& schema, Access access);

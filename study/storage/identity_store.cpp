@@ -71,6 +71,14 @@ bool IdentityStore::has(const Place& place, const std::string& item) const {
   return select.step();
 }
 
+std::vector<std::string> IdentityStore::texts() const {
+  Statement select(
+      database_, "SELECT DISTINCT text FROM identifying_answer WHERE text <> '' ORDER BY text");
+  std::vector<std::string> texts;
+  while (select.step()) texts.push_back(select.text(0));
+  return texts;
+}
+
 void IdentityStore::put(const BlindingSecret& secret) {
   Transaction transaction(database_);
   Statement insert(database_, "INSERT INTO blinding_secret (id, bytes) VALUES (1, ?)");

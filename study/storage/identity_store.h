@@ -31,6 +31,9 @@ class IdentityStore {
   void remove(const Place& place, const std::string& item);
   bool has(const Place& place, const std::string& item) const;
 
+  /// All answers that name people.
+  std::vector<std::string> texts() const;
+
   /// One transaction. @throws StorageError  if there is one already.
   void put(const BlindingSecret& secret);
   /// std::nullopt in studies that an older release made.

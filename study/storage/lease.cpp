@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <set>
@@ -20,8 +21,21 @@ std::string thisStation() {
   return name.data();
 }
 
-/// Start time and boot id of a process, which distinguish it from a later process with the same
-/// number. Empty if there is no such process.
+std::string thisBoot() {
+  std::string boot;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+  return boot;
+}
+
+/// In which process numbers mean what they mean here: containers on one computer have the same boot
+/// id, and different numbers.
+std::string thisNamespace() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/ns/pid", ignored).string();
+}
+
+/// Boot id and start time of a process, which distinguish it from a later process with the same
+/// number, and the namespace of its number. Empty if there is no such process.
 std::string processMarkOf(std::int64_t pid) {
   std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
@@ -31,10 +45,26 @@ std::string processMarkOf(std::int64_t pid) {
   std::string began;
   constexpr int kBegan = 20;  // the start time is field 22; fields 1 and 2 are already skipped
   for (int i = 0; i < kBegan; ++i) fields >> began;
-  std::string boot;
-  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
-  return boot + "/" + began;
+  return thisBoot() + "/" + began + "@" + thisNamespace();
 }
+
+/// What the row of a lease says about the program that wrote it.
+struct Writer {
+  std::string station;
+  std::int64_t pid = 0;
+  std::string token;
+
+  /// "boot id/start time@namespace"; without namespace by release 0.1.
+  std::string mark() const { return token.substr(0, token.find('#')); }
+  bool isOfThisBoot() const { return mark().starts_with(thisBoot() + "/"); }
+  /// Whether its process number can be looked up here. A computer that got another name is still
+  /// the same one until it is restarted.
+  bool isHere() const {
+    const auto at = mark().find('@');
+    if (at == std::string::npos || !isOfThisBoot()) return station == thisStation();
+    return mark().substr(at + 1) == thisNamespace();
+  }
+};
 
 /// The leases that this process holds. If a row could not be removed when its lease ended, the row
 /// is still in the table but no longer in this set.
@@ -67,10 +97,11 @@ Tokens& tokens() {
 }
 
 /// Whether the program that wrote a lease's row is still running.
-bool isAlive(const std::string& station, std::int64_t pid, const std::string& token) {
-  if (station != thisStation()) return true;  // another computer: this cannot be checked from here
-  if (pid == getpid()) return tokens().isHeld(token);
-  return processMarkOf(pid) == token.substr(0, token.find('#'));
+bool isAlive(const Writer& writer) {
+  if (!writer.isHere()) return true;  // this cannot be checked from here
+  if (writer.pid == getpid()) return tokens().isHeld(writer.token);
+  const std::string mark = processMarkOf(writer.pid);
+  return mark.substr(0, mark.find('@')) == writer.mark().substr(0, writer.mark().find('@'));
 }
 
 }  // namespace
@@ -82,7 +113,8 @@ Lease::Lease(Database& database, SessionId session, const std::string& utc, From
   if (!isFree && (held->isHere || from == From::EndedPrograms)) {
     const std::string orElse =
         held->isHere ? std::string()
-                     : " If that computer is gone, or has another name now: palpate study run DIR "
+                     : " If that computer is gone, or has another name now, take the session over "
+                       "with a reason: in the table of sessions, or by palpate study run DIR "
                        "--take-over \"why\".";
     throw StorageError(
         "This session is open already, on " + held->station + " (process " +
@@ -107,12 +139,14 @@ std::optional<Lease::Holder> Lease::holder(const Database& database, SessionId s
       database, "SELECT station, pid, taken_utc, process FROM lease WHERE session_id = ?");
   held.bind(1, static_cast<std::int64_t>(session));
   if (!held.step()) return std::nullopt;
+  const Writer writer{.station = held.text(0), .pid = held.number(1), .token = held.text(3)};
   return Holder{
-      .station = held.text(0),
-      .pid = held.number(1),
+      .station = writer.station,
+      .pid = writer.pid,
       .since = held.text(2),
-      .isAlive = isAlive(held.text(0), held.number(1), held.text(3)),
-      .isHere = held.text(0) == thisStation()};
+      .isAlive = isAlive(writer),
+      .isHere = writer.isHere(),
+      .isOfThisBoot = writer.isOfThisBoot()};
 }
 
 void Lease::clear(Database& database) {

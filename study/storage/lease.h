@@ -11,8 +11,8 @@ namespace study::storage {
 
 /// The exclusive right to run a session, for one program and one window. The destructor gives it
 /// back. A lease that a crashed program of this computer left, or that could not be given back, is
-/// taken over. Whether a program on another computer is still running cannot be seen from here: its
-/// lease is taken over only on request.
+/// taken over, also if the computer has got another name since. Whether a program on another
+/// computer is still running cannot be seen from here: its lease is taken over only on request.
 class Lease {
  public:
   enum class From { EndedPrograms, OtherComputersToo };
@@ -33,6 +33,8 @@ class Lease {
     std::string since;     ///< UTC
     bool isAlive = false;  ///< false: that program ended without giving the lease back
     bool isHere = false;   ///< on this computer: then isAlive is certain
+    bool isOfThisBoot =
+        false;  ///< this computer was not restarted since: its monotonic clock went on
   };
   /// The present holder, without taking the lease; std::nullopt if there is none.
   static std::optional<Holder> holder(const Database& database, SessionId session);

@@ -116,7 +116,9 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   visits.bind(3, nameOf(StepKind::Questionnaire));
   Statement answers(
       database_,
-      "SELECT session_id, step, attempt, item, point FROM answer WHERE point IS NOT NULL "
+      "SELECT session_id, step, attempt, item, coalesce(point, CAST(number AS INTEGER)) FROM "
+      "answer "
+      "WHERE point IS NOT NULL OR number = CAST(number AS INTEGER) "
       "ORDER BY session_id, step, attempt");
 
   using ItemCounts = std::map<std::string, std::map<std::int64_t, std::uint64_t>>;

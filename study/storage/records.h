@@ -62,8 +62,8 @@ struct AnswerRecord {
   std::string savedUtc;
 };
 
-/// How often a point of an item's scale was chosen in one cohort, about one condition, in one
-/// phase.
+/// How often a point of an item's scale, or a whole number, was answered in one cohort, about one
+/// condition, in one phase.
 struct PointCount {
   std::string cohort;
   std::string phase;

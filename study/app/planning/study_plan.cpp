@@ -60,7 +60,7 @@ std::set<std::string> conditionsOf(const protocols::Family& family) {
   return conditions;
 }
 
-/// The number of Likert statements that a participant answers about @p condition for @p family.
+/// The number of compared items that a participant answers about @p condition for @p family.
 std::size_t answersTo(
     const std::string& condition, const protocols::Family& family, const LoadedProtocol& loaded) {
   const auto& instrument = *loaded.instrument(family.instrument);
@@ -73,18 +73,16 @@ std::size_t answersTo(
     for (const auto& asked : phase.trials.questionnaires) {
       if (asked.instrument != family.instrument) continue;
       const auto items = instrument.itemsOf(asked.setFor(condition));
-      answers += static_cast<std::size_t>(
-          std::ranges::count(items, questionnaires::ItemType::Likert, &questionnaires::Item::type));
+      answers += protocols::comparedItems(family, items).size();
     }
   }
   return answers;
 }
 
 int pointsOf(const protocols::Family& family, const LoadedProtocol& loaded) {
-  const auto& items = loaded.instrument(family.instrument)->items;
-  const auto likert =
-      std::ranges::find(items, questionnaires::ItemType::Likert, &questionnaires::Item::type);
-  return likert == items.end() ? 5 : likert->scale.points;
+  const auto items = protocols::comparedItems(family, loaded.instrument(family.instrument)->items);
+  const auto scale = items.empty() ? std::nullopt : protocols::wholeScaleOf(items.front());
+  return scale ? scale->highest - scale->lowest + 1 : 5;
 }
 
 analysis::SimulatedPower simulated(

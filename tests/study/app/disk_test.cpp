@@ -104,6 +104,103 @@ TEST_F(DiskTest, ThatIsFullHoldsNoUnfinishedExport) {
   EXPECT_EQ(done.error, "out\n");
 }
 
+/// A study on a disk without any free space, and a command on it.
+class NoSpaceTest : public DiskTest {
+ protected:
+  void SetUp() override {
+    DiskTest::SetUp();
+    if (!IsSkipped()) simulateOne();
+  }
+
+  tests::Finished withoutSpace(const std::string& before, const std::vector<std::string>& command) {
+    std::vector<std::string> call{tests::program()};
+    call.insert(call.end(), command.begin(), command.end());
+    return onASmallDisk(
+        "16m",
+        "cp -r '" + study_.folder() + "' '" + disk_ + "/study'; " + before + " cat /dev/zero > '" +
+            disk_ + "/zeros' 2> /dev/null; if echo x > '" + disk_ +
+            "/one-more' 2> /dev/null; then exit 99; fi; " + asShell(call));
+  }
+
+  /// Commands that read a study, and write elsewhere.
+  std::vector<std::vector<std::string>> reading() const {
+    const std::string study = disk_ + "/study";
+    const auto out = [&](const char* name) { return study_.scratch() / name; };
+    return {
+        {"study", "status", study},
+        {"study", "verify", study},
+        {"stats", "run", study, "--run-mode", "simulated"},
+        {"export", study, "--run-mode", "simulated", "--out", out("export")},
+        {"report", study, "--run-mode", "simulated", "--out", out("report.html")},
+        {"study", "backup", study, "--out", out("backup")}};
+  }
+};
+
+TEST_F(NoSpaceTest, CanBeReadExportedAndBackedUp) {
+  for (const auto& command : reading()) {
+    const auto finished = withoutSpace("", command);
+    EXPECT_EQ(finished.status, 0) << command.front() << "\n" << finished.error;
+  }
+  EXPECT_EQ(
+      tests::run({tests::program(), "study", "verify", study_.scratch() / "backup"}).status, 0);
+}
+
+TEST_F(NoSpaceTest, CanBeReadAlsoWhereTheReservedSpaceIsUsedUp) {
+  const std::string useUp = "rm '" + disk_ + "/study/ballast';";
+  for (const auto& command : reading()) {
+    const auto finished = withoutSpace(useUp, command);
+    EXPECT_EQ(finished.status, 0) << command.front() << "\n" << finished.error;
+  }
+}
+
+TEST_F(NoSpaceTest, IsNotReadWithoutAnAnswerThatIsOnlyInTheLog) {
+  // Without shared memory the log is not read. What a crash left there must not be passed over.
+  const std::string crash =
+      "rm '" + disk_ + "/study/ballast'; echo log > '" + disk_ + "/study/study.db-wal';";
+  const auto refused = withoutSpace(crash, {"study", "verify", disk_ + "/study"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.error.find("the disk is full"), std::string::npos) << refused.error;
+}
+
+/// Other file systems cannot be mounted here: a list of mounts is put before the kernel's.
+class NetworkDriveTest : public DiskTest {
+ protected:
+  tests::Finished on(const std::string& type, const std::vector<std::string>& command) {
+    std::vector<std::string> call{tests::program()};
+    call.insert(call.end(), command.begin(), command.end());
+    const std::string mounts = study_.scratch() / "mounts";
+    return onItsOwn(
+        "set -- $(stat -c '%Hd %Ld' '" + study_.folder() + "'); echo \"36 35 $1:$2 / / rw - " +
+        type + " server:/home rw\" > '" + mounts + "' && mount --bind '" + mounts +
+        "' /proc/$$/mountinfo && exec " + asShell(call));
+  }
+};
+
+TEST_F(NetworkDriveTest, IsRefusedWhenAStudyIsOpenedForWriting) {
+  for (const std::string type : {"nfs4", "cifs", "9p", "ceph", "fuse.sshfs"}) {
+    const auto refused = on(type, {"study", "simulate", study_.folder(), "--participants", "1"});
+    EXPECT_EQ(refused.status, 1) << type;
+    EXPECT_NE(refused.error.find("network drive (" + type + ")"), std::string::npos)
+        << refused.error;
+  }
+}
+
+TEST_F(NetworkDriveTest, IsNotTakenForOneWhereItIsADiskOfThisComputer) {
+  int participants = 0;
+  for (const std::string type : {"ext4", "btrfs", "tmpfs", "fuseblk", "fuse.gocryptfs"}) {
+    const auto count = std::to_string(++participants);
+    const auto done = on(type, {"study", "simulate", study_.folder(), "--participants", count});
+    EXPECT_EQ(done.status, 0) << type << "\n" << done.error;
+  }
+}
+
+TEST_F(NetworkDriveTest, KeepsABackupThatCanBeVerifiedAndCopied) {
+  EXPECT_EQ(on("nfs", {"study", "verify", study_.folder()}).status, 0);
+  const auto copied =
+      on("nfs", {"study", "backup", study_.folder(), "--out", study_.scratch() / "copy"});
+  EXPECT_EQ(copied.status, 0) << copied.error;
+}
+
 TEST_F(DiskTest, ThatIsReadOnlyAllowsToVerifyAndExport) {
   simulateOne();
   const std::string out = study_.scratch() / "out";

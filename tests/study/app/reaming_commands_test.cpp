@@ -249,7 +249,7 @@ TEST_F(ReamingCommands, FillAMeshOrReportWhyNot) {
   expectIn(refusal({"packing", "build", folder_ / "none.stl", "--out", other}), "no file");
   expectIn(
       refusal({"packing", "build", folder_.write("text.stl", "no mesh"), "--out", other}),
-      "no mesh");
+      "no STL, OBJ or PLY file");
 }
 
 TEST_F(ReamingCommands, FitDensitiesBySwarmOptimisation) {

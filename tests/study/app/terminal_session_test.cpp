@@ -55,8 +55,9 @@ TEST_F(TerminalSessionTest, AsksBeforeAParticipantReadsPlaceholders) {
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.out.find("[[institution]]"), std::string::npos) << refused.out;
   EXPECT_TRUE(storage::Records(study_->database()).sessions().empty()) << "no place is taken";
+  EXPECT_NE(refused.out.find("Start anyway?"), std::string::npos) << refused.out;
   const auto pilot = run("", "--pilot");
-  EXPECT_EQ(pilot.out.find("all the same"), std::string::npos) << "a pilot does not count";
+  EXPECT_EQ(pilot.out.find("Start anyway"), std::string::npos) << "a pilot does not count";
 }
 
 TEST_F(TerminalSessionTest, HasTheRequestedRunMode) {

@@ -1,15 +1,21 @@
 #include "study/model/clock.h"
 
+#include <filesystem>
+#include <fstream>
+
 #include <gtest/gtest.h>
 
 #include "study/export/export.h"
 #include "study/session/verification.h"
 #include "study/storage/statement.h"
 #include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
 #include "tests/study/walk.h"
 
 namespace study {
 namespace clock_test {
+
+namespace fs = std::filesystem;
 
 TEST(Clock, WritesTimesOfTheWholeCalendar) {
   EXPECT_EQ(asUtc(0), "1970-01-01T00:00:00.000Z");
@@ -98,6 +104,57 @@ TEST_F(SteppedClockTest, BridgesTheTimeBetweenTwoRunsOfTheProgram) {
   resumed.finishStep();
   const auto events = exportTables(study, {.isBlinded = false}).back();
   EXPECT_EQ(std::get<double>(events.rows.back()[5]), 1812.0);  // 10 s + 1800 s + 2 s
+}
+
+/// A program that crashed during a session, and one that goes on with it when the wall clock has
+/// been set by @p seconds and 60 s have passed.
+class CrashedSessionTest : public SteppedClockTest {
+ protected:
+  void crashAndGoOn(const std::string& bootOfTheCrash, std::int64_t seconds) {
+    answerAfter(10.0);
+    const auto id = session_.id();
+    { const Session gone = std::move(session_); }
+    tests::Sql(study_.file("study.db"))
+        .run(
+            "INSERT INTO lease (session_id, station, pid, process, taken_utc) VALUES (1, "
+            "'this-one', 1, '" +
+            bootOfTheCrash + "/1@" + fs::read_symlink("/proc/self/ns/pid").string() +
+            "#1', 'earlier')");
+    study_.clock.advance(60.0);
+    study_.clock.setWall(study_.clock.now().wall + seconds * 1000);
+    auto resumed = Session::resume(*study_, id, "it was replaced");
+    study_.clock.advance(2.0);
+    resumed.finishStep();
+  }
+  double lastOnset() {
+    return std::get<double>(exportTables(*study_, {.isBlinded = false}).back().rows.back()[5]);
+  }
+  static std::string thisBoot() {
+    std::string boot;
+    std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+    return boot;
+  }
+};
+
+TEST_F(CrashedSessionTest, NotesThatTheClockWasSetSinceAndKeepsOnsets) {
+  crashAndGoOn(thisBoot(), 630'720'000);  // twenty years
+  const auto stepped = stepsOf(*study_);
+  ASSERT_EQ(stepped.size(), 1U);
+  EXPECT_EQ(storage::describe(stepped[0]), "by 630720000.000000 s; durations are not affected");
+  EXPECT_DOUBLE_EQ(lastOnset(), 72.0);  // 10 s, 60 s and 2 s
+  EXPECT_TRUE(verify(*study_).isSound());
+}
+
+TEST_F(CrashedSessionTest, NotesThatTheClockWentBackWhereTheComputerWasRestarted) {
+  crashAndGoOn("another-boot", -3600);
+  ASSERT_EQ(stepsOf(*study_).size(), 1U);
+  EXPECT_DOUBLE_EQ(lastOnset(), 12.0);  // how long it lay cannot be told
+}
+
+TEST_F(CrashedSessionTest, TakesThePauseFromTheWallClockWhereTheComputerWasRestarted) {
+  crashAndGoOn("another-boot", 1800);
+  EXPECT_TRUE(stepsOf(*study_).empty());
+  EXPECT_DOUBLE_EQ(lastOnset(), 1872.0);
 }
 
 }  // namespace clock_test

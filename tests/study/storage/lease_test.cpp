@@ -128,6 +128,40 @@ TEST_F(LeaseTest, IsTakenOverFromAProcessBeforeARestartWithTheSameNumber) {
   EXPECT_FALSE(resuming().happened);
 }
 
+std::string processOfTheLease(const tests::MadeStudy& study) {
+  return tests::Sql(study.file("study.db")).text("SELECT process FROM lease");
+}
+
+TEST_F(LeaseTest, OfADeadProgramIsTakenAfterTheComputerWasRenamed) {
+  std::string process;
+  {
+    const auto session = Session::resume(*study_, id_);
+    process = processOfTheLease(study_);
+  }
+  leave("its-former-name", 1, process);  // process 1 began at another time
+  EXPECT_FALSE(resuming().happened);
+}
+
+TEST_F(LeaseTest, OfAProgramThatRunsHereIsKeptWhenTheComputerIsRenamed) {
+  study_.close();
+  const OtherProgram other(study_.folder(), id_);
+  ASSERT_TRUE(other.hasIt());
+  study_.reopen();
+  leave("its-former-name", other.pid(), processOfTheLease(study_));
+  EXPECT_EQ(tests::refusalOf([&] { Session::resume(*study_, id_, "why not"); }).kind, Kind::Busy);
+}
+
+TEST_F(LeaseTest, OfAnotherContainerOnThisComputerIsNotTakenOver) {
+  std::string process;
+  {
+    const auto session = Session::resume(*study_, id_);
+    process = processOfTheLease(study_);
+  }
+  leave(thisStation(), 4711, process.substr(0, process.find('@')) + "@pid:[1]#1");
+  EXPECT_EQ(resuming().kind, Kind::Busy);
+  EXPECT_NO_THROW(Session::resume(*study_, id_, "the container was removed"));
+}
+
 TEST_F(LeaseTest, IsTakenOverFromAFormatWithoutWindowNumbers) {
   leave(thisStation(), 1, "another-boot/12345");
   EXPECT_FALSE(resuming().happened);

@@ -1,0 +1,178 @@
+// The blanks in texts that participants read: lists them, and fills them in.
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "protocols/load_protocol.h"
+#include "protocols/model/blanks.h"
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/session/session_length.h"
+#include "study/session/study.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+using questionnaires::BlankTexts;
+using questionnaires::LocalizedText;
+
+struct TextsArguments {
+  std::string source;  ///< a protocol, or the folder of a study
+  std::vector<std::string> set;
+  std::string out;
+  std::string reason;
+  bool json = false;
+};
+
+/// "institution=NTNU" or "de:institution=NTNU", put into @p texts; without words the text of that
+/// language is taken away.
+void put(const std::string& assignment, BlankTexts& texts) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UserError(
+        "'" + assignment + "' is not KEY=TEXT. Write for example --set \"institution=NTNU\".");
+  }
+  auto key = assignment.substr(0, equals);
+  std::string language = "en";
+  if (const auto colon = key.find(':'); colon != std::string::npos) {
+    language = key.substr(0, colon);
+    key = key.substr(colon + 1);
+  }
+  auto byLanguage = texts[key].all();
+  byLanguage[language] = assignment.substr(equals + 1);
+  if (byLanguage[language].empty()) byLanguage.erase(language);
+  texts[key] = LocalizedText(std::move(byLanguage));
+  if (texts[key].isEmpty()) texts.erase(key);
+}
+
+protocols::LoadedProtocol filledIn(
+    const protocols::LoadedProtocol& loaded, const std::vector<std::string>& assignments) {
+  auto texts = loaded.protocol.texts;
+  for (const auto& assignment : assignments) put(assignment, texts);
+  questionnaires::Problems problems;
+  auto filled = protocols::withTexts(loaded, texts, problems);
+  if (!filled) {
+    throw UserError(
+        "The texts cannot be filled in like this:\n" + questionnaires::describe(problems.all()));
+  }
+  for (const auto& [key, text] : filled->protocol.texts) {
+    const auto& blanks = filled->blanks;
+    if (std::find(blanks.begin(), blanks.end(), key) != blanks.end()) continue;
+    throw UserError(
+        "No text has the blank '" + key + "'. 'palpate protocol texts' lists the keys.");
+  }
+  return std::move(*filled);
+}
+
+std::string inWords(const LocalizedText& text) {
+  if (text.isEmpty()) return "(blank)";
+  std::string words = text.in("en");
+  for (const auto& [language, other] : text.all()) {
+    if (language != "en") words += "; " + language + ": " + other;
+  }
+  return words;
+}
+
+int listBlanks(const protocols::LoadedProtocol& loaded, bool json) {
+  const auto blanks = protocols::blanksOf(loaded);
+  if (json) {
+    std::fputs(blanksAsJson(blanks).c_str(), stdout);
+    return 0;
+  }
+  std::size_t left = 0;
+  for (const auto& blank : blanks) {
+    left += blank.text.isEmpty() ? 1 : 0;
+    fmt::print(
+        "{:<26} {}\n{:<26} {}\n", blank.key, base::describe(blank.title), "", inWords(blank.text));
+  }
+  fmt::print("{} of {} blanks are filled in.\n", blanks.size() - left, blanks.size());
+  if (left > 0) {
+    fmt::print(
+        "By the timeline a session takes about {} minutes.\n",
+        std::lround(lengthOf(loaded, {}).seconds / 60.0));
+  }
+  return 0;
+}
+
+int protocolTexts(const TextsArguments& options) {
+  questionnaires::Problems problems;
+  const auto loaded = protocols::loadProtocolFile(options.source, problems);
+  if (!loaded) {
+    throw UserError(
+        options.source + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
+  }
+  if (options.set.empty()) return listBlanks(*loaded, options.json);
+  if (options.out.empty()) {
+    throw UserError("Name a new file for the filled-in protocol: add --out FILE.json.");
+  }
+  const auto filled = filledIn(*loaded, options.set);
+  writeNewFile(options.out, filled.text);
+  listBlanks(filled, options.json);
+  if (!options.json) fmt::print("Protocol saved: {}\n", options.out);
+  return 0;
+}
+
+int studyTexts(const TextsArguments& options) {
+  SystemClock clock;
+  if (options.set.empty()) {
+    auto study = Study::open(options.source, clock, storage::Database::Access::ReadOnly);
+    return listBlanks(study.protocol(), options.json);
+  }
+  auto study = Study::open(options.source, clock);
+  const auto filled = filledIn(study.protocol(), options.set);
+  study.amend(filled, options.reason);
+  listBlanks(filled, options.json);
+  if (!options.json) fmt::print("New sessions show these texts from now on.\n");
+  return 0;
+}
+
+CLI::App* addTextsVerb(
+    CLI::App& noun,
+    const char* help,
+    const std::shared_ptr<TextsArguments>& options,
+    Action& action,
+    int (*perform)(const TextsArguments&)) {
+  auto* verb = noun.add_subcommand("texts", help);
+  verb->add_option(
+          "--set",
+          options->set,
+          "KEY=TEXT fills in a blank, de:KEY=TEXT its German; repeat it for several")
+      ->allow_extra_args(false);
+  verb->add_flag("--json", options->json, "JSON");
+  verb->callback(
+      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  return verb;
+}
+
+}  // namespace
+
+void addProtocolTextsCommand(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<TextsArguments>();
+  auto* verb = addTextsVerb(
+      noun,
+      "List the blanks in texts that participants read, or fill them in",
+      options,
+      action,
+      protocolTexts);
+  verb->add_option("FILE", options->source, "A protocol file, or one of the library by name")
+      ->required();
+  verb->add_option("--out", options->out, "New file for the filled-in protocol");
+}
+
+void addStudyTextsCommand(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<TextsArguments>();
+  auto* verb = addTextsVerb(
+      noun, "The same in a study, as an amendment of its protocol", options, action, studyTexts);
+  verb->add_option("DIR", options->source, "The study's folder")->required();
+  verb->add_option(
+      "--reason", options->reason, "Reason for the change; required once a participant has begun");
+}
+
+}  // namespace study::app

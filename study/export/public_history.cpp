@@ -1,0 +1,115 @@
+#include "study/export/public_history.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "study/export/public_people.h"
+#include "study/export/public_tables.h"
+#include "study/words/counted.h"
+
+namespace study {
+namespace {
+
+/// A public export in the past.
+struct EarlierExport {
+  std::size_t k = 0;
+  std::set<SessionId> completed;  ///< until then
+};
+
+std::vector<EarlierExport> earlierExports(Study& study, RunMode mode) {
+  std::vector<EarlierExport> exports;
+  std::set<SessionId> completed;
+  for (const auto& event : study.events().read()) {
+    if (event.kind == EventKind::FinishedSession && event.visit) {
+      completed.insert(event.visit->session);
+    }
+    if (event.kind != EventKind::PublicExport) continue;
+    const auto* of = event.value("run_mode");  // release 0.1 did not note it
+    const auto* name = of == nullptr ? nullptr : std::get_if<std::string>(of);
+    if (name != nullptr && *name != nameOf(mode)) continue;
+    const auto* k = event.value("k");
+    const auto* number = k == nullptr ? nullptr : std::get_if<std::int64_t>(k);
+    const auto smallest = number == nullptr ? kSmallestPublicClass : std::size_t(*number);
+    exports.push_back({smallest, completed});
+  }
+  return exports;
+}
+
+/// The values of some people.
+Values ofThese(const Values& values, const std::vector<std::size_t>& people) {
+  Values these;
+  for (const auto person : people) these.push_back(values[person]);
+  return these;
+}
+
+/// What an earlier export said of everybody: a column for each of its own. People who were not in
+/// it have a value that no one else has.
+std::vector<ReleasedColumn> saidBy(
+    const EarlierExport& earlier,
+    const PublicPeople& people,
+    const std::vector<QuasiIdentifier>& identifiers) {
+  std::vector<std::size_t> then;
+  for (std::size_t person = 0; person < people.count(); ++person) {
+    if (earlier.completed.count(people.sessions()[person].id) > 0) then.push_back(person);
+  }
+  ReleasedColumn wasThere{"", 0, Values(people.count(), "new")};
+  for (const auto person : then) wasThere.values[person] = "there";
+  std::vector<ReleasedColumn> columns{wasThere};
+  std::vector<QuasiIdentifier> ofThem;
+  for (const auto& identifier : identifiers) {
+    QuasiIdentifier one{identifier.name, ofThese(identifier.exact, then), {}};
+    for (const auto& level : identifier.levels) one.levels.push_back(ofThese(level, then));
+    ofThem.push_back(std::move(one));
+  }
+  const auto release = released(ofThem, then.size(), earlier.k);
+  if (!release) return columns;
+  for (const auto& column : release->columns) {
+    if (!column.level) continue;
+    ReleasedColumn said{column.name, column.level, Values(people.count())};
+    for (std::size_t i = 0; i < then.size(); ++i) said.values[then[i]] = column.values[i];
+    columns.push_back(std::move(said));
+  }
+  return columns;
+}
+
+}  // namespace
+
+AfterEarlierExports afterEarlierExports(Study& study, const ExportOptions& options) {
+  const auto mode = options.runMode.value_or(RunMode::Live);
+  const auto k = options.publicClass.value_or(kSmallestPublicClass);
+  if (mode == RunMode::Simulated) return {};
+  const auto earlier = earlierExports(study, mode);
+  if (earlier.empty()) return {};
+  const PublicPeople people(study, mode);
+  const auto identifiers = people.identifiers();
+  std::vector<ReleasedColumn> columns;
+  for (const auto& column : publicRelease(study, options).columns) {
+    if (column.level) columns.push_back(column);
+  }
+  AfterEarlierExports after{.earlier = earlier.size(), .newPeople = people.count()};
+  std::set<SessionId> known;
+  for (const auto& one : earlier) {
+    for (auto& column : saidBy(one, people, identifiers)) columns.push_back(std::move(column));
+    known.insert(one.completed.begin(), one.completed.end());
+  }
+  for (const auto& session : people.sessions()) after.newPeople -= known.count(session.id);
+  after.together = classSizes(columns, people.count(), k);
+  return after;
+}
+
+void requireNothingLaidBare(Study& study, const ExportOptions& options) {
+  const auto after = afterEarlierExports(study, options);
+  if (after.together.inSmall == 0) return;
+  const auto k = options.publicClass.value_or(kSmallestPublicClass);
+  throw storage::StorageError(
+      "There are " + words::counted(after.earlier, "earlier public export") +
+      " of this study. Who lays them beside this one finds the same people by their answers, and "
+      "would know " +
+      words::counted(after.together.inSmall, "person", "people") + " (" +
+      std::to_string(after.newPeople) + " of them new) as one of fewer than " + std::to_string(k) +
+      ". Nothing was written. Wait until at least " + std::to_string(k) +
+      " more people who are alike took part, and keep the same --k; or do not publish again.");
+}
+
+}  // namespace study

@@ -1,0 +1,186 @@
+#include "study/storage/station_store.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <sodium.h>
+
+#include "study/model/new_file.h"
+#include "study/model/storage_error.h"
+
+namespace study::storage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kUuidSize = 16;  // [bytes]
+constexpr const char* kFirstLine = "palpate station 1";
+constexpr const char* kKeyFile = "key";
+
+using Seed = std::array<unsigned char, crypto_sign_SEEDBYTES>;
+using PublicKey = std::array<unsigned char, crypto_sign_PUBLICKEYBYTES>;
+using Signature = std::array<unsigned char, crypto_sign_BYTES>;
+static_assert(crypto_sign_SECRETKEYBYTES == 64);
+
+template <typename Bytes>
+std::string inHex(const Bytes& bytes) {
+  std::string text(2 * bytes.size() + 1, '\0');
+  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  text.pop_back();
+  return text;
+}
+
+template <typename Bytes>
+std::optional<Bytes> fromHex(const std::string& text) {
+  Bytes bytes{};
+  std::size_t size = 0;
+  const int code =
+      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
+  return code == 0 && size == bytes.size() && text.size() == 2 * size ? std::optional(bytes)
+                                                                      : std::nullopt;
+}
+
+const unsigned char* bytesOf(std::string_view text) {
+  return reinterpret_cast<const unsigned char*>(text.data());
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& why) {
+  throw StorageError(
+      "This station's own folder cannot be used: " + path.string() + " (" + why +
+      "). Check who owns it and may write it.");
+}
+
+[[noreturn]] void fail(const fs::path& path) {
+  fail(path, std::generic_category().message(errno));
+}
+
+void makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder.parent_path(), error);
+  if (error) fail(folder, error.message());
+  if (mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) fail(folder);
+}
+
+/// Draws name and key. If two programs come here together, both go on with the key of one.
+void makeKey(const fs::path& folder) {
+  std::array<unsigned char, kUuidSize> uuid{};
+  Seed seed{};
+  randombytes_buf(uuid.data(), uuid.size());
+  randombytes_buf(seed.data(), seed.size());
+  const auto unfinished = folder / (std::string(kKeyFile) + "." + inHex(uuid));
+  writeNewFile(
+      unfinished.string(),
+      std::string(kFirstLine) + "\n" + inHex(uuid) + "\n" + inHex(seed) + "\n");
+  // A link, and no renaming: it never takes the place of a key that is there.
+  const int code = link(unfinished.c_str(), (folder / kKeyFile).c_str());
+  const int reason = code == 0 ? 0 : errno;
+  unlink(unfinished.c_str());
+  if (reason != 0 && reason != EEXIST) {
+    fail(folder / kKeyFile, std::generic_category().message(reason));
+  }
+  const int names = open(folder.c_str(), O_RDONLY | O_CLOEXEC);
+  fsync(names);  // some file systems cannot flush a folder: the key is there all the same
+  close(names);
+}
+
+void requirePrivate(const fs::path& file) {
+  struct stat facts {};
+  if (stat(file.c_str(), &facts) != 0) fail(file);
+  if ((facts.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    fail(file, "others than its owner may use it: chmod 600");
+  }
+}
+
+}  // namespace
+
+fs::path StationStore::usualFolder() {
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): no thread sets it
+    return value == nullptr ? fs::path() : fs::path(value);
+  };
+  if (auto folder = named("PALPATE_STATION"); !folder.empty()) return folder;
+  if (auto data = named("XDG_DATA_HOME"); data.is_absolute()) return data / "palpate" / "station";
+  const auto home = named("HOME");
+  return home.empty() ? home : home / ".local" / "share" / "palpate" / "station";
+}
+
+StationStore StationStore::findOrMake(const fs::path& folder) {
+  if (auto found = find(folder)) return std::move(*found);
+  if (folder.empty()) fail(folder, "this account has no home folder; PALPATE_STATION names one");
+  makeFolder(folder);
+  makeKey(folder);
+  return StationStore(folder);
+}
+
+std::optional<StationStore> StationStore::find(const fs::path& folder) {
+  std::error_code error;
+  const bool isThere = !folder.empty() && fs::exists(folder / kKeyFile, error);
+  if (error) fail(folder, error.message());
+  return isThere ? std::optional(StationStore(folder)) : std::nullopt;
+}
+
+StationStore::StationStore(fs::path folder) : folder_(std::move(folder)) {
+  if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
+  const auto file = folder_ / kKeyFile;
+  requirePrivate(file);
+  std::ifstream stream(file);
+  std::string first;
+  std::string secret;
+  if (!std::getline(stream, first) || !std::getline(stream, uuid_) || !std::getline(stream, secret))
+    fail(file, "it cannot be read");
+  const auto seed = fromHex<Seed>(secret);
+  if (first != kFirstLine || !seed || uuid_.size() != 2 * kUuidSize) {
+    fail(file, "it is no key of a station, or one of a later version");
+  }
+  PublicKey key{};
+  crypto_sign_seed_keypair(key.data(), secretKey_.data(), seed->data());
+  publicKey_ = inHex(key);
+}
+
+std::string StationStore::sign(std::string_view text) const {
+  Signature signature{};
+  crypto_sign_detached(signature.data(), nullptr, bytesOf(text), text.size(), secretKey_.data());
+  return inHex(signature);
+}
+
+bool StationStore::isSigned(
+    std::string_view text, const std::string& signature, const std::string& publicKey) {
+  const auto bytes = fromHex<Signature>(signature);
+  const auto key = fromHex<PublicKey>(publicKey);
+  return bytes && key &&
+         crypto_sign_verify_detached(bytes->data(), bytesOf(text), text.size(), key->data()) == 0;
+}
+
+void StationStore::append(const std::string& list, const std::string& line) const {
+  const auto path = folder_ / list;
+  const int file = open(path.c_str(), O_CREAT | O_APPEND | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (file < 0) fail(path);
+  // One call: what several programs append does not mix.
+  const std::string bytes = line + "\n";
+  const auto written = write(file, bytes.data(), bytes.size());
+  const bool isOnDisk = written == static_cast<ssize_t>(bytes.size()) && fsync(file) == 0;
+  const int reason = errno;
+  close(file);
+  if (!isOnDisk) fail(path, std::generic_category().message(reason));
+}
+
+std::vector<std::string> StationStore::lines(const std::string& list) const {
+  const auto path = folder_ / list;
+  std::error_code error;
+  if (!fs::exists(path, error)) return {};
+  std::ifstream stream(path);
+  if (!stream) fail(path, "it cannot be read");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace study::storage

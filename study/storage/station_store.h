@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace study::storage {
+
+/// What a station keeps for itself, in a folder outside of all studies: its name, an Ed25519 key
+/// pair with which it signs audit trails (docs/decisions/0041), and lists. A station is one account
+/// on one computer. The folder and its files are for their owner alone.
+class StationStore {
+ public:
+  /// $PALPATE_STATION; else palpate/station in $XDG_DATA_HOME; else
+  /// ~/.local/share/palpate/station. Empty if the account has no home folder.
+  static std::filesystem::path usualFolder();
+
+  /// Opens the store in @p folder, and makes it on first use.
+  /// @throws StorageError  in words, if it cannot be made or read, or if others may read its key.
+  static StationStore findOrMake(const std::filesystem::path& folder);
+
+  /// Opens the store if there is one. @throws StorageError  as above
+  static std::optional<StationStore> find(const std::filesystem::path& folder);
+
+  /// 128 random bits in hexadecimal; the same for all studies.
+  const std::string& uuid() const noexcept { return uuid_; }
+
+  /// 256 bits in hexadecimal. Signatures are checked with it; it is no secret.
+  const std::string& publicKey() const noexcept { return publicKey_; }
+
+  /// The signature of @p text (Ed25519, 512 bits in hexadecimal).
+  std::string sign(std::string_view text) const;
+
+  /// Whether the holder of the key pair with that public half signed @p text. False for what is no
+  /// key or no signature.
+  static bool isSigned(
+      std::string_view text, const std::string& signature, const std::string& publicKey);
+
+  /// Appends a line to a list; it is on the disk on return. Several programs may do so at a time.
+  /// @param list  a name for a file: "heads-1a2b"
+  /// @throws StorageError
+  void append(const std::string& list, const std::string& line) const;
+
+  /// The lines of a list; none if there is no such list. @throws StorageError  if it cannot be read
+  std::vector<std::string> lines(const std::string& list) const;
+
+ private:
+  explicit StationStore(std::filesystem::path folder);
+
+  std::filesystem::path folder_;
+  std::string uuid_;
+  std::string publicKey_;
+  std::array<unsigned char, 64> secretKey_{};
+};
+
+}  // namespace study::storage
