@@ -56,10 +56,12 @@ std::optional<Consent> findConsent(Study& study, const std::string& code) {
 
 class ConsentPage {
  public:
-  ConsentPage(const protocols::LoadedProtocol& protocol, const Consent& consent)
+  ConsentPage(
+      const protocols::LoadedProtocol& protocol, const Consent& consent, const TextToHtml& htmlOf)
       : protocol_(protocol),
         consent_(consent),
-        language_(consent.answers.begin()->second.answer.language) {
+        language_(consent.answers.begin()->second.answer.language),
+        htmlOf_(htmlOf) {
     const auto known = words::languages();
     const bool isKnown = std::find(known.begin(), known.end(), language_) != known.end();
     words_ = words::wordsIn(isKnown ? language_ : "en");
@@ -87,12 +89,7 @@ class ConsentPage {
 
   void text(const questionnaires::Instrument& instrument) {
     tag("h2", instrument.title.in(language_));
-    std::string rest = instrument.introduction.in(language_);
-    for (auto end = rest.find("\n\n"); end != std::string::npos; end = rest.find("\n\n")) {
-      tag("p", rest.substr(0, end));
-      rest.erase(0, end + 2);
-    }
-    tag("p", rest);
+    html_ += htmlOf_(instrument.introduction.in(language_));
   }
 
   void choices(const questionnaires::Instrument& instrument) {
@@ -130,20 +127,33 @@ class ConsentPage {
   const protocols::LoadedProtocol& protocol_;
   const Consent& consent_;
   std::string language_;
+  const TextToHtml& htmlOf_;
   words::Words words_;
   std::string html_;
 };
 
 }  // namespace
 
-std::string consentCopy(Study& study, const std::string& participant) {
+std::string paragraphsOf(const std::string& text) {
+  std::string html;
+  const auto add = [&](const std::string& words) { html += "<p>" + escaped(words) + "</p>\n"; };
+  std::string rest = text;
+  for (auto end = rest.find("\n\n"); end != std::string::npos; end = rest.find("\n\n")) {
+    add(rest.substr(0, end));
+    rest.erase(0, end + 2);
+  }
+  add(rest);
+  return html;
+}
+
+std::string consentCopy(Study& study, const std::string& participant, const TextToHtml& htmlOf) {
   const auto consent = findConsent(study, participant);
   if (!consent) {
     throw UserError(
         "Nobody of the code '" + participant +
         "' has come to the end of a consent form here. 'palpate study status' lists the codes.");
   }
-  return ConsentPage(study.protocol(consent->session.protocol), *consent).html();
+  return ConsentPage(study.protocol(consent->session.protocol), *consent, htmlOf).html();
 }
 
 }  // namespace study::report

@@ -1,16 +1,24 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "study/session/study.h"
 
 namespace study::report {
 
+using TextToHtml = std::function<std::string(const std::string& text)>;
+
+/// The HTML of a text without markup: a paragraph after each empty line.
+std::string paragraphsOf(const std::string& text);
+
 /// A copy of a person's consent for them to keep, as a page: the information and the terms in the
 /// language that was shown, the answers and their time, and the versions of the texts. The field
 /// for a signature is empty: names stay in identity.db.
 /// @param participant  their code.
+/// @param htmlOf  makes HTML of a text in Markdown (marked_text.h, where Qt is there).
 /// @throws UserError  if no participant of that code has completed a consent form.
-std::string consentCopy(Study& study, const std::string& participant);
+std::string consentCopy(
+    Study& study, const std::string& participant, const TextToHtml& htmlOf = paragraphsOf);
 
 }  // namespace study::report

@@ -1,6 +1,9 @@
 #include "study/report/family_checks.h"
 
+#include <algorithm>
+
 #include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -13,23 +16,37 @@ class ChecksWriter : HtmlWriter {
       : HtmlWriter(section), f_(family) {}
 
   std::string all(const std::string& positions) {
-    put("<h4>{}</h4>", say("The order"));
-    order();
-    figure(
-        positions,
-        "How methods were judged that came first, second and so on: means over participants with "
-        "95 % intervals, after the mean of each method has been taken away. Where orders are not "
-        "balanced, part of the order’s effect has gone with it.");
-    put("<h4>{}</h4>", say("The scale"));
-    scale();
+    if (std::ranges::any_of(f_.cohorts, hasSlope)) {
+      put("<h4>{}</h4>", say("The order"));
+      order();
+      figure(
+          positions,
+          "How methods were judged that came first, second and so on: means over participants with "
+          "95 % intervals, after the mean of each method has been taken away. Where orders are not "
+          "balanced, part of the order’s effect has gone with it.");
+    }
+    if (std::ranges::any_of(f_.cohorts, hasChecks)) {
+      put("<h4>{}</h4>", say("The scale"));
+      scale();
+    }
     flags();
     return std::move(html_);
   }
 
  private:
+  static bool hasSlope(const CohortResult& part) { return part.position.slope.p.has_value(); }
+
+  static bool isChecked(const analysis::MethodChecks& method) {
+    return method.alpha.value || method.omega.value || method.normality.w;
+  }
+  static bool hasChecks(const CohortResult& part) {
+    return std::ranges::any_of(part.checks.methods, isChecked);
+  }
+
   void order() {
     put("<ul>");
     for (const auto& part : f_.cohorts) {
+      if (!hasAnswers(part)) continue;
       const auto& slope = part.position.slope;
       if (!slope.p) {
         put("<li>{}: {}</li>",
@@ -60,6 +77,7 @@ class ChecksWriter : HtmlWriter {
          say("Shapiro–Wilk W"),
          "p"});
     for (const auto& part : f_.cohorts) {
+      if (!hasChecks(part)) continue;
       const auto& spread = part.checks.spread;
       rowOver(
           cohort(part.cohort) + (spread.p ? say(": Brown–Forsythe F({:g}, {:g}) = {}, p {}",
@@ -70,6 +88,7 @@ class ChecksWriter : HtmlWriter {
                                           : std::string()),
           7);
       for (const auto& method : part.checks.methods) {
+        if (!isChecked(method)) continue;
         row(
             {condition(method.method),
              std::to_string(method.alpha.items),

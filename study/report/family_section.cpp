@@ -1,9 +1,13 @@
 #include "study/report/family_section.h"
 
+#include <algorithm>
+
 #include "study/model/data_table.h"
+#include "study/report/family_captions.h"
 #include "study/report/family_checks.h"
 #include "study/report/family_tests.h"
 #include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
 #include "study/results/results_text.h"
 
 namespace study::report {
@@ -17,17 +21,15 @@ class FamilyWriter : HtmlWriter {
       : HtmlWriter(section), f_(family), figures_(figures) {}
 
   std::string all() {
-    put("<h3>{}</h3>", escaped(f_.family.title));
+    if (std::ranges::none_of(f_.cohorts, hasAnswers)) {
+      paragraph("Nobody has answered yet.");
+      return std::move(html_);
+    }
     means();
-    figure(
-        figures_.answers,
-        "How often each point was chosen. Answers to negative statements are reversed, so that "
-        "right is good; the middle of the scale is centred. Numbers are counts.");
-    figure(
-        figures_.people,
-        "What every participant thought: a dot is the mean of all that one person answered about a "
-        "method. Above, their density; the box holds the middle half, with the median; the diamond "
-        "is the mean.");
+    if (isShownByPoint(f_)) {
+      figureOrReference(MainFigure::Answers, figures_.answers, kAnswersCaption);
+    }
+    figureOrReference(MainFigure::People, figures_.people, kPeopleCaption);
     if (f_.isNamed("welch")) pooled();
     html_ += withinAsHtml(s_, f_, figures_.effects);
     if (!f_.isNamed("welch")) pooled();
@@ -36,6 +38,16 @@ class FamilyWriter : HtmlWriter {
   }
 
  private:
+  /// The figure, unless it stands beside the answer.
+  void figureOrReference(MainFigure kind, const std::string& svg, std::string_view caption) {
+    const auto answers = say("The answers:");
+    if (mainFigureOf(s_, f_) == kind && !svg.empty()) {
+      put("<p>{} {}</p>", answers, reference("answer-figure"));
+    } else {
+      figure(svg, caption);
+    }
+  }
+
   void means() {
     const auto& conditions = f_.cohorts.front().conditions;
     put("<table><caption>{}</caption><thead><tr><th></th>",
@@ -45,10 +57,11 @@ class FamilyWriter : HtmlWriter {
     for (std::size_t i = 0; i < conditions.size(); ++i) put("<th>μ</th><th>σ²</th><th>n</th>");
     put("</tr></thead><tbody>");
     for (const auto& part : f_.cohorts) {
+      if (!hasAnswers(part)) continue;
       std::vector<std::string> cells{cohort(part.cohort)};
       for (const auto& c : part.conditions) {
-        cells.push_back(rounded(c.counts.mean(), 1));
-        cells.push_back(rounded(c.counts.variance(), 1));
+        cells.push_back(rounded(c.counts.mean(), 2));
+        cells.push_back(rounded(c.counts.variance(), 2));
         cells.push_back(std::to_string(c.counts.total()));
       }
       row(cells);
@@ -58,6 +71,11 @@ class FamilyWriter : HtmlWriter {
 
   /// The table of the punch paper.
   void pooled() {
+    const auto isTested = [](const auto& part) {
+      return std::ranges::any_of(
+          part.comparisons.rows, [](const auto& test) { return test.p.has_value(); });
+    };
+    if (std::ranges::none_of(f_.cohorts, isTested)) return;
     const bool isNamed = f_.isNamed("welch");
     const auto correction =
         nameOf(isNamed ? f_.family.correction : protocols::CorrectionType::Bonferroni);
@@ -74,6 +92,14 @@ class FamilyWriter : HtmlWriter {
          "p",
          say("adjusted p")});
     for (const auto& part : f_.cohorts) {
+      if (!hasAnswers(part)) continue;
+      if (!isTested(part)) {
+        rowOver(
+            cohort(part.cohort) + ": " +
+                say("not defined: {}", s_.words(part.comparisons.rows.front().reason)),
+            7);
+        continue;
+      }
       const auto& perTest = part.comparisons.alphaPerTest;
       rowOver(
           cohort(part.cohort) + (perTest ? say(", α per test {:.4f}", *perTest) : std::string()),

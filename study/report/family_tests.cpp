@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "analysis/registry/registry.h"
+#include "study/report/family_captions.h"
 #include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
 #include "study/results/apa_text.h"
 
 namespace study::report {
@@ -36,25 +38,6 @@ std::string_view headingOf(std::string_view test) {
   return analysis::statisticalTest(test).title;
 }
 
-/// Prints "p_Holm" and similar names with subscripts.
-std::string withSubscripts(std::string html) {
-  const auto lower = [&](std::string_view before, std::string_view plain) {
-    std::string::size_type at = 0;
-    while ((at = html.find(plain, at)) != std::string::npos) {
-      const auto begin = at + before.size();
-      const auto skipped = html[begin] == '_' ? begin + 1 : begin;
-      const auto end = std::min(html.find(' ', begin), html.size());
-      const std::string sub = "<sub>" + html.substr(skipped, end - skipped) + "</sub>";
-      html.replace(begin, end - begin, sub);
-      at = begin + sub.size();
-    }
-  };
-  lower("p", "p_");
-  lower("g", "g_z");
-  lower("BF", "BF10");
-  return html;
-}
-
 /// Writes one family's tests.
 class TestsWriter : HtmlWriter {
  public:
@@ -72,17 +55,16 @@ class TestsWriter : HtmlWriter {
               "and ever since: all is exploratory.",
         declaredInWords(f_.family, s_.words),
         f_.family.alpha);
+    if (!isAnyTested()) {
+      nothingTested();
+      return std::move(html_);
+    }
     comparisons();
-    const bool isCorrected = !nameOf(f_.family.correction).empty();
-    figure(
-        effects,
-        isCorrected
-            ? "Mean differences within people: the thick line is the interval at 1 − α, the thin "
-              "one "
-              "at 1 − α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded, where "
-              "the protocol declares it, are differences that count as none."
-            : "Mean differences within people with their intervals at 1 − α. Shaded, where the "
-              "protocol declares it, are differences that count as none.");
+    if (mainFigureOf(s_, f_) == MainFigure::Differences && !effects.empty()) {
+      put("<p>{} {}</p>", say("The differences within people:"), reference("answer-figure"));
+    } else {
+      figure(effects, differencesCaption(f_));
+    }
     probabilities();
     sentences();
     between();
@@ -90,6 +72,28 @@ class TestsWriter : HtmlWriter {
   }
 
  private:
+  static bool isTested(const CohortResult& part) {
+    return std::ranges::any_of(part.within.rows, [](const auto& row) {
+      return std::ranges::any_of(
+          row.tests, [](const auto& test) { return test.isOfFamily && test.p; });
+    });
+  }
+
+  bool isAnyTested() const { return std::ranges::any_of(f_.cohorts, isTested); }
+
+  std::string whyNotTested(const CohortResult& part) const {
+    return say(
+        "nothing can be tested: {}.", s_.words(part.within.rows.front().test("paired_t").reason));
+  }
+
+  /// The reasons why no cohort has a test.
+  void nothingTested() {
+    for (const auto& part : f_.cohorts) {
+      if (part.within.rows.empty() || !hasAnswers(part)) continue;
+      put("<p><em>{}</em>: {}</p>", cohort(part.cohort), whyNotTested(part));
+    }
+  }
+
   std::string pairOf(const analysis::WithinComparison& row) const {
     return condition(row.group1) + " vs. " + condition(row.group2);
   }
@@ -105,6 +109,11 @@ class TestsWriter : HtmlWriter {
          "g<sub>z</sub>",
          "BF<sub>10</sub>"});
     for (const auto& part : f_.cohorts) {
+      if (!hasAnswers(part)) continue;
+      if (!isTested(part)) {
+        rowOver(cohort(part.cohort) + ": " + whyNotTested(part), 7);
+        continue;
+      }
       rowOver(
           cohort(part.cohort) + ", " +
               count(part.within.participants, "{} participant", "{} participants"),
@@ -126,6 +135,7 @@ class TestsWriter : HtmlWriter {
             : say("The same, tested: p, and in brackets p after {} correction", correction),
         headings);
     for (const auto& part : f_.cohorts) {
+      if (!isTested(part)) continue;
       rowOver(cohort(part.cohort), headings.size());
       for (const auto& comparison : part.within.rows) {
         std::vector<std::string> cells{pairOf(comparison)};
@@ -154,6 +164,7 @@ class TestsWriter : HtmlWriter {
          say("Probability"),
          say("{:g} % CI", 100.0 * (1.0 - f_.family.alpha))});
     for (const auto& part : f_.cohorts) {
+      if (!isTested(part)) continue;
       rowOver(cohort(part.cohort), 5);
       for (const auto& test : part.within.probabilities) probability(test);
     }
@@ -204,8 +215,9 @@ class TestsWriter : HtmlWriter {
   }
 
   void sentences() {
-    put("<details open><summary>{}</summary>", say("In sentences"));
+    put("<h4>{}</h4>", say("In sentences"));
     for (const auto& part : f_.cohorts) {
+      if (!isTested(part)) continue;
       put("<p><em>{}</em>: ", cohort(part.cohort));
       for (const auto& line : apaLines(part.within, f_.family, s_.words))
         put("{}. ", escaped(line));
@@ -219,11 +231,13 @@ class TestsWriter : HtmlWriter {
       }
       put("</ul>");
     }
-    put("</details>");
   }
 
   void between() {
-    if (f_.between.empty()) return;
+    const auto isTestedPair = [](const BetweenResult& b) {
+      return std::ranges::any_of(b.tests, [](const auto& test) { return test.p.has_value(); });
+    };
+    if (std::ranges::none_of(f_.between, isTestedPair)) return;
     std::vector<std::string> headings{
         say("Method"), "U", say("exact p"), say("Brunner–Munzel p"), say("Cliff’s δ")};
     for (const auto* test : othersOf(f_.between.front())) {
@@ -235,6 +249,7 @@ class TestsWriter : HtmlWriter {
         headings);
     std::string last;
     for (const auto& b : f_.between) {
+      if (!isTestedPair(b)) continue;
       const std::string pair = cohort(b.cohort1) + " vs. " + cohort(b.cohort2);
       if (pair != last) rowOver(pair, headings.size());
       last = pair;

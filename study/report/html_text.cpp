@@ -1,5 +1,7 @@
 #include "study/report/html_text.h"
 
+#include <algorithm>
+
 namespace study::report {
 namespace {
 
@@ -11,15 +13,16 @@ h1 { font-size: 1.7rem; line-height: 1.25; } h2 { font-size: 1.35rem; margin-top
 table { border-collapse: collapse; margin: .6rem 0 1.2rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
 th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; } thead th { border-bottom: 2px solid #555; }
+th:first-child, td:first-child { text-align: left; padding-left: 0; } thead th { border-bottom: 2px solid #555; }
 td { white-space: nowrap; } td.words { text-align: left; } td.words, td:first-child { white-space: normal; } tr.yes td { font-weight: 600; }
 .banner { background: #8a1c1c; color: #fff; padding: .6rem 1rem; border-radius: .3rem; font-weight: 600; }
 .pilot { background: #7a5200; }
 .note { color: #444; font-size: .92rem; } dl.flags dt { font-weight: 600; font-family: monospace; }
 dl.flags dd { margin: 0 0 .8rem 1.2rem; } dl.flags p { margin: .15rem 0; } .source { color: #444; font-size: .85rem; } li { margin: .25rem 0; }
+details { border-top: 1px solid #ccc; padding: .2rem 0; } summary { cursor: pointer; } summary h3 { display: inline-block; margin: .6rem 0; }
 figure { margin: 1rem 0 1.6rem; } figure svg { max-width: 100%; height: auto; }
 figcaption { color: #333; font-size: .92rem; } code { font-size: .85em; word-break: break-all; }
-@media print { body { margin: 0; max-width: none; } h2 { break-before: page; } }
+@media print { body { margin: 0; max-width: none; } table, figure { break-inside: avoid; } }
 )css";
 
 }  // namespace
@@ -45,6 +48,24 @@ std::string escaped(std::string_view text) {
     }
   }
   return result;
+}
+
+std::string withSubscripts(std::string html) {
+  const auto lower = [&](std::string_view before, std::string_view plain) {
+    std::string::size_type at = 0;
+    while ((at = html.find(plain, at)) != std::string::npos) {
+      const auto begin = at + before.size();
+      const auto skipped = html[begin] == '_' ? begin + 1 : begin;
+      const auto end = std::min(html.find(' ', begin), html.size());
+      const std::string sub = "<sub>" + html.substr(skipped, end - skipped) + "</sub>";
+      html.replace(begin, end - begin, sub);
+      at = begin + sub.size();
+    }
+  };
+  lower("p", "p_");
+  lower("g", "g_z");
+  lower("BF", "BF10");
+  return html;
 }
 
 std::string htmlPage(std::string_view title, std::string_view body, std::string_view language) {

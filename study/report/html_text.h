@@ -8,6 +8,9 @@ namespace study::report {
 /// Text escaped for an HTML element or attribute.
 std::string escaped(std::string_view text);
 
+/// Escaped text with "p_Holm", "g_z" and "BF10" as subscripts.
+std::string withSubscripts(std::string html);
+
 /// A complete self-contained page: @p body with the style sheet of all our reports.
 std::string htmlPage(
     std::string_view title, std::string_view body, std::string_view language = "en");

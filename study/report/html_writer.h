@@ -50,10 +50,17 @@ class HtmlWriter {
   }
 
   /// Opens a table with a caption and a head; the first column holds names.
-  void table(const std::string& caption, const std::vector<std::string>& columns) {
+  /// @param key  for references, see reference(); empty: none
+  void table(
+      const std::string& caption,
+      const std::vector<std::string>& columns,
+      const std::string& key = {}) {
     std::string heads;
     for (const auto& column : columns) heads += "<th>" + column + "</th>";
-    put("<table><caption>{}</caption><thead><tr>{}</tr></thead><tbody>", caption, heads);
+    put("<table><caption{}>{}</caption><thead><tr>{}</tr></thead><tbody>",
+        idOf(key),
+        caption,
+        heads);
   }
   void row(const std::vector<std::string>& cells) {
     std::string all;
@@ -66,21 +73,30 @@ class HtmlWriter {
   void endTable() { put("</tbody></table>"); }
 
   /// @param caption  in English: the text below the figure, or in its place.
-  void figure(const std::string& svg, std::string_view caption) {
+  /// @param key  for references; empty: none
+  void figure(const std::string& svg, std::string_view caption, const std::string& key = {}) {
     if (svg.empty()) {
       put("<p class=\"note\">{} {}</p>",
           say("(No figure: this palpate was built without Qt.)"),
           say(caption));
       return;
     }
-    put("<figure>{}<figcaption>{}</figcaption></figure>", svg, say(caption));
+    put("<figure>{}<figcaption{}>{}</figcaption></figure>", svg, idOf(key), say(caption));
   }
+
+  /// The number of a table or figure of this study: "Table 3" (numbering.h).
+  static std::string reference(const std::string& key) { return "<a href=\"#" + key + "\"></a>"; }
 
   std::string condition(const std::string& id) const { return escaped(s_.conditionTitle(id)); }
   std::string cohort(const std::string& id) const { return escaped(s_.cohortTitle(id)); }
 
   const ReportSection& s_;
   std::string html_;
+
+ private:
+  static std::string idOf(const std::string& key) {
+    return key.empty() ? std::string() : " id=\"" + key + "\"";
+  }
 };
 
 }  // namespace study::report

@@ -13,7 +13,6 @@ class InstrumentWriter : HtmlWriter {
 
   std::string all() {
     if (s_.results.instruments.empty()) return {};
-    heading("Questionnaires");
     for (const auto& summary : s_.results.instruments) instrument(summary);
     return std::move(html_);
   }

@@ -18,11 +18,10 @@ class MethodsWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    heading("Methods");
     put("<p>{}</p>", procedure());
     put("<p>{}</p>", plan());
     put("<p>{}</p>", computation());
-    heading("How this was made");
+    put("<h4>{}</h4>", say("How this was made"));
     put("<p>palpate {}; {} <em>{}</em>, {} {}, SHA-256 <code>{}</code>; {} <code>{}</code>, {} "
         "{}.</p>",
         appVersion(),
@@ -69,7 +68,8 @@ class MethodsWriter : HtmlWriter {
         "tool ({}).",
         phase.id);
     const auto& read = phase.text.in(s_.words.language());
-    if (!read.empty()) text += " " + say("They read: “{}”", read);
+    const bool hasBlanks = read.find("[[") != std::string::npos;
+    if (!read.empty() && !hasBlanks) text += " " + say("They read: “{}”", read);
     return text;
   }
 

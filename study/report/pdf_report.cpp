@@ -1,10 +1,12 @@
 #include "study/report/pdf_report.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
+#include <QFontDatabase>
 #include <QImage>
 #include <QPageLayout>
 #include <QPainter>
@@ -19,14 +21,13 @@
 #include <QTextObjectInterface>
 #include <QTextOption>
 
+#include "study/report/page_layout.h"
 #include "study/report/print_html.h"
 #include "study/session/study.h"
 
 namespace study::report {
 namespace {
 
-constexpr int kFigure = QTextFormat::UserObject + 1;
-constexpr int kNumber = QTextFormat::UserProperty + 1;
 constexpr double kPrintedWidth = 480.0;  // width of a figure [pt] within the margins of A4
 
 QByteArray bytesOf(std::string_view text) {
@@ -50,7 +51,9 @@ class FigureObjects : public QObject, public QTextObjectInterface {
     const auto* paper = document->documentLayout()->paintDevice();
     const double dpi = paper != nullptr ? paper->logicalDpiX() : 96.0;
     const double scale = std::min(dpi / 96.0, kPrintedWidth * dpi / 72.0 / size.width());
-    return size * scale;
+    const double shrunk =
+        format.hasProperty(kFigureScale) ? format.doubleProperty(kFigureScale) : 1.0;
+    return size * scale * shrunk;
   }
 
   void drawObject(
@@ -64,7 +67,7 @@ class FigureObjects : public QObject, public QTextObjectInterface {
 
  private:
   QSvgRenderer& renderer(const QTextFormat& format) const {
-    return *renderers_.at(static_cast<std::size_t>(format.property(kNumber).toInt()));
+    return *renderers_.at(static_cast<std::size_t>(format.property(kFigureNumber).toInt()));
   }
 
   std::vector<std::unique_ptr<QSvgRenderer>> renderers_;
@@ -80,49 +83,12 @@ void placeFigures(QTextDocument& document) {
       if (!format.isImageFormat() || !name.startsWith(kPrefix)) continue;
       QTextCharFormat figure;
       figure.setObjectType(kFigure);
-      figure.setProperty(kNumber, name.mid(kPrefix.size()).toInt());
+      figure.setProperty(kFigureNumber, name.mid(kPrefix.size()).toInt());
       QTextCursor cursor(&document);
       cursor.setPosition(it.fragment().position());
       cursor.setPosition(it.fragment().position() + 1, QTextCursor::KeepAnchor);
       cursor.setCharFormat(figure);
       break;  // the block has changed; a paragraph holds at most one figure
-    }
-  }
-}
-
-/// The bottom of a block's first line, from the top of the document.
-double endOfFirstLine(const QTextDocument& document, const QTextBlock& block) {
-  const double top = document.documentLayout()->blockBoundingRect(block).top();
-  const auto* lines = block.layout();
-  return lines->lineCount() > 0 ? top + lines->lineAt(0).rect().bottom() : top;
-}
-
-/// Lays out the whole document. The partial layout that Qt does after a change leaves some blocks
-/// undrawn (Qt 6.4).
-void layOutAgain(QTextDocument& document) {
-  const QSizeF size = document.pageSize();
-  document.setPageSize(size + QSizeF(1.0, 1.0));
-  document.setPageSize(size);
-}
-
-/// Keeps headings on the same page as the block after them.
-void keepWithNext(QTextDocument& document) {
-  const double page = document.pageSize().height();
-  const auto pageOf = [&](double y) { return static_cast<int>(y / page); };
-  bool hasMoved = true;
-  for (int round = 0; hasMoved && round < 100; ++round) {
-    hasMoved = false;
-    for (auto block = document.begin(); block.isValid() && !hasMoved; block = block.next()) {
-      const auto next = block.next();
-      auto format = block.blockFormat();
-      const bool isFree = format.headingLevel() > 0 && next.isValid() &&
-                          format.pageBreakPolicy() == QTextFormat::PageBreak_Auto;
-      const double top = document.documentLayout()->blockBoundingRect(block).top();
-      if (!isFree || pageOf(top) == pageOf(endOfFirstLine(document, next))) continue;
-      format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-      QTextCursor(block).setBlockFormat(format);
-      layOutAgain(document);
-      hasMoved = true;
     }
   }
 }
@@ -167,13 +133,39 @@ void splitAtPages(QTextDocument& document) {
   }
 }
 
+/// Gives headings their sizes. Qt sets them relative to the text, whatever the style sheet says (Qt
+/// 6.4).
+void setHeadingSizes(QTextDocument& document) {
+  constexpr std::array kSizes{15.0, 13.0, 11.0, 9.5};  // [pt]
+  for (auto block = document.begin(); block.isValid(); block = block.next()) {
+    const int level = block.blockFormat().headingLevel();
+    if (level < 1 || level > static_cast<int>(kSizes.size())) continue;
+    QTextCharFormat format;
+    format.setFontPointSize(kSizes[static_cast<std::size_t>(level) - 1]);
+    format.setProperty(QTextFormat::FontSizeAdjustment, 0);
+    QTextCursor cursor(block);
+    cursor.select(QTextCursor::BlockUnderCursor);
+    cursor.mergeCharFormat(format);
+  }
+}
+
+/// The first of some fonts made for text that is installed; the last one always is.
+QFont textFont() {
+  const auto installed = QFontDatabase::families();
+  for (const auto* family :
+       {"Source Sans 3", "Source Sans Pro", "Noto Sans", "Open Sans", "Liberation Sans"}) {
+    if (installed.contains(QLatin1String(family))) return QFont(QLatin1String(family));
+  }
+  return QFont(QStringLiteral("DejaVu Sans"));
+}
+
 /// Paints all pages with their numbers.
 void paintPages(QTextDocument& document, QPdfWriter& writer) {
   const QSizeF page = document.pageSize();
   QPainter painter(&writer);
   QAbstractTextDocumentLayout::PaintContext context;
   context.palette.setColor(QPalette::Text, Qt::black);
-  QFont font(QStringLiteral("DejaVu Sans"));
+  QFont font = textFont();
   font.setPointSizeF(8.0);
   painter.setFont(font);
   for (int number = 0; number < document.pageCount(); ++number) {
@@ -195,12 +187,12 @@ void paintPages(QTextDocument& document, QPdfWriter& writer) {
 
 }  // namespace
 
-std::string asPdf(std::string_view html, std::string_view title) {
+std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   const auto page = forPrint(html);
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
-  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageSize(QPageSize(paper == Paper::Letter ? QPageSize::Letter : QPageSize::A4));
   writer.setPageMargins(QMarginsF(20, 18, 20, 14), QPageLayout::Millimeter);
   writer.setTitle(QString::fromUtf8(bytesOf(title)));
   writer.setCreator(QStringLiteral("palpate ") + QString::fromUtf8(bytesOf(appVersion())));
@@ -209,14 +201,16 @@ std::string asPdf(std::string_view html, std::string_view title) {
   document.documentLayout()->registerHandler(kFigure, &figures);
   document.documentLayout()->setPaintDevice(&writer);
   document.setDocumentMargin(0.0);
+  document.setDefaultFont(textFont());
   QTextOption wrapping = document.defaultTextOption();
   wrapping.setWrapMode(QTextOption::WordWrap);  // otherwise words break inside narrow columns
   document.setDefaultTextOption(wrapping);
   document.setHtml(QString::fromStdString(page.html));
   placeFigures(document);
+  setHeadingSizes(document);
   constexpr double kFooter = 12.0 / 25.4;  // [in]
   document.setPageSize(QSizeF(writer.width(), writer.height() - kFooter * writer.logicalDpiY()));
-  keepWithNext(document);
+  breakPages(document);
   splitAtPages(document);
   paintPages(document, writer);
   return buffer.data().toStdString();

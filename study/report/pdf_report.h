@@ -5,9 +5,12 @@
 
 namespace study::report {
 
-/// One of our pages (html_report.h, document.h) as a PDF file on A4: text as text, figures as
-/// vectors, numbered pages. Needs a QGuiApplication.
-std::string asPdf(std::string_view html, std::string_view title);
+/// The size of a page.
+enum class Paper { A4, Letter };
+
+/// One of our pages (html_report.h, document.h) as a PDF file: text as text, figures as vectors,
+/// numbered pages. Needs a QGuiApplication.
+std::string asPdf(std::string_view html, std::string_view title, Paper paper = Paper::A4);
 
 /// One figure in its own size.
 std::string figureAsPdf(std::string_view svg);

@@ -14,7 +14,6 @@ class PreferenceWriter : HtmlWriter {
 
   std::string all() {
     if (s_.results.votes.empty()) return {};
-    heading("Preferences");
     const auto tables = voteTables(s_.results);
     for (const auto& one : tables) tableOf(one);
     note("Exact multinomial test of equal shares, for each round by itself (exploratory).");

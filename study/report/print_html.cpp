@@ -7,13 +7,14 @@ namespace study::report {
 namespace {
 
 constexpr const char* kStyle = R"css(
-body { font-family: "DejaVu Sans"; font-size: 9pt; }
-h1 { font-size: 16pt; } h2 { font-size: 13pt; } h3 { font-size: 11pt; } h4 { font-size: 9.5pt; }
+body { font-size: 9pt; }
+h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size: 11pt; margin-top: 10px; margin-bottom: 3px; } h4 { font-size: 9.5pt; margin-bottom: 3px; }
+p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
 p.note, p.figcaption { font-size: 8pt; color: #444444; }
 p.banner { background-color: #8a1c1c; color: #ffffff; font-weight: bold; }
 p.pilot { background-color: #7a5200; }
-td, th { font-size: 7.5pt; padding-left: 6px; }
-td.caption { font-weight: bold; font-size: 9pt; }
+td, th { font-size: 8pt; }
+td.caption { font-size: 8pt; }
 dt { font-weight: bold; } dd { margin-left: 12px; }
 )css";
 
@@ -48,6 +49,33 @@ void takeFigures(PrintHtml& page) {
         span.end - span.begin,
         "<img src=\"figure:" + std::to_string(page.figures.size() - 1) + "\">");
   }
+}
+
+/// Removes the tags that begin with @p begin, up to @p end; what stands between tags stays.
+void dropTags(std::string& html, std::string_view begin, std::string_view end = ">") {
+  for (auto span = spanOf(html, begin, end, 0); span.begin != std::string::npos;
+       span = spanOf(html, begin, end, span.begin)) {
+    html.erase(span.begin, span.end - span.begin);
+  }
+}
+
+/// Numbers of tables and figures stay, links to them do not: pages on paper have none. What is
+/// folded on the screen is open on paper.
+void unlinkAndUnfold(std::string& html) {
+  for (const std::string_view element : {"table", "figure"}) {
+    const auto open = "<" + std::string(element) + " id=\"" + std::string(element) + "-";
+    for (auto span = spanOf(html, open, "\"", 0); span.begin != std::string::npos;
+         span = spanOf(html, open, "\"", span.begin)) {
+      const auto end = html.find('>', span.begin);
+      html.replace(span.begin, end - span.begin, "<" + std::string(element));
+    }
+  }
+  dropTags(html, "<a href=\"#");
+  for (const std::string_view tag :
+       {"</a>", "<details>", "</details>", "<summary>", "</summary>"}) {
+    replaceAll(html, tag, "");
+  }
+  replaceAll(html, "<h2 class=\"appendix\">", "<h2 style=\"page-break-before: always\">");
 }
 
 /// The number of columns in the first row of a table's head, searched from @p at.
@@ -137,14 +165,12 @@ PrintHtml forPrint(std::string_view html) {
     text.replace(
         style.begin, style.end - style.begin, "<style>" + std::string(kStyle) + "</style>");
   }
+  unlinkAndUnfold(text);
   captionsInHead(text);
   cells(text);
   replaceAll(text, "<figure>", "<p>");
   replaceAll(text, "<figcaption>", "</p><p class=\"figcaption\">");
   replaceAll(text, "</figcaption></figure>", "</p>");
-  replaceAll(text, "<details open><summary>", "<p><b>");
-  replaceAll(text, "</summary>", "</b></p>");
-  replaceAll(text, "</details>", "");
   breaks(text);
   return page;
 }

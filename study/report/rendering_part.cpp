@@ -12,7 +12,6 @@ class RenderingWriter : HtmlWriter {
   using HtmlWriter::HtmlWriter;
 
   std::string all() {
-    heading("What each alternative felt like");
     if (s_.quality.trials == 0) {
       paragraph("There are no trials that count.");
       return std::move(html_);
@@ -100,7 +99,7 @@ class RenderingWriter : HtmlWriter {
 
   void quality() {
     const auto& q = s_.quality;
-    heading("Rendering quality");
+    put("<h4>{}</h4>", say("Rendering quality"));
     put("<p>{}</p>", counts());
     if (q.worstLateness) {
       paragraph(

@@ -134,6 +134,7 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .curvesReason = std::move(felt.reason),
       .quality = qualityOf(study, mode),
       .warnings = warningsOf(study),
+      .hasQuotes = true,
       .figures = {},
       .words = withDevices(words, study.protocol().protocol)};
 }

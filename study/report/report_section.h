@@ -66,6 +66,7 @@ struct ReportSection {
   base::Message curvesReason;  ///< why there are no curves, if the traces could not be read
   TrialQuality quality;
   std::vector<questionnaires::Problem> warnings;  ///< of the protocol's validation
+  bool hasQuotes = true;                          ///< what participants wrote is shown
   Figures figures;
   words::Words words;  ///< in the language of the report
 

@@ -1,11 +1,17 @@
+#include <algorithm>
+#include <array>
+
+#include "study/model/data_table.h"
 #include "study/report/family_section.h"
 #include "study/report/html_writer.h"
 #include "study/report/study_parts.h"
+#include "study/results/answer_tables.h"
+#include "study/results/apa_text.h"
 
 namespace study::report {
 namespace {
 
-/// Writes the beginning of the page: the study, and notes for the reader.
+/// Writes the beginning of the page: notes for the reader, and the question.
 class HeadWriter : HtmlWriter {
  public:
   using HtmlWriter::HtmlWriter;
@@ -17,7 +23,6 @@ class HeadWriter : HtmlWriter {
 
  private:
   void head() {
-    put("<h2>{}</h2>", escaped(s_.protocol.study.title));
     if (s_.results.runMode == RunMode::Simulated) {
       put("<p class=\"banner\">{}</p>",
           say("Simulated: nobody took part. These numbers show what the program does; they say "
@@ -27,8 +32,27 @@ class HeadWriter : HtmlWriter {
       put("<p class=\"banner pilot\">{}</p>", say("Pilot sessions: not for publication."));
     }
     synthetic();
+    heading("The question");
     if (!s_.protocol.study.description.empty())
       put("<p>{}</p>", escaped(s_.protocol.study.description));
+    for (const auto& family : s_.results.families) declared(family);
+  }
+
+  void declared(const FamilyResult& result) {
+    const auto& family = result.family;
+    std::string compared;
+    for (const auto& id : conditionsOf(s_.protocol, family)) {
+      compared += (compared.empty() ? "" : ", ") + s_.conditionTitle(id);
+    }
+    paragraph(
+        result.isDeclared ? "“{}”: {} are compared. Declared before the first participant: {}, "
+                            "α = {}."
+                          : "“{}”: {} are compared. Not declared before the first participant, and "
+                            "exploratory: {}, α = {}.",
+        family.title,
+        compared,
+        declaredInWords(family, s_.words),
+        exactly(family.alpha));
   }
 
   void synthetic() {
@@ -39,7 +63,7 @@ class HeadWriter : HtmlWriter {
     if (titles.empty()) return;
     put("<p class=\"banner\">{}</p>",
         say("SYNTHETIC: nobody recorded or measured what these alternatives were made from: {}. "
-            "Which ones they are stands below, in “How this was made”.",
+            "See “How this was made”.",
             titles));
   }
 };
@@ -54,37 +78,45 @@ class ParticipantWriter : HtmlWriter {
   }
 
  private:
+  struct Column {
+    std::string_view heading;
+    int CohortFlow::*count;
+    bool isAlways = false;  ///< shown also where all counts are 0
+  };
+
+  bool isShown(const Column& column) const {
+    return column.isAlways || std::ranges::any_of(s_.results.flow, [&](const auto& flow) {
+             return flow.*column.count != 0;
+           });
+  }
+
   void flow() {
+    constexpr std::array<Column, 7> kColumns{
+        {{"Enrolled", &CohortFlow::enrolled, true},
+         {"Completed", &CohortFlow::completed, true},
+         {"In progress", &CohortFlow::inProgress},
+         {"Declined", &CohortFlow::declined},
+         {"Withdrawn", &CohortFlow::withdrawn},
+         {"Rejected", &CohortFlow::rejected},
+         {"Device failed", &CohortFlow::abortedHardware}}};
     heading("Participants");
-    table(
-        say("Who took part"),
-        {say("Cohort"),
-         say("Enrolled"),
-         say("Completed"),
-         say("In progress"),
-         say("Declined"),
-         say("Withdrawn"),
-         say("Rejected"),
-         say("Device failed")});
+    std::vector<std::string> headings{say("Cohort")};
+    for (const auto& column : kColumns) {
+      const auto title = say(column.heading);  // also of hidden columns, so that gaps are found
+      if (isShown(column)) headings.push_back(title);
+    }
+    table(say("Who took part"), headings);
     for (const auto& f : s_.results.flow) {
       std::vector<std::string> cells{cohort(f.cohort)};
-      for (const int count :
-           {f.enrolled,
-            f.completed,
-            f.inProgress,
-            f.declined,
-            f.withdrawn,
-            f.rejected,
-            f.abortedHardware}) {
-        cells.push_back(std::to_string(count));
+      for (const auto& column : kColumns) {
+        if (isShown(column)) cells.push_back(std::to_string(f.*column.count));
       }
       row(cells);
     }
     endTable();
     note(
         "Only completed sessions count below, and of these only steps that were finished and not "
-        "repeated. Why somebody left is not told here: a few people are easily known. The export’s "
-        "table of sessions has it.");
+        "repeated. Reasons for leaving are omitted to protect anonymity.");
   }
 };
 
@@ -98,15 +130,27 @@ class WarningWriter : HtmlWriter {
   }
 
  private:
+  /// Blanks in texts concern the laboratory, and their names would look like results.
+  static bool isBlank(const questionnaires::Problem& warning) {
+    return warning.what.key() == "blank_left" || warning.what.key() == "blank_left_in";
+  }
+
   void warnings() {
     if (s_.warnings.empty()) return;
-    heading("What to know about the design");
     put("<ul>");
     for (const auto& warning : s_.warnings) {
+      if (isBlank(warning)) continue;
       put("<li>{}{} <span class=\"note\">({})</span></li>",
           escaped(s_.words(warning.what)),
           warning.fix.empty() ? "." : "; " + escaped(s_.words(warning.fix)) + ".",
           escaped(warning.path));
+    }
+    if (const auto blanks = std::ranges::count_if(s_.warnings, isBlank); blanks > 0) {
+      put("<li>{}</li>",
+          count(
+              blanks,
+              "{} text still has blanks to fill in; palpate protocol check names it.",
+              "{} texts still have blanks to fill in; palpate protocol check names them."));
     }
     put("</ul>");
   }
@@ -122,18 +166,31 @@ std::string participantsAsHtml(const ReportSection& section) {
   return ParticipantWriter(section).all();
 }
 
-std::string familiesAsHtml(const ReportSection& section) {
-  std::string html;
-  const auto& figures = section.figures.families;
-  for (std::size_t i = 0; i < section.results.families.size(); ++i) {
-    html += familyAsHtml(
-        section, section.results.families[i], i < figures.size() ? figures[i] : FamilyFigures{});
-  }
-  return html;
-}
-
 std::string warningsAsHtml(const ReportSection& section) {
   return WarningWriter(section).all();
+}
+
+std::vector<AppendixPart> appendixOf(const ReportSection& section) {
+  std::vector<AppendixPart> parts;
+  const auto& figures = section.figures.families;
+  for (std::size_t i = 0; i < section.results.families.size(); ++i) {
+    const auto& family = section.results.families[i];
+    parts.push_back(
+        {family.family.title,
+         familyAsHtml(section, family, i < figures.size() ? figures[i] : FamilyFigures{})});
+  }
+  const auto add = [&](std::string_view heading, const std::string& html) {
+    if (!html.empty()) parts.push_back({section.words(heading), html});
+  };
+  add("Preferences", preferencesAsHtml(section));
+  add("Questionnaires", instrumentsAsHtml(section));
+  add("Every item by itself", itemsAsHtml(section));
+  add("In participants’ own words", quotesAsHtml(section));
+  add("What each alternative felt like", renderingAsHtml(section));
+  add("What to know about the design", warningsAsHtml(section));
+  add("Validity evidence", validityAsHtml(section));
+  add("Methods", methodsAsHtml(section));
+  return parts;
 }
 
 }  // namespace study::report

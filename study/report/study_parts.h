@@ -1,21 +1,28 @@
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "study/report/report_section.h"
 
 // The parts of a page about one study. Each is HTML, and may be empty.
 namespace study::report {
 
-/// What the study is, and whether its participants were real or simulated.
+/// Whether participants were real or simulated, and what the study asks.
 std::string headAsHtml(const ReportSection& section);
 
 /// How many took part, by cohort.
 std::string participantsAsHtml(const ReportSection& section);
 
-/// The answers, by family.
-std::string familiesAsHtml(const ReportSection& section);
+/// The answer: one figure, one table, a sentence for each cohort, and what weakens it.
+std::string answerAsHtml(const ReportSection& section);
+
+/// The family whose figure stands beside the answer: the first one with answers; nullptr if there
+/// is none.
+const FamilyResult* mainFamily(const ReportSection& section);
+
+/// Whether anybody of the cohort answered.
+bool hasAnswers(const CohortResult& cohort);
 
 /// The preferences, with their figure.
 std::string preferencesAsHtml(const ReportSection& section);
@@ -23,24 +30,31 @@ std::string preferencesAsHtml(const ReportSection& section);
 /// The summaries of scored questionnaires; empty if there are none.
 std::string instrumentsAsHtml(const ReportSection& section);
 
+/// Every answered item by itself, except texts; empty if there are none.
+std::string itemsAsHtml(const ReportSection& section);
+
+/// What participants wrote, by item and alternative; empty if they wrote nothing.
+std::string quotesAsHtml(const ReportSection& section);
+
 /// The force of each alternative, and the quality of its rendering.
 std::string renderingAsHtml(const ReportSection& section);
 
 /// The warnings of the protocol's validation about the design.
 std::string warningsAsHtml(const ReportSection& section);
 
+/// What the study adds to the validity of the simulator, by source of evidence.
+std::string validityAsHtml(const ReportSection& section);
+
 /// The methods: procedure, sources and software.
 std::string methodsAsHtml(const ReportSection& section);
 
-/// All parts, in the order of the page.
-inline constexpr auto kStudyParts = std::to_array<std::string (*)(const ReportSection&)>(
-    {headAsHtml,
-     participantsAsHtml,
-     familiesAsHtml,
-     preferencesAsHtml,
-     instrumentsAsHtml,
-     renderingAsHtml,
-     warningsAsHtml,
-     methodsAsHtml});
+/// A part that is folded on the page.
+struct AppendixPart {
+  std::string heading;
+  std::string html;
+};
+
+/// All that have something to say, in the order of the page.
+std::vector<AppendixPart> appendixOf(const ReportSection& section);
 
 }  // namespace study::report

@@ -3,17 +3,28 @@
 #include <algorithm>
 #include <map>
 
+#include "study/report/family_captions.h"
 #include "study/report/figures/chart_painter.h"
 #include "study/report/figures/svg_canvas.h"
+#include "study/report/study_parts.h"
 
 namespace study::report {
 namespace {
 
+/// A family without the cohorts that nobody answered in, if there are others.
+FamilyResult withAnswers(const FamilyResult& family) {
+  auto answered = family;
+  std::erase_if(answered.cohorts, [](const auto& cohort) { return !hasAnswers(cohort); });
+  return answered.cohorts.empty() ? family : answered;
+}
+
 FamilyFigures figuresOf(const ReportSection& section, const FamilyResult& family) {
   FamilyFigures figures;
-  figures.answers = asSvg(likertFigureSize(family), [&](QPainter& painter) {
-    paintLikertFigure(painter, section, family);
-  });
+  if (isShownByPoint(family)) {
+    figures.answers = asSvg(likertFigureSize(family), [&](QPainter& painter) {
+      paintLikertFigure(painter, section, family);
+    });
+  }
   figures.people = asSvg(raincloudFigureSize(family), [&](QPainter& painter) {
     paintRaincloudFigure(painter, section, family);
   });
@@ -57,7 +68,7 @@ std::string timingFigure(const ReportSection& section) {
 void paintFigures(ReportSection& section) {
   section.figures = {};
   for (const auto& family : section.results.families) {
-    section.figures.families.push_back(figuresOf(section, family));
+    section.figures.families.push_back(figuresOf(section, withAnswers(family)));
   }
   if (!section.results.votes.empty()) {
     section.figures.votes = asSvg(

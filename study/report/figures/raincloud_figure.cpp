@@ -18,6 +18,8 @@ constexpr double kRow = 84.0;
 constexpr double kCloud = 34.0;  // of a row, from its top
 constexpr double kBox = 9.0;
 constexpr double kDot = 3.6;
+constexpr double kMargin = 0.075;     // beside the scale, as a share of its width
+constexpr double kLeastWidth = 0.02;  // of a density, as a share of the scale's width
 
 std::vector<double> valuesOf(const analysis::AnswerTable& table, std::size_t method) {
   std::vector<double> values;
@@ -42,9 +44,9 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// Silverman's rule of thumb, 0.9 min(s, IQR / 1.34) n^(−1/5) [points], and at least 0.08, so that
-/// equal values have a density, too.
-double bandwidthOf(const std::vector<double>& sorted) {
+/// Silverman's rule of thumb, 0.9 min(s, IQR / 1.34) n^(−1/5) [points], and at least @p least, so
+/// that equal values have a density, too.
+double bandwidthOf(const std::vector<double>& sorted, double least) {
   const double mean = meanOf(sorted);
   double squares = 0.0;
   for (const double value : sorted) squares += (value - mean) * (value - mean);
@@ -52,7 +54,7 @@ double bandwidthOf(const std::vector<double>& sorted) {
   const double deviation = std::sqrt(squares / std::max(n - 1.0, 1.0));
   const double middleHalf = (quantile(sorted, 0.75) - quantile(sorted, 0.25)) / 1.34;
   const double spread = middleHalf > 0.0 ? std::min(deviation, middleHalf) : deviation;
-  return std::max(0.9 * spread * std::pow(n, -0.2), 0.08);
+  return std::max(0.9 * spread * std::pow(n, -0.2), least);
 }
 
 class RaincloudPainter {
@@ -68,8 +70,11 @@ class RaincloudPainter {
             kNames,
             kNumbers,
             AxisScale(
-                {.title = {}, .least = lowest_ - 0.3, .most = highest_ + 0.3}, lowest_, highest_)) {
-  }
+                {.title = {},
+                 .least = lowest_ - kMargin * (highest_ - lowest_),
+                 .most = highest_ + kMargin * (highest_ - lowest_)},
+                lowest_,
+                highest_)) {}
 
   void paint() {
     const double bottom = raincloudFigureSize(family_).height() - RowsCanvas::kAxis;
@@ -101,7 +106,7 @@ class RaincloudPainter {
 
   /// The density within the scale's ends, scaled to the height of its row.
   void cloud(const std::vector<double>& values, double ground, QColor colour) {
-    const double width = bandwidthOf(values);
+    const double width = bandwidthOf(values, kLeastWidth * (highest_ - lowest_));
     std::vector<QPointF> points;
     double most = 0.0;
     constexpr int kSteps = 160;

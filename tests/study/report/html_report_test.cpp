@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "protocols/model/messages.h"
+#include "study/report/numbering.h"
 #include "study/report/print_html.h"
 #include "tests/study/report/section.h"
 
@@ -16,9 +17,9 @@ bool has(const std::string& page, const std::string& words) {
 TEST(HtmlReport, HasTheMeansAndVariancesOfThePapersTable) {
   const auto page = asHtml({tests::madeUpSection()});
   // The counts of the synthetic study, which round to the paper's Table 2.
-  EXPECT_TRUE(has(page, "<td>4.1</td><td>1.3</td><td>36</td>"));
-  EXPECT_TRUE(has(page, "<td>2.6</td><td>2.6</td><td>36</td>"));
-  EXPECT_TRUE(has(page, "<td>3.2</td><td>2.4</td><td>36</td>"));
+  EXPECT_TRUE(has(page, "<td>4.06</td><td>1.25</td><td>36</td>"));
+  EXPECT_TRUE(has(page, "<td>2.64</td><td>2.58</td><td>36</td>"));
+  EXPECT_TRUE(has(page, "<td>3.19</td><td>2.39</td><td>36</td>"));
 }
 
 TEST(HtmlReport, HasWelchsTestsWithTheirAdjustedP) {
@@ -81,6 +82,97 @@ TEST(HtmlReport, PrintsTheNameOfACorrectionAsASubscript) {
   EXPECT_TRUE(has(page, "p<sub>Bonferroni</sub>"));
   EXPECT_TRUE(has(page, "g<sub>z</sub> = "));
   EXPECT_FALSE(has(page, "p_Bonferroni"));
+}
+
+/// The page before its appendix.
+std::string mainPart(const std::string& page) {
+  return page.substr(0, page.find("<h2 class=\"appendix\">"));
+}
+
+TEST(HtmlReport, AnswersBeforeItsAppendix) {
+  const auto main = mainPart(asHtml({tests::madeUpSection()}));
+  EXPECT_TRUE(has(main, "“Realism of the three methods”: Interpolation, FEM, KF are compared."));
+  EXPECT_TRUE(has(main, "<td>Orthopaedic surgeons</td><td>7</td><td>6</td><td>1</td>"));
+  EXPECT_FALSE(has(main, "<th>Rejected</th>")) << "nobody was";
+  // study_golden.txt: 1.42 [0.76, 2.07], p < .001; 0.86 [0.23, 1.50], adjusted .026; KF 0.56 more
+  // than FEM [-0.19, 1.30], adjusted .418. Means of 36 answers: 146, 95 and 115 points.
+  EXPECT_TRUE(
+      has(main, "Interpolation was rated 1.42 points higher than FEM (95 % CI [0.76, 2.07], "));
+  EXPECT_TRUE(has(main, "p<sub>Bonferroni</sub> = .026)"));
+  EXPECT_TRUE(has(main, "KF was rated 0.56 points higher than FEM, which is not significant ("));
+  EXPECT_TRUE(has(main, "<td>Interpolation (4.06) vs. FEM (2.64)</td><td>1.42</td>"));
+  EXPECT_TRUE(
+      has(main, "Preferences, all rounds and cohorts together: Interpolation 11, FEM 1, KF 9."));
+  EXPECT_TRUE(has(main, "What weakens the answer"));
+  EXPECT_TRUE(has(main, "108 answers of 6 people are treated as 108 independent observations"));
+  EXPECT_FALSE(has(main, "–</td>")) << "a cell without a number";
+}
+
+TEST(HtmlReport, LeavesFlagsOfPooledTestsOutOfAnAnswerWithinPeople) {
+  auto section = tests::madeUpSection();
+  section.results.families.front().family.test = protocols::TestType::PairedT;
+  const auto page = asHtml({section});
+  EXPECT_FALSE(has(mainPart(page), "independent observations"));
+  EXPECT_TRUE(has(page, "independent observations"));
+}
+
+TEST(HtmlReport, FoldsItsAppendix) {
+  const auto page = asHtml({tests::madeUpSection()});
+  EXPECT_TRUE(has(page, "<details><summary><h3>Preferences</h3></summary>"));
+  EXPECT_TRUE(has(page, "<details><summary><h3>Methods</h3></summary>"));
+  EXPECT_FALSE(has(mainPart(page), "<details>"));
+}
+
+TEST(HtmlReport, ShowsNoBlankOfALaboratory) {
+  auto section = tests::madeUpSection();
+  for (auto& phase : section.protocol.phases) {
+    phase.text = protocols::LocalizedText(
+        std::map<std::string, std::string>{{"en", "Ask [[name]] for the punch."}});
+  }
+  const auto page = asHtml({section});
+  EXPECT_FALSE(has(page, "[["));
+  EXPECT_TRUE(has(page, " texts still have blanks to fill in"));
+}
+
+TEST(HtmlReport, HasNoNumbersOfCohortsThatHaveNotAnswered) {
+  auto section = tests::madeUpSection();
+  auto& cohorts = section.results.families.front().cohorts;
+  cohorts[1] = {.cohort = cohorts[1].cohort};
+  const auto page = asHtml({section});
+  EXPECT_FALSE(has(page, "<em>Non-professionals</em></td>"));
+  cohorts[0] = {.cohort = cohorts[0].cohort};
+  const auto empty = asHtml({section});
+  EXPECT_TRUE(has(empty, "Nothing can be compared yet"));
+  EXPECT_TRUE(has(empty, "Nobody has answered yet."));
+}
+
+TEST(Numbering, CountsOverStudiesAndFillsInReferences) {
+  Numbering numbering;
+  const words::Words words;
+  const auto first = numbering.numbered(
+      "<a href=\"#b\"></a><table><caption>A</caption></table><table><caption "
+      "id=\"b\">B</caption></table>",
+      words);
+  EXPECT_EQ(
+      first,
+      "<a href=\"#table-2\">Table 2</a><table id=\"table-1\"><caption><b>Table 1.</b> "
+      "A</caption></table><table id=\"table-2\"><caption><b>Table 2.</b> B</caption></table>");
+  EXPECT_EQ(
+      numbering.numbered(
+          "<figure><figcaption id=\"b\">C</figcaption></figure><a href=\"#b\"></a>", words),
+      "<figure id=\"figure-1\"><figcaption><b>Figure 1.</b> C</figcaption></figure><a "
+      "href=\"#figure-1\">Figure 1</a>");
+  EXPECT_THROW(numbering.numbered("<a href=\"#none\"></a>", words), std::logic_error);
+}
+
+TEST(PrintHtml, UnfoldsTheAppendixOnAPageOfItsOwn) {
+  const auto page = forPrint(
+      "<h2 class=\"appendix\">Appendix</h2><details><summary><h3>A</h3></summary>see <a "
+      "href=\"#table-1\">Table 1</a></details><table id=\"table-1\"><caption><b>Table 1.</b> "
+      "W</caption><thead><tr><th>A</th></tr></thead></table>");
+  EXPECT_TRUE(
+      has(page.html, "<h2 style=\"page-break-before: always\">Appendix</h2><h3>A</h3>see Table 1"));
+  EXPECT_TRUE(has(page.html, "<b>Table 1.</b> W</td>"));
 }
 
 TEST(PrintHtml, MovesCaptionsIntoTableHeadsAndExtractsFigures) {

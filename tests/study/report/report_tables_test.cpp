@@ -67,11 +67,17 @@ struct Table {
   }
 };
 
+/// A caption without "Table 3. ".
+std::string withoutNumber(const std::string& caption) {
+  EXPECT_TRUE(caption.starts_with("Table ")) << caption;
+  return caption.substr(caption.find(". ") + 2);
+}
+
 /// The only table of @p page whose caption begins with @p caption.
 Table tableOf(const std::string& page, const std::string& caption) {
   std::vector<Table> found;
   for (const auto& html : elements(page, "table")) {
-    Table table{.caption = asRead(elements(html, "caption").at(0))};
+    Table table{.caption = withoutNumber(asRead(elements(html, "caption").at(0)))};
     if (!table.caption.starts_with(caption)) continue;
     for (const auto& head : elements(html, "th")) table.headings.push_back(asRead(head));
     for (const auto& line : elements(html.substr(html.find("<tbody>")), "tr")) {
@@ -118,12 +124,26 @@ TEST_F(ReportTables, OfParticipantsHasEachEndInItsColumn) {
   EXPECT_EQ(row("Who took part"), expected);
 }
 
+TEST_F(ReportTables, OfTheAnswerHasTheDeclaredTestWithTheDifferenceWithinPeople) {
+  const Row expected{
+      {"Comparison", "Interpolation (4.00) vs. FEM (1.67)"},
+      {"Difference", "3.02"},
+      {"99 % CI", "[3.08, 3.09]"},
+      {"Effect size", "gz = 3.16"},
+      {"p", ".343"}};
+  EXPECT_EQ(row("The declared comparisons"), expected);
+  expectSaid(
+      "Orthopaedic surgeons (41 participants): Interpolation was rated 3.02 points higher than FEM "
+      "(99 % CI [3.08, 3.09], gz = 3.16, pHolm = .343)");
+}
+
 TEST_F(ReportTables, OfMeansHasMeanVarianceAndCountOfEachCondition) {
   const auto table = tableOf(page_, "Mean μ and variance σ²");
   EXPECT_EQ(
       table.headings, (Cells{"", "Interpolation", "FEM", "", "μ", "σ²", "n", "μ", "σ²", "n"}));
   ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.rows[0], (Cells{"Orthopaedic surgeons", "4.0", "2.4", "6", "1.7", "0.3", "3"}));
+  EXPECT_EQ(
+      table.rows[0], (Cells{"Orthopaedic surgeons", "4.00", "2.40", "6", "1.67", "0.33", "3"}));
 }
 
 TEST_F(ReportTables, OfWelchsTestsHasThePlainIntervalAndBothP) {

@@ -74,6 +74,7 @@ std::map<std::string_view, std::string_view> allMessages() {
   };
   add(analysis::kReasons);
   add(analysis::kFlagMessages);
+  add(analysis::kWithinMessages);
   add(questionnaires::kWarnings);
   add(protocols::kMessages);
   add(kMessages);

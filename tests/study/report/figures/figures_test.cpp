@@ -1,6 +1,9 @@
 #include "study/report/figures/figures.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -161,13 +164,72 @@ TEST(PdfReport, HasEveryLineOnceAlsoAtPageBreaks) {
   }
 }
 
+/// The pages of a PDF as text; std::nullopt if no tool can read it.
+std::optional<std::vector<std::string>> pagesOf(const std::string& pdf) {
+  const auto text = textOf(pdf);
+  if (!text) return std::nullopt;
+  std::vector<std::string> pages{""};
+  for (const char c : *text) {
+    if (c == '\f') {
+      pages.emplace_back();
+    } else {
+      pages.back() += c;
+    }
+  }
+  return pages;
+}
+
+/// The place of the first page that holds @p words.
+std::size_t pageWith(const std::vector<std::string>& pages, const std::string& words) {
+  const auto found = std::find_if(pages.begin(), pages.end(), [&](const auto& page) {
+    return page.find(words) != std::string::npos;
+  });
+  return static_cast<std::size_t>(found - pages.begin());
+}
+
+/// Paragraphs, then a heading, a table of 12 rows, and a figure.
+std::string pageAfter(int paragraphs) {
+  std::string body;
+  for (int i = 0; i < paragraphs; ++i) body += "<p>paragraph " + std::to_string(i) + "</p>";
+  body +=
+      "<h3>Heading of it</h3><table><caption>Caption of it</caption><thead><tr><th>Column</th>"
+      "</tr></thead><tbody>";
+  for (int i = 10; i < 22; ++i) body += "<tr><td>row" + std::to_string(i) + "</td></tr>";
+  body +=
+      "</tbody></table><figure><svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "viewBox=\"0 0 800 300\" width=\"800\" height=\"300\"><text x=\"10\" "
+      "y=\"290\" font-size=\"20\">drawn</text></svg><figcaption>Words below</figcaption>"
+      "</figure>";
+  return "<html><head><style></style></head><body>" + body + "</body></html>";
+}
+
+TEST(PdfReport, KeepsATableWholeAndWithItsHeading) {
+  bool isEverMoved = false;
+  for (int paragraphs = 0; paragraphs < 60; paragraphs += 3) {
+    const auto pages = pagesOf(asPdf(pageAfter(paragraphs), "A study"));
+    if (!pages) GTEST_SKIP() << "needs pdftotext: ./setup --check";
+    const auto first = pageWith(*pages, "row10");
+    ASSERT_LT(first, pages->size()) << paragraphs;
+    EXPECT_EQ(pageWith(*pages, "row21"), first) << paragraphs;
+    EXPECT_EQ(pageWith(*pages, "Caption of it"), first) << paragraphs;
+    EXPECT_EQ(pageWith(*pages, "Heading of it"), first) << paragraphs;
+    isEverMoved = isEverMoved || first > 0;
+  }
+  EXPECT_TRUE(isEverMoved) << "or this test sees nothing";
+}
+
+TEST(PdfReport, HasPagesOfTheSizeThatIsAskedFor) {
+  const std::string html = "<html><body><p>Nothing</p></body></html>";
+  EXPECT_NE(asPdf(html, "A study", Paper::Letter).find("/MediaBox [0 0 612.0"), std::string::npos);
+  EXPECT_NE(asPdf(html, "A study").find("/MediaBox [0 0 595.0"), std::string::npos);
+}
+
 TEST(PdfReport, BreaksNoWordInANarrowColumn) {
   auto section = tests::madeUpSection();
   section.words = words::wordsIn("de");
   const auto said = textOf(asPdf(asHtml({section}), "A study"));
   if (!said) GTEST_SKIP() << "needs pdftotext: ./setup --check";
-  for (const auto* whole :
-       {"Gruppe", "Laufend", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
+  for (const auto* whole : {"Gruppe", "nommen", "schlossen", "gezogen", "Vorzeichentausch"}) {
     EXPECT_GE(timesIn(*said, whole), 1U) << whole;
   }
 }

@@ -1,0 +1,367 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "study/report/family_captions.h"
+#include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
+#include "study/results/vote_tables.h"
+
+namespace study::report {
+namespace {
+
+constexpr std::size_t kMostInASentence = 3;  // comparisons; the table has all of them
+
+/// A declared comparison, with the numbers that its family's test gives.
+struct Declared {
+  std::string group1;
+  std::string group2;
+  const analysis::TestRow* difference;  ///< has estimate, interval and effect
+  const analysis::TestRow* test;        ///< has p
+
+  bool isDefined() const { return difference->estimate.value && test->p; }
+  double effect() const { return std::abs(difference->effect.value.value_or(0.0)); }
+};
+
+std::vector<Declared> declaredIn(const FamilyResult& family, const CohortResult& cohort) {
+  std::vector<Declared> all;
+  if (family.isNamed("welch")) {
+    for (const auto& row : cohort.comparisons.rows) {
+      all.push_back({row.group1, row.group2, &row, &row});
+    }
+    return all;
+  }
+  for (const auto& row : cohort.within.rows) {
+    const auto& test = row.test(idOf(family.family.test));
+    all.push_back({row.group1, row.group2, &row.test("paired_t"), &test});
+  }
+  return all;
+}
+
+bool isAnyDefined(const FamilyResult& family, const CohortResult& cohort) {
+  return std::ranges::any_of(declaredIn(family, cohort), &Declared::isDefined);
+}
+
+/// Writes the answer of a study.
+class AnswerWriter : HtmlWriter {
+ public:
+  using HtmlWriter::HtmlWriter;
+
+  std::string all() {
+    heading("The answer");
+    const auto* family = mainFamily(s_);
+    if (family == nullptr) {
+      paragraph("Nothing can be compared yet: no completed session has answers to compare.");
+    } else {
+      sentences();
+      preferences();
+      mainFigure(*family);
+      tableOfAnswers();
+    }
+    weaknesses();
+    return std::move(html_);
+  }
+
+ private:
+  template <typename Do>
+  void forEachAnswered(Do&& visit) const {
+    for (const auto& family : s_.results.families) {
+      for (const auto& part : family.cohorts) {
+        if (hasAnswers(part)) visit(family, part);
+      }
+    }
+  }
+
+  // --- Sentences ---
+
+  void sentences() {
+    forEachAnswered([&](const auto& family, const auto& part) {
+      const auto text = sentenceOf(family, part);
+      put("<p>{}: {}</p>", whoOf(family, part), text);
+    });
+  }
+
+  /// "Orthopaedic surgeons (6 participants)"; with the family's title if there are several.
+  std::string whoOf(const FamilyResult& family, const CohortResult& part) const {
+    const auto complete = part.within.participants;  // who judged every method
+    const auto who = escaped(s_.words.count(
+        complete > 0 ? complete : part.table.participants.size(),
+        "{1} ({0} participant)",
+        "{1} ({0} participants)",
+        s_.cohortTitle(part.cohort)));
+    return s_.results.families.size() > 1 ? "“" + escaped(family.family.title) + "”, " + who : who;
+  }
+
+  std::string sentenceOf(const FamilyResult& family, const CohortResult& part) const {
+    auto rows = declaredIn(family, part);
+    if (!isAnyDefined(family, part)) {
+      return rows.empty() ? std::string()
+                          : say("nothing can be tested: {}.", s_.words(rows.front().test->reason));
+    }
+    std::erase_if(rows, [](const auto& row) { return !row.isDefined(); });
+    std::ranges::stable_sort(
+        rows, [](const auto& a, const auto& b) { return a.effect() > b.effect(); });
+    std::string text;
+    for (std::size_t i = 0; i < std::min(rows.size(), kMostInASentence); ++i) {
+      text += (i > 0 ? "; " : "") + inWords(family, rows[i]);
+    }
+    if (rows.size() > kMostInASentence) {
+      text += "; " + say("all comparisons:") + " " + reference("answer");
+    }
+    return text + ".";
+  }
+
+  /// The method with the higher rating comes first.
+  std::string inWords(const FamilyResult& family, const Declared& row) const {
+    const bool isTurned = *row.difference->estimate.value < 0.0;
+    const double sign = isTurned ? -1.0 : 1.0;
+    const auto& higher = s_.conditionTitle(isTurned ? row.group2 : row.group1);
+    const auto& lower = s_.conditionTitle(isTurned ? row.group1 : row.group2);
+    auto interval = row.difference->interval;
+    if (interval && isTurned) interval = analysis::Interval{-interval->high, -interval->low};
+    std::string numbers = s_.words.say(
+        "{:g} % CI {}", 100.0 * (1.0 - family.family.alpha), intervalInWords(interval));
+    if (const auto& effect = row.difference->effect; effect.value) {
+      numbers += fmt::format(", {} = {}", effect.name, rounded(sign * *effect.value, 2));
+    }
+    numbers += ", " + pInWords(family, *row.test);
+    const bool isInDoubt = family.isDeclared && !row.test->isSignificant.value_or(true);
+    return withSubscripts(
+        say(isInDoubt ? "{} was rated {} points higher than {}, which is not significant ({})"
+                      : "{} was rated {} points higher than {} ({})",
+            higher,
+            rounded(sign * *row.difference->estimate.value, 2),
+            lower,
+            numbers));
+  }
+
+  static std::string pInWords(const FamilyResult& family, const analysis::TestRow& test) {
+    const auto correction = nameOf(family.family.correction);
+    const bool isAdjusted = test.adjusted && !correction.empty();
+    return (isAdjusted ? "p_" + std::string(correction) : std::string("p")) + " " +
+           equalsInWords(study::pInWords(isAdjusted ? test.adjusted : test.p));
+  }
+
+  void preferences() {
+    for (const auto& votes : voteTables(s_.results)) {
+      if (votes.total.total() == 0) continue;
+      std::string list;
+      for (const auto& share : votes.total.shares()) {
+        list += (list.empty() ? "" : ", ") + s_.conditionTitle(share.option) + " " +
+                std::to_string(share.votes);
+      }
+      put("<p>{}</p>", say("Preferences, all rounds and cohorts together: {}.", list));
+    }
+  }
+
+  // --- Figure and table ---
+
+  void mainFigure(const FamilyResult& family) {
+    const auto place = static_cast<std::size_t>(&family - s_.results.families.data());
+    const auto& all = s_.figures.families;
+    const auto figures = place < all.size() ? all[place] : FamilyFigures{};
+    const auto kind = *mainFigureOf(s_, family);
+    const auto& svg = kind == MainFigure::Differences ? figures.effects
+                      : kind == MainFigure::Answers   ? figures.answers
+                                                      : figures.people;
+    const auto caption = kind == MainFigure::Differences ? differencesCaption(family)
+                         : kind == MainFigure::Answers   ? kAnswersCaption
+                                                         : kPeopleCaption;
+    figure(svg, caption, "answer-figure");
+  }
+
+  void tableOfAnswers() {
+    bool isAnyTested = false;
+    forEachAnswered([&](const auto& family, const auto& part) {
+      isAnyTested = isAnyTested || isAnyDefined(family, part);
+    });
+    if (isAnyTested) {
+      comparisons();
+    } else {
+      means();
+    }
+  }
+
+  /// The confidence of the intervals, if it is the same for all families.
+  std::string headingOfIntervals() const {
+    const auto percent = say("{:g} % CI", 100.0 * (1.0 - s_.results.families.front().family.alpha));
+    const auto mixed = say("CI at 1 − α");
+    const auto same = [&](const auto& other) {
+      return other.family.alpha == s_.results.families.front().family.alpha;
+    };
+    return std::ranges::all_of(s_.results.families, same) ? percent : mixed;
+  }
+
+  void comparisons() {
+    std::vector<std::string> headings{
+        say("Comparison"), say("Difference"), headingOfIntervals(), say("Effect size"), "p"};
+    const bool hasEffects = isAnyEffectKnown();
+    if (!hasEffects) headings.erase(headings.end() - 2);
+    const auto columns = headings.size();
+    table(
+        say("The declared comparisons, with the mean of each method, and p after the declared "
+            "correction"),
+        headings,
+        "answer");
+    forEachAnswered([&](const auto& family, const auto& part) {
+      if (!isAnyDefined(family, part)) {
+        rowOver(whoOf(family, part) + ": " + say("not tested"), columns);
+        return;
+      }
+      rowOver(whoOf(family, part), columns);
+      for (const auto& comparison : declaredIn(family, part)) {
+        if (comparison.isDefined()) comparisonRow(family, part, comparison, hasEffects);
+      }
+    });
+    endTable();
+  }
+
+  /// Welch's test of pooled answers comes without an effect size.
+  bool isAnyEffectKnown() const {
+    bool isKnown = false;
+    forEachAnswered([&](const auto& family, const auto& part) {
+      isKnown = isKnown || std::ranges::any_of(declaredIn(family, part), [](const auto& row) {
+                  return row.difference->effect.value.has_value();
+                });
+    });
+    return isKnown;
+  }
+
+  void comparisonRow(
+      const FamilyResult& family,
+      const CohortResult& part,
+      const Declared& comparison,
+      bool hasEffects) {
+    const auto& [group1, group2, difference, test] = comparison;
+    const auto& effect = difference->effect;
+    const bool isBold = family.isDeclared && test->isSignificant.value_or(false);
+    const auto p = escaped(study::pInWords(
+        test->adjusted && !nameOf(family.family.correction).empty() ? test->adjusted : test->p));
+    std::vector<std::string> cells{
+        withMean(part, group1) + " vs. " + withMean(part, group2),
+        rounded(difference->estimate.value, 2),
+        intervalInWords(difference->interval)};
+    if (hasEffects) {
+      cells.push_back(
+          effect.value
+              ? withSubscripts(fmt::format("{} = {}", effect.name, rounded(effect.value, 2)))
+              : std::string());
+    }
+    cells.push_back(isBold ? "<strong>" + p + "</strong>" : p);
+    row(cells);
+  }
+
+  /// "Interpolation (4.25)".
+  std::string withMean(const CohortResult& part, const std::string& id) const {
+    for (const auto& one : part.conditions) {
+      if (one.name == id) return condition(id) + " (" + rounded(one.counts.mean(), 2) + ")";
+    }
+    return condition(id);
+  }
+
+  void means() {
+    table(say("The mean of each method"), {say("Method"), say("Mean"), say("Answers")}, "answer");
+    forEachAnswered([&](const auto& family, const auto& part) {
+      rowOver(whoOf(family, part), 3);
+      for (const auto& one : part.conditions) {
+        if (one.counts.total() == 0) continue;
+        row(
+            {condition(one.name),
+             rounded(one.counts.mean(), 2),
+             std::to_string(one.counts.total())});
+      }
+    });
+    endTable();
+  }
+
+  // --- What weakens it ---
+
+  /// Flags of pooled tests say nothing about a declared test within people.
+  static bool concerns(const FamilyResult& family, std::string_view flag) {
+    const bool isOfPooled = flag == "pseudo_replication" || flag == "paired_data_unpaired_test";
+    return !isOfPooled || family.isNamed("welch");
+  }
+
+  void weaknesses() {
+    std::string items;
+    for (const auto& family : s_.results.families) {
+      for (const auto& [flag, found] : flagsByKind(family)) {
+        if (concerns(family, flag->id)) items += weakness(found);
+      }
+    }
+    if (!s_.warnings.empty()) {
+      items += "<li>" +
+               count(
+                   s_.warnings.size(),
+                   "The protocol’s check has {} warning about the design; see “What to know about "
+                   "the design”.",
+                   "The protocol’s check has {} warnings about the design; see “What to know about "
+                   "the design”.") +
+               "</li>";
+    }
+    if (items.empty()) return;
+    heading("What weakens the answer");
+    put("<ul>{}</ul>", items);
+  }
+
+  /// A sentence that several cohorts share is said once.
+  std::string weakness(
+      const std::vector<std::pair<std::string, const analysis::Flag*>>& found) const {
+    std::vector<std::pair<std::string, std::string>> said;  // sentence, cohorts
+    for (const auto& [cohort, flag] : found) {
+      std::string what;
+      for (const auto& part : flag->what) what += s_.words(part);
+      const auto& title = s_.cohortTitle(cohort);
+      const auto same = std::ranges::find(said, what, &std::pair<std::string, std::string>::first);
+      if (same == said.end()) {
+        said.emplace_back(what, title);
+      } else {
+        same->second += ", " + title;
+      }
+    }
+    std::string items;
+    for (const auto& [what, who] : said) {
+      const bool isOfAll = said.size() == 1 && found.size() == s_.results.flow.size();
+      items += "<li>" + (isOfAll ? std::string() : escaped(who) + ": ") + escaped(what) + "</li>";
+    }
+    return items;
+  }
+};
+
+}  // namespace
+
+bool hasAnswers(const CohortResult& cohort) {
+  return std::ranges::any_of(
+      cohort.conditions, [](const auto& condition) { return condition.counts.total() > 0; });
+}
+
+std::string_view differencesCaption(const FamilyResult& family) {
+  return nameOf(family.family.correction).empty() ? kDifferencesCaption
+                                                  : kCorrectedDifferencesCaption;
+}
+
+std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family) {
+  if (&family != mainFamily(section)) return std::nullopt;
+  const bool hasDifferences = std::ranges::any_of(family.cohorts, [&](const auto& cohort) {
+    return std::ranges::any_of(cohort.within.rows, [](const auto& row) {
+      return row.test("paired_t").interval.has_value();
+    });
+  });
+  if (hasDifferences && !family.isNamed("welch")) return MainFigure::Differences;
+  return isShownByPoint(family) ? MainFigure::Answers : MainFigure::People;
+}
+
+const FamilyResult* mainFamily(const ReportSection& section) {
+  const auto& all = section.results.families;
+  const auto found = std::ranges::find_if(
+      all, [](const auto& family) { return std::ranges::any_of(family.cohorts, hasAnswers); });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string answerAsHtml(const ReportSection& section) {
+  return AnswerWriter(section).all();
+}
+
+}  // namespace study::report

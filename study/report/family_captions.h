@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string_view>
+
+#include "study/report/report_section.h"
+
+// The figures of a family that may stand beside the answer, with their captions in English.
+namespace study::report {
+
+inline constexpr std::string_view kAnswersCaption =
+    "How often each point was chosen. Answers to negative statements are reversed, so that right "
+    "is good; the middle of the scale is centred. Numbers are counts.";
+
+inline constexpr std::string_view kPeopleCaption =
+    "What every participant thought: a dot is the mean of all that one person answered about a "
+    "method. Above, their density; the box holds the middle half, with the median; the diamond is "
+    "the mean.";
+
+inline constexpr std::string_view kDifferencesCaption =
+    "Mean differences within people with their intervals at 1 − α. Shaded, where the protocol "
+    "declares it, are differences that count as none.";
+
+inline constexpr std::string_view kCorrectedDifferencesCaption =
+    "Mean differences within people: the thick line is the interval at 1 − α, the thin one at 1 − "
+    "α/m, as wide as Bonferroni’s correction asks of m comparisons. Shaded, where the protocol "
+    "declares it, are differences that count as none.";
+
+/// The most points of a scale whose answers are shown by point.
+inline constexpr int kMostBars = 11;
+
+/// Whether the answers to a family are shown by point.
+inline bool isShownByPoint(const FamilyResult& family) {
+  const auto& table = family.cohorts.front().table;
+  return table.highest - table.lowest < kMostBars;
+}
+
+/// The figure beside the answer.
+enum class MainFigure {
+  Differences,  ///< of the declared test within people
+  Answers,      ///< by point; of the pooled test, or where nothing is tested
+  People,       ///< the same on a scale of many points
+};
+
+/// The caption of the figure of differences.
+std::string_view differencesCaption(const FamilyResult& family);
+
+/// The figure that stands beside the answer for @p family; std::nullopt if another family is the
+/// main one.
+std::optional<MainFigure> mainFigureOf(const ReportSection& section, const FamilyResult& family);
+
+}  // namespace study::report

@@ -1,0 +1,153 @@
+#include <algorithm>
+
+#include "questionnaires/model/answer.h"
+#include "study/report/html_writer.h"
+#include "study/report/study_parts.h"
+#include "study/results/apa_text.h"
+
+namespace study::report {
+namespace {
+
+/// Writes every answered item by itself.
+class ItemsWriter : HtmlWriter {
+ public:
+  using HtmlWriter::HtmlWriter;
+
+  std::string all() {
+    for (const auto& instrument : s_.instruments) {
+      numbers(instrument);
+      choices(instrument);
+    }
+    if (html_.empty()) return {};
+    note(
+        "Answers as they were given, not reversed. Numbers are of participants’ means; choices are "
+        "counted by form. Choices between alternatives are among the preferences.");
+    return std::move(html_);
+  }
+
+  std::string quotes() {
+    if (!s_.hasQuotes) return {};
+    for (const auto& instrument : s_.instruments) quotesOf(instrument);
+    return std::move(html_);
+  }
+
+ private:
+  template <typename Condition>
+  std::vector<const ItemSummary*> summariesOf(
+      const questionnaires::Instrument& instrument, Condition&& isWanted) const {
+    std::vector<const ItemSummary*> found;
+    for (const auto& summary : s_.results.answers.items) {
+      if (summary.instrument == instrument.id && isWanted(summary)) found.push_back(&summary);
+    }
+    return found;
+  }
+
+  std::string titleOf(const questionnaires::Instrument& instrument) const {
+    return escaped(instrument.title.in(s_.words.language()));
+  }
+
+  /// The question; of two opposite words, both.
+  std::string questionOf(
+      const questionnaires::Instrument& instrument, const std::string& id) const {
+    const auto* item = instrument.item(id);
+    if (item == nullptr) return escaped(id);
+    const auto& language = s_.words.language();
+    const auto& text = item->text.in(language);
+    if (!text.empty() && text.find("[[") == std::string::npos) return escaped(text);
+    const auto& left = item->leftText.in(language);
+    return left.empty() ? escaped(id) : escaped(left + " – " + item->rightText.in(language));
+  }
+
+  std::string aboutOf(const std::string& id) const {
+    return id.empty() ? std::string() : condition(id);
+  }
+
+  void numbers(const questionnaires::Instrument& instrument) {
+    const auto rows = summariesOf(instrument, [](const auto& one) { return one.mean.has_value(); });
+    if (rows.empty()) return;
+    table(
+        titleOf(instrument) + say(": every item by itself"),
+        {say("Item"),
+         say("Cohort"),
+         say("About"),
+         "n",
+         say("Mean"),
+         say("SD"),
+         say("Median"),
+         say("Range")});
+    for (const auto* one : rows) {
+      row(
+          {questionOf(instrument, one->item),
+           cohort(one->cohort),
+           aboutOf(one->condition),
+           std::to_string(one->values.size()),
+           rounded(one->mean, 2),
+           one->standardDeviation ? rounded(one->standardDeviation, 2) : std::string(),
+           rounded(one->median, 2),
+           fmt::format("{:.4g} … {:.4g}", *one->least, *one->most)});
+    }
+    endTable();
+  }
+
+  void choices(const questionnaires::Instrument& instrument) {
+    const auto rows = summariesOf(instrument, [](const auto& one) { return !one.options.empty(); });
+    if (rows.empty()) return;
+    table(
+        titleOf(instrument) + say(": how often each option was chosen"),
+        {say("Item"), say("Cohort"), say("About"), "n", say("Chosen")});
+    for (const auto* one : rows) {
+      put("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"words\">{}</td></tr>",
+          questionOf(instrument, one->item),
+          cohort(one->cohort),
+          aboutOf(one->condition),
+          one->answers,
+          chosenIn(instrument, *one));
+    }
+    endTable();
+  }
+
+  /// "left 3, right 12", without the options that nobody chose.
+  std::string chosenIn(
+      const questionnaires::Instrument& instrument, const ItemSummary& summary) const {
+    const auto* item = instrument.item(summary.item);
+    std::string text;
+    for (const auto& [id, times] : summary.options) {
+      if (times == 0) continue;
+      const auto label =
+          item == nullptr ? id : questionnaires::labelOf(*item, id, s_.words.language());
+      text +=
+          (text.empty() ? "" : ", ") + (label.empty() ? id : label) + " " + std::to_string(times);
+    }
+    return escaped(text);
+  }
+
+  void quotesOf(const questionnaires::Instrument& instrument) {
+    const std::string* item = nullptr;
+    const std::string* about = nullptr;
+    for (const auto& quote : s_.results.answers.quotes) {
+      if (quote.instrument != instrument.id) continue;
+      const bool isNewItem = item == nullptr || *item != quote.item;
+      const bool isNew = isNewItem || *about != quote.condition;
+      if (isNew && item != nullptr) put("</ul>");
+      if (isNewItem) put("<h4>{}</h4>", questionOf(instrument, quote.item));
+      if (isNew && !quote.condition.empty()) put("<p><em>{}</em></p>", condition(quote.condition));
+      if (isNew) put("<ul>");
+      put("<li>“{}”</li>", escaped(quote.text));
+      item = &quote.item;
+      about = &quote.condition;
+    }
+    if (item != nullptr) put("</ul>");
+  }
+};
+
+}  // namespace
+
+std::string itemsAsHtml(const ReportSection& section) {
+  return ItemsWriter(section).all();
+}
+
+std::string quotesAsHtml(const ReportSection& section) {
+  return ItemsWriter(section).quotes();
+}
+
+}  // namespace study::report

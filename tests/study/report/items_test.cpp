@@ -1,0 +1,219 @@
+// Every answered item is described, whether or not a family compares it.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "analysis/summary/within_analysis.h"
+#include "study/report/html_report.h"
+#include "study/report/study_parts.h"
+#include "study/results/answer_tables.h"
+#include "study/results/item_summaries.h"
+#include "tests/study/made_study.h"
+#include "tests/study/report/section.h"
+
+namespace study {
+namespace items_test {
+
+using questionnaires::ItemType;
+using questionnaires::LocalizedText;
+
+LocalizedText inEnglish(const std::string& text) {
+  return LocalizedText(std::map<std::string, std::string>{{"en", text}});
+}
+
+questionnaires::Item item(const std::string& id, ItemType type) {
+  questionnaires::Item made;
+  made.id = id;
+  made.type = type;
+  made.text = inEnglish("Question <" + id + ">");
+  return made;
+}
+
+questionnaires::Instrument mine() {
+  questionnaires::Instrument made;
+  made.id = "mine";
+  made.title = inEnglish("My form");
+  made.items = {
+      item("vas", ItemType::Slider),
+      item("hand", ItemType::SingleChoice),
+      item("why", ItemType::ShortText),
+      item("name", ItemType::ShortText)};
+  made.items[1].options = {{"left", inEnglish("The left")}, {"right", inEnglish("The right")}};
+  made.items[3].isIdentifying = true;
+  return made;
+}
+
+/// Answers of two surgeons and a student to a form after two conditions.
+struct Answered {
+  protocols::LoadedProtocol loaded = tests::protocolFrom(tests::shortProtocol());
+  std::map<SessionId, storage::SessionRecord> sessions;
+  std::vector<storage::AnswerRecord> answers;
+  std::map<storage::Records::Alternative, std::string> allocation;
+  std::string block;
+
+  Answered() {
+    loaded.instruments.push_back(mine());
+    for (const auto& phase : loaded.protocol.phases) {
+      if (phase.type == protocols::PhaseType::Block) block = phase.id;
+    }
+    int number = 0;
+    for (const auto* cohort : {"surgeons", "surgeons", "surgeons", "students"}) {
+      const SessionId id{++number};
+      sessions[id] = {.id = id, .participant = "P" + std::to_string(number), .cohort = cohort};
+    }
+  }
+
+  void add(
+      int session,
+      const std::string& condition,
+      const std::string& id,
+      questionnaires::Response response,
+      const std::string& phase = {}) {
+    storage::AnswerRecord record;
+    record.step.visit = {.session = SessionId{session}, .step = static_cast<int>(answers.size())};
+    record.step.phase = phase.empty() ? block : phase;
+    record.step.instrument = "mine";
+    record.step.condition = condition;
+    record.answer.item = id;
+    record.answer.response = std::move(response);
+    answers.push_back(record);
+  }
+
+  ItemResults described() const { return summariseItems(loaded, sessions, answers, allocation); }
+};
+
+TEST(ItemSummaries, TakeTheMeanOfEachParticipant) {
+  Answered study;
+  study.add(1, "kalman", "vas", 50.0);
+  study.add(1, "kalman", "vas", 70.0);
+  study.add(2, "kalman", "vas", 70.0);
+  study.add(3, "kalman", "vas", 83.0);
+  study.add(4, "kalman", "vas", 5.0);
+  const auto items = study.described().items;
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].cohort, "surgeons");
+  EXPECT_EQ(items[0].answers, 4U);
+  // R: x <- c(60, 70, 83); mean(x); sd(x); median(x)
+  EXPECT_DOUBLE_EQ(*items[0].mean, 71.0);
+  EXPECT_NEAR(*items[0].standardDeviation, 11.53256259467079, 1e-12);
+  EXPECT_EQ(items[0].median, 70.0);
+  EXPECT_EQ(items[0].least, 60.0);
+  EXPECT_EQ(items[0].most, 83.0);
+  EXPECT_EQ(items[1].cohort, "students");
+  EXPECT_FALSE(items[1].standardDeviation);
+}
+
+TEST(ItemSummaries, CountOptionsAndKeepTheOrderOfConditions) {
+  Answered study;
+  study.add(1, "kalman", "hand", std::string("right"));
+  study.add(2, "kalman", "hand", std::string("right"));
+  study.add(1, "interpolation", "hand", std::string("left"));
+  const auto items = study.described().items;
+  ASSERT_EQ(items.size(), 2U);
+  EXPECT_EQ(items[0].condition, "interpolation");
+  using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
+  EXPECT_EQ(items[0].options, (Counts{{"left", 1}, {"right", 0}}));
+  EXPECT_EQ(items[1].options, (Counts{{"left", 0}, {"right", 2}}));
+}
+
+TEST(ItemSummaries, QuoteByConditionAndNeverWhoSomebodyIs) {
+  Answered study;
+  study.add(1, "kalman", "why", std::string("too soft"));
+  study.add(2, "kalman", "why", std::string("just right"));
+  study.add(2, "interpolation", "why", std::string("real"));
+  study.add(2, "kalman", "name", std::string("Jane Doe"));
+  study.add(3, "kalman", "why", std::string(""));
+  const auto first = study.loaded.protocol.phases.front().id;
+  ASSERT_NE(first, study.block);
+  study.add(3, "", "why", std::string("about myself"), first);
+  const auto quotes = study.described().quotes;
+  ASSERT_EQ(quotes.size(), 3U);
+  EXPECT_EQ(quotes[0].text, "real");
+  EXPECT_EQ(quotes[1].text, "just right");
+  EXPECT_EQ(quotes[2].text, "too soft");
+  EXPECT_EQ(quotes[2].condition, "kalman");
+}
+
+/// A family that compares the slider between two conditions.
+protocols::Family familyOfSlider() {
+  protocols::Family family{.id = "vas", .title = "VAS", .instrument = "mine", .items = {"vas"}};
+  family.comparisons = {{"interpolation", "kalman"}};
+  family.test = protocols::TestType::PairedT;
+  return family;
+}
+
+TEST(FamilyOfASlider, ComparesItsAnswersAsPointsOfAScale) {
+  Answered study;
+  for (auto& phase : study.loaded.protocol.phases) {
+    if (phase.id == study.block) phase.trials.questionnaires = {{.instrument = "mine"}};
+  }
+  const std::vector<std::pair<double, double>> given{{60, 40}, {70, 65}, {83, 60}};
+  std::vector<std::string> people;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    people.push_back("P" + std::to_string(i + 1));
+    study.add(static_cast<int>(i) + 1, "interpolation", "vas", given[i].first);
+    study.add(static_cast<int>(i) + 1, "kalman", "vas", given[i].second);
+    study.add(static_cast<int>(i) + 1, "kalman", "why", std::string("no number"));
+  }
+  study.add(1, "kalman", "vas", 40.5);  // between the points: of another version's slider
+  std::vector<OwnedAnswer> owned;
+  for (auto& answer : study.answers) {
+    answer.step.kind = StepKind::Questionnaire;
+    owned.push_back({&study.sessions.at(answer.step.visit.session).participant, &answer});
+  }
+  const auto family = familyOfSlider();
+  const auto table = answerTable(study.loaded, family, people, owned);
+  EXPECT_EQ(table.lowest, 0);
+  EXPECT_EQ(table.highest, 100);
+  EXPECT_EQ(table.answers.size(), 6U);
+  EXPECT_EQ(expectedAnswers(study.loaded, family, table), (std::vector<std::size_t>{1, 1}));
+  const std::vector<analysis::DeclaredPair> pairs{{"interpolation", "kalman"}};
+  const auto within = analysis::compareWithin(table, pairs, {});
+  // R: t.test(c(60, 70, 83), c(40, 65, 60), paired = TRUE)
+  const auto& test = within.rows.at(0).test("paired_t");
+  EXPECT_DOUBLE_EQ(*test.estimate.value, 16.0);
+  EXPECT_NEAR(*test.statistic.value, 2.8736848, 1e-7);
+  EXPECT_EQ(within.ordinal.reason.key(), "too_many_points_for_order");
+  EXPECT_TRUE(within.probabilities.empty());
+}
+
+TEST(WholeScale, IsThatOfSlidersAndNumbersInWholeSteps) {
+  auto slider = item("vas", ItemType::Slider);
+  EXPECT_EQ(protocols::wholeScaleOf(slider), (protocols::WholeScale{0, 100}));
+  slider.step = 0.5;
+  EXPECT_FALSE(protocols::wholeScaleOf(slider));
+  slider.step = 5.0;
+  slider.most = 1023.0;
+  EXPECT_EQ(protocols::wholeScaleOf(slider), (protocols::WholeScale{0, 1023}));
+  slider.most = 1024.0;
+  EXPECT_FALSE(protocols::wholeScaleOf(slider));
+  EXPECT_FALSE(protocols::wholeScaleOf(item("why", ItemType::ShortText)));
+}
+
+TEST(ItemSummaries, AreShownInTheReport) {
+  Answered study;
+  study.add(1, "kalman", "vas", 50.0);
+  study.add(2, "kalman", "vas", 62.5);
+  study.add(2, "kalman", "hand", std::string("right"));
+  study.add(2, "kalman", "why", std::string("a <bit> soft"));
+  auto section = tests::madeUpSection();
+  section.instruments.push_back(mine());
+  section.results.answers = study.described();
+  for (auto& summary : section.results.answers.items) summary.cohort = "professional";
+  const auto items = report::itemsAsHtml(section);
+  EXPECT_NE(
+      items.find("<td>Question &lt;vas&gt;</td><td>Orthopaedic surgeons</td><td>KF</td><td>2</td>"
+                 "<td>56.25</td><td>8.84</td><td>56.25</td><td>50 … 62.5</td>"),
+      std::string::npos)
+      << items;
+  EXPECT_NE(items.find("<td class=\"words\">The right 1</td>"), std::string::npos) << items;
+  const auto quotes = report::quotesAsHtml(section);
+  EXPECT_NE(quotes.find("<em>KF</em>"), std::string::npos);
+  EXPECT_NE(quotes.find("<li>“a &lt;bit&gt; soft”</li>"), std::string::npos) << quotes;
+  section.hasQuotes = false;
+  EXPECT_EQ(report::quotesAsHtml(section), "");
+}
+
+}  // namespace items_test
+}  // namespace study
