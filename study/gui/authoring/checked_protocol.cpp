@@ -43,13 +43,12 @@ int CheckedProtocol::warnings() const noexcept {
 }
 
 std::string CheckedProtocol::verdict() const {
-  if (!loaded) return "It cannot be used yet: " + counted(std::max(errors(), 1), "error") + ".";
+  if (!loaded) return "Not valid yet: " + counted(std::max(errors(), 1), "error") + ".";
   const auto& protocol = loaded->protocol;
-  const auto warned = warnings() > 0 ? "; " + counted(warnings(), "warning") : "";
-  return std::string(warnings() > 0 ? "It can be used" : "It is valid") + ": \"" +
+  return "Valid" + (warnings() > 0 ? ", " + counted(warnings(), "warning") : "") + ": \"" +
          protocol.study.title + "\", " + counted(protocol.conditions.size(), "condition") + ", " +
          counted(protocol.phases.size(), "phase") + ", " +
-         counted(protocol.cohorts.size(), "cohort") + warned + ".";
+         counted(protocol.cohorts.size(), "cohort") + ".";
 }
 
 CheckedProtocol checkProtocol(const std::string& source) {

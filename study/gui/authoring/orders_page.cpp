@@ -61,7 +61,8 @@ OrdersPage::OrdersPage(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(choices);
   layout->addWidget(quietLabel(
-      tr("Number of the alternative, then the condition: not for whoever must stay blind."), this));
+      tr("Number of the alternative, then the condition: do not look if you must stay blinded."),
+      this));
   layout->addWidget(table_, 1);
   layout->addWidget(balance_);
   connect(participants_, &QSpinBox::valueChanged, this, &OrdersPage::fill);

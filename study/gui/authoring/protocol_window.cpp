@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QSaveFile>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -13,12 +15,17 @@
 #include <QTime>
 #include <QVBoxLayout>
 
+#include "protocols/load_protocol.h"
 #include "questionnaires/json/document.h"
 #include "study/gui/authoring/orders_page.h"
+#include "study/gui/authoring/preview_window.h"
+#include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/authoring/timeline_page.h"
+#include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
+#include "study/model/user_error.h"
 
 namespace study::gui {
 namespace {
@@ -44,6 +51,8 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
       source_(source),
       verdict_(bodyLabel({}, this)),
       readAt_(quietLabel({}, this)),
+      preview_(new QPushButton(tr("Preview as participant…"), this)),
+      fill_(new QPushButton(tr("Fill in the texts…"), this)),
       text_(new QPlainTextEdit(this)),
       problems_(new QTableWidget(0, 4, this)),
       pages_(new QTabWidget(this)),
@@ -66,11 +75,19 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   auto* inside = new QWidget(this);
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(20, 16, 20, 16);
-  layout->addWidget(verdict_);
+  auto* head = new QHBoxLayout;
+  head->addWidget(verdict_, 1);
+  head->addWidget(preview_);
+  head->addWidget(fill_);
+  layout->addLayout(head);
   layout->addWidget(readAt_);
   layout->addWidget(all, 1);
   setCentralWidget(inside);
   resize(1240, 760);
+  preview_->setObjectName(QStringLiteral("preview"));
+  fill_->setObjectName(QStringLiteral("texts"));
+  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
+  connect(fill_, &QPushButton::clicked, this, &ProtocolWindow::fillInTexts);
   connect(&watch_, &FileWatch::changed, this, &ProtocolWindow::reload);
   connect(problems_, &QTableWidget::currentCellChanged, this, &ProtocolWindow::goToProblem);
   connect(problems_, &QTableWidget::cellClicked, this, &ProtocolWindow::goToProblem);
@@ -136,7 +153,38 @@ void ProtocolWindow::reload() {
     timeline_->clear();
     orders_->clear();
   }
+  preview_->setEnabled(checked_.loaded.has_value());
+  fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   emit reloaded();
+}
+
+void ProtocolWindow::fillInTexts() {
+  const auto loaded = *checked_.loaded;  // the file may change meanwhile
+  TextsDialog form(loaded, TextsDialog::Reason::NotNeeded, this);
+  if (form.exec() != QDialog::Accepted || form.texts() == loaded.protocol.texts) return;
+  QString file = source_;
+  if (filesToWatch().isEmpty()) {
+    file = QFileDialog::getSaveFileName(
+        this,
+        tr("Save the protocol with its texts"),
+        QDir::home().filePath(source_ + QStringLiteral(".json")),
+        tr("Protocols (*.json)"));
+    if (file.isEmpty()) return;
+  }
+  const bool isSaved = attempt(this, [&] {
+    questionnaires::Problems problems;
+    const auto filled = protocols::withTexts(loaded, form.texts(), problems);
+    if (!filled) throw UserError(questionnaires::describe(problems.all()));
+    QSaveFile saved(file);  // replaces the file at once, or leaves it as it is
+    const auto text = QByteArray::fromStdString(filled->text);
+    if (!saved.open(QIODevice::WriteOnly) || saved.write(text) != text.size() || !saved.commit()) {
+      throw UserError((tr("Could not save %1: ").arg(file) + saved.errorString()).toStdString());
+    }
+  });
+  if (!isSaved) return;
+  source_ = file;
+  setWindowTitle(tr("Protocol — %1").arg(QFileInfo(source_).fileName()));
+  reload();
 }
 
 void ProtocolWindow::showVerdict() {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
 
@@ -46,12 +47,17 @@ class ProtocolWindow final : public QMainWindow {
   void mark(int line);
   void goToProblem(int row);
   QStringList filesToWatch() const;
+  /// Opens the form for the blanks, and saves the protocol with its texts: a file of one's own in
+  /// its place, a built-in protocol in a new file.
+  void fillInTexts();
 
   QString source_;
   CheckedProtocol checked_;
   FileWatch watch_;
   QLabel* verdict_;
   QLabel* readAt_;
+  QPushButton* preview_;
+  QPushButton* fill_;
   QPlainTextEdit* text_;
   QTableWidget* problems_;
   QTabWidget* pages_;

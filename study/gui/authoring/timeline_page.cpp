@@ -22,7 +22,7 @@ QString describedStep(const Step& step, const PartOfSession& part) {
   QString words = asText(nameOf(step.kind));
   if (step.label > 0) words += TimelinePage::tr(", position %1").arg(step.position);
   if (part.items > 0) words += TimelinePage::tr(", %1 items").arg(part.items);
-  if (part.cuts > 0) words += TimelinePage::tr(", at least %1 cuts").arg(part.cuts);
+  if (part.cuts > 0) words += TimelinePage::tr(", at least %1 strokes").arg(part.cuts);
   return words;
 }
 
@@ -49,8 +49,9 @@ TimelinePage::TimelinePage(QWidget* parent)
   layout->addWidget(total_);
   layout->addWidget(bar_);
   layout->addWidget(quietLabel(
-      tr("Filled: on the device or the real tool. The rest is read, answered, rested. Minutes as "
-         "'palpate plan' takes them: eight seconds an item and a cut."),
+      tr("Filled: time on the device or the real tool. The rest is for reading, answers and "
+         "breaks. "
+         "Estimated with eight seconds for each item and each stroke."),
       this));
   layout->addWidget(steps_, 1);
   connect(steps_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -63,7 +64,7 @@ TimelinePage::TimelinePage(QWidget* parent)
 void TimelinePage::clear() {
   steps_->clear();
   bar_->show(std::vector<TimelineBar::Part>());
-  total_->setText(tr("The timeline stands here once the protocol has no errors."));
+  total_->setText(tr("The timeline appears here once the protocol has no errors."));
 }
 
 void TimelinePage::show(const protocols::LoadedProtocol& loaded) {

@@ -1,6 +1,7 @@
 #include "study/gui/desk/export_dialog.h"
 
 #include "study/export/public_tables.h"
+#include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/words/counted.h"
@@ -52,7 +53,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   smallest_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
-  target_->setPath(beside(folder_, QStringLiteral("data")));
+  target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
   form().addRow(tr("Format"), format_);
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("For whom"), audience_);
@@ -118,13 +119,16 @@ void ExportDialog::work() {
   };
   const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
   if (!isDone) return;
-  showOutcome(
-      sessions > 0 ? Outcome::Good : Outcome::Warning,
-      tr("%1 holds the data of %2, %3.")
-          .arg(
-              target_->path(),
-              QString::fromStdString(words::counted(sessions, "session")),
-              QString::fromStdString(what)));
+  const QString path = target_->path();
+  const QString line = tr("Data saved: %1 (%2, %3)")
+                           .arg(
+                               path,
+                               QString::fromStdString(words::counted(sessions, "session")),
+                               QString::fromStdString(what));
+  if (sessions == 0) return showOutcome(Outcome::Warning, line);
+  rememberDocument(QString::fromStdString(folder_), path);
+  target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
+  showWritten(path, line);
 }
 
 }  // namespace study::gui

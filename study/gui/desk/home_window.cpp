@@ -12,7 +12,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "protocols/load_protocol.h"
+#include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/protocol_window.h"
+#include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/measurement_dialogs.h"
@@ -21,6 +24,7 @@
 #include "study/gui/desk/self_test_dialog.h"
 #include "study/gui/desk/shape_window.h"
 #include "study/gui/desk/study_dialogs.h"
+#include "study/gui/desk/task_dialogs.h"
 #include "study/gui/desk/tour.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/labels.h"
@@ -113,8 +117,8 @@ void HomeWindow::makeMenus() {
   study->addAction(tr("&New study…"), QKeySequence::New, this, &HomeWindow::makeStudy);
   study->addAction(tr("&Open a folder…"), QKeySequence::Open, this, &HomeWindow::chooseFolder);
   study->addAction(tr("Read a &protocol…"), this, &HomeWindow::askForProtocol);
-  study->addAction(tr("&Take off the list"), this, &HomeWindow::forgetChosen);
-  study->addAction(tr("&Look again"), QKeySequence::Refresh, this, &HomeWindow::refresh);
+  study->addAction(tr("&Remove from list"), this, &HomeWindow::forgetChosen);
+  study->addAction(tr("Re&fresh"), QKeySequence::Refresh, this, &HomeWindow::refresh);
   study->addSeparator();
   study->addAction(tr("&Quit"), QKeySequence::Quit, this, &QWidget::close);
   auto* measured = menuBar()->addMenu(tr("&Measurements"));
@@ -129,7 +133,7 @@ void HomeWindow::makeMenus() {
   help->addAction(
       tr("&Help for this window\tF1"), this, [this] { showHelp(helpTopicOf(*this), this); });
   help->addAction(tr("&Tour in three steps…"), this, &HomeWindow::showTour);
-  help->addAction(tr("&Self-test…"), this, &HomeWindow::testComputer);
+  help->addAction(tr("&System check…"), this, &HomeWindow::testComputer);
 }
 
 template <typename Dialog>
@@ -138,7 +142,39 @@ void HomeWindow::openDialog() {
   if (study == nullptr) return;
   auto* dialog = new Dialog(*study, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  // It may have written, changed or simulated something that the panel shows.
+  connect(dialog, &QDialog::finished, this, &HomeWindow::refresh);
   dialog->open();
+}
+
+void HomeWindow::fillInTexts() {
+  const auto* study = chosen();
+  if (study == nullptr) return;
+  const auto folder = study->folder;
+  attempt(this, [&] {
+    SystemClock clock;
+    auto opened = Study::open(folder, clock);
+    const auto& protocol = opened.protocol();
+    const bool hasBegun = opened.protocols().current().frozenUtc.has_value();
+    TextsDialog form(
+        protocol, hasBegun ? TextsDialog::Reason::Needed : TextsDialog::Reason::NotNeeded, this);
+    if (form.exec() != QDialog::Accepted || form.texts() == protocol.protocol.texts) return;
+    questionnaires::Problems problems;
+    const auto filled = protocols::withTexts(protocol, form.texts(), problems);
+    if (!filled) throw UserError(questionnaires::describe(problems.all()));
+    opened.amend(*filled, form.reason().toStdString());
+  });
+  refresh();
+}
+
+void HomeWindow::previewChosen() {
+  const auto* study = chosen();
+  if (study == nullptr) return;
+  attempt(this, [&] {
+    SystemClock clock;
+    auto opened = Study::open(study->folder, clock, storage::Database::Access::ReadOnly);
+    openPreview(opened.protocol(), this);
+  });
 }
 
 void HomeWindow::connectPanel() {
@@ -155,6 +191,12 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
   connect(panel_, &StudyPanel::reportRequested, this, &HomeWindow::openDialog<ReportDialog>);
   connect(panel_, &StudyPanel::exportRequested, this, &HomeWindow::openDialog<ExportDialog>);
+  connect(
+      panel_, &StudyPanel::statisticsRequested, this, &HomeWindow::openDialog<StatisticsDialog>);
+  connect(panel_, &StudyPanel::simulationRequested, this, &HomeWindow::openDialog<SimulateDialog>);
+  connect(panel_, &StudyPanel::amendmentRequested, this, &HomeWindow::openDialog<AmendDialog>);
+  connect(panel_, &StudyPanel::textsRequested, this, &HomeWindow::fillInTexts);
+  connect(panel_, &StudyPanel::previewRequested, this, &HomeWindow::previewChosen);
 }
 
 void HomeWindow::forgetChosen() {

@@ -53,6 +53,9 @@ class HomeWindow final : public QMainWindow {
   void closeStudy();
   void forgetChosen();
   void askForProtocol();
+  /// Opens the form for the blanks of the selected study, and amends its protocol.
+  void fillInTexts();
+  void previewChosen();
   template <typename Dialog>
   void openDialog();  ///< a dialog about the selected study
   template <typename Dialog>

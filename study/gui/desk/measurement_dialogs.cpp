@@ -4,8 +4,10 @@
 #include <optional>
 
 #include <QDir>
+#include <QFileInfo>
 
 #include "study/gui/desk/measurement_work.h"
+#include "study/gui/desk/recording_picture.h"
 #include "study/gui/widgets/background_task.h"
 
 namespace study::gui {
@@ -46,7 +48,8 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
       columns_(new PathField(
           PathField::Kind::ExistingFile, tr("Columns file"), tr("Columns files (*.json)"), this)),
       cut_(new QSpinBox(this)),
-      target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)) {
+      target_(new PathField(PathField::Kind::NewFile, tr("New file"), tr("Cuts (*.json)"), this)),
+      picture_(new RecordingPicture(this)) {
   cut_->setRange(0, 10'000);
   cut_->setSpecialValueText(tr("the most typical one"));
   cut_->setAccessibleName(tr("Which cut"));
@@ -58,6 +61,29 @@ ImportCutDialog::ImportCutDialog(QWidget* parent)
   form().addRow(tr("Columns file (if it has other columns)"), columns_);
   form().addRow(tr("Which cut"), cut_);
   form().addRow(tr("To a new file"), target_);
+  form().addRow(picture_);
+  connect(recording_, &PathField::pathChanged, this, &ImportCutDialog::look);
+  connect(columns_, &PathField::pathChanged, this, &ImportCutDialog::look);
+  connect(cut_, &QSpinBox::valueChanged, picture_, &RecordingPicture::choose);
+  look();
+}
+
+void ImportCutDialog::look() {
+  std::optional<RecordingLook> read;
+  clear();
+  const QString columns = columns_->path();
+  if (QFileInfo(recording_->path()).isFile() &&
+      (columns.isEmpty() || QFileInfo(columns).isFile())) {
+    try {
+      read = lookAt(recording_->path().toStdString(), columns.toStdString());
+    } catch (const std::exception& error) {
+      showOutcome(
+          Outcome::Bad, tr("This recording cannot be read"), QString::fromUtf8(error.what()));
+    }
+  }
+  picture_->show(std::move(read));
+  constexpr int kMostCuts = 10'000;
+  cut_->setRange(0, picture_->cuts() > 0 ? picture_->cuts() : kMostCuts);
   fit();
 }
 
@@ -71,7 +97,7 @@ void ImportCutDialog::work() {
     return importCutTo(recording, columns, cut, target, progress);
   });
   if (!said) return clear();
-  showOutcome(Outcome::Good, tr("%1 holds the cut.").arg(target_->path()), *said);
+  showWritten(target_->path(), tr("Cut saved: %1").arg(target_->path()), *said);
 }
 
 FitMaterialDialog::FitMaterialDialog(QWidget* parent)
@@ -105,7 +131,7 @@ void FitMaterialDialog::work() {
         return fitMaterialTo(series, title, target, progress);
       });
   if (!said) return clear();
-  showOutcome(Outcome::Good, tr("%1 holds the material.").arg(target_->path()), *said);
+  showWritten(target_->path(), tr("Material saved: %1").arg(target_->path()), *said);
 }
 
 BuildBoneDialog::BuildBoneDialog(QWidget* parent)
@@ -142,7 +168,7 @@ void BuildBoneDialog::work() {
     return buildBoneTo(spheres, seed, target, progress);
   });
   if (!said) return clear();
-  showOutcome(Outcome::Good, tr("%1 holds the spheres.").arg(target_->path()), *said);
+  showWritten(target_->path(), tr("Bone saved: %1").arg(target_->path()), *said);
 }
 
 }  // namespace study::gui

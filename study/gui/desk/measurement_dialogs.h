@@ -20,10 +20,14 @@ class ImportCutDialog final : public WorkDialog {
   void work() override;
 
  private:
+  /// Shows the recording that is chosen, before anything is kept.
+  void look();
+
   PathField* recording_;
   PathField* columns_;
   QSpinBox* cut_;
   PathField* target_;
+  class RecordingPicture* picture_;
 };
 
 /// Fits a reaming material to a folder of measured series.

@@ -4,8 +4,12 @@
 #include <optional>
 
 #include <QDir>
+#include <QHBoxLayout>
 #include <QRegularExpressionValidator>
 
+#include "protocols/load_protocol.h"
+#include "study/gui/authoring/preview_window.h"
+#include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/session/study.h"
 
@@ -16,14 +20,16 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
           tr("New study"),
           tr("A study is a folder that holds its protocol, its answers and what was felt. The "
              "protocol may be changed until the first participant begins."),
-          tr("Make the study"),
+          tr("Create study"),
           parent),
       protocol_(new QComboBox(this)),
       file_(new PathField(
           PathField::Kind::ExistingFile, tr("Protocol file"), tr("Protocols (*.json)"), this)),
       folder_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
       seed_(new QLineEdit(this)),
-      read_(new QPushButton(tr("Read it beside its problems…"), this)) {
+      read_(new QPushButton(tr("Check protocol…"), this)),
+      preview_(new QPushButton(tr("Preview…"), this)),
+      fill_(new QPushButton(tr("Fill in the texts…"), this)) {
   protocol_->setAccessibleName(tr("Protocol"));
   protocol_->setObjectName(QStringLiteral("protocol"));
   for (const auto& name : shippedProtocols()) {
@@ -38,12 +44,20 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   seed_->setPlaceholderText(tr("the protocol's, or drawn now"));
   seed_->setValidator(
       new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{0,15}")), seed_));
-  read_->setAutoDefault(false);
+  fill_->setObjectName(QStringLiteral("texts"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  auto* looks = new QHBoxLayout;
+  for (auto* button : {read_, preview_, fill_}) {
+    button->setAutoDefault(false);
+    button->setProperty("role", QStringLiteral("tool"));
+    looks->addWidget(button);
+  }
+  looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
   form().addRow(tr("Its file"), file_);
-  form().addRow(QString(), read_);
+  form().addRow(QString(), looks);
   form().addRow(tr("New folder"), folder_);
-  form().addRow(tr("Seed of all orders"), seed_);
+  form().addRow(tr("Random seed (optional)"), seed_);
   connect(protocol_, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);
   connect(file_, &PathField::pathChanged, this, &NewStudyDialog::check);
   connect(folder_, &PathField::pathChanged, this, [this](const QString& path) {
@@ -51,6 +65,8 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   });
   connect(&watch_, &FileWatch::changed, this, &NewStudyDialog::check);
   connect(read_, &QPushButton::clicked, this, [this] { emit protocolRequested(source()); });
+  connect(preview_, &QPushButton::clicked, this, [this] { openPreview(*checked_.loaded, this); });
+  connect(fill_, &QPushButton::clicked, this, &NewStudyDialog::fillInTexts);
   check();
 }
 
@@ -72,8 +88,24 @@ void NewStudyDialog::check() {
   checked_ = {};
   go().setEnabled(false);
   read_->setEnabled(!source().isEmpty());
+  if (!source().isEmpty()) checked_ = checkProtocol(source().toStdString());
+  showChecked();
+}
+
+void NewStudyDialog::fillInTexts() {
+  TextsDialog form(*checked_.loaded, TextsDialog::Reason::NotNeeded, this);
+  if (form.exec() != QDialog::Accepted) return;
+  questionnaires::Problems problems;
+  auto filled = protocols::withTexts(*checked_.loaded, form.texts(), problems);
+  checked_.problems = problems.all();
+  if (filled) checked_.loaded = std::move(filled);
+  showChecked();
+}
+
+void NewStudyDialog::showChecked() {
+  preview_->setEnabled(checked_.loaded.has_value());
+  fill_->setEnabled(checked_.loaded.has_value() && !checked_.loaded->blanks.empty());
   if (source().isEmpty()) return clear();
-  checked_ = checkProtocol(source().toStdString());
   const QString problems = QString::fromStdString(questionnaires::describe(checked_.problems));
   const bool isSound = checked_.loaded.has_value();
   showOutcome(

@@ -32,6 +32,9 @@ class NewStudyDialog final : public WorkDialog {
  private:
   QString source() const;
   void check();
+  void showChecked();
+  /// Opens the form for the blanks of the protocol; the study gets its texts.
+  void fillInTexts();
 
   CheckedProtocol checked_;
   FileWatch watch_;
@@ -40,6 +43,8 @@ class NewStudyDialog final : public WorkDialog {
   PathField* folder_;
   QLineEdit* seed_;
   QPushButton* read_;
+  QPushButton* preview_;
+  QPushButton* fill_;
 };
 
 }  // namespace study::gui

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QDir>
+#include <QFileInfo>
 
 #include "study/gui/widgets/studio_settings.h"
 
@@ -10,6 +11,7 @@ namespace study::gui {
 namespace {
 
 constexpr const char* kRecentKey = "recent-studies";
+constexpr const char* kDocumentsKey = "written-documents";
 
 void store(const std::vector<RecentStudy>& studies) {
   auto settings = studioSettings();
@@ -27,6 +29,21 @@ void store(const std::vector<RecentStudy>& studies) {
 
 QString plainFolder(const QString& folder) {
   return QDir::cleanPath(QDir(folder).absolutePath());
+}
+
+std::vector<WrittenDocument> allDocuments() {
+  auto settings = studioSettings();
+  std::vector<WrittenDocument> documents;
+  const int count = settings.beginReadArray(QLatin1String(kDocumentsKey));
+  for (int i = 0; i < std::min(count, kMostDocuments); ++i) {
+    settings.setArrayIndex(i);
+    documents.push_back(
+        {.study = settings.value(QStringLiteral("study")).toString(),
+         .path = settings.value(QStringLiteral("path")).toString(),
+         .written = settings.value(QStringLiteral("written")).toDateTime()});
+  }
+  settings.endArray();
+  return documents;
 }
 
 std::vector<RecentStudy> without(const QString& folder) {
@@ -64,6 +81,35 @@ void rememberStudy(const QString& folder, const QString& title) {
 
 void forgetStudy(const QString& folder) {
   store(without(plainFolder(folder)));
+}
+
+std::vector<WrittenDocument> documentsOf(const QString& study) {
+  auto documents = allDocuments();
+  std::erase_if(documents, [folder = plainFolder(study)](const WrittenDocument& document) {
+    return document.study != folder || !QFileInfo::exists(document.path);
+  });
+  return documents;
+}
+
+void rememberDocument(const QString& study, const QString& path) {
+  auto documents = allDocuments();
+  const QString plain = QFileInfo(path).absoluteFilePath();
+  std::erase_if(documents, [&](const WrittenDocument& document) { return document.path == plain; });
+  documents.insert(
+      documents.begin(),
+      {.study = plainFolder(study), .path = plain, .written = QDateTime::currentDateTimeUtc()});
+  if (documents.size() > kMostDocuments) documents.resize(kMostDocuments);
+  auto settings = studioSettings();
+  settings.remove(QLatin1String(kDocumentsKey));
+  settings.beginWriteArray(QLatin1String(kDocumentsKey));
+  for (int i = 0; i < static_cast<int>(documents.size()); ++i) {
+    const auto& document = documents[static_cast<std::size_t>(i)];
+    settings.setArrayIndex(i);
+    settings.setValue(QStringLiteral("study"), document.study);
+    settings.setValue(QStringLiteral("path"), document.path);
+    settings.setValue(QStringLiteral("written"), document.written);
+  }
+  settings.endArray();
 }
 
 }  // namespace study::gui

@@ -23,6 +23,20 @@ void rememberStudy(const QString& folder, const QString& title);
 /// Removes a study from the list. Its folder is not changed.
 void forgetStudy(const QString& folder);
 
+/// A report or an export that was written for a study on this computer.
+struct WrittenDocument {
+  QString study;  ///< folder, absolute
+  QString path;
+  QDateTime written;
+};
+
+/// Those of a study that still exist, latest first.
+std::vector<WrittenDocument> documentsOf(const QString& study);
+
+/// Puts a document at the top of the list, which keeps kMostDocuments of all studies.
+void rememberDocument(const QString& study, const QString& path);
+
+inline constexpr int kMostDocuments = 100;
 inline constexpr int kMostRecent = 20;
 
 }  // namespace study::gui

@@ -37,7 +37,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOrder order, QWidget* parent)
       order_(std::move(order)),
       outcome_(bodyLabel({}, this)),
       table_(new QTableWidget(0, 5, this)) {
-  setWindowTitle(tr("Self-test"));
+  setWindowTitle(tr("System check"));
   outcome_->setObjectName(QStringLiteral("outcome"));
   outcome_->setVisible(false);
   table_->setObjectName(QStringLiteral("lines"));
@@ -54,7 +54,7 @@ SelfTestDialog::SelfTestDialog(SelfTestOrder order, QWidget* parent)
   heads->setSectionResizeMode(QHeaderView::ResizeToContents);
   heads->setSectionResizeMode(3, QHeaderView::Stretch);
   heads->setSectionResizeMode(4, QHeaderView::Stretch);
-  auto* heading = bodyLabel(tr("Is this computer fit for a study day?"), this);
+  auto* heading = bodyLabel(tr("System check"), this);
   heading->setProperty("role", QStringLiteral("heading"));
   auto* go = new QPushButton(tr("Test"), this);
   go->setObjectName(QStringLiteral("go"));

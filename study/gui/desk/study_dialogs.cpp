@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/report_work.h"
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/background_task.h"
@@ -49,22 +50,28 @@ RunMode chosenMode(const QComboBox& choice) {
   return static_cast<RunMode>(choice.currentData().toInt());
 }
 
-QString beside(const std::string& folder, const QString& ending) {
-  return QDir::cleanPath(QString::fromStdString(folder)) + QLatin1Char('-') + ending;
+QString newPathBeside(const std::string& folder, const QString& what, const QString& extension) {
+  const QString start = QDir::cleanPath(QString::fromStdString(folder)) + QLatin1Char('-') + what +
+                        QLatin1Char('-') + QDate::currentDate().toString(Qt::ISODate);
+  QString path = start + extension;
+  for (int number = 2; QFileInfo::exists(path); ++number) {
+    path = QStringLiteral("%1-%2%3").arg(start).arg(number).arg(extension);
+  }
+  return path;
 }
 
 BackupDialog::BackupDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Back up a study"),
-          tr("A copy of the whole folder as it is at one moment, also while sessions are open. The "
-             "copy is read again to its last byte. Best kept on another disk. It holds what names "
-             "participants: keep it as carefully as the study."),
+          tr("Copies the whole study as it is at one moment, also while sessions are open, and "
+             "verifies "
+             "the copy. Keep it on another disk, as carefully as the study: it contains what names "
+             "participants."),
           tr("Back up"),
           parent),
       folder_(study.folder),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
-  const QString today = QDate::currentDate().toString(Qt::ISODate);
-  target_->setPath(beside(folder_, QStringLiteral("backup-") + today));
+  target_->setPath(newPathBeside(folder_, QStringLiteral("backup")));
   form().addRow(tr("To a new folder"), target_);
 }
 
@@ -78,23 +85,21 @@ void BackupDialog::work() {
   const double megabytes = 1e-6 * static_cast<double>(backup.bytes);
   const QString checks = describe(backup.verification);
   if (backup.verification.isSound()) {
-    showOutcome(
-        Outcome::Good,
-        tr("%1 MB are copied to %2, and are what was written.")
-            .arg(megabytes, 0, 'f', 1)
-            .arg(target_->path()),
+    const QString path = target_->path();
+    showWritten(
+        path,
+        tr("Backup saved and verified: %1 (%2 MB)").arg(path).arg(megabytes, 0, 'f', 1),
         checks);
+    target_->setPath(newPathBeside(folder_, QStringLiteral("backup")));
   } else {
-    showOutcome(
-        Outcome::Bad, tr("The copy is as damaged as the study that it was made of."), checks);
+    showOutcome(Outcome::Bad, tr("The study is damaged, and so is the copy."), checks);
   }
 }
 
 VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Verify a study"),
-          tr("Reads “%1” to its last byte: is everything still what was written? Nothing is "
-             "changed.")
+          tr("Reads all data of “%1” and checks that nothing was changed, lost or damaged.")
               .arg(QString::fromStdString(study.title)),
           tr("Verify"),
           parent),
@@ -110,11 +115,11 @@ void VerifyDialog::work() {
   if (!isDone) return clear();
   const QString checks = describe(verification);
   if (verification.isSound()) {
-    showOutcome(Outcome::Good, tr("Everything is what was written."), checks);
+    showOutcome(Outcome::Good, tr("All data are unchanged."), checks);
   } else {
     showOutcome(
         Outcome::Bad,
-        tr("Something is not what was written. Keep the folder as it is, and restore a copy from "
+        tr("Some data have changed. Keep the folder as it is, and restore a backup from "
            "before."),
         checks);
   }
@@ -123,9 +128,11 @@ void VerifyDialog::work() {
 ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Write the report"),
-          tr("Tables, figures, what was felt, in one page or PDF. It names every condition beside "
-             "its results: whoever must stay blind does not open it, and why live sessions are "
-             "unblinded goes into the audit trail."),
+          tr("Tables, figures and forces, as a web page or PDF. The report names every condition: "
+             "do "
+             "not open it if you must stay blinded. The reason for unblinding live sessions goes "
+             "into "
+             "the audit trail."),
           tr("Write"),
           parent),
       folder_(study.folder),
@@ -139,7 +146,7 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
     language_->addItem(nativeName(tag), tag);
   }
   language_->setAccessibleName(tr("Language"));
-  target_->setPath(beside(folder_, QStringLiteral("report.html")));
+  target_->setPath(newPathBeside(folder_, QStringLiteral("report"), QStringLiteral(".html")));
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Language"), language_);
   reason_->setAccessibleName(tr("Reason for unblinding"));
@@ -167,7 +174,11 @@ void ReportDialog::work() {
   const bool isDone = BackgroundTask::run(
       this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
   if (!isDone) return clear();
-  showOutcome(Outcome::Good, tr("%1 holds the report.").arg(target_->path()));
+  const QString path = target_->path();
+  rememberDocument(QString::fromStdString(folder_), path);
+  showWritten(path, tr("Report saved: %1").arg(path));
+  const auto extension = QLatin1Char('.') + QFileInfo(path).suffix();
+  target_->setPath(newPathBeside(folder_, QStringLiteral("report"), extension));
 }
 
 }  // namespace study::gui

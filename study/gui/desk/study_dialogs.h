@@ -72,7 +72,9 @@ QString describe(const Verification& verification);
 QComboBox* runModeChoice(const StudySummary& study, QWidget* parent);
 RunMode chosenMode(const QComboBox& choice);
 
-/// A path for a new file or folder next to a study: "/home/a/my-study-report".
-QString beside(const std::string& folder, const QString& ending);
+/// A path for a new file or folder next to a study, with today's date, at which nothing is yet:
+/// "/home/a/my-study-report-2026-11-23.html", "…-2026-11-23-2.html".
+QString newPathBeside(
+    const std::string& folder, const QString& what, const QString& extension = {});
 
 }  // namespace study::gui

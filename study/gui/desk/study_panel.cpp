@@ -1,11 +1,27 @@
 #include "study/gui/desk/study_panel.h"
 
-#include <QGridLayout>
+#include <algorithm>
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QProgressBar>
 #include <QScrollArea>
 
+#include "study/gui/desk/recent_studies.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/written_file.h"
 
 namespace study::gui {
+namespace {
+
+constexpr std::size_t kMostDocumentsShown = 6;
+
+QString localTime(const std::string& utc) {
+  const auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
+  return time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+}
+
+}  // namespace
 
 StudyPanel::StudyPanel(QWidget* parent)
     : QFrame(parent),
@@ -15,37 +31,21 @@ StudyPanel::StudyPanel(QWidget* parent)
       folder_(quietLabel({}, this)),
       problem_(bodyLabel({}, this)),
       open_(new QPushButton(tr("Open"), this)),
-      forget_(new QPushButton(tr("Take off the list"), this)),
+      forget_(new QPushButton(tr("Remove from list"), this)),
       place_(new QWidget(this)),
-      unfinished_(new QVBoxLayout(place_)) {
+      parts_(new QVBoxLayout(place_)) {
   setProperty("role", QStringLiteral("card"));
   title_->setProperty("role", QStringLiteral("heading"));
   problem_->setProperty("role", QStringLiteral("bad"));
   problem_->setObjectName(QStringLiteral("problem"));
   open_->setProperty("role", QStringLiteral("main"));
   open_->setObjectName(QStringLiteral("open"));
-  folder_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* buttons = new QGridLayout;
-  buttons->addWidget(open_, 0, 0, 1, 4);
-  const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
-    auto* button = new QPushButton(words, this);
-    button->setObjectName(QString::fromUtf8(name));
-    const int count = static_cast<int>(actions_.size());
-    buttons->addWidget(button, 1, count);
-    actions_.push_back(button);
-    connect(button, &QPushButton::clicked, this, wanted);
-  };
-  add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
-  add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
-  add(tr("Report…"), "report", &StudyPanel::reportRequested);
-  add(tr("Export…"), "export", &StudyPanel::exportRequested);
   forget_->setObjectName(QStringLiteral("forget"));
-  buttons->addWidget(forget_, 2, 0, 1, 4);
+  folder_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   connect(open_, &QPushButton::clicked, this, &StudyPanel::openRequested);
   connect(forget_, &QPushButton::clicked, this, &StudyPanel::forgetRequested);
-
   place_->setProperty("role", QStringLiteral("plain"));
-  unfinished_->setContentsMargins(0, 0, 0, 0);
+  parts_->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setWidget(place_);
@@ -53,15 +53,44 @@ StudyPanel::StudyPanel(QWidget* parent)
   layout->setContentsMargins(20, 18, 20, 18);
   layout->setSpacing(10);
   for (auto* label : {title_, what_, sessions_, folder_, problem_}) layout->addWidget(label);
-  layout->addLayout(buttons);
+  layout->addLayout(makeButtons());
   layout->addWidget(scroll, 1);
   clear();
 }
 
+QGridLayout* StudyPanel::makeButtons() {
+  constexpr int kColumns = 3;
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(open_, 0, 0, 1, kColumns);
+  const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
+    auto* button = new QPushButton(words, this);
+    button->setObjectName(QString::fromUtf8(name));
+    button->setProperty("role", QStringLiteral("tool"));
+    const int count = static_cast<int>(actions_.size());
+    buttons->addWidget(button, 1 + count / kColumns, count % kColumns);
+    actions_.push_back(button);
+    connect(button, &QPushButton::clicked, this, wanted);
+    return button;
+  };
+  add(tr("Report…"), "report", &StudyPanel::reportRequested);
+  add(tr("Export…"), "export", &StudyPanel::exportRequested);
+  add(tr("Statistics…"), "statistics", &StudyPanel::statisticsRequested);
+  texts_ = add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
+  add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
+  add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
+  add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
+  add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
+  add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
+  for (int column = 0; column < kColumns; ++column) buttons->setColumnStretch(column, 1);
+  const int rows = static_cast<int>(actions_.size() + kColumns - 1) / kColumns;
+  buttons->addWidget(forget_, 1 + rows, 0, 1, kColumns);
+  return buttons;
+}
+
 void StudyPanel::clear() {
   show(StudySummary{});
-  title_->setText(tr("No study is chosen"));
-  what_->setText(tr("Make a new one from a protocol, or open the folder of one that is there."));
+  title_->setText(tr("No study is selected"));
+  what_->setText(tr("Create one from a protocol, or open the folder of an existing study."));
   sessions_->clear();
   folder_->clear();
   open_->setEnabled(false);
@@ -73,28 +102,81 @@ void StudyPanel::show(const StudySummary& summary) {
   const bool isSound = summary.problem.empty();
   title_->setText(QString::fromStdString(summary.title));
   what_->setText(QString::fromStdString(summary.protocol));
-  sessions_->setText(QString::fromStdString(sessionsInWords(summary)));
+  QString sessions = QString::fromStdString(sessionsInWords(summary));
+  if (!summary.lastSessionUtc.empty()) {
+    sessions += tr(". Last session: %1").arg(localTime(summary.lastSessionUtc));
+  }
+  sessions_->setText(sessions);
   folder_->setText(QString::fromStdString(summary.folder));
   problem_->setText(QStringLiteral("✕  ") + QString::fromStdString(summary.problem));
   problem_->setVisible(!isSound);
   open_->setEnabled(isSound);
   forget_->setVisible(!isSound);
   for (auto* button : actions_) button->setEnabled(isSound);
-  showUnfinished(summary);
-}
-
-void StudyPanel::showUnfinished(const StudySummary& summary) {
-  while (auto* item = unfinished_->takeAt(0)) {
+  texts_->setText(
+      summary.blanks == 0 ? tr("Fill in the texts…")
+                          : tr("Fill in the texts… (%1)").arg(summary.blanks));
+  texts_->setToolTip(
+      summary.blanks == 0 ? QString()
+                          : tr("%1 blanks in texts for participants").arg(summary.blanks));
+  while (auto* item = parts_->takeAt(0)) {
     delete item->widget();
     delete item;
   }
-  if (!summary.unfinished.empty()) {
-    auto* heading = bodyLabel(tr("Sessions that are not finished"), place_);
-    heading->setProperty("role", QStringLiteral("heading"));
-    unfinished_->addWidget(heading);
+  showProgress(summary);
+  showDocuments(summary);
+  showUnfinished(summary);
+  parts_->addStretch(1);
+}
+
+void StudyPanel::addHeading(const QString& text) {
+  auto* heading = bodyLabel(text, place_);
+  heading->setProperty("role", QStringLiteral("heading"));
+  parts_->addWidget(heading);
+}
+
+/// A bar for each cohort: as in "Orthopaedic surgeons: 3 of 12 completed".
+void StudyPanel::showProgress(const StudySummary& summary) {
+  for (const auto& cohort : summary.cohorts) {
+    const QString title = QString::fromStdString(cohort.title);
+    const QString words =
+        cohort.planned > 0
+            ? tr("%1: %2 of %3 completed").arg(title).arg(cohort.completed).arg(cohort.planned)
+            : tr("%1: %2 completed").arg(title).arg(cohort.completed);
+    parts_->addWidget(bodyLabel(words, place_));
+    if (cohort.planned == 0) continue;
+    auto* bar = new QProgressBar(place_);
+    bar->setTextVisible(false);
+    bar->setRange(0, cohort.planned);
+    bar->setValue(std::min(cohort.completed, cohort.planned));
+    bar->setAccessibleName(words);
+    parts_->addWidget(bar);
   }
-  for (const auto& session : summary.unfinished) unfinished_->addWidget(cardOf(session));
-  unfinished_->addStretch(1);
+}
+
+void StudyPanel::showDocuments(const StudySummary& summary) {
+  if (summary.folder.empty()) return;
+  const auto documents = documentsOf(QString::fromStdString(summary.folder));
+  if (documents.empty()) return;
+  addHeading(tr("Reports and exports"));
+  for (std::size_t i = 0; i < std::min(documents.size(), kMostDocumentsShown); ++i) {
+    auto* row = new QWidget(place_);
+    row->setProperty("role", QStringLiteral("plain"));
+    auto* line = new QHBoxLayout(row);
+    line->setContentsMargins(0, 0, 0, 0);
+    auto* name = bodyLabel(QFileInfo(documents[i].path).fileName(), row);
+    name->setToolTip(documents[i].path);
+    auto* buttons = new WrittenFile(row);
+    buttons->show(documents[i].path);
+    line->addWidget(name, 1);
+    line->addWidget(buttons);
+    parts_->addWidget(row);
+  }
+}
+
+void StudyPanel::showUnfinished(const StudySummary& summary) {
+  if (!summary.unfinished.empty()) addHeading(tr("Unfinished sessions"));
+  for (const auto& session : summary.unfinished) parts_->addWidget(cardOf(session));
 }
 
 QWidget* StudyPanel::cardOf(const UnfinishedSession& session) {

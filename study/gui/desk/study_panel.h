@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <QFrame>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -9,8 +12,8 @@
 
 namespace study::gui {
 
-/// One study: what it is, who has taken part, the actions on it, and the actions on each unfinished
-/// session.
+/// One study: what it is, how far each cohort has come, the actions on it, what was written about
+/// it, and its unfinished sessions.
 class StudyPanel final : public QFrame {
   Q_OBJECT
 
@@ -25,14 +28,23 @@ class StudyPanel final : public QFrame {
  signals:
   void openRequested();
   void goOnRequested(qlonglong session);
-  void backupRequested();
-  void verifyRequested();
   void reportRequested();
   void exportRequested();
+  void statisticsRequested();
+  void simulationRequested();
+  void previewRequested();
+  void textsRequested();
+  void amendmentRequested();
+  void backupRequested();
+  void verifyRequested();
   void forgetRequested();
 
  private:
+  QGridLayout* makeButtons();
+  void showProgress(const StudySummary& summary);
+  void showDocuments(const StudySummary& summary);
   void showUnfinished(const StudySummary& summary);
+  void addHeading(const QString& text);
   QWidget* cardOf(const UnfinishedSession& session);
 
   QLabel* title_;
@@ -42,9 +54,10 @@ class StudyPanel final : public QFrame {
   QLabel* problem_;
   QPushButton* open_;
   std::vector<QPushButton*> actions_;  ///< enabled only if the study can be opened
+  QPushButton* texts_ = nullptr;       ///< one of them; says how many texts are blank
   QPushButton* forget_;
-  QWidget* place_;  ///< holds the unfinished sessions
-  QVBoxLayout* unfinished_;
+  QWidget* place_;  ///< holds what differs between studies
+  QVBoxLayout* parts_;
 };
 
 }  // namespace study::gui

@@ -1,13 +1,34 @@
 #include "study/gui/desk/study_summary.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "protocols/model/blanks.h"
 #include "study/session/study.h"
 
 namespace study::gui {
 namespace {
 
 constexpr RunMode kRunModes[]{RunMode::Live, RunMode::Pilot, RunMode::Simulated};
+
+void fillCohorts(Study& study, StudySummary& summary) {
+  const auto mode = likelyRunMode(summary);
+  const auto rows = study.sessions().all();
+  for (const auto& cohort : study.protocol().protocol.cohorts) {
+    const auto completed = std::ranges::count_if(rows, [&](const auto& row) {
+      return row.runMode == mode && row.cohort == cohort.id && row.state == SessionState::Completed;
+    });
+    summary.cohorts.push_back(
+        {.title = cohort.title.in("en"),
+         .completed = static_cast<int>(completed),
+         .planned = cohort.planned});
+  }
+  if (mode == RunMode::Simulated) return;  // in a time of their own
+  for (const auto& row : rows) {
+    if (row.runMode == mode)
+      summary.lastSessionUtc = std::max(summary.lastSessionUtc, row.startedUtc);
+  }
+}
 
 void fill(StudySummary& summary) {
   SystemClock clock;
@@ -23,6 +44,10 @@ void fill(StudySummary& summary) {
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
   }
   summary.unfinished = unfinishedSessions(study);
+  const auto blanks = protocols::blanksOf(study.protocol());
+  summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
+      blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));
+  fillCohorts(study, summary);
 }
 
 int countIn(const std::map<RunMode, int>& counts, RunMode mode) {
@@ -39,7 +64,7 @@ StudySummary summaryOf(const std::string& folder) {
   if (summary.isGone) {
     summary.problem =
         "The folder is not there. Was it moved, or is its disk not connected? Open it where it is "
-        "now, or take it off the list.";
+        "now, or remove it from the list.";
     return summary;
   }
   try {
@@ -59,7 +84,7 @@ std::string sessionsInWords(const StudySummary& summary) {
              " of " + std::to_string(countIn(summary.sessions, mode)) + " " +
              std::string(nameOf(mode)) + " completed";
   }
-  if (words.empty()) words = "nobody yet";
+  if (words.empty()) words = "no sessions yet";
   if (summary.unfinished.empty()) return words;
   return words + "; " + std::to_string(summary.unfinished.size()) + " unfinished";
 }

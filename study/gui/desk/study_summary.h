@@ -9,6 +9,13 @@
 
 namespace study::gui {
 
+/// How far a cohort has come.
+struct CohortProgress {
+  std::string title;
+  int completed = 0;  ///< of the run mode that likelyRunMode() names
+  int planned = 0;    ///< 0: the protocol plans no number
+};
+
 /// What the home page shows about a study. Contains no condition.
 struct StudySummary {
   std::string folder;
@@ -16,6 +23,10 @@ struct StudySummary {
   std::string protocol;  ///< "punch-face-validity 1.0, frozen 2026-11-20 …"
   std::map<RunMode, int> completed;
   std::map<RunMode, int> sessions;  ///< all of them, finished or not
+  std::vector<CohortProgress> cohorts;
+  std::string lastSessionUtc;  ///< when the latest session of that run mode began; empty: none
+                               ///< has, or the sessions are simulated
+  std::size_t blanks = 0;      ///< in texts for participants, still to be filled in
   std::vector<UnfinishedSession> unfinished;
   bool isGone = false;  ///< the folder no longer exists
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can

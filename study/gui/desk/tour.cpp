@@ -7,10 +7,13 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QScreen>
+#include <QShowEvent>
 #include <QVBoxLayout>
 
 #include "protocols/load_protocol.h"
 #include "study/gui/operator/live_plot.h"
+#include "study/gui/operator/travel_plot.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/widgets/attempt.h"
@@ -89,6 +92,19 @@ void Tour::done(int result) {
   QDialog::done(result);
 }
 
+void Tour::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  if (parentWidget() == nullptr || event->spontaneous()) return;
+  // Not every window manager puts a dialog over its window.
+  const QRect beside = parentWidget()->window()->frameGeometry();
+  QRect own(QPoint(), size());
+  own.moveCenter(beside.center());
+  const QRect screen = this->screen()->availableGeometry();
+  move(
+      std::clamp(own.left(), screen.left(), std::max(screen.left(), screen.right() - width())),
+      std::clamp(own.top(), screen.top(), std::max(screen.top(), screen.bottom() - height())));
+}
+
 QWidget* Tour::makeFeeling() {
   auto* step = new QWidget(this);
   page_ = new TrialPage(
@@ -158,8 +174,13 @@ QWidget* Tour::makeRecord() {
   record_->setSelectionMode(QAbstractItemView::NoSelection);
   kept_ = bodyLabel({}, step);
   auto* layout = new QVBoxLayout(step);
+  figure_ = new TravelPlot(step);
+  record_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(figure_, 1);
+  columns->addWidget(record_, 1);
   layout->addWidget(kept_);
-  layout->addWidget(record_, 1);
+  layout->addLayout(columns, 1);
   layout->addWidget(quietLabel(
       tr("In a study this lies in its folder: answers and sessions in study.db, samples in "
          "traces.db, names in identity.db and nowhere else. Everything is in a chain of hashes; "
@@ -182,6 +203,7 @@ void Tour::goTo(int step) {
 void Tour::begin() {
   if (!attempt(this, [&] { punch_.begin(); })) return;
   plot_->begin(punch_.kind(), 1000.0);
+  figure_->begin(punch_.kind());
   page_->setRunning(true);
   watch_.start(kTourPictureEvery);
 }
@@ -190,6 +212,7 @@ void Tour::look() {
   haptics::engine::TickSample sample;
   while (punch_.nextToPlot(sample)) {
     plot_->add(sample);
+    figure_->add(sample);
   }
   plot_->refresh();
   page_->setCuts(punch_.status().cuts);
@@ -204,10 +227,11 @@ void Tour::endFeeling() {
 
 void Tour::showRecord() {
   record_->setRowCount(0);
+  figure_->setVisible(felt_.has_value());
   if (!felt_) {
     kept_->setText(
         tr("You have not felt anything yet: go back to the first step, press Begin, and make a "
-           "cut. Then the record of it stands here."));
+           "cut. Then its record appears here."));
     return;
   }
   kept_->setText(
@@ -219,6 +243,7 @@ void Tour::showRecord() {
     record_->setItem(row, 0, new QTableWidgetItem(what));
     record_->setItem(row, 1, new QTableWidgetItem(value));
   };
+  figure_->refresh();
   const auto& felt = *felt_;
   add(tr("Samples, a thousand a second"), QString::number(punch_.samples().size()));
   add(tr("Duration"), inUnits(felt.duration, "s", 1));
@@ -230,14 +255,13 @@ void Tour::showRecord() {
     add(tr("First cut: touched the tissue at"), inUnits(touched, "units of travel"));
   }
   if (felt.latenessP99) {
-    add(tr("99 of 100 ticks were no later than"), inUnits(*felt.latenessP99, "µs", 0));
+    add(tr("Timing"), tr("99 % within %1").arg(inUnits(*felt.latenessP99, "µs", 0)));
   }
   const auto judgement = felt.judgement();
   const auto verdict = nameOf(judgement.verdict);
   const QString why = QString::fromStdString(base::describe(judgement.reasons));
   add(tr("Verdict"),
       asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
-  record_->resizeRowsToContents();
 }
 
 }  // namespace study::gui

@@ -16,6 +16,7 @@
 namespace study::gui {
 class TrialPage;
 class LivePlot;
+class TravelPlot;
 }  // namespace study::gui
 
 namespace study::gui {
@@ -39,6 +40,9 @@ class Tour final : public QDialog {
  public slots:
   void done(int result) override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   QWidget* makeFeeling();
   QWidget* makeQuestions();
@@ -57,6 +61,7 @@ class Tour final : public QDialog {
   QStackedWidget* steps_;
   TrialPage* page_ = nullptr;
   LivePlot* plot_ = nullptr;
+  TravelPlot* figure_ = nullptr;
   QTableWidget* record_ = nullptr;
   QLabel* kept_ = nullptr;
   QPushButton* back_;

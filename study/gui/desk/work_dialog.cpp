@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/written_file.h"
 
 namespace study::gui {
 
@@ -11,6 +12,7 @@ WorkDialog::WorkDialog(
     : QDialog(parent),
       form_(new QFormLayout),
       line_(bodyLabel({}, this)),
+      written_(new WrittenFile(this)),
       more_(new QTextBrowser(this)),
       go_(new QPushButton(verb, this)) {
   setWindowTitle(title);
@@ -38,6 +40,7 @@ WorkDialog::WorkDialog(
   layout->addWidget(quietLabel(what, this));
   layout->addLayout(form_);
   layout->addWidget(line_);
+  layout->addWidget(written_);
   layout->addWidget(more_, 1);
   layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
@@ -52,7 +55,14 @@ void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString
   setRole(*line_, kRoles[place]);
   line_->setText(QString::fromUtf8(kSigns[place]) + line);
   line_->setVisible(true);
+  written_->show(QString());
   showDetails(more);
+}
+
+void WorkDialog::showWritten(const QString& path, const QString& line, const QString& more) {
+  showOutcome(Outcome::Good, line, more);
+  written_->show(path);
+  fit();
 }
 
 void WorkDialog::showDetails(const QString& more) {
@@ -76,6 +86,7 @@ void WorkDialog::showEvent(QShowEvent* event) {
 void WorkDialog::clear() {
   line_->clear();
   line_->setVisible(false);
+  written_->show(QString());
   showDetails(QString());
 }
 

@@ -25,6 +25,9 @@ class WorkDialog : public QDialog {
 
   /// Shows the result in one line, and details below.
   void showOutcome(Outcome outcome, const QString& line, const QString& more = {});
+  /// The same for something that was written, which can be opened from here. The button that wrote
+  /// it is no longer the main one.
+  void showWritten(const QString& path, const QString& line, const QString& more = {});
   /// Shows details without a result.
   void showDetails(const QString& more);
   void clear();
@@ -39,6 +42,7 @@ class WorkDialog : public QDialog {
  private:
   QFormLayout* form_;
   QLabel* line_;
+  class WrittenFile* written_;
   QTextBrowser* more_;
   QPushButton* go_;
 };

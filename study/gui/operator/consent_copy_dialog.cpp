@@ -8,12 +8,15 @@
 #include "study/gui/widgets/attempt.h"
 #include "study/model/new_file.h"
 #include "study/report/consent_copy.h"
+#include "study/report/marked_text.h"
 #include "study/report/pdf_report.h"
 
 namespace study::gui {
 
 void writeConsentCopy(Study& study, const std::string& participant, const std::string& path) {
-  const auto html = report::consentCopy(study, participant);
+  const auto html = report::consentCopy(study, participant, [](const std::string& text) {
+    return report::asHtml(QString::fromStdString(text)).toStdString();
+  });
   const bool isPdf = std::filesystem::path(path).extension() == ".pdf";
   const auto& title = study.protocol().protocol.study.title;
   writeNewFile(path, isPdf ? report::asPdf(html, title) : html);

@@ -18,9 +18,10 @@ ControlPanel::ControlPanel(QWidget* parent)
       stop_(new QPushButton(tr("STOP: no force"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
       interviewDone_(new QPushButton(tr("Finish the interview"), this)),
-      handOver_(new QPushButton(tr("Hand over the screen…"), this)),
-      consent_(new QPushButton(tr("Copy of the consent…"), this)),
-      close_(new QPushButton(tr("Close this session"), this)),
+      countCut_(new QPushButton(tr("Count a cut (F9)"), this)),
+      handOver_(new QPushButton(tr("Hand over…"), this)),
+      consent_(new QPushButton(tr("Consent copy…"), this)),
+      close_(new QPushButton(tr("Close session"), this)),
       note_(new QLineEdit(this)),
       notes_(new QListWidget(this)) {
   who_->setProperty("role", QStringLiteral("heading"));
@@ -29,6 +30,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   stop_->setToolTip(tr("Also Esc, Pause, F12, or a foot switch that types one of them"));
   resume_->setToolTip(tr("End the pause"));
   handOver_->setToolTip(tr("The participant's window covers the screen until your PIN"));
+  consent_->setToolTip(tr("A copy of the signed consent, for the participant"));
   notes_->setAccessibleName(tr("Notes of this session"));
   notes_->setFocusPolicy(Qt::NoFocus);
   notes_->setWordWrap(true);
@@ -54,35 +56,53 @@ QWidget* ControlPanel::makeButtons() {
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(8);
-  auto* grid = new QGridLayout;
-  grid->setSpacing(8);
-  const std::vector<QPushButton*> buttons{
-      add(tr("Repeat…"), SessionEvent::RepeatedStep, &SessionController::repeatStep),
-      add(tr("Skip…"), SessionEvent::SkippedStep, &SessionController::skipStep),
-      pause_ = add(tr("Pause…"), SessionEvent::PausedSession, &SessionController::pause),
-      interviewDone_,
-      add(tr("Participant withdraws…"), SessionEvent::Withdrew, &SessionController::withdraw),
-      add(tr("Reject the session…"), SessionEvent::WasRejected, &SessionController::reject),
-      add(tr("Give up on the device…"),
-          SessionEvent::GaveUpOnDevice,
-          &SessionController::giveUpOnDevice),
-      consent_,
-      handOver_,
-      close_};
-  for (std::size_t i = 0; i < buttons.size(); ++i) {
-    buttons[i]->setProperty("role", QStringLiteral("tool"));
-    grid->addWidget(buttons[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
-  }
+  const auto repeat =
+      add(tr("Repeat…"), SessionEvent::RepeatedStep, &SessionController::repeatStep);
+  const auto skip = add(tr("Skip…"), SessionEvent::SkippedStep, &SessionController::skipStep);
+  pause_ = add(tr("Pause…"), SessionEvent::PausedSession, &SessionController::pause);
+  auto* now = addGroup(*layout, tr("Now"), {{repeat, skip}, {pause_, interviewDone_}});
   resume_->setProperty("role", QStringLiteral("tool"));
-  grid->addWidget(resume_, 1, 0);  // shares a place with "Pause…": one of them is enabled
-  grid->setColumnStretch(0, 1);
-  grid->setColumnStretch(1, 1);
-  layout->addLayout(grid);
+  now->addWidget(resume_, 1, 0);  // shares a place with "Pause…": one of them is enabled
+  countCut_->setProperty("role", QStringLiteral("tool"));
+  countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
+  countCut_->setFocusPolicy(Qt::TabFocus);  // as the button that it shares a place with
+  now->addWidget(countCut_, 1, 1);
   layout->addWidget(note_);
+  addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
+  emergency_ = {
+      add(tr("Withdrawal…"), SessionEvent::Withdrew, &SessionController::withdraw),
+      add(tr("Reject…"), SessionEvent::WasRejected, &SessionController::reject),
+      add(tr("Device failed…"), SessionEvent::GaveUpOnDevice, &SessionController::giveUpOnDevice)};
+  emergency_[0]->setToolTip(tr("The participant withdraws: the session ends"));
+  emergency_[1]->setToolTip(tr("This session does not count: it ends"));
+  emergency_[2]->setToolTip(tr("The device cannot go on: the session ends"));
+  addGroup(*layout, tr("Emergency: ends the session"), {emergency_});
   constexpr int kTwoNotes = 76;  // [px]
   notes_->setMinimumHeight(kTwoNotes);
   layout->addWidget(notes_, 1);
   return inside;
+}
+
+/// A heading, and buttons row by row below it.
+QGridLayout* ControlPanel::addGroup(
+    QVBoxLayout& layout, const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
+  auto* heading = quietLabel(title, this);
+  layout.addWidget(heading);
+  auto* grid = new QGridLayout;
+  grid->setSpacing(8);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (std::size_t column = 0; column < rows[row].size(); ++column) {
+      auto* button = rows[row][column];
+      button->setProperty("role", QStringLiteral("tool"));
+      button->setAccessibleDescription(title);
+      // A click leaves the focus where it was: a space that is typed later presses nothing.
+      button->setFocusPolicy(Qt::TabFocus);
+      grid->addWidget(button, static_cast<int>(row), static_cast<int>(column));
+      grid->setColumnStretch(static_cast<int>(column), 1);
+    }
+  }
+  layout.addLayout(grid);
+  return grid;
 }
 
 void ControlPanel::connectButtons() {
@@ -93,6 +113,9 @@ void ControlPanel::connectButtons() {
     if (controller_ != nullptr) controller_->resume();
   });
   connect(interviewDone_, &QPushButton::clicked, this, &ControlPanel::interviewFinished);
+  connect(countCut_, &QPushButton::clicked, this, [this] {
+    if (controller_ != nullptr) controller_->countBenchmarkCut();
+  });
   connect(note_, &QLineEdit::returnPressed, this, &ControlPanel::keepNote);
   connect(handOver_, &QPushButton::clicked, this, &ControlPanel::handOverRequested);
   connect(consent_, &QPushButton::clicked, this, &ControlPanel::consentCopyRequested);
@@ -125,6 +148,7 @@ void ControlPanel::askAndDo(Perform action, const QString& what, SessionEvent ev
       {},
       &isMeant);
   if (isMeant && controller_ != nullptr) (controller_->*action)(reason);
+  keepFocusOffButtons();
 }
 
 void ControlPanel::keepNote() {
@@ -177,11 +201,24 @@ void ControlPanel::refresh() {
                            controller_->session().allows(SessionEvent::FinishedStep);
   resume_->setVisible(isPaused);
   pause_->setVisible(!isPaused);
+  const bool isBenchmark = isOpen && !controller_->session().isOver() &&
+                           controller_->session().step().kind == StepKind::Benchmark &&
+                           controller_->session().allows(SessionEvent::FinishedStep);
   interviewDone_->setEnabled(isInterview);
+  interviewDone_->setVisible(!isBenchmark);
+  countCut_->setVisible(isBenchmark);
   note_->setEnabled(isOpen);
   handOver_->setEnabled(isOpen);
   consent_->setEnabled(isOpen && !isRunning);
   close_->setEnabled(isOpen && !isRunning);
+  keepFocusOffButtons();
+}
+
+/// A button that is disabled hands its focus to the next one, which may end the session.
+void ControlPanel::keepFocusOffButtons() {
+  const auto* focused = window()->focusWidget();
+  const bool isOnAButton = qobject_cast<const QPushButton*>(focused) != nullptr;
+  if (isOnAButton && isAncestorOf(focused) && note_->isEnabled()) note_->setFocus();
 }
 
 }  // namespace study::gui

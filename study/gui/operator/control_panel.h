@@ -2,10 +2,12 @@
 
 #include <vector>
 
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include "study/model/session_state.h"
@@ -39,6 +41,11 @@ class ControlPanel final : public QWidget {
   using Perform = void (SessionController::*)(const QString& reason);
   QPushButton* add(const QString& text, SessionEvent event, Perform action);
   QWidget* makeButtons();
+  QGridLayout* addGroup(
+      QVBoxLayout& layout,
+      const QString& title,
+      const std::vector<std::vector<QPushButton*>>& rows);
+  void keepFocusOffButtons();
   void connectButtons();
   void showWho();
   void askAndDo(Perform action, const QString& what, SessionEvent event);
@@ -57,12 +64,14 @@ class ControlPanel final : public QWidget {
   QPushButton* pause_ = nullptr;
   QPushButton* resume_;
   QPushButton* interviewDone_;
+  QPushButton* countCut_;
   QPushButton* handOver_;
   QPushButton* consent_;
   QPushButton* close_;
   QLineEdit* note_;
   QListWidget* notes_;
   std::vector<Choice> choices_;
+  std::vector<QPushButton*> emergency_;  ///< end the session
 };
 
 }  // namespace study::gui

@@ -95,7 +95,7 @@ bool CupButton::mayShow() {
              this,
              tr("The participant would see it"),
              tr("The participant's window is on this screen: they would see how hard this "
-                "alternative is. Show the bone in colours all the same?"),
+                "alternative is. Show the bone in colours anyway?"),
              QMessageBox::Yes | QMessageBox::No,
              QMessageBox::No) == QMessageBox::Yes;
 }

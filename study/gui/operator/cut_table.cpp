@@ -52,6 +52,9 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   detector_ = CutDetector(device.stroke);
   rate_ = rate;
   travel_ = travelScaleOf(device);
+  // Yield, bottom and opening are landmarks of a cut through a meniscus; bone has none of them.
+  const bool isCut = device.tissue == haptics::devices::Tissue::Meniscus;
+  for (const int column : {kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
   setAccessibleName(tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in("en")))));
   cut_ = 0;
   setRowCount(0);

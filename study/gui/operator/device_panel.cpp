@@ -13,6 +13,29 @@ namespace {
 using haptics::devices::Finding;
 using Found = std::vector<FindingsDialog::Found>;
 
+/// The state of a device as an operator says it: a punch that is "closed" would be a punch that has
+/// bitten.
+QString describe(const haptics::devices::Device& device, haptics::devices::Wire wire) {
+  using haptics::devices::Lifecycle;
+  using haptics::devices::Wire;
+  switch (device.lifecycle()) {
+    case Lifecycle::Closed:
+      return wire == Wire::Serial ? DevicePanel::tr("port not open")
+                                  : DevicePanel::tr("not connected");
+    case Lifecycle::Open:
+      return DevicePanel::tr("connected");
+    case Lifecycle::Checked:
+      return DevicePanel::tr("checked");
+    case Lifecycle::Armed:
+      return DevicePanel::tr("ready");
+    case Lifecycle::Running:
+      return DevicePanel::tr("running");
+    case Lifecycle::Faulted:
+      return DevicePanel::tr("failed");
+  }
+  return {};
+}
+
 constexpr int kLookEvery = 500;     // [ms]
 constexpr double kListenFor = 2.0;  // [s]
 
@@ -60,23 +83,32 @@ void DevicePanel::refresh() {
         device == nullptr ? tr("not in the device file") : QString::fromStdString(device->fault());
     setRole(*line, fault.isEmpty() ? "quiet" : "bad");
     line->setText(
-        fault.isEmpty() ? name + QString::fromUtf8(haptics::devices::nameOf(device->lifecycle()))
+        fault.isEmpty() ? name + describe(*device, protocol_.device(id)->kind->wire)
                         : QStringLiteral("✖ ") + name + fault);
   }
 }
 
 void DevicePanel::check() {
-  FindingsDialog(checkDevices(), FindingsDialog::Asks::Nothing, window()).exec();
+  const auto again = [this] { return checkDevices(); };
+  FindingsDialog(again(), FindingsDialog::Asks::Nothing, again, window()).exec();
 }
 
 bool DevicePanel::mayBegin(const Found& otherwise) {
-  Found found = otherwise;
-  if (deviceSet_ != nullptr) {
+  const auto checkAll = [&] {
+    Found found = otherwise;
+    if (deviceSet_ == nullptr) return found;
     const auto heard = checkDevices();
     found.insert(found.end(), heard.begin(), heard.end());
-  }
+    return found;
+  };
+  const auto found = checkAll();
   if (!FindingsDialog::hasFailed(found)) return true;
-  FindingsDialog question(found, FindingsDialog::Asks::GoWithout, window());
+  const bool mayMend = deviceSet_ != nullptr;
+  FindingsDialog question(
+      found,
+      FindingsDialog::Asks::GoWithout,
+      mayMend ? FindingsDialog::CheckAgain(checkAll) : FindingsDialog::CheckAgain(),
+      window());
   return question.exec() == QDialog::Accepted;
 }
 

@@ -32,7 +32,7 @@ class DevicePanel final : public QWidget {
   void setBusy(bool isBusy);
 
   /// Checks every device before a session. If a device or one of the findings in @p otherwise has
-  /// failed, asks whether to begin all the same; Enter means No.
+  /// failed, asks whether to start anyway; Enter cancels.
   /// @return whether the session may begin. Virtual devices always pass.
   bool mayBegin(const std::vector<FindingsDialog::Found>& otherwise);
 

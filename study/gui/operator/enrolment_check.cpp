@@ -13,10 +13,7 @@ std::vector<FindingsDialog::Found> checkTexts(
         {haptics::devices::Finding::Fail,
          blank.where,
          "still to be filled in: " + blank.words,
-         std::string(
-             blank.isInProtocol ? "Write what holds there into the protocol"
-                                : "Copy it beside the protocol and write what holds there") +
-             ", and amend the study; or try it with a pilot session."});
+         "Fill in the texts of the study, or try it with a pilot session."});
   }
   if (texts.results.empty()) return {};
   return {texts};

@@ -50,7 +50,7 @@ void addRow(
   verdict->setFont(font);
 }
 
-QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* parent) {
+QTableWidget* emptyTable(QWidget* parent) {
   auto* table = new QTableWidget(0, 5, parent);
   table->setHorizontalHeaderLabels(
       {FindingsDialog::tr("Part"),
@@ -63,9 +63,6 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
   table->setFocusPolicy(Qt::NoFocus);
   table->setWordWrap(true);
   table->verticalHeader()->hide();
-  for (const auto& part : found) {
-    for (const auto& result : part.results) addRow(*table, part.part, result);
-  }
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);
   table->horizontalHeader()->setSectionResizeMode(4, QHeaderView::Stretch);
@@ -76,29 +73,53 @@ QTableWidget* tableOf(const std::vector<FindingsDialog::Found>& found, QWidget* 
 
 }  // namespace
 
-FindingsDialog::FindingsDialog(const std::vector<Found>& found, Asks asks, QWidget* parent)
-    : QDialog(parent) {
+FindingsDialog::FindingsDialog(
+    const std::vector<Found>& found, Asks asks, const CheckAgain& checkAgain, QWidget* parent)
+    : QDialog(parent), verdict_(bodyLabel({}, this)), table_(emptyTable(this)) {
   setWindowTitle(asks == Asks::GoWithout ? tr("Before the session") : tr("Devices"));
-  auto* layout = new QVBoxLayout(this);
+  verdict_->setObjectName(QStringLiteral("verdict"));
   auto* buttons = new QDialogButtonBox(this);
+  QPushButton* close = nullptr;
   if (asks == Asks::GoWithout) {
-    layout->addWidget(bodyLabel(
-        tr("Not everything is fit for this session. Begin all the same? Trials on a device that "
-           "failed may break off, and they are marked; what stands in a text is read as it is."),
-        this));
-    auto* without = buttons->addButton(tr("Begin all the same"), QDialogButtonBox::AcceptRole);
-    without->setAutoDefault(false);
-    auto* no = buttons->addButton(tr("No"), QDialogButtonBox::RejectRole);
-    no->setDefault(true);
-    no->setFocus();
+    start_ = buttons->addButton(tr("Start anyway"), QDialogButtonBox::AcceptRole);
+    start_->setAutoDefault(false);
+    close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
   } else {
-    buttons->addButton(QDialogButtonBox::Close);
+    close = buttons->addButton(QDialogButtonBox::Close);
+  }
+  close->setDefault(true);
+  close->setFocus();
+  if (checkAgain) {
+    auto* again = buttons->addButton(tr("Check again"), QDialogButtonBox::ActionRole);
+    again->setObjectName(QStringLiteral("check-again"));
+    again->setAutoDefault(false);
+    connect(again, &QPushButton::clicked, this, [this, checkAgain] { show(checkAgain()); });
   }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  layout->addWidget(tableOf(found, this), 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(verdict_);
+  layout->addWidget(table_, 1);
   layout->addWidget(buttons);
   resize(1000, 520);
+  show(found);
+}
+
+void FindingsDialog::show(const std::vector<Found>& found) {
+  table_->setRowCount(0);
+  for (const auto& part : found) {
+    for (const auto& result : part.results) addRow(*table_, part.part, result);
+  }
+  const bool isBad = hasFailed(found);
+  if (start_ == nullptr) {
+    verdict_->setText(isBad ? tr("Some checks failed.") : tr("All checks passed."));
+    return;
+  }
+  verdict_->setText(
+      isBad ? tr("Some checks failed. Start anyway? Trials on a device that failed may break off, "
+                 "and are marked.")
+            : tr("All checks passed."));
+  start_->setText(isBad ? tr("Start anyway") : tr("Start"));
 }
 
 bool FindingsDialog::hasFailed(const std::vector<Found>& found) {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include <QDialog>
+#include <QLabel>
+#include <QPushButton>
 
 #include "haptics/devices/device.h"
 
@@ -24,9 +27,21 @@ class FindingsDialog final : public QDialog {
   /// Whether the dialog only shows the findings or also asks whether to begin despite failures.
   enum class Asks { Nothing, GoWithout };
 
-  FindingsDialog(const std::vector<Found>& found, Asks asks, QWidget* parent);
+  /// Checks once more, for *Check again*; without it there is no such button.
+  using CheckAgain = std::function<std::vector<Found>()>;
+
+  FindingsDialog(
+      const std::vector<Found>& found, Asks asks, const CheckAgain& checkAgain, QWidget* parent);
 
   static bool hasFailed(const std::vector<Found>& found);
+
+ private:
+  void show(const std::vector<Found>& found);
+  using QDialog::show;
+
+  QLabel* verdict_;
+  class QTableWidget* table_;
+  QPushButton* start_ = nullptr;  ///< where it asks whether to start anyway
 };
 
 }  // namespace study::gui

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QScreen>
@@ -16,6 +17,7 @@
 #include "study/gui/operator/control_panel.h"
 #include "study/gui/operator/device_panel.h"
 #include "study/gui/operator/enrolment_check.h"
+#include "study/gui/operator/page_mirror.h"
 #include "study/gui/operator/sessions_page.h"
 #include "study/gui/operator/trial_panel.h"
 #include "study/gui/participant/questionnaire_page.h"
@@ -45,10 +47,11 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
       sessions_(new SessionsPage(study, this)),
       controls_(new ControlPanel(this)),
       trial_(new TrialPanel(this)),
-      devices_(new DevicePanel(study.protocol().protocol, *deviceSet_, this)) {
+      devices_(new DevicePanel(study.protocol().protocol, *deviceSet_, this)),
+      mirror_(new PageMirror(this)) {
   const auto title = QString::fromStdString(study.protocol().protocol.study.title);
   setWindowTitle(tr("Palpate — %1").arg(title));
-  addThemesTo(*menuBar()->addMenu(tr("&View"))->addMenu(tr("Theme")));
+  makeMenus();
   auto* inside = new QWidget(this);
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(20, 14, 20, 14);
@@ -65,6 +68,21 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   // off the screen.
   if (kComfortable.boundedTo(available) != kComfortable) setWindowState(Qt::WindowMaximized);
   connectPanels();
+}
+
+void OperatorWindow::makeMenus() {
+  auto* view = menuBar()->addMenu(tr("&View"));
+  addThemesTo(*view->addMenu(tr("&Theme")));
+  auto* mirror = view->addAction(tr("&Participant's page"));
+  mirror->setCheckable(true);
+  mirror->setObjectName(QStringLiteral("show-mirror"));
+  connect(mirror, &QAction::toggled, mirror_, &QWidget::setVisible);
+  view->addAction(tr("&Windows side by side"), this, &OperatorWindow::tile);
+  auto* help = menuBar()->addMenu(tr("&Help"));
+  // The application shows help on F1, for whatever has the focus.
+  help->addAction(tr("&Help for this window\tF1"), this, [this] {
+    QCoreApplication::postEvent(this, new QKeyEvent(QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier));
+  });
 }
 
 /// The header, which is visible in a session and between sessions: the study and the state of its
@@ -101,10 +119,17 @@ QWidget* OperatorWindow::makeSession() {
 
 void OperatorWindow::connectPanels() {
   connect(sessions_, &SessionsPage::enrolRequested, this, &OperatorWindow::enrolIfFit);
-  connect(sessions_, &SessionsPage::resumeRequested, this, [this](qlonglong id) {
-    resumeIfFit(SessionId{id});
-  });
+  connect(
+      sessions_,
+      &SessionsPage::resumeRequested,
+      this,
+      [this](qlonglong id, const QString& takeOver) {
+        resumeIfFit(SessionId{id}, takeOver.toStdString());
+      });
   connect(&stopKey_, &StopKey::pressed, this, &OperatorWindow::stop);
+  connect(&cutKey_, &CutKey::pressed, this, [this] {
+    if (controller_) controller_->countBenchmarkCut();
+  });
   connect(controls_, &ControlPanel::handOverRequested, this, &OperatorWindow::handOver);
   connect(controls_, &ControlPanel::consentCopyRequested, this, [this] {
     if (controller_) saveConsentCopy(study_, controller_->session().participant(), this);
@@ -116,6 +141,7 @@ void OperatorWindow::connectPanels() {
 }
 
 OperatorWindow::~OperatorWindow() {
+  mirror_->follow(nullptr);
   if (controller_) controller_->disconnect(this);
   trial_->follow(nullptr);
   controls_->follow(nullptr);
@@ -126,9 +152,9 @@ void OperatorWindow::enrol(const Enrolment& enrolment) {
   attempt(this, [&] { begin(Session::enrol(study_, enrolment)); });
 }
 
-void OperatorWindow::resume(SessionId id) {
+void OperatorWindow::resume(SessionId id, const std::string& takeOver) {
   if (controller_) return;
-  attempt(this, [&] { begin(Session::resume(study_, id)); });
+  attempt(this, [&] { begin(Session::resume(study_, id, takeOver)); });
 }
 
 void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
@@ -138,8 +164,8 @@ void OperatorWindow::enrolIfFit(const Enrolment& enrolment) {
   });
 }
 
-void OperatorWindow::resumeIfFit(SessionId id) {
-  if (!controller_ && devices_->mayBegin({})) resume(id);
+void OperatorWindow::resumeIfFit(SessionId id, const std::string& takeOver) {
+  if (!controller_ && devices_->mayBegin({})) resume(id, takeOver);
 }
 
 void OperatorWindow::begin(Session session) {
@@ -154,9 +180,9 @@ void OperatorWindow::begin(Session session) {
       this,
       &OperatorWindow::showWaitingErrors,
       Qt::QueuedConnection);
-  setWindowTheme(*participant_, ThemeName::Light);  // the same for each participant
   trial_->follow(controller_.get());
   controls_->follow(controller_.get());
+  mirror_->follow(participant_.get());
   pages_->setCurrentIndex(1);
   updateAll();
   showParticipant();
@@ -180,7 +206,7 @@ void OperatorWindow::showError(const QString& why) {
     waitingErrors_ << why;
     return;
   }
-  QMessageBox::warning(this, tr("That did not work"), why);
+  QMessageBox::warning(this, tr("Error"), why);
 }
 
 void OperatorWindow::showWaitingErrors() {
@@ -212,7 +238,26 @@ void OperatorWindow::showParticipant() {
   } else {
     participant_->resize(1100, 760);
     participant_->show();
+    tile();
   }
+}
+
+/// Puts both windows side by side if one screen has room for them.
+void OperatorWindow::tile() {
+  constexpr int kRoomForTwo = 1800;  // [px]
+  constexpr int kOperatorPercent = 56;
+  const QRect all = screen()->availableGeometry();
+  const bool isFree = participant_ && !participant_->lock().isLocked();
+  if (!isFree || all.width() < kRoomForTwo) return;
+  const int own = all.width() * kOperatorPercent / 100;
+  const QSize frame = frameSize() - size();  // the desktop's, around each window
+  setWindowState(Qt::WindowNoState);
+  participant_->setWindowState(Qt::WindowNoState);
+  const int height = all.height() - frame.height();
+  move(all.topLeft());
+  resize(own - frame.width(), height);
+  participant_->move(all.left() + own, all.top());
+  participant_->resize(all.width() - own - frame.width(), height);
 }
 
 void OperatorWindow::useSessionLanguage() {
@@ -262,6 +307,7 @@ void OperatorWindow::showInterview() {
       controller_.get(), &SessionController::notSaved, interview_, &QuestionnairePage::markUnsaved);
   middle_->addWidget(interview_);
   middle_->setCurrentWidget(interview_);
+  interview_->setFocus();  // otherwise a button would take it
 }
 
 void OperatorWindow::endSession() {
@@ -269,6 +315,7 @@ void OperatorWindow::endSession() {
   if (!controller_->saveAll() && !confirmLoss()) return;
   trial_->follow(nullptr);
   controls_->follow(nullptr);
+  mirror_->follow(nullptr);
   participant_->allowClosing();
   participant_->close();
   participant_.reset();
@@ -286,7 +333,7 @@ bool OperatorWindow::confirmLoss() {
   return QMessageBox::question(
              this,
              tr("Not everything is kept"),
-             tr("Something that was written in this step could not be kept. Close all the same, "
+             tr("Something that was written in this step could not be kept. Close anyway, "
                 "and lose it?"),
              QMessageBox::Yes | QMessageBox::No,
              QMessageBox::No) == QMessageBox::Yes;

@@ -9,6 +9,7 @@
 
 #include "study/gui/participant/participant_window.h"
 #include "study/gui/session/catalogue_translator.h"
+#include "study/gui/session/cut_key.h"
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/session/stop_key.h"
@@ -20,6 +21,7 @@ class QuestionnairePage;
 class ControlPanel;
 class SessionsPage;
 class DevicePanel;
+class PageMirror;
 class TrialPanel;
 
 /// The operator's window: the list of sessions, the state of the running session, the state of the
@@ -40,11 +42,12 @@ class OperatorWindow final : public QMainWindow {
   /// Begins a session and opens the participant's window.
   void enrol(const Enrolment& enrolment);
   /// Resumes an interrupted session.
-  void resume(SessionId id);
+  /// @param takeOver  why it is taken from a computer that is gone; empty: it is not.
+  void resume(SessionId id, const std::string& takeOver = {});
   /// Checks devices and texts, then enrols. If a check fails, the operator decides.
   void enrolIfFit(const Enrolment& enrolment);
   /// Checks the devices, then resumes. If a check fails, the operator decides.
-  void resumeIfFit(SessionId id);
+  void resumeIfFit(SessionId id, const std::string& takeOver = {});
 
   SessionController* controller() const noexcept { return controller_.get(); }
   ParticipantWindow* participantWindow() const noexcept { return participant_.get(); }
@@ -55,6 +58,8 @@ class OperatorWindow final : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void makeMenus();
+  void tile();
   QWidget* makeHead();
   QWidget* makeSession();
   void connectPanels();
@@ -81,6 +86,7 @@ class OperatorWindow final : public QMainWindow {
   CatalogueTranslator translator_;
   OperatorPin pin_;
   StopKey stopKey_;
+  CutKey cutKey_;
   QStringList waitingErrors_;  ///< messages that wait until the participant's window is unlocked
   QStackedWidget* pages_;      ///< between sessions, and during a session
   QStackedWidget* middle_;     ///< during a session: the trial, or the interview
@@ -89,6 +95,7 @@ class OperatorWindow final : public QMainWindow {
   ControlPanel* controls_;
   TrialPanel* trial_;
   DevicePanel* devices_;
+  PageMirror* mirror_;
 };
 
 }  // namespace study::gui

@@ -5,11 +5,13 @@
 
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QVBoxLayout>
 
 #include "haptics/registry/device_kinds.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
+#include "study/model/trial_record.h"
 
 namespace study::gui {
 
@@ -55,8 +57,26 @@ class ServoPanel::Bars final : public QWidget {
 };
 
 ServoPanel::ServoPanel(QWidget* parent)
-    : QWidget(parent), words_(quietLabel({}, this)), bars_(new Bars(health_, this)) {
-  auto* layout = new QHBoxLayout(this);
+    : QWidget(parent),
+      light_(new QLabel(this)),
+      details_(new QPushButton(tr("Details"), this)),
+      more_(new QWidget(this)),
+      words_(quietLabel({}, this)),
+      bars_(new Bars(health_, this)) {
+  light_->setObjectName(QStringLiteral("timing"));
+  details_->setObjectName(QStringLiteral("timing-details"));
+  details_->setProperty("role", QStringLiteral("tool"));
+  details_->setCheckable(true);
+  auto* head = new QHBoxLayout;
+  head->addWidget(light_, 1);
+  head->addWidget(details_);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addLayout(head);
+  all->addWidget(more_);
+  more_->setVisible(false);
+  connect(details_, &QPushButton::toggled, more_, &QWidget::setVisible);
+  auto* layout = new QHBoxLayout(more_);
   layout->setContentsMargins(0, 0, 0, 0);
   words_->setObjectName(QStringLiteral("servo-health"));
   words_->setWordWrap(true);
@@ -84,7 +104,8 @@ void ServoPanel::refresh() {
     rate_ = static_cast<double>(health_.ticks() - ticksBefore_) / seconds;
     ticksBefore_ = health_.ticks();
   }
-  const QString lines = tr("Rate: %1 of %2 Hz\n"
+  const QString priority = isRealtime_ ? tr("real-time priority") : tr("ordinary priority");
+  const QString lines = tr("Rate: %1 of %2 Hz, %11\n"
                            "Late: median %3, 99 % %4, most %5 µs\n"
                            "Force at its limit: %6 % of the time\n"
                            "No measurement: %7 % of the ticks\n"
@@ -98,9 +119,34 @@ void ServoPanel::refresh() {
                             .arg(100.0 * health_.invalidShare(), 0, 'f', 1)
                             .arg(health_.energy(), 0, 'f', 2)
                             .arg(health_.leastEnergy(), 0, 'f', 2)
-                            .arg(energyUnit_);
+                            .arg(energyUnit_)
+                            .arg(priority);
+  showLight();
   words_->setText(health_.ticks() == 0 ? tr("Nothing is felt just now.") : lines);
   bars_->update();
+}
+
+/// One line: whether the trial will be warned about, as TrialRecord::judgement() does, and the
+/// number behind it.
+void ServoPanel::showLight() {
+  constexpr double kMostInvalid = 0.01;
+  const auto ticks = static_cast<std::int64_t>(health_.ticks());
+  const auto late = static_cast<std::int64_t>(health_.bars().back());
+  if (ticks == 0) {
+    setRole(*light_, "quiet");
+    return light_->setText(tr("No trial is running."));
+  }
+  const QString within = tr("99 % within %1 µs").arg(health_.lateness(0.99), 0, 'f', 0);
+  if (isOftenLate(late, ticks) || health_.invalidShare() > kMostInvalid) {
+    setRole(*light_, "bad");
+    light_->setText(tr("✖ Timing: poor (%1, %2 of %3 late)").arg(within).arg(late).arg(ticks));
+  } else if (late > 0) {
+    setRole(*light_, "warn");
+    light_->setText(tr("▲ Timing: fair (%1, %2 of %3 late)").arg(within).arg(late).arg(ticks));
+  } else {
+    setRole(*light_, "good");
+    light_->setText(tr("● Timing: good (%1)").arg(within));
+  }
 }
 
 }  // namespace study::gui

@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QPushButton>
 #include <QWidget>
 
 #include "haptics/devices/device.h"
@@ -9,8 +10,9 @@
 
 namespace study::gui {
 
-/// Shows how punctually a trial is rendered: the rate, the lateness of ticks, how often the force
-/// limiter intervened, and the energy of the contact.
+/// Shows how punctually a trial is rendered: one line that says whether the timing is good, and on
+/// demand the rate, the lateness of ticks, how often the force limiter intervened, and the energy
+/// of the contact.
 class ServoPanel final : public QWidget {
   Q_OBJECT
 
@@ -20,6 +22,8 @@ class ServoPanel final : public QWidget {
   /// Clears the panel for a trial on @p device with ticks at @p rate [Hz].
   void begin(const haptics::devices::DeviceKind& device, double rate);
   void add(const haptics::engine::TickSample& sample) { health_.add(sample); }
+  /// Whether the loop has the priority of real time.
+  void setPriority(bool isRealtime) { isRealtime_ = isRealtime; }
   /// Shows the samples that were added.
   void refresh();
 
@@ -27,6 +31,7 @@ class ServoPanel final : public QWidget {
 
  private:
   class Bars;
+  void showLight();
 
   ServoHealth health_;
   QString energyUnit_;
@@ -34,6 +39,10 @@ class ServoPanel final : public QWidget {
   std::uint64_t ticksBefore_ = 0;
   double rate_ = 0.0;  ///< over the last second [Hz]
   QElapsedTimer sinceRate_;
+  bool isRealtime_ = false;
+  QLabel* light_;
+  QPushButton* details_;
+  QWidget* more_;  ///< the details
   QLabel* words_;
   Bars* bars_;
 };

@@ -8,6 +8,7 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QVBoxLayout>
 
 #include "study/gui/participant/participant_window.h"
@@ -49,7 +50,7 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
       enrol_(new QPushButton(tr("New participant"), this)),
-      resume_(new QPushButton(tr("Go on with the selected one"), this)) {
+      resume_(new QPushButton(tr("Continue the selected session"), this)) {
   auto* columns = new QHBoxLayout(this);
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(20);
@@ -64,9 +65,7 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
          .code = {}});
   });
   connect(resume_, &QPushButton::clicked, this, [this] {
-    if (const auto* one = selectedUnfinished()) {
-      emit resumeRequested(static_cast<qlonglong>(one->id));
-    }
+    if (const auto* one = selectedUnfinished()) goOnWith(*one);
   });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &SessionsPage::showSelected);
   refresh();
@@ -182,6 +181,23 @@ void SessionsPage::fillCohorts(
   coming_->setText(lines.join(u'\n'));
 }
 
+void SessionsPage::goOnWith(const UnfinishedSession& session) {
+  const auto id = static_cast<qlonglong>(session.id);
+  if (!session.mayBeTakenOver()) return emit resumeRequested(id, {});
+  bool isMeant = false;
+  const QString reason = QInputDialog::getText(
+      this,
+      tr("Take the session over"),
+      tr("It is open on %1, which cannot be seen from here. It last stored something at %2. "
+         "Whoever still uses it there stores nothing more from now on.\n\n"
+         "Why is it taken over? This goes into the record.")
+          .arg(QString::fromStdString(session.holder->station), localTime(session.lastStoredUtc)),
+      QLineEdit::Normal,
+      {},
+      &isMeant);
+  if (isMeant && !reason.trimmed().isEmpty()) emit resumeRequested(id, reason.trimmed());
+}
+
 const UnfinishedSession* SessionsPage::selectedUnfinished() const {
   const auto selected = table_->selectedItems();
   if (selected.isEmpty()) return nullptr;
@@ -195,7 +211,10 @@ const UnfinishedSession* SessionsPage::selectedUnfinished() const {
 /// Shows what happened to the selected unfinished session and what can be done.
 void SessionsPage::showSelected() {
   const auto* one = selectedUnfinished();
-  resume_->setEnabled(one != nullptr && !one->isOpenElsewhere());
+  const bool isTakenOver = one != nullptr && one->mayBeTakenOver();
+  resume_->setEnabled(one != nullptr && (!one->isOpenElsewhere() || isTakenOver));
+  resume_->setText(
+      isTakenOver ? tr("Take over the selected one…") : tr("Go on with the selected one"));
   if (one == nullptr) {
     details_->setText(
         table_->rowCount() == 0 ? tr("Nobody has taken part yet.")

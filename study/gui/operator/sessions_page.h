@@ -31,7 +31,8 @@ class SessionsPage final : public QWidget {
 
  signals:
   void enrolRequested(const study::Enrolment& enrolment);
-  void resumeRequested(qlonglong session);
+  /// @param takeOver  why it is taken from a computer that is gone; empty: it is not.
+  void resumeRequested(qlonglong session, const QString& takeOver);
 
  private:
   QWidget* makeList();
@@ -41,6 +42,7 @@ class SessionsPage final : public QWidget {
   void fillCohorts(
       const std::vector<storage::SessionRecord>& sessions, const protocols::Protocol& protocol);
   void showSelected();
+  void goOnWith(const UnfinishedSession& session);
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;

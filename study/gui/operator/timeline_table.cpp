@@ -12,15 +12,13 @@ namespace study::gui {
 namespace {
 
 /// Describes a step by its alternative, without its condition.
-QString describe(const Step& step) {
+QString describe(const Step& step, const protocols::Labels& labels) {
   const QString phase = QString::fromStdString(step.phase);
-  if (step.isOffered)
-    return TimelineTable::tr("%1: Alternative %2 again?").arg(phase).arg(step.label);
-  if (step.kind == StepKind::Trial) {
-    return TimelineTable::tr("%1: Alternative %2").arg(phase).arg(step.label);
-  }
+  const auto alternative = QString::fromStdString(labels.nameOf(std::to_string(step.label), "en"));
+  if (step.isOffered) return TimelineTable::tr("%1: %2 again?").arg(phase, alternative);
+  if (step.kind == StepKind::Trial) return TimelineTable::tr("%1: %2").arg(phase, alternative);
   if (step.kind == StepKind::Questionnaire) {
-    return TimelineTable::tr("%1: questions on Alternative %2").arg(phase).arg(step.label);
+    return TimelineTable::tr("%1: questions on %2").arg(phase, alternative);
   }
   return phase;
 }
@@ -41,6 +39,14 @@ QString stateOf(const SessionController& controller, int step) {
       return TimelineTable::tr("open");
   }
   return {};
+}
+
+/// The state of the current step, in the words that the trial's own line has.
+QString stateNow(const SessionController& controller) {
+  const auto state = controller.session().state();
+  if (state == SessionState::Interrupted) return TimelineTable::tr("✖ broke off");
+  if (state == SessionState::Paused) return TimelineTable::tr("‖ paused");
+  return controller.isTrialRunning() ? TimelineTable::tr("● running") : TimelineTable::tr("▶ now");
 }
 
 }  // namespace
@@ -100,10 +106,10 @@ void TimelineTable::fillRow(int row, const SessionController& controller) {
   const int attempts = controller.attempts(row);
   const std::array<QString, 5> cells{
       QString::number(row + 1),
-      describe(step),
+      describe(step, session.protocol().protocol.labels),
       asText(nameOf(step.kind)),
       attempts > 0 ? QString::number(attempts) : QString(),
-      isNow ? tr("▶ now") : stateOf(controller, row)};
+      isNow ? stateNow(controller) : stateOf(controller, row)};
   for (int column = 0; column < columnCount(); ++column) {
     write(row, column, cells[static_cast<std::size_t>(column)], isNow);
   }

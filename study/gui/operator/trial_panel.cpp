@@ -11,6 +11,7 @@
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
 #include "study/gui/operator/timeline_table.h"
+#include "study/gui/operator/travel_plot.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/labels.h"
@@ -30,6 +31,7 @@ TrialPanel::TrialPanel(QWidget* parent)
       numbers_(quietLabel({}, this)),
       cup_(new CupButton(this)),
       plot_(new LivePlot(this)),
+      travel_(new TravelPlot(this)),
       servo_(new ServoPanel(this)),
       cuts_(new CutTable(this)) {
   cutCount_->setProperty("role", QStringLiteral("heading"));
@@ -39,9 +41,9 @@ TrialPanel::TrialPanel(QWidget* parent)
   cuts_->setMinimumHeight(92);
   constexpr int kThreeSteps = 104;  // [px]
   steps_->setMinimumHeight(kThreeSteps);
-  // These three take all free space and ignore their size hints, which are too large for a low
+  // These take all free space and ignore their size hints, which are too large for a low
   // screen.
-  const std::array<QWidget*, 3> yielding{steps_, plot_, cuts_};
+  const std::array<QWidget*, 4> yielding{steps_, plot_, travel_, cuts_};
   for (auto* widget : yielding) {
     widget->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   }
@@ -57,7 +59,10 @@ TrialPanel::TrialPanel(QWidget* parent)
   below->addWidget(numbers_, 1);
   below->addWidget(cup_);
   layout->addLayout(below);
-  layout->addWidget(plot_, 3);
+  auto* plots = new QHBoxLayout;
+  plots->addWidget(plot_, 3);
+  plots->addWidget(travel_, 2);
+  layout->addLayout(plots, 3);
   layout->addWidget(servo_);
   layout->addWidget(cuts_, 1);
   follow(nullptr);
@@ -89,18 +94,28 @@ void TrialPanel::updateSteps() {
   const bool isRunning = controller_ != nullptr && controller_->isTrialRunning();
   if (isRunning && !wasRunning_) beginTrial();
   wasRunning_ = isRunning;
+  if (!isRunning) clearWhereATrialIsNext();
   cup_->refresh();
   showState();
 }
 
 void TrialPanel::clearTrial(const haptics::devices::DeviceKind& device, double rate) {
   plot_->begin(device, rate);
+  travel_->begin(device);
   servo_->begin(device, rate);
   cuts_->begin(device, rate);
 }
 
 void TrialPanel::beginTrial() {
   clearTrial(controller_->deviceKind(), controller_->trialRate());
+}
+
+void TrialPanel::clearWhereATrialIsNext() {
+  if (controller_ == nullptr) return;
+  const auto& session = controller_->session();
+  const bool isNext = !session.isOver() && session.state() != SessionState::Interrupted &&
+                      session.step().kind == StepKind::Trial;
+  if (isNext) clearTrial(controller_->deviceKind(), kNominalRate);
 }
 
 void TrialPanel::showState() {
@@ -125,7 +140,7 @@ void TrialPanel::showState() {
         Health::Good);
   } else {
     showHealth(
-        device.isEmpty() ? tr("no device needed now") : tr("%1: not armed").arg(device),
+        device.isEmpty() ? tr("no device needed now") : tr("%1: no force yet").arg(device),
         Health::Resting);
   }
 }
@@ -140,22 +155,22 @@ void TrialPanel::updateTrial() {
   cutCount_->setText(
       tr("%1 %2 of %3").arg(asText(kind.strokeName.in("en"))).arg(status.cuts).arg(asked));
   numbers_->setText(
-      tr("%1 N at %2 %6 · %3 ticks, %4 late · %5")
+      tr("%1 N at %2 %3")
           .arg(status.force, 0, 'f', 2)
           .arg(scale.factor * status.travel, 0, 'f', 2)
-          .arg(status.ticks)
-          .arg(status.lateTicks)
-          .arg(status.isRealtime ? tr("real-time priority") : tr("ordinary priority"))
           .arg(scale.unit) +
       viewInWords(*controller_));
   cup_->refresh();
   haptics::engine::TickSample sample;
   while (controller_->nextToPlot(sample)) {
     plot_->add(sample);
+    travel_->add(sample);
     servo_->add(sample);
     cuts_->add(sample);
   }
   plot_->refresh();
+  travel_->refresh();
+  servo_->setPriority(status.isRealtime);
   servo_->refresh();
 }
 

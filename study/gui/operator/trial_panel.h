@@ -12,6 +12,7 @@ class CutTable;
 class LivePlot;
 class ServoPanel;
 class TimelineTable;
+class TravelPlot;
 
 /// The steps of the session and the running trial: force, position, velocity, cuts and timing. The
 /// status label is red until the timing is good.
@@ -35,6 +36,8 @@ class TrialPanel final : public QWidget {
   enum class Health { Good, Resting, Bad };
 
   void beginTrial();
+  /// Removes the curves of a trial that is over, once another one is next.
+  void clearWhereATrialIsNext();
   /// Clears all trial displays for a trial on @p device with ticks at @p rate [Hz].
   void clearTrial(const haptics::devices::DeviceKind& device, double rate);
   void showHealth(const QString& words, Health health);
@@ -47,6 +50,7 @@ class TrialPanel final : public QWidget {
   QLabel* numbers_;
   CupButton* cup_;
   LivePlot* plot_;
+  TravelPlot* travel_;
   ServoPanel* servo_;
   CutTable* cuts_;
   bool wasRunning_ = false;

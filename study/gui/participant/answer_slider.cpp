@@ -10,11 +10,11 @@
 
 namespace study::gui {
 namespace {
-constexpr int kMargin = 18;  // [px]: half a handle
+constexpr int kMargin = 18;  // [px]: a handle's radius and its distance from the edge
 }
 
 AnswerSlider::AnswerSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
-  setMinimumHeight(56);
+  setProperty("role", QStringLiteral("answer"));
   setFocusPolicy(Qt::StrongFocus);
   connect(this, &QSlider::valueChanged, this, [this](int position) {
     isTouched_ = true;  // also when a screen reader moved it
@@ -30,7 +30,8 @@ void AnswerSlider::answerWith(int position) {
 }
 
 void AnswerSlider::take(const QPointF& position) {
-  const double share = (position.x() - kMargin) / std::max(1, width() - 2 * kMargin);
+  const int margin = scaled(*this, kMargin);
+  const double share = (position.x() - margin) / std::max(1, width() - 2 * margin);
   const double mirrored = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
   const int wanted = static_cast<int>(
       std::lround(minimum() + std::clamp(mirrored, 0.0, 1.0) * (maximum() - minimum())));
@@ -65,12 +66,13 @@ void AnswerSlider::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const double y = height() / 2.0;
-  const double left = kMargin;
-  const double right = width() - kMargin;
-  painter.setPen(QPen(themeOf(*this).border, 3));
+  const double left = scaled(*this, kMargin);
+  const double right = width() - left;
+  const double tick = 0.5 * left;
+  painter.setPen(QPen(themeOf(*this).border, scaled(*this, 3)));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   for (const double x : {left, (left + right) / 2.0, right}) {
-    painter.drawLine(QPointF(x, y - 9), QPointF(x, y + 9));
+    painter.drawLine(QPointF(x, y - tick), QPointF(x, y + tick));
   }
   if (hasFocus()) {
     painter.setPen(QPen(themeOf(*this).focus, 3));
@@ -83,7 +85,8 @@ void AnswerSlider::paintEvent(QPaintEvent* /*event*/) {
   const double place = layoutDirection() == Qt::RightToLeft ? 1.0 - share : share;
   painter.setPen(Qt::NoPen);
   painter.setBrush(themeOf(*this).accent.background);
-  painter.drawEllipse(QPointF(left + place * (right - left), y), 14, 14);
+  const double radius = 0.78 * left;
+  painter.drawEllipse(QPointF(left + place * (right - left), y), radius, radius);
 }
 
 }  // namespace study::gui

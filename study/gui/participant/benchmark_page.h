@@ -1,13 +1,13 @@
 #pragma once
 
-#include <QLabel>
-#include <QPushButton>
 #include <QWidget>
 
 namespace study::gui {
 
-/// A page for cuts with the physical tool: an instruction and a large button to press after each
-/// cut.
+class CutCounter;
+
+/// A page for cuts with the physical tool: an instruction, and how many cuts were counted. The
+/// operator counts them, because the participant has both hands full.
 class BenchmarkPage final : public QWidget {
   Q_OBJECT
 
@@ -16,12 +16,9 @@ class BenchmarkPage final : public QWidget {
 
   void setCuts(int cuts);
 
- signals:
-  void cutMade();
-
  private:
   int minimumCuts_;
-  QLabel* count_;
+  CutCounter* count_;
 };
 
 }  // namespace study::gui

@@ -17,11 +17,13 @@ using questionnaires::Response;
 QLabel* anchor(const QString& text, Qt::Alignment alignment, QWidget* parent) {
   auto* label = new QLabel(text, parent);
   label->setProperty("role", "anchor");
+  label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
-  label->setAlignment(alignment | Qt::AlignVCenter);
-  label->setFixedWidth(170);
+  label->setAlignment(alignment | Qt::AlignTop);
   return label;
 }
+
+constexpr int kMostInARow = 11;  // points of a scale
 
 }  // namespace
 
@@ -48,16 +50,14 @@ PointItem::PointItem(const Item& item, const QString& language, QWidget* parent)
                  low,
                  high)});
   }
-  buttons_ = new OptionButtons(options, Qt::Horizontal, QStringLiteral("point"), this);
-  auto* row = new QHBoxLayout;
-  row->addStretch(1);
-  row->addWidget(anchor(low, Qt::AlignRight, this));
-  row->addSpacing(10);
-  row->addWidget(buttons_);
-  row->addSpacing(10);
-  row->addWidget(anchor(high, Qt::AlignLeft, this));
-  row->addStretch(1);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  const int columns = std::min(item.scale.points, kMostInARow);
+  buttons_ = new OptionButtons(options, columns, QStringLiteral("point"), this);
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  rows->addWidget(buttons_);
+  auto* words = new QHBoxLayout;
+  words->addWidget(anchor(low, Qt::AlignLeft, this), 1);
+  words->addWidget(anchor(high, Qt::AlignRight, this), 1);
+  rows->addLayout(words);
   setFocusProxy(buttons_);
   connect(buttons_, &OptionButtons::chosenChanged, this, &ItemWidget::changed);
 }
@@ -88,7 +88,7 @@ ChoiceItem::ChoiceItem(
       options.push_back({text(option.text), text(option.text)});
     }
   }
-  buttons_ = new OptionButtons(options, Qt::Vertical, QStringLiteral("option"), this);
+  buttons_ = new OptionButtons(options, columnsFor(options), QStringLiteral("option"), this);
   layout()->addWidget(buttons_);
   setFocusProxy(buttons_);
   connect(buttons_, &OptionButtons::chosenChanged, this, &ItemWidget::changed);
@@ -111,7 +111,7 @@ MultipleChoiceItem::MultipleChoiceItem(const Item& item, const QString& language
     : ItemWidget(item, language, parent) {
   for (const auto& option : item.options) {
     auto* box = new QCheckBox(text(option.text), this);
-    box->setMinimumHeight(40);
+    box->setProperty("role", QStringLiteral("option"));
     boxes_.push_back(box);
     layout()->addWidget(box);
     connect(box, &QCheckBox::toggled, this, &ItemWidget::changed);

@@ -8,6 +8,8 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "study/gui/widgets/labels.h"
+
 namespace study::gui {
 namespace {
 
@@ -29,9 +31,10 @@ SliderItem::SliderItem(const Item& item, const QString& language, QWidget* paren
   slider_->setAccessibleName(
       tr("%1: from %2 to %3").arg(text(item.text), text(item.leftText), text(item.rightText)));
   auto* ends = new QHBoxLayout;
-  ends->addWidget(new QLabel(text(item.leftText), this));
-  ends->addStretch(1);
-  ends->addWidget(new QLabel(text(item.rightText), this));
+  ends->addWidget(quietLabel(text(item.leftText), this), 1);
+  auto* right = quietLabel(text(item.rightText), this);
+  right->setAlignment(Qt::AlignRight);
+  ends->addWidget(right, 1);
   auto* rows = static_cast<QVBoxLayout*>(layout());
   rows->addWidget(slider_);
   rows->addLayout(ends);
@@ -58,7 +61,7 @@ void SliderItem::show(const Response& response) {
 
 NumberItem::NumberItem(const Item& item, const QString& language, QWidget* parent)
     : ItemWidget(item, language, parent), line_(new QLineEdit(this)) {
-  line_->setMaximumWidth(220);
+  line_->setProperty("role", QStringLiteral("number"));
   line_->setAccessibleName(text(item.text));
   auto* row = new QHBoxLayout;
   row->addWidget(line_);
@@ -93,6 +96,7 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
   const auto startRest = [this] { rest_->start(); };
   if (item.type == ItemType::ShortText) {
     line_ = new QLineEdit(this);
+    line_->setProperty("role", QStringLiteral("answer"));
     line_->setAccessibleName(text(item.text));
     layout()->addWidget(line_);
     setFocusProxy(line_);
@@ -100,7 +104,7 @@ TextItem::TextItem(const Item& item, const QString& language, QWidget* parent)
   } else {
     lines_ = new QPlainTextEdit(this);
     lines_->setTabChangesFocus(true);
-    lines_->setMinimumHeight(110);
+    lines_->setProperty("role", QStringLiteral("answer"));
     lines_->setAccessibleName(text(item.text));
     layout()->addWidget(lines_);
     setFocusProxy(lines_);

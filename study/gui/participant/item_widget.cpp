@@ -5,6 +5,8 @@
 
 #include "study/gui/participant/choice_items.h"
 #include "study/gui/participant/entry_items.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 
@@ -14,11 +16,10 @@ ItemWidget::ItemWidget(const questionnaires::Item& item, const QString& language
     : QWidget(parent), item_(item), language_(language) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(10);
+  layout->setSpacing(scaled(*this, 10));
   if (!item_.text.isEmpty()) {
-    auto* statement = new QLabel(text(item_.text), this);
+    auto* statement = textLabel(text(item_.text), this);
     statement->setProperty("role", "statement");
-    statement->setWordWrap(true);
     layout->addWidget(statement);
   }
 }

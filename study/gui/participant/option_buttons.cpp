@@ -2,31 +2,31 @@
 
 #include <algorithm>
 
-#include <QBoxLayout>
+#include <QGridLayout>
 #include <QKeyEvent>
 #include <QVariant>
+
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 
 OptionButtons::OptionButtons(
-    const std::vector<Option>& options,
-    Qt::Orientation orientation,
-    const QString& role,
-    QWidget* parent)
-    : QWidget(parent), group_(new QButtonGroup(this)) {
-  auto* layout = new QBoxLayout(
-      orientation == Qt::Horizontal ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom, this);
+    const std::vector<Option>& options, int columns, const QString& role, QWidget* parent)
+    : QWidget(parent), group_(new QButtonGroup(this)), columns_(columns) {
+  auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(orientation == Qt::Horizontal ? 12 : 8);
+  layout->setSpacing(scaled(*this, 8));
+  for (int column = 0; column < columns_; ++column) layout->setColumnStretch(column, 1);
   for (const auto& option : options) {
     auto* button = new QPushButton(option.text, this);
     button->setCheckable(true);
     button->setProperty("role", role);
     button->setAccessibleName(option.accessibleName);
     button->installEventFilter(this);
-    group_->addButton(button, static_cast<int>(buttons_.size()));
+    const int place = static_cast<int>(buttons_.size());
+    group_->addButton(button, place);
     buttons_.push_back(button);
-    layout->addWidget(button);
+    layout->addWidget(button, place / columns_, place % columns_);
   }
   if (!buttons_.empty()) setFocusProxy(buttons_.front());
   connect(group_, &QButtonGroup::idToggled, this, [this](int id, bool isChecked) {
@@ -44,8 +44,12 @@ bool OptionButtons::moveFocus(int from, int key) {
   if (!isForward && !isBackward) return false;
   const bool isMirrored =
       layoutDirection() == Qt::RightToLeft && (key == Qt::Key_Left || key == Qt::Key_Right);
-  const int to = from + (isForward != isMirrored ? 1 : -1);
-  button(std::clamp(to, 0, static_cast<int>(buttons_.size()) - 1))->setFocus(Qt::TabFocusReason);
+  const bool isRow = key == Qt::Key_Up || key == Qt::Key_Down;
+  const bool hasRows = columns_ < static_cast<int>(buttons_.size());
+  const int step = isRow && hasRows ? columns_ : 1;
+  const int to = from + (isForward != isMirrored ? step : -step);
+  if (to < 0 || to >= static_cast<int>(buttons_.size())) return true;
+  button(to)->setFocus(Qt::TabFocusReason);
   return true;
 }
 
@@ -76,6 +80,19 @@ bool OptionButtons::eventFilter(QObject* watched, QEvent* event) {
   button(place - 1)->setFocus(Qt::TabFocusReason);
   button(place - 1)->click();
   return true;
+}
+
+int columnsFor(const std::vector<OptionButtons::Option>& options) {
+  // [characters] that fit into a button beside others of its kind, in the participant's column
+  constexpr qsizetype kInTwo = 28;
+  constexpr qsizetype kInThree = 16;
+  constexpr qsizetype kInFour = 11;
+  qsizetype longest = 0;
+  for (const auto& option : options) longest = std::max(longest, option.text.size());
+  const int count = static_cast<int>(options.size());
+  const int most = longest <= kInFour ? 4 : longest <= kInThree ? 3 : longest <= kInTwo ? 2 : 1;
+  // Four in two rows of two look better than three and one.
+  return count == 4 && most == 3 ? 2 : std::min(count, most);
 }
 
 }  // namespace study::gui

@@ -9,7 +9,7 @@
 
 namespace study::gui {
 
-/// A row or column of buttons of which at most one is chosen. None is chosen at first.
+/// A grid of buttons of which at most one is chosen. None is chosen at first.
 ///
 /// Space, Enter or a digit chooses. Arrow keys only move the focus, so that a stray key changes no
 /// answer.
@@ -22,10 +22,11 @@ class OptionButtons final : public QWidget {
     QString accessibleName;  ///< what a screen reader says
   };
 
+  /// @param columns  of the grid, which is filled row by row.
   /// @param role  the buttons' role in the style sheet: "point" or "option".
   OptionButtons(
       const std::vector<Option>& options,
-      Qt::Orientation orientation,
+      int columns,
       const QString& role,
       QWidget* parent = nullptr);
 
@@ -45,7 +46,12 @@ class OptionButtons final : public QWidget {
   bool moveFocus(int from, int key);
 
   QButtonGroup* group_;
+  int columns_;
   std::vector<QPushButton*> buttons_;
 };
+
+/// The columns in which options are easily read: side by side where all are short, and one below
+/// the other where one of them is long.
+int columnsFor(const std::vector<OptionButtons::Option>& options);
 
 }  // namespace study::gui

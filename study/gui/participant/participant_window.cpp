@@ -1,19 +1,26 @@
 #include "study/gui/participant/participant_window.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include <QAccessible>
 #include <QCloseEvent>
+#include <QDeadlineTimer>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QSignalBlocker>
+#include <QTime>
 #include <QTimer>
 
 #include "study/gui/participant/benchmark_page.h"
+#include "study/gui/participant/column.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 
@@ -35,6 +42,9 @@ ParticipantWindow::ParticipantWindow(
       progress_(new QProgressBar(this)),
       languages_(new QComboBox(this)),
       place_(new QVBoxLayout),
+      bottom_(new QWidget(this)),
+      remark_(quietLabel({}, this)),
+      back_(new QPushButton(this)),
       next_(new QPushButton(this)),
       operator_(new QPushButton(this)),
       lock_(new ScreenLock(*this, *operator_, pin)) {
@@ -48,23 +58,32 @@ ParticipantWindow::ParticipantWindow(
   const QString present = QString::fromStdString(controller.session().language());
   languages_->setCurrentIndex(languages_->findData(present));
   next_->setProperty("role", QStringLiteral("next"));
+  back_->setProperty("role", QStringLiteral("back"));
+  remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
   auto* top = new QHBoxLayout;
   top->addWidget(progress_, 1);
   top->addSpacing(24);
   top->addWidget(languages_);
   top->addWidget(operator_);
-  auto* bottom = new QHBoxLayout;
-  bottom->addStretch(1);
-  bottom->addWidget(next_);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(16);
+  buttons->addWidget(back_);
+  buttons->addWidget(remark_, 1);
+  buttons->addWidget(next_);
+  addColumn(*bottom_)->addLayout(buttons);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(48, 24, 48, 32);
+  // A window that became smaller is given a smaller scale only afterwards.
+  layout->setSizeConstraint(QLayout::SetNoConstraint);
+  layout->setContentsMargins(24, 20, 24, 20);
   layout->setSpacing(18);
   layout->addLayout(top);
   layout->addLayout(place_, 1);
-  layout->addLayout(bottom);
+  layout->addWidget(bottom_);
+  adjustScale();
 
-  connect(next_, &QPushButton::clicked, &controller_, &SessionController::finishStep);
+  connect(next_, &QPushButton::clicked, this, &ParticipantWindow::goOn);
+  connect(back_, &QPushButton::clicked, this, &ParticipantWindow::goBack);
   connect(&controller_, &SessionController::aboutToLeave, this, [this] {
     if (questions_ != nullptr) questions_->flush();
   });
@@ -77,20 +96,62 @@ ParticipantWindow::ParticipantWindow(
   showStep();
 }
 
+double scaleFor(QSize size) noexcept {
+  constexpr double kHeight = 800.0;  // [px] of a window with the scale 1
+  constexpr double kWidth = 1024.0;
+  constexpr double kSteps = 20.0;  // so that dragging an edge does not restyle at every pixel
+  const double wanted = std::min(size.height() / kHeight, size.width() / kWidth);
+  return std::max(1.0, std::floor(wanted * kSteps) / kSteps);
+}
+
+/// Scales the distances in a page that was made at another scale.
+static void spaceOut(QWidget& page, double ratio) {
+  const auto scaledBy = [ratio](int length) {
+    return static_cast<int>(std::lround(ratio * length));
+  };
+  for (auto* layout : page.findChildren<QLayout*>()) {
+    const auto margins = layout->contentsMargins();
+    layout->setContentsMargins(
+        scaledBy(margins.left()),
+        scaledBy(margins.top()),
+        scaledBy(margins.right()),
+        scaledBy(margins.bottom()));
+    if (layout->spacing() > 0) layout->setSpacing(scaledBy(layout->spacing()));
+  }
+}
+
+void ParticipantWindow::adjustScale() {
+  const double scale = scaleFor(size());
+  if (scale == scale_) return;
+  const double ratio = scale_ > 0.0 ? scale / scale_ : 1.0;
+  if (page_ != nullptr) spaceOut(*page_, ratio);
+  scale_ = scale;
+  setWindowTheme(*this, ThemeName::Light, scale);  // the same for each participant
+}
+
+void ParticipantWindow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  adjustScale();
+}
+
 QString ParticipantWindow::localized(const questionnaires::LocalizedText& text) const {
   return QString::fromStdString(text.in(controller_.session().language()));
 }
 
 QString ParticipantWindow::alternativeName(const QString& label) const {
-  return localized(controller_.session().protocol().protocol.labels.prefix) + QStringLiteral(" ") +
-         label;
+  const auto& session = controller_.session();
+  return QString::fromStdString(
+      session.protocol().protocol.labels.nameOf(label.toStdString(), session.language()));
 }
 
 void ParticipantWindow::retranslate() {
-  next_->setText(tr("Next"));
+  const auto& session = controller_.session();
+  const bool isLast = session.stepIndex() + 1 == static_cast<int>(session.plan().size());
+  next_->setText(isLast ? tr("Finish") : tr("Next"));
+  back_->setText(tr("Back"));
   languages_->setAccessibleName(tr("Language"));
   operator_->setText(tr("Researcher"));
-  const QLocale locale(QString::fromStdString(controller_.session().language()));
+  const QLocale locale(QString::fromStdString(session.language()));
   setLayoutDirection(locale.textDirection());
 }
 
@@ -114,6 +175,43 @@ void ParticipantWindow::showStep() {
   showPage(makePage());
 }
 
+void ParticipantWindow::goOn() {
+  if (questions_ == nullptr) {
+    controller_.finishStep();
+    return;
+  }
+  if (questions_->progress().open > 0) {
+    questions_->showFirstOpen();
+    showOpen(true);
+    return;
+  }
+  saysWhatIsOpen_ = false;
+  if (!questions_->turn(true)) controller_.finishStep();
+}
+
+void ParticipantWindow::goBack() {
+  saysWhatIsOpen_ = false;
+  if (questions_ != nullptr) questions_->turn(false);
+}
+
+/// Says how many questions are open once Next was pressed, and which sheet is shown.
+void ParticipantWindow::showOpen(bool isAskedFor) {
+  if (questions_ == nullptr) return;
+  saysWhatIsOpen_ = saysWhatIsOpen_ || isAskedFor;
+  back_->setVisible(questions_->sheet() > 0);
+  const auto progress = questions_->progress();
+  QString words;
+  if (saysWhatIsOpen_ && progress.open > 0) {
+    words = tr("%1 of %2 left").arg(progress.open).arg(progress.required);
+  } else if (questions_->sheets() > 1) {
+    words = tr("Page %1 of %2").arg(questions_->sheet() + 1).arg(questions_->sheets());
+  }
+  remark_->setText(words);
+  if (!isAskedFor) return;
+  QAccessibleEvent alert(remark_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
+}
+
 void ParticipantWindow::showPage(QWidget* page) {
   if (page_ != nullptr) {
     page_->hide();
@@ -122,12 +220,16 @@ void ParticipantWindow::showPage(QWidget* page) {
   }
   page_ = page;
   place_->addWidget(page);
+  bottom_->setVisible(!next_->isHidden());
   page->setFocus();
 }
 
 QWidget* ParticipantWindow::makePage() {
   trialPage_ = nullptr;
   questions_ = nullptr;
+  saysWhatIsOpen_ = false;
+  remark_->clear();
+  back_->hide();
   next_->setVisible(true);
   next_->setEnabled(true);
   const auto& session = controller_.session();
@@ -172,11 +274,11 @@ QWidget* ParticipantWindow::makeQuestionnaire() {
         label, alternativeName(QString::fromStdString(label)));
   }
   questions_ = new QuestionnairePage(content, this);
-  next_->setEnabled(questions_->isComplete());
   connect(questions_, &QuestionnairePage::answered, &controller_, &SessionController::answer);
   connect(questions_, &QuestionnairePage::retracted, &controller_, &SessionController::retract);
   connect(&controller_, &SessionController::notSaved, questions_, &QuestionnairePage::markUnsaved);
-  connect(questions_, &QuestionnairePage::completeChanged, next_, &QPushButton::setEnabled);
+  connect(questions_, &QuestionnairePage::progressChanged, this, [this] { showOpen(false); });
+  showOpen(false);
   return questions_;
 }
 
@@ -207,13 +309,12 @@ QWidget* ParticipantWindow::makeBenchmark() {
   auto* page = new BenchmarkPage(localized(phase->text), step.minimumCuts, this);
   const auto show = [this, page] {
     const int cuts = controller_.session().benchmarkCuts();
+    const bool isEnough = cuts >= controller_.session().step().minimumCuts;
     page->setCuts(cuts);
-    next_->setEnabled(cuts >= controller_.session().step().minimumCuts);
+    next_->setEnabled(isEnough);
+    remark_->setText(isEnough ? QString() : tr("The researcher counts your cuts."));
   };
-  connect(page, &BenchmarkPage::cutMade, this, [this, show] {
-    controller_.countBenchmarkCut();
-    show();
-  });
+  connect(&controller_, &SessionController::benchmarkCutCounted, page, show);
   show();
   return page;
 }
@@ -221,11 +322,24 @@ QWidget* ParticipantWindow::makeBenchmark() {
 QWidget* ParticipantWindow::makeBreak() {
   const auto& step = controller_.session().step();
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
-  next_->setEnabled(false);
   auto* page = makeMessage(tr("A short break"), localized(phase->text));
   // The timer belongs to the page: if the page changes, Next must stay as the new page sets it.
-  QTimer::singleShot(
-      static_cast<int>(step.seconds * 1000.0), page, [this] { next_->setEnabled(true); });
+  auto* everySecond = new QTimer(page);
+  const QDeadlineTimer end(static_cast<qint64>(step.seconds * 1000.0));
+  const auto show = [this, end, everySecond] {
+    const auto left = (end.remainingTime() + 999) / 1000;  // [s]
+    next_->setEnabled(left == 0);
+    remark_->setText(
+        left == 0 ? QString()
+                  : tr("You can go on in %1")
+                        .arg(QTime(0, 0)
+                                 .addSecs(static_cast<int>(left))
+                                 .toString(QStringLiteral("m:ss"))));
+    if (left > 0) everySecond->start(static_cast<int>(std::min<qint64>(end.remainingTime(), 1000)));
+  };
+  everySecond->setSingleShot(true);
+  connect(everySecond, &QTimer::timeout, page, show);
+  show();
   return page;
 }
 
@@ -239,16 +353,34 @@ QWidget* ParticipantWindow::makeEnd() {
       return makeMessage(
           tr("You have left the study"), tr("You need not say why. Please tell the researcher."));
     default:
-      return makeMessage(tr("Thank you"), tr("This session is over. Please tell the researcher."));
+      return makeThanks();
   }
+}
+
+/// The thank-you page: the debrief with which the session ended, or, without one, a few words.
+QWidget* ParticipantWindow::makeThanks() {
+  const auto& session = controller_.session();
+  const auto& last = session.plan().back();
+  const QString over = tr("This session is over. Please tell the researcher.");
+  if (last.kind != StepKind::Reading) return makeMessage(tr("Thank you"), over);
+  const auto* debrief = session.protocol().instrument(last.instrument);
+  return new QuestionnairePage(
+      {.title = localized(debrief->title),
+       .introduction = localized(debrief->introduction),
+       .items = {},
+       .choices = {},
+       .language = QString::fromStdString(session.language()),
+       .before = {},
+       .closing = over},
+      this);
 }
 
 QWidget* ParticipantWindow::makeMessage(const QString& title, const QString& words) {
   auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
+  auto* layout = addColumn(*page);
   layout->addStretch(1);
   auto* heading = titleLabel(title, page);
-  auto* body = bodyLabel(words, page);
+  auto* body = textLabel(words, page);
   heading->setAlignment(Qt::AlignCenter);
   body->setAlignment(Qt::AlignCenter);
   layout->addWidget(heading);

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include <QComboBox>
+#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -16,9 +17,10 @@ namespace study::gui {
 class TrialPage;
 class QuestionnairePage;
 
-/// The participant's window: one page at a time, a progress bar, and a Next button that is enabled
-/// when the page is complete. It shows no condition and no other participant's data, and only the
-/// operator can close it.
+/// The participant's window: one page at a time, a progress bar, and a Next button that shows what
+/// is still open when the page is not complete. Its text grows with the window, so that it can be
+/// read on a large second screen. It shows no condition and no other participant's data, and only
+/// the operator can close it.
 class ParticipantWindow final : public QWidget {
   Q_OBJECT
 
@@ -40,10 +42,14 @@ class ParticipantWindow final : public QWidget {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void showStep();
   void showPage(QWidget* page);
+  void goOn();
+  void goBack();
+  void showOpen(bool isAskedFor);
   void updateProgress();
   void updateTrial();
   void retranslate();
@@ -54,7 +60,9 @@ class ParticipantWindow final : public QWidget {
   QWidget* makeBenchmark();
   QWidget* makeBreak();
   QWidget* makeEnd();
+  QWidget* makeThanks();
   QWidget* makeMessage(const QString& title, const QString& words);
+  void adjustScale();
   QString localized(const questionnaires::LocalizedText& text) const;
   QString alternativeName(const QString& label) const;
 
@@ -63,14 +71,23 @@ class ParticipantWindow final : public QWidget {
   QProgressBar* progress_;
   QComboBox* languages_;
   QVBoxLayout* place_;
+  QWidget* bottom_;  ///< with the buttons
+  QLabel* remark_;   ///< beside Next: what is left to do on this page
+  QPushButton* back_;
   QPushButton* next_;
   QPushButton* operator_;
   ScreenLock* lock_;
   QWidget* page_ = nullptr;
   TrialPage* trialPage_ = nullptr;
   QuestionnairePage* questions_ = nullptr;
+  double scale_ = 0.0;
+  bool saysWhatIsOpen_ = false;  ///< since Next was pressed on an incomplete page
   bool mayClose_ = false;
 };
+
+/// The scale of the participant's pages in a window of @p size [px]: 1 on a laptop, so that text is
+/// 23 px high on 1920 × 1080 and 46 px on 3840 × 2160.
+double scaleFor(QSize size) noexcept;
 
 /// The name of a language in that language.
 QString nativeName(const QString& language);

@@ -1,106 +1,256 @@
 #include "study/gui/participant/questionnaire_page.h"
 
-#include <QFrame>
-#include <QLabel>
-#include <QScrollArea>
+#include <algorithm>
+
+#include <QScrollBar>
+#include <QStyle>
 #include <QVBoxLayout>
 
+#include "study/gui/participant/column.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
+namespace {
+
+using questionnaires::Item;
+
+/// The items with each signature right behind the consent that it signs.
+std::vector<Item> withSignatures(std::vector<Item> items) {
+  const auto consent = std::find_if(
+      items.begin(), items.end(), [](const Item& item) { return !item.consentOption.empty(); });
+  if (consent == items.end()) return items;
+  std::stable_partition(
+      consent + 1, items.end(), [](const Item& item) { return item.isIdentifying; });
+  return items;
+}
+
+bool isSignature(const std::vector<Item>& items, std::size_t index) {
+  if (!items[index].isIdentifying || index == 0) return false;
+  return !items[index - 1].consentOption.empty() || isSignature(items, index - 1);
+}
+
+}  // namespace
 
 QuestionnairePage::QuestionnairePage(const Content& content, QWidget* parent)
-    : QWidget(parent), language_(content.language) {
+    : QWidget(parent),
+      scroll_(new QScrollArea(this)),
+      items_(withSignatures(content.items)),
+      language_(content.language) {
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  auto* inside = new QWidget(scroll);
-  auto* layout = new QVBoxLayout(inside);
-  layout->setSpacing(18);
-  layout->addWidget(titleLabel(content.title, inside));
-  if (!content.introduction.isEmpty()) layout->addWidget(bodyLabel(content.introduction, inside));
-
-  for (std::size_t i = 0; i < content.items.size(); ++i) {
-    auto* card = new QFrame(inside);
-    card->setProperty("role", "card");
-    auto* inCard = new QVBoxLayout(card);
-    inCard->setContentsMargins(20, 16, 20, 16);
-    auto* widget = makeItemWidget(content.items[i], content.choices, content.language, card);
-    inCard->addWidget(widget);
-    if (!content.items[i].isRequired)
-      inCard->addWidget(quietLabel(tr("You may leave this out."), card));
-    layout->addWidget(card);
-    widgets_.push_back(widget);
-    states_.emplace_back();
-    for (const auto& answer : content.before) {
-      if (answer.item != content.items[i].id) continue;
-      widget->show(answer.response);
-      states_.back() = {answer.response, answer.firstTouch, answer.changes};
-    }
-    connect(widget, &ItemWidget::changed, this, [this, i] { emitAnswer(i); });
+  scroll_->setWidgetResizable(true);
+  auto* inside = new QWidget(scroll_);
+  auto* column = addColumn(*inside);
+  head_ = new QWidget(inside);
+  auto* head = new QVBoxLayout(head_);
+  head->setContentsMargins(0, 0, 0, 0);
+  head->addWidget(titleLabel(content.title, head_));
+  if (!content.introduction.isEmpty()) head->addWidget(textLabel(content.introduction, head_));
+  column->addWidget(head_);
+  addSheet(*column);
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].startsPage && !entries_.empty()) addSheet(*column);
+    addItem(content, i);
   }
-  layout->addStretch(1);
-  scroll->setWidget(inside);
-  outer->addWidget(scroll);
+  if (!content.closing.isEmpty()) {
+    auto* closing = bodyLabel(content.closing, inside);
+    closing->setProperty("role", QStringLiteral("statement"));
+    column->addWidget(closing);
+  }
+  column->addStretch(1);
+  scroll_->setWidget(inside);
+  outer->addWidget(scroll_);
   // A focus frame around the first answer would look like a choice and could influence
   // participants. It appears with the first Tab.
-  scroll->setFocusPolicy(Qt::StrongFocus);
-  scroll->setAccessibleName(content.title);
-  scroll->setAccessibleDescription(content.introduction);
-  setFocusProxy(scroll);
+  scroll_->setFocusPolicy(Qt::StrongFocus);
+  scroll_->setAccessibleName(content.title);
+  scroll_->setAccessibleDescription(content.introduction);
+  setFocusProxy(scroll_);
   shown_.start();
+  shownAt_.front() = 0.0;
+  updateAsked();
+}
+
+void QuestionnairePage::addSheet(QLayout& column) {
+  auto* sheet = new QWidget(head_->parentWidget());
+  auto* layout = new QVBoxLayout(sheet);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(scaled(*this, 16));
+  column.addWidget(sheet);
+  if (!sheets_.empty()) sheet->hide();
+  sheets_.push_back(sheet);
+  shownAt_.push_back(-1.0);
+}
+
+QFrame* QuestionnairePage::addCard() {
+  auto* card = new QFrame(sheets_.back());
+  card->setProperty("role", "card");
+  auto* layout = new QVBoxLayout(card);
+  const int side = scaled(*this, 20);
+  const int above = scaled(*this, 14);
+  layout->setContentsMargins(side, above, side, above);
+  layout->setSpacing(scaled(*this, 8));
+  sheets_.back()->layout()->addWidget(card);
+  return card;
+}
+
+void QuestionnairePage::addItem(const Content& content, std::size_t index) {
+  const auto& item = items_[index];
+  auto* card = isSignature(items_, index) ? entries_.back().card : addCard();
+  auto* mark = quietLabel(tr("Please answer this one"), card);
+  setRole(*mark, "warn");
+  mark->hide();
+  auto* widget = makeItemWidget(item, content.choices, content.language, card);
+  card->layout()->addWidget(mark);
+  card->layout()->addWidget(widget);
+  if (!item.isRequired) card->layout()->addWidget(quietLabel(tr("Optional"), card));
+  entries_.push_back(
+      {.widget = widget,
+       .card = card,
+       .mark = mark,
+       .sheet = static_cast<int>(sheets_.size()) - 1});
+  for (const auto& answer : content.before) {
+    if (answer.item != item.id) continue;
+    widget->show(answer.response);
+    entries_.back().state = {answer.response, answer.firstTouch, answer.changes};
+  }
+  connect(widget, &ItemWidget::changed, this, [this, index] {
+    emitAnswer(index);
+    updateAsked();
+    emit progressChanged();
+  });
+}
+
+double QuestionnairePage::now() const {
+  return static_cast<double>(shown_.elapsed()) / 1000.0;
+}
+
+std::optional<questionnaires::Response> QuestionnairePage::responseOf(const Entry& entry) const {
+  return entry.isAsked ? entry.widget->response() : std::nullopt;
+}
+
+bool QuestionnairePage::isOpen(const Entry& entry) const {
+  const auto& item = entry.widget->item();
+  if (!item.isRequired || !entry.isAsked) return false;
+  const auto response = entry.widget->response();
+  if (!response) return true;
+  // Only the session knows which alternatives may be chosen.
+  if (item.optionSource == questionnaires::OptionSource::Alternatives) return false;
+  return questionnaires::validationError(item, *response).has_value();
 }
 
 bool QuestionnairePage::isComplete() const {
-  for (const auto* widget : widgets_) {
-    if (!widget->item().isRequired) continue;
-    const auto response = widget->response();
-    if (!response || questionnaires::validationError(widget->item(), *response).has_value()) {
-      const bool isAlternative =
-          widget->item().optionSource == questionnaires::OptionSource::Alternatives;
-      if (!response || !isAlternative) return false;
-    }
+  return std::none_of(
+      entries_.begin(), entries_.end(), [this](const Entry& entry) { return isOpen(entry); });
+}
+
+QuestionnairePage::Progress QuestionnairePage::progress() const {
+  Progress progress;
+  for (const auto& entry : entries_) {
+    if (entry.sheet != sheet_ || !entry.isAsked || !entry.widget->item().isRequired) continue;
+    ++progress.required;
+    if (isOpen(entry)) ++progress.open;
   }
+  return progress;
+}
+
+void QuestionnairePage::mark(Entry& entry, bool isOpen) {
+  if (entry.mark->isVisibleTo(entry.card) == isOpen) return;
+  entry.mark->setVisible(isOpen);
+  entry.card->setProperty("isOpen", isOpen ? QStringLiteral("true") : QString());
+  entry.card->style()->unpolish(entry.card);  // makes the style sheet read the property again
+  entry.card->style()->polish(entry.card);
+}
+
+void QuestionnairePage::showFirstOpen() {
+  const auto first = std::find_if(entries_.begin(), entries_.end(), [this](const Entry& entry) {
+    return entry.sheet == sheet_ && isOpen(entry);
+  });
+  if (first == entries_.end()) return;
+  mark(*first, true);
+  scroll_->widget()->layout()->activate();  // the mark has moved what is below it
+  first->widget->setFocus(Qt::TabFocusReason);
+  const int top = first->card->mapTo(scroll_->widget(), QPoint(0, 0)).y();
+  const int margin = std::max(0, scroll_->viewport()->height() - first->card->height()) / 2;
+  scroll_->verticalScrollBar()->setValue(top - margin);
+}
+
+bool QuestionnairePage::turn(bool isForward) {
+  const auto hasQuestions = [this](int sheet) {
+    return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.sheet == sheet && entry.isAsked;
+    });
+  };
+  const int by = isForward ? 1 : -1;
+  int to = sheet_ + by;
+  while (to >= 0 && to < sheets() && !hasQuestions(to)) to += by;
+  if (to < 0 || to >= sheets()) return false;
+  sheets_[static_cast<std::size_t>(sheet_)]->hide();
+  sheets_[static_cast<std::size_t>(to)]->show();
+  sheet_ = to;
+  auto& shownAt = shownAt_[static_cast<std::size_t>(to)];
+  if (shownAt < 0.0) shownAt = now();
+  scroll_->verticalScrollBar()->setValue(0);
+  scroll_->setFocus();
+  emit progressChanged();
   return true;
 }
 
 void QuestionnairePage::emitAnswer(std::size_t index) {
-  auto& state = states_[index];
-  const auto response = widgets_[index]->response();
+  auto& entry = entries_[index];
+  auto& state = entry.state;
+  const auto response = responseOf(entry);
   const bool isNew = response != state.response;
   if (!isNew && state.isSaved) return;
-  const double now = static_cast<double>(shown_.elapsed()) / 1000.0;
+  const double since = now() - std::max(0.0, shownAt_[static_cast<std::size_t>(entry.sheet)]);
   if (isNew) {
-    if (state.changes < 0) state.firstTouch = now;
+    if (state.changes < 0) state.firstTouch = since;
     ++state.changes;
   }
   state.response = response;
   state.isSaved = true;  // markUnsaved() is called before the signal returns
-  const auto& item = widgets_[index]->item();
+  if (!isOpen(entry)) mark(entry, false);
+  const auto& item = entry.widget->item();
   if (response) {
     emit answered(
         {.item = item.id,
          .response = *response,
          .itemOrder = static_cast<int>(index) + 1,
          .firstTouch = state.firstTouch,
-         .responseTime = std::max(now, state.firstTouch),
+         .responseTime = std::max(since, state.firstTouch),
          .changes = state.changes,
          .language = language_.toStdString()});
   } else {
     emit retracted(QString::fromStdString(item.id));
   }
-  emit completeChanged(isComplete());
+}
+
+/// Shows the items whose conditions hold, and retracts the answers to those whose conditions do not
+/// hold any more.
+void QuestionnairePage::updateAsked() {
+  std::vector<questionnaires::Answer> given;
+  for (const auto& entry : entries_) {
+    given.push_back({entry.widget->item().id, entry.widget->response()});
+  }
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    auto& entry = entries_[i];
+    const bool isAsked = questionnaires::isAsked(items_[i], items_, given);
+    if (isAsked == entry.isAsked) continue;
+    entry.isAsked = isAsked;
+    entry.card->setVisible(isAsked);
+    if (entry.widget->response()) emitAnswer(i);
+  }
 }
 
 void QuestionnairePage::markUnsaved(const QString& item) {
-  for (std::size_t i = 0; i < widgets_.size(); ++i) {
-    if (widgets_[i]->item().id == item.toStdString()) states_[i].isSaved = false;
+  for (auto& entry : entries_) {
+    if (entry.widget->item().id == item.toStdString()) entry.state.isSaved = false;
   }
 }
 
 void QuestionnairePage::flush() {
-  for (std::size_t i = 0; i < widgets_.size(); ++i) emitAnswer(i);
+  for (std::size_t i = 0; i < entries_.size(); ++i) emitAnswer(i);
 }
 
 }  // namespace study::gui

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include <QElapsedTimer>
+#include <QFrame>
+#include <QLabel>
+#include <QScrollArea>
 #include <QWidget>
 
 #include "study/gui/participant/item_widget.h"
@@ -11,24 +13,42 @@
 
 namespace study::gui {
 
-/// A questionnaire to fill in. It shows items and emits responses; it does not save them.
+/// A questionnaire to fill in, one sheet at a time. It shows items and emits responses; it does not
+/// save them.
 class QuestionnairePage final : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
     QString title;
-    QString introduction;
+    QString introduction;  ///< Markdown, see textLabel()
     std::vector<questionnaires::Item> items;
     ItemWidget::Choices choices;
     QString language;
     std::vector<GivenAnswer> before;  ///< answers given earlier
+    QString closing = {};             ///< a last line below the items
   };
 
   explicit QuestionnairePage(const Content& content, QWidget* parent = nullptr);
 
-  /// Whether every required item has a valid answer.
+  /// Whether every required item that is asked has a valid answer.
   bool isComplete() const;
+
+  /// The questions of the sheet that must be answered, and how many of them are not.
+  struct Progress {
+    int open = 0;
+    int required = 0;
+  };
+  Progress progress() const;
+
+  /// Scrolls to the first question of the sheet that must still be answered, marks and focuses it.
+  void showFirstOpen();
+
+  int sheet() const noexcept { return sheet_; }
+  int sheets() const noexcept { return static_cast<int>(sheets_.size()); }
+  /// Shows the next sheet, or the one before, on which something is asked.
+  /// @return false, with nothing changed, if there is none.
+  bool turn(bool isForward);
 
   /// Emits the answers that have been entered but not emitted yet, or that could not be saved.
   void flush();
@@ -40,22 +60,44 @@ class QuestionnairePage final : public QWidget {
  signals:
   /// An item was answered, or its answer changed.
   void answered(const study::GivenAnswer& answer);
-  /// An item's answer was removed.
+  /// An item's answer was removed, or the item is no longer asked.
   void retracted(const QString& item);
-  void completeChanged(bool isComplete);
+  /// Emitted after each of the two.
+  void progressChanged();
 
  private:
   struct ItemState {
     std::optional<questionnaires::Response> response;  ///< the last one emitted
-    double firstTouch = 0.0;                           ///< since the page was shown [s]
+    double firstTouch = 0.0;                           ///< since its sheet was shown [s]
     int changes = -1;     ///< of the answer after the first; −1: unanswered
     bool isSaved = true;  ///< false after markUnsaved()
   };
+  struct Entry {
+    ItemWidget* widget;
+    QFrame* card;  ///< that it lies in, with its signature if it asks for consent
+    QLabel* mark;  ///< "Please answer this one"
+    int sheet;
+    bool isAsked = true;
+    ItemState state = {};
+  };
 
+  void addSheet(QLayout& column);
+  void addItem(const Content& content, std::size_t index);
+  QFrame* addCard();
+  std::optional<questionnaires::Response> responseOf(const Entry& entry) const;
+  bool isOpen(const Entry& entry) const;
+  void mark(Entry& entry, bool isOpen);
   void emitAnswer(std::size_t index);
+  void updateAsked();
+  double now() const;
 
-  std::vector<ItemWidget*> widgets_;
-  std::vector<ItemState> states_;
+  QScrollArea* scroll_;
+  QWidget* head_ = nullptr;  ///< title and introduction
+  std::vector<QWidget*> sheets_;
+  std::vector<double> shownAt_;  ///< when each sheet was first shown [s]; −1: not yet
+  int sheet_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<questionnaires::Item> items_;
   QString language_;
   QElapsedTimer shown_;
 };

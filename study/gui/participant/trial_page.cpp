@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "study/gui/participant/cut_counter.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
 
 namespace study::gui {
 namespace {
@@ -26,18 +29,27 @@ TrialPage::TrialPage(const Content& content, QWidget* picture, QWidget* parent)
       enough_(new QPushButton(tr("I have finished"), this)),
       decline_(new QPushButton(tr("No, go on"), this)) {
   setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName(content.name);
   auto* layout = new QVBoxLayout(this);
   // A picture gets the space, and text the remainder.
-  layout->setSpacing(picture == nullptr ? 20 : 8);
-  if (picture == nullptr) layout->addStretch(1);
-  layout->addWidget(hugeLabel(content.name, this));
-  if (picture != nullptr) layout->addWidget(picture, 1);
-  count_ = titleLabel(cutsInWords(0), this);
-  count_->setAlignment(Qt::AlignCenter);
-  layout->addWidget(count_);
-  hint_ = quietLabel(tr("Press Begin when you hold the instrument."), this);
+  layout->setSpacing(scaled(*this, picture == nullptr ? 12 : 8));
+  count_ = new CutCounter(content.minimumCuts, this);
+  if (picture == nullptr) {
+    layout->addStretch(1);
+    layout->addWidget(hugeLabel(content.name, this));
+    layout->addWidget(count_);
+  } else {
+    auto* above = new QHBoxLayout;
+    above->addWidget(titleLabel(content.name, this), 1);
+    above->addWidget(count_, 1);
+    layout->addLayout(above);
+    layout->addWidget(picture, 1);
+  }
+  hint_ = bodyLabel(tr("Press Begin when you hold the instrument."), this);
+  hint_->setProperty("role", QStringLiteral("text"));
+  setCuts(0);
   if (content.isOffered) {
-    count_->setText(tr("Would you like to feel it once more before you choose?"));
+    count_->setCount(0, tr("Would you like to feel it once more before you choose?"));
     begin_->setText(tr("Feel it again"));
   }
   hint_->setAlignment(Qt::AlignCenter);
@@ -93,7 +105,7 @@ void TrialPage::setRunning(bool isRunning) {
 }
 
 void TrialPage::setCuts(int cuts) {
-  count_->setText(cutsInWords(cuts));
+  count_->setCount(cuts, cutsInWords(cuts));
   enough_->setEnabled(isRunning_ && cuts >= content_.minimumCuts);
 }
 

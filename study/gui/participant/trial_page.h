@@ -12,6 +12,8 @@
 
 namespace study::gui {
 
+class CutCounter;
+
 /// The participant's page during a trial. It shows only the alternative's name and the number of
 /// cuts made and required.
 ///
@@ -59,7 +61,7 @@ class TrialPage final : public QWidget {
   void moveHandTo(double share, int duration);
 
   Content content_;
-  QLabel* count_;
+  CutCounter* count_;
   QLabel* hint_;
   QPushButton* begin_;
   QPushButton* enough_;

@@ -1,7 +1,11 @@
 #include "study/gui/scene/knee_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
+
+#include <QRectF>
 
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/scene/shapes/tool_shapes.h"
@@ -53,12 +57,30 @@ void KneeScene::lookThroughTheScope() {
   scene_.shots.push_back(std::move(shot));
 }
 
+/// Shows the whole instrument with its handles apart, the widest that it becomes.
 void KneeScene::lookAtTheHandles() {
-  Shot shot{.place = {0.65, 0.2, 0.34, 0.75}, .aspect = 1.75};
+  follow({}, 0.0);
+  const QMatrix4x4 toPunch = punchPose(layout_).inverted();
+  QRectF box;
+  for (const auto part : {Body, Grip, Jaw, Rod, Lever}) {
+    const auto pose = toPunch * scene_.parts[part].pose;
+    for (const auto& vertex : scene_.parts[part].mesh.vertices) {
+      const QPointF place = pose.map(vertex.position).toPointF();
+      box = box.united(QRectF(place - QPointF(0.1, 0.1), QSizeF(0.2, 0.2)));
+    }
+  }
+  constexpr double kMargin = 1.1;  // of the size; also for what is nearer to the eye
+  constexpr double kDistance = 330.0;
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const auto middle = QVector3D(QPointF(box.center()));
+  Shot shot{.place = {0.66, 0.05, 0.34, 0.9}, .aspect = box.width() / box.height()};
   // From the side, with the instrument's tip to the left.
-  shot.view.lookAt({-66.0F, -38.0F, -330.0F}, {-66.0F, -38.0F, 0.0F}, {0.0F, 1.0F, 0.0F});
-  shot.view *= punchPose(layout_).inverted();
-  shot.fieldOfView = 16.5F;
+  shot.view.lookAt(
+      middle - QVector3D(0.0F, 0.0F, static_cast<float>(kDistance)), middle, {0.0F, 1.0F, 0.0F});
+  shot.view *= toPunch;
+  const double smaller = std::min(box.width(), box.height());
+  shot.fieldOfView =
+      static_cast<float>(2.0 * kDegrees * std::atan(0.5 * kMargin * smaller / kDistance));
   shot.nearest = 200.0F;
   shot.farthest = 500.0F;
   shot.light = {.place = {-120.0F, 260.0F, 120.0F}, .reach = 0.0F, .ambient = 0.2F};

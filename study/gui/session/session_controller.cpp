@@ -87,7 +87,9 @@ void SessionController::retract(const QString& item) {
 }
 
 void SessionController::countBenchmarkCut() {
-  tryTo([&] { session_.recordBenchmarkCuts(session_.benchmarkCuts() + 1); });
+  if (session_.isOver() || session_.step().kind != StepKind::Benchmark) return;
+  const auto count = [&] { session_.recordBenchmarkCuts(session_.benchmarkCuts() + 1); };
+  if (tryTo(count)) emit benchmarkCutCounted();
 }
 
 void SessionController::finishStep() {

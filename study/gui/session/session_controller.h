@@ -82,6 +82,7 @@ class SessionController final : public QObject {
  public slots:
   void answer(const study::GivenAnswer& answer);
   void retract(const QString& item);
+  /// Counts a cut with the physical tool; in other steps than a benchmark it does nothing.
   void countBenchmarkCut();
   void finishStep();
   /// Skips the optional repetition of a trial.
@@ -111,6 +112,7 @@ class SessionController final : public QObject {
   void aboutToLeave();
   /// An answer or its removal could not be saved. failed() has given the reason.
   void notSaved(const QString& item);
+  void benchmarkCutCounted();
   /// The step or its state changed.
   void stepChanged();
   /// Emitted while a trial runs: there are new samples.

@@ -18,9 +18,7 @@ bool attempt(QWidget* parent, Action&& action) {
     return true;
   } catch (const std::exception& error) {
     QMessageBox::warning(
-        parent,
-        QCoreApplication::translate("attempt", "That did not work"),
-        QString::fromUtf8(error.what()));
+        parent, QCoreApplication::translate("attempt", "Error"), QString::fromUtf8(error.what()));
     return false;
   }
 }

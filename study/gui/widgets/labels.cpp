@@ -4,6 +4,8 @@
 #include <QEvent>
 #include <QStyle>
 
+#include "study/report/marked_text.h"
+
 namespace study::gui {
 namespace {
 
@@ -29,6 +31,13 @@ QLabel* bodyLabel(const QString& text, QWidget* parent) {
 }
 QLabel* quietLabel(const QString& text, QWidget* parent) {
   return label(text, "quiet", parent);
+}
+
+QLabel* textLabel(const QString& markdown, QWidget* parent) {
+  auto* text = label(report::asHtml(markdown), "text", parent);
+  text->setTextFormat(Qt::RichText);
+  text->setTextInteractionFlags(Qt::NoTextInteraction);
+  return text;
 }
 
 QString capitalised(const QString& words) {

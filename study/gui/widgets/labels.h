@@ -24,6 +24,10 @@ QLabel* bodyLabel(const QString& text, QWidget* parent);
 QLabel* quietLabel(const QString& text, QWidget* parent);
 QLabel* hugeLabel(const QString& text, QWidget* parent);
 
+/// A text for participants in the subset of Markdown that instruments and protocols may use:
+/// headings, paragraphs, lists, bold and italics. Links stay as their words, pictures are left out.
+QLabel* textLabel(const QString& markdown, QWidget* parent);
+
 /// Changes the style of a label: "good", "warn", "resting", "bad", "quiet", "heading".
 void setRole(QLabel& label, const char* role);
 

@@ -7,6 +7,7 @@
 #include <QActionGroup>
 #include <QFont>
 #include <QPalette>
+#include <QRegularExpression>
 #include <QStyleFactory>
 
 #include "study/gui/widgets/studio_settings.h"
@@ -17,6 +18,7 @@ namespace study::gui {
 namespace {
 
 constexpr const char* kThemeProperty = "wears";
+constexpr const char* kScaleProperty = "scale";
 
 /// @name stands for a background colour and @name.text for the colour of text on it. Normal text
 /// has the palette's colours: if a rule sets one, Qt halves the contrast of placeholder text.
@@ -25,9 +27,11 @@ QWidget { background: @window; font-size: 16px; }
 QLabel[role="title"] { font-size: 30px; font-weight: 600; }
 QLabel[role="heading"] { font-size: 20px; font-weight: 600; }
 QLabel[role="huge"] { font-size: 54px; font-weight: 600; }
+QLabel[role="text"] { font-size: 17px; }
 QLabel[role="statement"] { font-size: 20px; }
 QLabel[role="quiet"] { color: @quiet; }
 QLabel[role="anchor"] { color: @quiet; font-size: 15px; }
+QWidget[role="column"] { max-width: 640px; }
 QLabel[role="good"] { color: @good.text; background: @good; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
 QLabel[role="resting"] { color: @header.text; background: @header; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
 QLabel[role="warn"] { color: @warn.text; background: @warn; border-radius: 6px; padding: 6px 12px; font-weight: 600; }
@@ -46,8 +50,15 @@ QPushButton[role="next"]:focus { border: 3px solid @focus; }
 QPushButton[role="main"] { color: @accent.text; background: @accent; border-color: @accent; font-weight: 600; }
 QPushButton[role="main"]:disabled { color: @disabled.text; background: @disabled; border-color: @line; }
 QPushButton[role="main"]:focus { border: 3px solid @focus; }
-QPushButton[role="point"] { font-size: 20px; min-width: 56px; min-height: 52px; padding: 4px; }
-QPushButton[role="option"] { text-align: left; min-height: 44px; font-size: 18px; }
+QPushButton[role="back"] { font-size: 20px; min-height: 48px; }
+QPushButton[role="point"] { font-size: 20px; min-width: 40px; min-height: 52px; padding: 4px; }
+QPushButton[role="option"] { text-align: left; min-height: 40px; font-size: 18px; padding: 6px 14px; }
+QCheckBox[role="option"] { min-height: 40px; font-size: 18px; }
+QCheckBox[role="option"]::indicator { width: 20px; height: 20px; }
+QLineEdit[role="answer"], QPlainTextEdit[role="answer"] { font-size: 18px; }
+QLineEdit[role="number"] { font-size: 18px; min-width: 120px; max-width: 120px; }
+QPlainTextEdit[role="answer"] { min-height: 110px; }
+QSlider[role="answer"] { min-height: 56px; }
 QPushButton[role="tool"] { min-height: 22px; padding: 5px 10px; }
 QPushButton[role="stop"] { color: @stop.text; background: @stop; border-color: @stop; font-size: 24px;
                            font-weight: 700; min-height: 64px; }
@@ -69,6 +80,7 @@ QCheckBox:disabled { color: @disabled.text; background: @disabled; }
 QProgressBar { border: none; background: @line; border-radius: 4px; max-height: 8px; }
 QProgressBar::chunk { background: @accent; border-radius: 4px; }
 QFrame[role="card"] { color: @field.text; background: @field; border: 1px solid @line; border-radius: 10px; }
+QFrame[role="card"][isOpen="true"] { border: 2px solid @focus; }
 QFrame[role="card"] QLabel { background: transparent; }
 QFrame[role="card"] QScrollArea, QFrame[role="card"] QWidget[role="plain"],
 QFrame[role="card"] QWidget#qt_scrollarea_viewport { background: transparent; }
@@ -138,6 +150,21 @@ QPalette paletteOf(const Theme& theme) {
   return palette;
 }
 
+/// The style sheet @p sheet with all its lengths times @p scale, none below a pixel.
+QString withLengths(const QString& sheet, double scale) {
+  static const QRegularExpression kLength(QStringLiteral("(\\d+)px"));
+  QString result;
+  qsizetype done = 0;
+  for (auto found = kLength.globalMatch(sheet); found.hasNext();) {
+    const auto length = found.next();
+    const auto pixels = std::lround(scale * length.captured(1).toInt());
+    result += sheet.mid(done, length.capturedStart() - done);
+    result += QString::number(pixels) + QStringLiteral("px");
+    done = length.capturedEnd();
+  }
+  return result + sheet.mid(done);
+}
+
 double luminance(const QColor& colour) noexcept {
   const auto linear = [](double share) {
     return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
@@ -147,6 +174,15 @@ double luminance(const QColor& colour) noexcept {
 }
 
 }  // namespace
+
+/// A property of the window that @p widget belongs to, which may be shown inside another one.
+static QVariant ownProperty(const QWidget& widget, const char* name) {
+  for (const auto* up = &widget; up != nullptr; up = up->parentWidget()) {
+    const auto value = up->property(name);
+    if (value.isValid()) return value;
+  }
+  return {};
+}
 
 const Theme& themeNamed(ThemeName name) noexcept {
   static const std::array<Theme, 3> kThemes{lightTheme(), darkTheme(), highContrastTheme()};
@@ -158,7 +194,7 @@ const Theme& theme() noexcept {
 }
 
 const Theme& themeOf(const QWidget& widget) noexcept {
-  const auto own = themeCalled(widget.window()->property(kThemeProperty).toString());
+  const auto own = themeCalled(ownProperty(widget, kThemeProperty).toString());
   return own ? themeNamed(*own) : theme();
 }
 
@@ -172,8 +208,9 @@ void applyTheme(QApplication& application, ThemeName name) {
   application.setStyleSheet(styleSheetOf(theme()));
 }
 
-void setWindowTheme(QWidget& window, ThemeName name) {
+void setWindowTheme(QWidget& window, ThemeName name, double scale) {
   window.setProperty(kThemeProperty, nameOf(name));
+  window.setProperty(kScaleProperty, scale);
   window.setPalette(paletteOf(themeNamed(name)));
   // Without these rules the application's palette applies where the style sheet sets no colour.
   const auto& own = themeNamed(name);
@@ -181,10 +218,15 @@ void setWindowTheme(QWidget& window, ThemeName name) {
       QStringLiteral(
           "QWidget { color: %1; }\nQLineEdit, QPlainTextEdit, QComboBox { color: %2; }\n")
           .arg(own.window.text.name(), own.field.text.name()) +
-      styleSheetOf(own));
+      styleSheetOf(own, scale));
 }
 
-QString styleSheetOf(const Theme& theme) {
+int scaled(const QWidget& widget, int length) noexcept {
+  const auto scale = ownProperty(widget, kScaleProperty);
+  return scale.isValid() ? static_cast<int>(std::lround(scale.toDouble() * length)) : length;
+}
+
+QString styleSheetOf(const Theme& theme, double scale) {
   const std::array<std::pair<const char*, Fill>, 10> fills{
       {{"window", theme.window},
        {"field", theme.field},
@@ -214,7 +256,7 @@ QString styleSheetOf(const Theme& theme) {
   sheet.replace(
       QStringLiteral("@arrow"),
       isDark ? QStringLiteral(":/gui/arrow-chalk.png") : QStringLiteral(":/gui/arrow-ink.png"));
-  return sheet;
+  return scale == 1.0 ? sheet : withLengths(sheet, scale);
 }
 
 double contrast(const QColor& one, const QColor& other) noexcept {

@@ -60,10 +60,15 @@ void applyTheme(QApplication& application, ThemeName name = ThemeName::Light);
 
 /// Gives one window its own theme. The participant's window must look the same in every session,
 /// whatever theme the operator chose.
-void setWindowTheme(QWidget& window, ThemeName name);
+/// @param scale  of text and controls; 1: as in all other windows.
+void setWindowTheme(QWidget& window, ThemeName name, double scale = 1.0);
+
+/// A length at the scale of the window that @p widget is in.
+/// @param length  at scale 1 [px].
+int scaled(const QWidget& widget, int length) noexcept;
 
 /// The style sheet of a theme.
-QString styleSheetOf(const Theme& theme);
+QString styleSheetOf(const Theme& theme, double scale = 1.0);
 
 /// The contrast ratio of two colours, 1 to 21 (WCAG 2.1).
 double contrast(const QColor& one, const QColor& other) noexcept;

@@ -12,6 +12,7 @@
 #include "study/gui/operator/cut_table.h"
 #include "study/gui/operator/live_plot.h"
 #include "study/gui/operator/servo_panel.h"
+#include "study/gui/operator/travel_plot.h"
 #include "study/gui/participant/trial_page.h"
 #include "study/gui/session/servo_health.h"
 #include "study/gui/widgets/labels.h"
@@ -115,6 +116,67 @@ TEST(ServoPanel, ShowsNoNumbersBeforeATrial) {
   panel.refresh();
   EXPECT_TRUE(words->text().contains(QStringLiteral("0.00 N·units")))
       << "the travel of a handle is not in metres";
+}
+
+TEST(ServoPanel, SaysInOneLineWhetherTheTimingIsGood) {
+  ServoPanel panel;
+  const auto* light = panel.findChild<QLabel*>(QStringLiteral("timing"));
+  panel.begin(haptics::devices::punchKind(), 1000.0);
+  const auto tick = [&](double lateness, int times) {
+    auto sample = sampleAt(1, 0.0, 0.0);
+    sample.lateness = static_cast<float>(lateness);
+    for (int i = 0; i < times; ++i) panel.add(sample);
+    panel.refresh();
+    return light->text();
+  };
+  EXPECT_TRUE(tick(20.0, 9990).startsWith(QStringLiteral("● Timing: good (99 % within")));
+  EXPECT_TRUE(tick(5000.0, 1).startsWith(QStringLiteral("▲ Timing: fair")));
+  EXPECT_TRUE(tick(5000.0, 2000).startsWith(QStringLiteral("✖ Timing: poor")));
+  auto* details = panel.findChild<QPushButton*>(QStringLiteral("timing-details"));
+  const auto* words = panel.findChild<QLabel*>(QStringLiteral("servo-health"));
+  EXPECT_TRUE(words->isHidden() || words->parentWidget()->isHidden());
+  details->click();
+  EXPECT_FALSE(words->parentWidget()->isHidden());
+}
+
+TEST(CutTable, ShowsTheLandmarksThatAStrokeOfTheDeviceHas) {
+  CutTable table;
+  const auto shown = [&] {
+    QStringList heads;
+    for (int i = 0; i < table.columnCount(); ++i) {
+      if (!table.isColumnHidden(i)) heads << table.horizontalHeaderItem(i)->text();
+    }
+    return heads.join(u' ').toStdString();
+  };
+  table.begin(haptics::devices::reamerKind(), 1000.0);
+  EXPECT_EQ(shown(), "Contact Largest force");
+  table.begin(haptics::devices::punchKind(), 1000.0);
+  EXPECT_EQ(shown(), "Contact Yield Bottom Opening Largest force");
+}
+
+TEST(TravelPlot, DrawsEachStrokeAsACurveOfItsOwn) {
+  TravelPlot plot;
+  plot.begin(haptics::devices::punchKind());
+  std::uint64_t tick = 0;
+  const auto stroke = [&] {
+    for (int i = 0; i <= 400; ++i) {
+      const double share = i <= 200 ? i / 200.0 : (400 - i) / 200.0;
+      plot.add(sampleAt(tick++, 13.0 * share, 5.0 * share));
+    }
+  };
+  stroke();
+  stroke();
+  plot.refresh();
+  const auto strokes = plot.strokes();
+  ASSERT_EQ(strokes.size(), 3U) << "the third begins";
+  double most = 0.0;
+  for (const auto& point : strokes[1]) {
+    EXPECT_NEAR(point.y(), 5.0 / 13.0 * point.x(), 1e-9);
+    most = std::max(most, point.y());
+  }
+  EXPECT_NEAR(most, 5.0, 0.1);
+  for (int i = 0; i < 10; ++i) stroke();
+  EXPECT_EQ(plot.strokes().size(), static_cast<std::size_t>(TravelPlot::kStrokes));
 }
 
 TEST(LivePlot, ShowsAReamersTravelInMillimetres) {

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   const QTemporaryDir settings;  // tests must not depend on the user's settings
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  setenv("PALPATE_STATION", settings.filePath("station").toUtf8().constData(), 0);
   study::gui::applyTheme(application);
   testing::InitGoogleTest(&argc, argv);
   return tests::runAllTests();

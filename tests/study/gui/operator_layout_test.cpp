@@ -110,6 +110,18 @@ TEST_F(OperatorLayout, ShowsEverythingInASession) {
   expectAllInSight(QStringLiteral("broken-off"));
 }
 
+TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {
+  enrol();
+  window_.activateWindow();
+  while (!window_.controller()->session().isOver()) {
+    const auto* focused = qobject_cast<QPushButton*>(window_.focusWidget());
+    const auto* controls = window_.findChild<ControlPanel*>();
+    EXPECT_FALSE(focused != nullptr && controls->isAncestorOf(focused))
+        << window_.controller()->session().step().phase << ": " << focused->text().toStdString();
+    participant_.doStep();
+  }
+}
+
 TEST_F(OperatorLayout, ShowsPauseAndContinueInTheSamePlace) {
   enrol();
   participant_.goTo(StepKind::Trial);

@@ -144,13 +144,15 @@ void Participant::doStep() {
     return;
   }
   if (step.kind == StepKind::Benchmark) {
-    auto* made = buttonSaying(page(), QStringLiteral("I have made a cut"));
-    for (int i = 0; i < step.minimumCuts; ++i) QTest::mouseClick(made, Qt::LeftButton);
+    auto* count = buttonSaying(&window_, QStringLiteral("Count a cut (F9)"));
+    for (int i = 0; i < step.minimumCuts; ++i) QTest::mouseClick(count, Qt::LeftButton);
   } else {
     answerAll();
   }
   look();
-  QTest::mouseClick(buttonSaying(page(), QStringLiteral("Next")), Qt::LeftButton);
+  auto* next = buttonSaying(page(), QStringLiteral("Next"));
+  if (next == nullptr) next = buttonSaying(page(), QStringLiteral("Finish"));
+  QTest::mouseClick(next, Qt::LeftButton);
 }
 
 void Participant::goTo(StepKind kind) {

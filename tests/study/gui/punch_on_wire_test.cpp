@@ -194,7 +194,7 @@ TEST_F(ConnectedPunch, AsksBeforeASessionIfItsCheckFails) {
   EXPECT_EQ(
       begin([](FindingsDialog& question) {
         QTest::mouseClick(
-            tests::buttonSaying(&question, QStringLiteral("Begin all the same")), Qt::LeftButton);
+            tests::buttonSaying(&question, QStringLiteral("Start anyway")), Qt::LeftButton);
       }),
       1);
   EXPECT_NE(window.controller(), nullptr);

@@ -54,13 +54,13 @@ TEST_F(HelpTest, OpensAtTheSectionOfEachDeskWindow) {
   Tour tour;
   const std::pair<QWidget*, const char*> expected[]{
       {&home, "The studio"},
-      {&make, "Make the study"},
+      {&make, "Create the study"},
       {&protocol, "Write the protocol"},
       {&backup, "After each day"},
       {&verify, "After each day"},
       {&report, "The results"},
       {&exporting, "The results"},
-      {&test, "Is this computer fit"},
+      {&test, "System check"},
       {&tour, "Try it"}};
   for (const auto& [window, topic] : expected) {
     EXPECT_TRUE(pressF1(*window).contains(QString::fromUtf8(topic)))

@@ -3,16 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTimer>
 
 #include "protocols/load_protocol.h"
 #include "protocols/model/library.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/desk/home_window.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/widgets/studio_settings.h"
+#include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/participant.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
@@ -160,6 +166,62 @@ TEST_F(HomeTest, ListsTheLastOpenedStudyFirstAlsoAfterARestart) {
   ASSERT_EQ(recent.size(), 2U);
   EXPECT_EQ(recent[0].folder, one);
   EXPECT_EQ(recent[1].folder, two);
+}
+
+TEST_F(HomeTest, ShowsHowFarEachCohortHasComeAndWhatWasWritten) {
+  const QString folder = makeStudy("one");
+  {
+    SimulatedClock clock;
+    auto study = Study::open(folder.toStdString(), clock);
+    simulateCohorts(study, clock, 2, 7, [](const auto&) {});
+  }
+  const auto report = folder_.write("report.html", "a report");
+  rememberDocument(folder, QString::fromStdString(report));
+  rememberDocument(folder, QString::fromStdString(folder_ / "gone.html"));
+  HomeWindow home;
+  home.resize(1240, 900);
+  home.show();
+  home.choose(folder);
+  const auto summary = summaryOf(folder.toStdString());
+  ASSERT_EQ(summary.cohorts.size(), 2U);
+  EXPECT_EQ(summary.cohorts[0].completed + summary.cohorts[1].completed, 2);
+  EXPECT_TRUE(summary.lastSessionUtc.empty()) << "simulated sessions have a time of their own";
+  EXPECT_EQ(summary.blanks, 10U);
+  EXPECT_EQ(home.findChildren<QProgressBar*>().size(), 2);
+  const auto documents = home.findChildren<WrittenFile*>();
+  ASSERT_EQ(documents.size(), 1) << "a file that is gone is not offered";
+  EXPECT_EQ(documents.front()->path().toStdString(), report);
+  tests::photographInAllThemes(home, QStringLiteral("home-progress"));
+}
+
+TEST_F(HomeTest, FillsInTheTextsOfAStudyOnce) {
+  const QString folder = makeStudy("one");
+  HomeWindow home;
+  home.show();
+  home.choose(folder);
+  QTimer fill;
+  QObject::connect(&fill, &QTimer::timeout, &fill, [&] {
+    auto* form = qobject_cast<TextsDialog*>(QApplication::activeModalWidget());
+    if (form == nullptr) return;
+    fill.stop();
+    EXPECT_EQ(form->findChild<QLineEdit*>(QStringLiteral("text-duration"))->text().toInt() % 5, 0)
+        << "from the timeline";
+    form->findChild<QLineEdit*>(QStringLiteral("text-institution"))->setText(QStringLiteral("Lab"));
+    auto* languages = form->findChild<QComboBox*>(QStringLiteral("language"));
+    languages->setCurrentIndex(languages->findData(QStringLiteral("de")));
+    form->findChild<QLineEdit*>(QStringLiteral("text-institution"))
+        ->setText(QStringLiteral("Labor"));
+    tests::photographInAllThemes(*form, QStringLiteral("texts"));
+    QTest::mouseClick(form->findChild<QPushButton*>(QStringLiteral("save")), Qt::LeftButton);
+  });
+  fill.start(20);
+  QTest::mouseClick(home.findChild<QPushButton*>(QStringLiteral("texts")), Qt::LeftButton);
+  auto study = Study::open(folder.toStdString(), clock_);
+  EXPECT_EQ(study.protocols().all().size(), 2U) << "an amendment";
+  const auto& consent = study.protocol().instrument("consent-punch")->introduction;
+  EXPECT_NE(consent.in("en").find("on a computer of Lab,"), std::string::npos);
+  EXPECT_NE(consent.in("de").find("auf einem Computer von Labor"), std::string::npos);
+  EXPECT_EQ(summaryOf(folder.toStdString()).blanks, 8U) << "institution and duration are there";
 }
 
 TEST_F(HomeTest, OffersToResumeAfterACrash) {

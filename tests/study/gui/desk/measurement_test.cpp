@@ -12,6 +12,7 @@
 #include "protocols/reading/packing_file.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/measurement_work.h"
+#include "study/gui/desk/recording_picture.h"
 #include "study/model/user_error.h"
 #include "tests/haptics/recordings/made_recording.h"
 #include "tests/study/gui/pictures.h"
@@ -44,6 +45,26 @@ TEST_F(MeasurementTest, ImportsACutThatAProtocolCanRead) {
   EXPECT_TRUE(protocols::readCut(tests::contentOf(folder_ / "cut.json"), problems).has_value())
       << questionnaires::describe(problems.all());
   tests::photographInAllThemes(dialog, QStringLiteral("import"));
+}
+
+TEST_F(MeasurementTest, ShowsARecordingBeforeAnythingIsKept) {
+  const auto file = folder_.write("recording.txt", tests::textOf({}));
+  ImportCutDialog dialog;
+  dialog.show();
+  const auto* picture = dialog.findChild<RecordingPicture*>();
+  EXPECT_FALSE(picture->isVisible());
+  set(dialog, "recording", file);
+  EXPECT_TRUE(picture->isVisible());
+  const auto look = lookAt(file, {});
+  EXPECT_GT(look.survey.closures.size(), 0U);
+  EXPECT_EQ(picture->cuts(), static_cast<int>(look.survey.closures.size()));
+  const auto words = picture->words().toStdString();
+  EXPECT_NE(words.find(std::to_string(look.survey.rows) + " rows"), std::string::npos) << words;
+  EXPECT_NE(words.find(look.trace.calibration.name), std::string::npos) << words;
+  tests::photographInAllThemes(dialog, QStringLiteral("import-picture"));
+  set(dialog, "recording", folder_.write("text.txt", "no recording"));
+  EXPECT_FALSE(picture->isVisible());
+  EXPECT_TRUE(dialog.findChild<QLabel*>(QStringLiteral("outcome"))->text().startsWith(u'✕'));
 }
 
 TEST_F(MeasurementTest, ImportsATableThatAColumnsFileDescribes) {

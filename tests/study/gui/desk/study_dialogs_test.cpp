@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDate>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QTest>
@@ -16,7 +18,12 @@
 #include "study/cohort/simulated_participant.h"
 #include "study/export/public_tables.h"
 #include "study/gui/desk/export_dialog.h"
+#include "study/gui/desk/recent_studies.h"
+#include "study/gui/desk/task_dialogs.h"
+#include "study/gui/widgets/written_file.h"
 #include "study/model/clock.h"
+#include "study/results/results.h"
+#include "study/results/results_text.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
@@ -85,6 +92,65 @@ TEST_F(StudyDialogsTest, ReportIsWrittenAsHtmlAndPdf) {
     EXPECT_GT(std::filesystem::file_size(out_ / name), 10'000U);
   }
   EXPECT_EQ(tests::contentOf(out_ / "report.pdf").substr(0, 5), "%PDF-");
+}
+
+TEST_F(StudyDialogsTest, ReportCanBeOpenedAndWrittenAgain) {
+  ReportDialog dialog(summary());
+  press(dialog, out_ / "report.html");
+  const auto* written = dialog.findChild<WrittenFile*>();
+  EXPECT_TRUE(written->isVisible());
+  EXPECT_EQ(written->path().toStdString(), out_ / "report.html");
+  const auto next = dialog.findChild<PathField*>()->path();
+  EXPECT_TRUE(next.contains(QDate::currentDate().toString(Qt::ISODate))) << next.toStdString();
+  EXPECT_FALSE(QFileInfo::exists(next)) << "Write would fail";
+  ASSERT_FALSE(documentsOf(QString::fromStdString(study())).empty());
+  EXPECT_EQ(
+      documentsOf(QString::fromStdString(study())).front().path.toStdString(),
+      out_ / "report.html");
+}
+
+TEST_F(StudyDialogsTest, StatisticsAreThoseOfTheCommandLine) {
+  StatisticsDialog dialog(summary());
+  dialog.show();
+  QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+  SystemClock clock;
+  auto study = Study::open(this->study(), clock, storage::Database::Access::ReadOnly);
+  const auto tables =
+      resultsAsText(study, computeResults(study, RunMode::Simulated), Profile::Declared);
+  EXPECT_EQ(more(dialog).trimmed(), QString::fromStdString(tables).trimmed());
+  tests::photographInAllThemes(dialog, QStringLiteral("statistics"));
+}
+
+TEST_F(StudyDialogsTest, SimulationAddsParticipants) {
+  questionnaires::Problems problems;
+  const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
+  SystemClock clock;
+  Study::create(out_ / "other", protocol, clock, 7);
+  SimulateDialog dialog(summaryOf(out_ / "other"));
+  dialog.findChild<QSpinBox*>(QStringLiteral("participants"))->setValue(2);
+  dialog.show();
+  QTest::mouseClick(dialog.findChild<QPushButton*>(QStringLiteral("go")), Qt::LeftButton);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  EXPECT_EQ(summaryOf(out_ / "other").completed.at(RunMode::Simulated), 2);
+}
+
+TEST_F(StudyDialogsTest, AmendmentChangesTheProtocolOfNewSessions) {
+  questionnaires::Problems problems;
+  const auto protocol = *protocols::loadProtocolFile("two-devices", problems);
+  SystemClock clock;
+  Study::create(out_ / "other", protocol, clock, 7);
+  auto text = protocol.text;
+  const std::string title = "\"title\": \"";
+  text.insert(text.find(title) + title.size(), "Changed: ");
+  const auto file = out_.write("changed.json", text);
+  AmendDialog dialog(summaryOf(out_ / "other"));
+  auto* go = dialog.findChild<QPushButton*>(QStringLiteral("go"));
+  EXPECT_FALSE(go->isEnabled());
+  press(dialog, file);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << outcome(dialog).toStdString();
+  auto study = Study::open(out_ / "other", clock, storage::Database::Access::ReadOnly);
+  EXPECT_EQ(study.protocol().text, text);
+  tests::photographInAllThemes(dialog, QStringLiteral("amend"));
 }
 
 TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {

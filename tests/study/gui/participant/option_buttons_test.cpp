@@ -15,7 +15,7 @@ class OptionButtonsTest : public testing::Test {
 
   OptionButtons buttons_{
       {{"1", "one of five"}, {"2", "two of five"}, {"3", "three of five"}},
-      Qt::Horizontal,
+      3,
       QStringLiteral("point")};
 };
 
@@ -40,6 +40,27 @@ TEST_F(OptionButtonsTest, ArrowKeysMoveTheFocusOnly) {
   EXPECT_EQ(buttons_.chosen(), 0);
 }
 
+TEST(OptionButtonsInRows, AreWalkedThroughByArrowKeysInBothDirections) {
+  OptionButtons buttons(
+      {{"a", "a"}, {"b", "b"}, {"c", "c"}, {"d", "d"}, {"e", "e"}}, 2, QStringLiteral("option"));
+  buttons.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&buttons));
+  const auto focusAfter = [&](int from, Qt::Key key) {
+    buttons.button(from)->setFocus();
+    QTest::keyClick(buttons.button(from), key);
+    for (int i = 0; i < 5; ++i) {
+      if (buttons.button(i)->hasFocus()) return i;
+    }
+    return -1;
+  };
+  EXPECT_EQ(focusAfter(0, Qt::Key_Right), 1);
+  EXPECT_EQ(focusAfter(1, Qt::Key_Right), 2);
+  EXPECT_EQ(focusAfter(1, Qt::Key_Down), 3);
+  EXPECT_EQ(focusAfter(4, Qt::Key_Up), 2);
+  EXPECT_EQ(focusAfter(4, Qt::Key_Down), 4) << "there is no row below";
+  EXPECT_EQ(buttons.chosen(), -1);
+}
+
 TEST_F(OptionButtonsTest, SpaceEnterAndDigitsChoose) {
   QTest::keyClick(buttons_.button(2), Qt::Key_Space);
   EXPECT_EQ(buttons_.chosen(), 2);
@@ -51,9 +72,7 @@ TEST_F(OptionButtonsTest, SpaceEnterAndDigitsChoose) {
 
 TEST(OptionButtonsWithText, AreChosenByTheDigitOfTheirPosition) {
   OptionButtons buttons(
-      {{"Soft", "soft"}, {"Firm", "firm"}, {"Hard", "hard"}},
-      Qt::Vertical,
-      QStringLiteral("option"));
+      {{"Soft", "soft"}, {"Firm", "firm"}, {"Hard", "hard"}}, 1, QStringLiteral("option"));
   buttons.show();
   for (const int place : {1, 3, 2, 1}) {
     QTest::keyClick(buttons.button(1), static_cast<Qt::Key>(Qt::Key_0 + place));

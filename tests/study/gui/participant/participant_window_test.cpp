@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include <QAccessible>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QLabel>
 #include <QTest>
 
 #include "haptics/devices/punch/punch_kind.h"
@@ -21,6 +23,7 @@
 #include "study/gui/participant/option_buttons.h"
 #include "study/gui/participant/trial_page.h"
 #include "tests/study/gui/participant.h"
+#include "tests/study/gui/visible_words.h"
 #include "tests/study/known_secret.h"
 #include "tests/support/scratch_folder.h"
 
@@ -74,6 +77,90 @@ TEST_F(ParticipantPages, OfferLanguagesOnTheFirstPageOnly) {
   EXPECT_TRUE(page().findChild<QComboBox*>()->isVisible());
   participant_.takePart(1);
   EXPECT_FALSE(page().findChild<QComboBox*>()->isVisible());
+}
+
+TEST_F(ParticipantPages, ExplainWhyNextDoesNotGoOn) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  participant_.goTo(StepKind::Questionnaire);
+  QCoreApplication::processEvents();
+  const int step = window_.controller()->session().stepIndex();
+  const auto rows = page().findChildren<OptionButtons*>();
+  const auto items = static_cast<int>(rows.size());
+  const auto says = [&](int open) {
+    return tests::wordsIn(page()).count(QStringLiteral("%1 of %2 left").arg(open).arg(items)) == 1;
+  };
+  EXPECT_FALSE(says(items));
+  QTest::mouseClick(tests::buttonSaying(&page(), QStringLiteral("Next")), Qt::LeftButton);
+  EXPECT_EQ(window_.controller()->session().stepIndex(), step);
+  EXPECT_TRUE(says(items));
+  EXPECT_TRUE(rows[0]->button(0)->hasFocus());
+  QTest::mouseClick(rows[0]->button(0), Qt::LeftButton);
+  EXPECT_TRUE(says(items - 1));
+}
+
+TEST_F(ParticipantPages, EndWithOneThankYouPage) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  const auto& session = window_.controller()->session();
+  const int last = static_cast<int>(session.plan().size()) - 1;
+  while (session.stepIndex() < last - 1) {
+    session.allows(SessionEvent::SkippedStep)
+        ? window_.controller()->skipStep(QStringLiteral("quicker"))
+        : participant_.doStep();
+  }
+  participant_.takePart(last);
+  QCoreApplication::processEvents();
+  const auto headings = [&] { return tests::wordsIn(page()).count(QStringLiteral("Thank you")); };
+  EXPECT_EQ(headings(), 1U);
+  QTest::mouseClick(tests::buttonSaying(&page(), QStringLiteral("Finish")), Qt::LeftButton);
+  QCoreApplication::processEvents();
+  ASSERT_TRUE(session.isOver());
+  const auto words = tests::wordsIn(page());
+  EXPECT_EQ(words.count(QStringLiteral("This session is over. Please tell the researcher.")), 1U);
+  EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QString& text) {
+    return text.contains(QStringLiteral("Please do not talk with other participants"));
+  })) << "the debrief can still be read";
+}
+
+TEST(ParticipantScale, GrowsWithTheScreen) {
+  EXPECT_EQ(scaleFor({1100, 760}), 1.0);
+  EXPECT_EQ(scaleFor({683, 384}), 1.0);
+  constexpr double kText = 17.0;  // [px] at scale 1
+  EXPECT_NEAR(kText * scaleFor({1920, 1080}), 23.0, 1.0);
+  EXPECT_NEAR(kText * scaleFor({3840, 2160}), 46.0, 1.0);
+}
+
+TEST_F(ParticipantPages, AreReadInAColumnOfAboutSeventyCharacters) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  for (const QSize size : {QSize(1366, 768), QSize(1920, 1080), QSize(3840, 2160)}) {
+    page().resize(size);
+    QCoreApplication::processEvents();
+    for (auto* label : page().findChildren<QLabel*>()) {
+      if (!label->isVisible() || label->property("role") != QStringLiteral("text")) continue;
+      const auto width = label->fontMetrics().horizontalAdvance(
+          QStringLiteral("The movement of the handle and the force at it during your cuts, with "));
+      EXPECT_NEAR(70.0 * label->width() / width, 70.0, 12.0) << size.width();
+    }
+  }
+}
+
+TEST_F(ParticipantPages, CountBenchmarkCutsByAKeyInEveryWindow) {
+  window_.show();
+  window_.enrol({.cohort = "professional", .runMode = RunMode::Live, .language = "en", .code = {}});
+  QTest::keyClick(&page(), Qt::Key_F9);  // no benchmark: nothing happens
+  participant_.goTo(StepKind::Benchmark);
+  QCoreApplication::processEvents();
+  const auto& session = window_.controller()->session();
+  EXPECT_EQ(session.benchmarkCuts(), 0);
+  QTest::keyClick(&page(), Qt::Key_F9);
+  QTest::keyClick(&window_, Qt::Key_F9);
+  EXPECT_EQ(session.benchmarkCuts(), 2);
+  const auto words = tests::wordsIn(page());
+  EXPECT_TRUE(std::any_of(words.begin(), words.end(), [](const QString& text) {
+    return text.startsWith(QStringLiteral("Cuts: 2 of at least"));
+  }));
 }
 
 TEST_F(ParticipantPages, MirrorScalesInRightToLeftLanguages) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
@@ -136,6 +137,91 @@ TEST(QuestionnairePage, EmitsNumbersInRangeOnly) {
   line->setText(QStringLiteral("12"));
   ASSERT_EQ(shown.answers.size(), 1U);
   EXPECT_EQ(shown.answers[0].response, questionnaires::Response(12.0));
+}
+
+TEST(QuestionnairePage, CountsMarksAndFocusesWhatIsOpen) {
+  Shown shown(itemsOf("realism-common"));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page));
+  const auto rows = shown.page.findChildren<OptionButtons*>();
+  const auto required = static_cast<int>(rows.size());
+  QTest::mouseClick(rows[0]->button(2), Qt::LeftButton);
+  QTest::mouseClick(rows[1]->button(2), Qt::LeftButton);
+  EXPECT_EQ(shown.page.progress().open, required - 2);
+  EXPECT_EQ(shown.page.progress().required, required);
+  const auto marks = [&] {
+    std::vector<QLabel*> found;
+    for (auto* label : shown.page.findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text() == QStringLiteral("Please answer this one")) {
+        found.push_back(label);
+      }
+    }
+    return found;
+  };
+  EXPECT_TRUE(marks().empty()) << "nobody has asked to go on";
+  shown.page.showFirstOpen();
+  ASSERT_EQ(marks().size(), 1U);
+  EXPECT_TRUE(marks().front()->parentWidget()->isAncestorOf(rows[2]));
+  EXPECT_TRUE(rows[2]->button(0)->hasFocus());
+  QTest::mouseClick(rows[2]->button(0), Qt::LeftButton);
+  EXPECT_TRUE(marks().empty());
+}
+
+TEST(QuestionnairePage, ShowsOneSheetAfterTheOther) {
+  auto items = itemsOf("realism-common");
+  items[2].startsPage = true;
+  Shown shown(items);
+  EXPECT_EQ(shown.page.sheets(), 2);
+  EXPECT_EQ(shown.page.progress().required, 2);
+  EXPECT_FALSE(shown.page.turn(false)) << "there is none before the first";
+  EXPECT_TRUE(shown.page.turn(true));
+  const auto rows = shown.page.findChildren<OptionButtons*>();
+  EXPECT_FALSE(rows[1]->isVisible());
+  EXPECT_TRUE(rows[2]->isVisible());
+  EXPECT_FALSE(shown.page.turn(true));
+  EXPECT_FALSE(shown.page.isComplete()) << "also the sheet that is not shown counts";
+  EXPECT_TRUE(shown.page.turn(false));
+  EXPECT_TRUE(rows[1]->isVisible());
+}
+
+TEST(QuestionnairePage, AsksAndRetractsWhatDependsOnAnAnswer) {
+  using questionnaires::ItemType;
+  const auto yesAndNo = [] {
+    questionnaires::Option yes{.id = "yes"};
+    questionnaires::Option no{.id = "no"};
+    return std::vector{yes, no};
+  };
+  Shown shown({
+      {.id = "sure", .type = ItemType::SingleChoice, .options = yesAndNo()},
+      {.id = "why",
+       .type = ItemType::Number,
+       .startsPage = true,
+       .showIf = {.item = "sure", .isIn = {"yes"}}},
+  });
+  auto* sure = shown.page.findChild<OptionButtons*>();
+  auto* why = shown.page.findChild<QLineEdit*>();
+  sure->choose(1);
+  EXPECT_TRUE(shown.page.isComplete());
+  EXPECT_FALSE(shown.page.turn(true)) << "nothing is asked on the second sheet";
+  sure->choose(0);
+  EXPECT_FALSE(shown.page.isComplete());
+  ASSERT_TRUE(shown.page.turn(true));
+  EXPECT_TRUE(why->isVisible());
+  why->setText(QStringLiteral("7"));
+  EXPECT_TRUE(shown.page.isComplete());
+  sure->choose(1);
+  EXPECT_EQ(shown.retracted, std::vector<std::string>{"why"});
+  sure->choose(0);
+  EXPECT_EQ(shown.answers.back().item, "why") << "what was written is still there";
+}
+
+TEST(QuestionnairePage, HasTheSignatureBesideTheConsent) {
+  Shown shown(itemsOf("consent-punch"));
+  auto* consent = shown.page.findChildren<OptionButtons*>().front();
+  auto* signature = shown.page.findChild<QLineEdit*>();
+  auto* card = signature->parentWidget()->parentWidget();
+  EXPECT_TRUE(card->isAncestorOf(consent));
+  EXPECT_FALSE(card->isAncestorOf(shown.page.findChildren<OptionButtons*>().back()))
+      << "the video is another question";
 }
 
 }  // namespace questionnaire_page_test

@@ -69,6 +69,27 @@ TEST(KneeScene, ClosesJawAndHandlesWithTheTravel) {
   EXPECT_GT(differences(open, closed, kHandles), 200);
 }
 
+TEST(KneeScene, ShowsTheWholeInstrumentWithItsHandlesApart) {
+  KneeScene knee;
+  knee.follow({.travel = -0.5}, 0.016);  // as far apart as they go
+  for (const QSize size : {QSize(640, 400), QSize(1800, 700), QSize(1024, 500)}) {
+    SoftwareRenderer renderer;
+    const QImage picture = renderer.draw(knee.scene(), size).copy();
+    const QRect view = placeOf(knee.scene().shots.back(), size);
+    int painted = 0;
+    for (int x = view.left() + 1; x < view.right(); ++x) {
+      for (int y = view.top() + 1; y < view.bottom(); ++y) {
+        if (isBlack(picture.pixel(x, y))) continue;
+        ++painted;
+        const bool isAtTheEdge = x < view.left() + 3 || x > view.right() - 3 ||
+                                 y < view.top() + 3 || y > view.bottom() - 3;
+        EXPECT_FALSE(isAtTheEdge) << size.width() << ": " << x << ", " << y;
+      }
+    }
+    EXPECT_GT(painted, 0.04 * view.width() * view.height());
+  }
+}
+
 TEST(KneeScene, DeformsWithTheFiniteElements) {
   const haptics::engine::MeshView mesh{
       haptics::engine::FiniteElementsSpec{}, haptics::engine::SeenTissue::Force};

@@ -1,0 +1,260 @@
+#include "study/gui/authoring/preview_window.h"
+
+#include <map>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTemporaryDir>
+#include <QVBoxLayout>
+
+#include "study/cohort/simulated_participant.h"
+#include "study/gui/session/operator_pin.h"
+#include "study/gui/session/session_controller.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/theme.h"
+#include "study/session/trial_setup.h"
+#include "study/trial/device_set.h"
+
+namespace study::gui {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {3840, 2160}};
+
+/// "Round 1: trial, alternative 2", without its condition.
+QString describe(const Step& step) {
+  const QString phase = QString::fromStdString(step.phase);
+  const QString kind = asText(nameOf(step.kind));
+  if (step.label > 0) return PreviewWindow::tr("%1: %2, %3").arg(phase, kind).arg(step.label);
+  return phase == kind ? phase : PreviewWindow::tr("%1: %2").arg(phase, kind);
+}
+
+/// Begins a session in the study in @p folder and lets a simulated participant go to @p step.
+SessionId sessionAt(const std::string& folder, const std::string& language, int step) {
+  SimulatedClock clock;
+  auto study = Study::open(folder, clock);
+  const auto& cohorts = study.protocol().protocol.cohorts;
+  auto session = Session::enrol(
+      study,
+      {.cohort = cohorts.front().id, .runMode = RunMode::Pilot, .language = language, .code = {}});
+  simulateUntil(study, session, clock, kSeed, step);
+  return session.id();
+}
+
+}  // namespace
+
+/// A session with its devices and its window. Each member uses those before it.
+struct PreviewWindow::Day {
+  Day(const std::string& folder, SessionId id, std::function<void(double)> moveHand)
+      : study(Study::open(folder, clock)),
+        devices([this](const protocols::DeviceNeed& need) {
+          auto hand = pointerHandFor(need);
+          hands[need.id] = hand.get();
+          return hand;
+        }),
+        controller(study, devices, Session::resume(study, id)),
+        window(std::make_unique<ParticipantWindow>(controller, pin, std::move(moveHand))) {}
+
+  ~Day() { window->allowClosing(); }
+
+  SystemClock clock;
+  Study study;
+  std::map<std::string, haptics::devices::PointerHand*> hands;
+  SimulatedDeviceSet devices;
+  SessionController controller;
+  OperatorPin pin;
+  std::unique_ptr<ParticipantWindow> window;
+};
+
+PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* parent)
+    : QMainWindow(parent),
+      loaded_(loaded),
+      steps_(new QListWidget(this)),
+      languages_(new QComboBox(this)),
+      sizes_(new QComboBox(this)),
+      said_(quietLabel({}, this)),
+      place_(new QScrollArea(this)),
+      folder_(std::make_unique<QTemporaryDir>()) {
+  setWindowTitle(
+      tr("Preview as participant — %1").arg(QString::fromStdString(loaded.protocol.study.title)));
+  auto* inside = new QWidget(this);
+  auto* layout = new QVBoxLayout(inside);
+  layout->setContentsMargins(16, 12, 16, 12);
+  makeBar(*layout);
+  auto* sides = new QSplitter(Qt::Horizontal, this);
+  sides->addWidget(steps_);
+  sides->addWidget(place_);
+  sides->setStretchFactor(1, 1);
+  sides->setSizes({260, 1000});
+  layout->addWidget(sides, 1);
+  layout->addWidget(said_);
+  setCentralWidget(inside);
+  resize(1360, 860);
+  steps_->setAccessibleName(tr("Steps of the session"));
+  steps_->setObjectName(QStringLiteral("steps"));
+  place_->setAlignment(Qt::AlignCenter);
+  SystemClock clock;
+  const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
+  Study::create(folder, loaded_, clock, kSeed);
+  goTo(0);
+  fillSteps();
+  connect(steps_, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row >= 0) attempt(this, [&] { goTo(row); });
+  });
+  connect(languages_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseLanguage);
+  connect(sizes_, &QComboBox::currentIndexChanged, this, &PreviewWindow::chooseSize);
+  connect(&stopKey_, &StopKey::pressed, this, [this] { day_->controller.stop(); });
+  connect(&cutKey_, &CutKey::pressed, this, [this] { day_->controller.countBenchmarkCut(); });
+}
+
+PreviewWindow::~PreviewWindow() {
+  QCoreApplication::removeTranslator(&translator_);
+  day_->controller.disconnect(this);
+  day_.reset();  // before its folder
+}
+
+void PreviewWindow::makeBar(QVBoxLayout& layout) {
+  languages_->setAccessibleName(tr("Language"));
+  languages_->setObjectName(QStringLiteral("language"));
+  for (const auto& language : loaded_.protocol.languages) {
+    const QString tag = QString::fromStdString(language);
+    languages_->addItem(nativeName(tag), tag);
+  }
+  sizes_->setAccessibleName(tr("Size of the participant's screen"));
+  sizes_->setObjectName(QStringLiteral("size"));
+  for (const auto& size : kSizes) {
+    sizes_->addItem(tr("Screen of %1 × %2").arg(size.width()).arg(size.height()), size);
+  }
+  auto* back = new QPushButton(tr("Previous page"), this);
+  auto* next = new QPushButton(tr("Next page"), this);
+  back->setObjectName(QStringLiteral("previous-page"));
+  next->setObjectName(QStringLiteral("next-page"));
+  const auto move = [this](int by) {
+    const int row = steps_->currentRow() + by;
+    if (row >= 0 && row < steps_->count()) steps_->setCurrentRow(row);
+  };
+  connect(back, &QPushButton::clicked, this, [move] { move(-1); });
+  connect(next, &QPushButton::clicked, this, [move] { move(1); });
+  auto* again = new QPushButton(tr("Restart this page"), this);
+  again->setObjectName(QStringLiteral("again"));
+  connect(again, &QPushButton::clicked, this, [this] {
+    attempt(this, [&] { goTo(steps_->currentRow()); });
+  });
+  auto* bar = new QHBoxLayout;
+  bar->addWidget(back);
+  bar->addWidget(next);
+  bar->addWidget(again);
+  bar->addStretch(1);
+  bar->addWidget(languages_);
+  bar->addWidget(sizes_);
+  languages_->setVisible(languages_->count() > 1);
+  layout.addLayout(bar);
+}
+
+std::string PreviewWindow::language() const {
+  return languages_->currentData().toString().toStdString();
+}
+
+void PreviewWindow::fillSteps() {
+  const QSignalBlocker quiet(steps_);
+  int number = 0;
+  for (const auto& step : day_->controller.session().plan()) {
+    steps_->addItem(QString::number(++number) + QStringLiteral("  ") + describe(step));
+  }
+  steps_->addItem(QString::number(++number) + QStringLiteral("  ") + tr("the end"));
+  steps_->setCurrentRow(0);
+}
+
+void PreviewWindow::goTo(int step) {
+  const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
+  if (day_) {
+    day_->controller.disconnect(this);
+    place_->takeWidget();  // it belongs to the day
+  }
+  day_.reset();
+  const auto id = sessionAt(folder, language(), step);
+  translator_.speak(language());
+  QCoreApplication::removeTranslator(&translator_);
+  QCoreApplication::installTranslator(&translator_);
+  day_ = std::make_unique<Day>(folder, id, [this](double share) { moveHand(share); });
+  followDay();
+}
+
+void PreviewWindow::followDay() {
+  auto* page = day_->window.get();
+  place_->setWidget(page);
+  page->setParent(place_->viewport(), Qt::Widget);
+  chooseSize();
+  page->show();
+  const auto* controller = &day_->controller;
+  connect(controller, &SessionController::stepChanged, this, &PreviewWindow::updateStep);
+  connect(controller, &SessionController::failed, this, [this](const QString& why) {
+    said_->setText(why);
+  });
+  updateStep();
+}
+
+void PreviewWindow::updateStep() {
+  const auto& controller = day_->controller;
+  const auto& session = controller.session();
+  stopKey_.setArmed(controller.isTrialRunning());
+  said_->setText(
+      session.state() == SessionState::Interrupted
+          ? tr("The trial broke off. In a session the operator would decide; choose a page here.")
+          : tr("A preview: nothing is kept. Answers of the pages before are made up."));
+  const QSignalBlocker quiet(steps_);
+  steps_->setCurrentRow(session.isOver() ? steps_->count() - 1 : session.stepIndex());
+}
+
+void PreviewWindow::chooseLanguage() {
+  if (day_->controller.session().isOver()) {
+    attempt(this, [&] { goTo(steps_->currentRow()); });
+    return;
+  }
+  translator_.speak(language());
+  QCoreApplication::removeTranslator(&translator_);
+  QCoreApplication::installTranslator(&translator_);
+  day_->controller.chooseLanguage(languages_->currentData().toString());
+}
+
+void PreviewWindow::chooseSize() {
+  page().setFixedSize(sizes_->currentData().toSize());
+}
+
+void PreviewWindow::moveHand(double share) {
+  const auto& session = day_->controller.session();
+  if (session.isOver() || session.step().kind != StepKind::Trial) return;
+  const auto& need = deviceFor(session);
+  const auto hand = day_->hands.find(need.id);
+  if (hand != day_->hands.end()) hand->second->moveTo(share * farthestFor(need));
+}
+
+const SessionController& PreviewWindow::controller() const {
+  return day_->controller;
+}
+
+QString PreviewWindow::folder() const {
+  return folder_->path();
+}
+
+ParticipantWindow& PreviewWindow::page() {
+  return *day_->window;
+}
+
+void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent) {
+  attempt(parent, [&] {
+    auto* window = new PreviewWindow(loaded);
+    window->setAttribute(Qt::WA_DeleteOnClose);
+    window->setAttribute(Qt::WA_QuitOnClose, false);
+    QObject::connect(parent, &QObject::destroyed, window, &QObject::deleteLater);
+    window->show();
+  });
+}
+
+}  // namespace study::gui

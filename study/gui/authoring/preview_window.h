@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+
+#include "protocols/model/loaded_protocol.h"
+#include "study/gui/participant/participant_window.h"
+#include "study/gui/session/catalogue_translator.h"
+#include "study/gui/session/cut_key.h"
+#include "study/gui/session/stop_key.h"
+
+class QTemporaryDir;
+class QVBoxLayout;
+
+namespace study::gui {
+
+/// A participant's session, to look at: every page as it will look, in any language and on any size
+/// of screen, with scenes that can be felt with the mouse or the space bar. It runs in a study of
+/// its own in a temporary folder, which is removed with the window: nothing is kept.
+class PreviewWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* parent = nullptr);
+  ~PreviewWindow() override;
+
+  /// Shows the page of a step, from 0. The steps before it are answered by a simulated participant.
+  void goTo(int step);
+
+  const SessionController& controller() const;
+  ParticipantWindow& page();
+  QString folder() const;  ///< the temporary one
+
+ private:
+  struct Day;
+  void makeBar(QVBoxLayout& layout);
+  void fillSteps();
+  void followDay();
+  void updateStep();
+  void chooseLanguage();
+  void chooseSize();
+  void moveHand(double share);
+  std::string language() const;
+
+  protocols::LoadedProtocol loaded_;
+  CatalogueTranslator translator_;
+  StopKey stopKey_;
+  CutKey cutKey_;
+  QListWidget* steps_;
+  QComboBox* languages_;
+  QComboBox* sizes_;
+  QLabel* said_;
+  QScrollArea* place_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<Day> day_;
+};
+
+/// Opens a preview in a window of its own. If it cannot be made, shows the error's message.
+void openPreview(const protocols::LoadedProtocol& loaded, QWidget* parent);
+
+}  // namespace study::gui

@@ -1,0 +1,163 @@
+#include "study/gui/authoring/texts_dialog.h"
+
+#include <cmath>
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "protocols/model/blanks.h"
+#include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/labels.h"
+#include "study/session/session_length.h"
+
+namespace study::gui {
+namespace {
+
+/// The duration by the timeline, rounded up to five minutes.
+std::string estimatedMinutes(const protocols::LoadedProtocol& loaded) {
+  constexpr double kSecondsPerMinute = 60.0;
+  constexpr double kRoundedTo = 5.0;  // [min]
+  const double minutes = lengthOf(loaded, {}).seconds / kSecondsPerMinute;
+  return std::to_string(std::lround(std::ceil(minutes / kRoundedTo) * kRoundedTo));
+}
+
+}  // namespace
+
+TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason, QWidget* parent)
+    : QDialog(parent),
+      before_(loaded.protocol.texts),
+      languages_(new QComboBox(this)),
+      reason_(new QLineEdit(this)),
+      progress_(quietLabel({}, this)),
+      save_(new QPushButton(tr("Save"), this)) {
+  setWindowTitle(tr("Fill in the texts"));
+  setMinimumWidth(760);
+  languages_->setAccessibleName(tr("Language of the texts"));
+  languages_->setObjectName(QStringLiteral("language"));
+  for (const auto& language : loaded.protocol.languages) {
+    const QString tag = QString::fromStdString(language);
+    const QString name = nativeName(tag);
+    languages_->addItem(
+        language == "en" ? tr("%1, and where others are empty").arg(name) : name, tag);
+  }
+  auto* form = new QFormLayout;
+  form->setVerticalSpacing(10);
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);
+  form->addRow(tr("Language"), languages_);
+  form->setRowVisible(languages_, languages_->count() > 1);
+  addFields(loaded, *form);
+  reason_->setAccessibleName(tr("Reason for the change"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  form->addRow(tr("Reason for the change, for the audit trail"), reason_);
+  form->setRowVisible(reason_, reason == Reason::Needed);
+  auto* inside = new QWidget(this);
+  inside->setLayout(form);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(inside);
+  auto* buttons = new QDialogButtonBox(this);
+  save_->setProperty("role", QStringLiteral("main"));
+  save_->setObjectName(QStringLiteral("save"));
+  buttons->addButton(save_, QDialogButtonBox::AcceptRole);
+  buttons->addButton(QDialogButtonBox::Cancel);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(24, 20, 24, 20);
+  layout->setSpacing(12);
+  auto* heading = bodyLabel(windowTitle(), this);
+  heading->setProperty("role", QStringLiteral("heading"));
+  layout->addWidget(heading);
+  layout->addWidget(quietLabel(
+      tr("Participants read these words in the information, the consent form and at the end."),
+      this));
+  layout->addWidget(scroll, 1);
+  layout->addWidget(progress_);
+  layout->addWidget(buttons);
+  resize(820, 760);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(languages_, &QComboBox::currentIndexChanged, this, &TextsDialog::showLanguage);
+  connect(reason_, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
+  showProgress();
+}
+
+void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form) {
+  for (const auto& blank : protocols::blanksOf(loaded)) {
+    words_[blank.key] = blank.text.all();
+    auto* field = new QLineEdit(this);
+    const QString title = QString::fromStdString(base::describe(blank.title));
+    field->setObjectName(QStringLiteral("text-") + QString::fromStdString(blank.key));
+    field->setAccessibleName(title);
+    if (blank.key == protocols::kDurationBlank && blank.text.isEmpty()) {
+      field->setText(QString::fromStdString(estimatedMinutes(loaded)));
+      field->setToolTip(tr("Estimated from the timeline"));
+    } else {
+      field->setText(QString::fromStdString(blank.text.in("en")));
+    }
+    form.addRow(title, field);
+    fields_[blank.key] = field;
+    connect(field, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
+  }
+}
+
+void TextsDialog::keepLanguage() {
+  for (const auto& [key, field] : fields_) {
+    const auto words = field->text().trimmed().toStdString();
+    if (words.empty()) {
+      words_[key].erase(shown_);
+    } else {
+      words_[key][shown_] = words;
+    }
+  }
+}
+
+void TextsDialog::showLanguage() {
+  keepLanguage();
+  shown_ = languages_->currentData().toString().toStdString();
+  for (const auto& [key, field] : fields_) {
+    const auto& words = words_[key];
+    const auto text = [&](const std::string& language) {
+      const auto found = words.find(language);
+      return found == words.end() ? QString() : QString::fromStdString(found->second);
+    };
+    field->setPlaceholderText(shown_ == "en" ? QString() : text("en"));
+    field->setText(text(shown_));
+  }
+  showProgress();
+}
+
+void TextsDialog::showProgress() {
+  keepLanguage();
+  int filled = 0;
+  bool lacksEnglish = false;
+  for (const auto& [key, words] : words_) {
+    filled += words.empty() ? 0 : 1;
+    lacksEnglish |= !words.empty() && words.count("en") == 0;
+  }
+  const int all = static_cast<int>(words_.size());
+  progress_->setText(
+      lacksEnglish ? tr("A text that is given in another language is needed in English, too.")
+      : filled < all
+          ? tr("%1 of %2 are filled in. Participants would read the others in [[brackets]].")
+                .arg(filled)
+                .arg(all)
+          : tr("All %1 are filled in.").arg(all));
+  const bool hasReason = !reason_->isVisibleTo(this) || !reason().isEmpty();
+  save_->setEnabled(!lacksEnglish && hasReason);
+}
+
+questionnaires::BlankTexts TextsDialog::texts() const {
+  auto texts = before_;
+  for (const auto& [key, words] : words_) {
+    if (words.empty()) {
+      texts.erase(key);
+    } else {
+      texts[key] = questionnaires::LocalizedText(words);
+    }
+  }
+  return texts;
+}
+
+}  // namespace study::gui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "protocols/model/loaded_protocol.h"
+#include "questionnaires/reading/blanks.h"
+
+class QFormLayout;
+class QPushButton;
+
+namespace study::gui {
+
+/// A form for the blanks in texts that participants read: institution, contact, ethics reference.
+/// Each is asked once, however many texts have it. A text for one language only is shown where the
+/// others have none.
+class TextsDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  enum class Reason { Needed, NotNeeded };  ///< an amendment needs one once somebody has begun
+
+  explicit TextsDialog(
+      const protocols::LoadedProtocol& loaded,
+      Reason reason = Reason::NotNeeded,
+      QWidget* parent = nullptr);
+
+  /// What the form says, and the protocol's texts for which it has no field.
+  questionnaires::BlankTexts texts() const;
+  QString reason() const { return reason_->text().trimmed(); }
+
+ private:
+  void addFields(const protocols::LoadedProtocol& loaded, QFormLayout& form);
+  void showLanguage();
+  void keepLanguage();
+  void showProgress();
+
+  questionnaires::BlankTexts before_;
+  std::map<std::string, QLineEdit*> fields_;                         ///< by key
+  std::map<std::string, std::map<std::string, std::string>> words_;  ///< by key and language
+  std::string shown_ = "en";                                         ///< the language of the fields
+  QComboBox* languages_;
+  QLineEdit* reason_;
+  QLabel* progress_;
+  QPushButton* save_;
+};
+
+}  // namespace study::gui

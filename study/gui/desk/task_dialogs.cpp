@@ -1,0 +1,194 @@
+#include "study/gui/desk/task_dialogs.h"
+
+#include <QFontDatabase>
+#include <QTextBrowser>
+
+#include "study/cohort/simulated_participant.h"
+#include "study/gui/desk/study_dialogs.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/background_task.h"
+#include "study/results/results.h"
+#include "study/results/results_text.h"
+#include "study/session/unblinding.h"
+
+namespace study::gui {
+namespace {
+
+using Access = storage::Database::Access;
+
+constexpr int kMostSimulated = 100'000;
+
+int countOf(const StudySummary& study, RunMode mode) {
+  const auto found = study.sessions.find(mode);
+  return found == study.sessions.end() ? 0 : found->second;
+}
+
+}  // namespace
+
+AmendDialog::AmendDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Change the protocol"),
+          tr("New sessions use the changed protocol; sessions that have begun keep theirs. All "
+             "versions stay in the study."),
+          tr("Change"),
+          parent),
+      folder_(study.folder),
+      hasBegun_(countOf(study, RunMode::Live) > 0),
+      file_(new PathField(
+          PathField::Kind::ExistingFile, tr("Changed protocol"), tr("Protocols (*.json)"), this)),
+      reason_(new QLineEdit(this)) {
+  file_->setObjectName(QStringLiteral("protocol-file"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  reason_->setAccessibleName(tr("Reason for the change"));
+  reason_->setPlaceholderText(
+      hasBegun_ ? tr("needed: a participant has begun") : tr("optional: no participant has begun"));
+  form().addRow(tr("Changed protocol"), file_);
+  form().addRow(tr("Reason for the change"), reason_);
+  connect(file_, &PathField::pathChanged, this, &AmendDialog::check);
+  connect(reason_, &QLineEdit::textChanged, this, &AmendDialog::updateButton);
+  check();
+}
+
+void AmendDialog::check() {
+  checked_ = {};
+  clear();
+  const auto path = file_->path().toStdString();
+  if (!path.empty()) {
+    checked_ = checkProtocol(path);
+    const bool isSound = checked_.loaded.has_value();
+    showOutcome(
+        !isSound                  ? Outcome::Bad
+        : checked_.warnings() > 0 ? Outcome::Warning
+                                  : Outcome::Good,
+        QString::fromStdString(checked_.verdict()),
+        QString::fromStdString(questionnaires::describe(checked_.problems)));
+  }
+  updateButton();
+}
+
+void AmendDialog::updateButton() {
+  go().setEnabled(
+      checked_.loaded.has_value() && (!hasBegun_ || !reason_->text().trimmed().isEmpty()));
+}
+
+void AmendDialog::work() {
+  bool isSame = false;
+  const bool isDone = attempt(this, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock);
+    const auto& protocol = *checked_.loaded;
+    isSame = storage::sha256(protocol.text, protocol.files) == study.protocols().current().sha256;
+    if (!isSame) study.amend(protocol, reason_->text().trimmed().toStdString());
+  });
+  if (!isDone) return;
+  go().setEnabled(false);
+  if (isSame) {
+    return showOutcome(Outcome::Warning, tr("This is the protocol that the study uses already."));
+  }
+  showOutcome(Outcome::Good, tr("Protocol changed. New sessions use it from now on."));
+  emit amended();
+}
+
+SimulateDialog::SimulateDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Simulate participants"),
+          tr("Simulated participants go through the same steps as people, so that reports and "
+             "exports can be tried. Their answers are drawn at random and are kept apart from "
+             "those of people."),
+          tr("Simulate"),
+          parent),
+      folder_(study.folder),
+      participants_(new QSpinBox(this)) {
+  participants_->setObjectName(QStringLiteral("participants"));
+  participants_->setAccessibleName(tr("Simulated participants in all"));
+  const int already = countOf(study, RunMode::Simulated);
+  participants_->setRange(already + 1, kMostSimulated);
+  int planned = 0;
+  for (const auto& cohort : study.cohorts) planned += cohort.planned;
+  participants_->setValue(std::max(planned, already + 1));
+  form().addRow(
+      already > 0 ? tr("Simulated participants in all (%1 so far)").arg(already)
+                  : tr("Simulated participants"),
+      participants_);
+}
+
+void SimulateDialog::work() {
+  std::vector<SimulatedEnding> endings;
+  const int wanted = participants_->value();
+  const bool isDone = BackgroundTask::run(this, tr("Simulating"), [&](const Progress& progress) {
+    SimulatedClock clock;
+    auto study = Study::open(folder_, clock);
+    int begun = 0;
+    endings = simulateCohorts(study, clock, wanted, study.seed(), [&](const Acknowledged& done) {
+      if (done.kind == Acknowledged::Kind::Enrolment) ++begun;
+      tell(progress, kUnknownShare, done.what);
+    });
+  });
+  emit simulated();
+  if (!isDone) return clear();
+  const auto completed = std::ranges::count_if(endings, [](const SimulatedEnding& ending) {
+    return ending.state == SessionState::Completed;
+  });
+  showOutcome(
+      completed == static_cast<std::ptrdiff_t>(endings.size()) ? Outcome::Good : Outcome::Warning,
+      tr("%1 of %2 simulated participants have finished.").arg(completed).arg(endings.size()));
+}
+
+StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Statistics"),
+          tr("Means, the declared tests, preferences. The tables name every condition: do not open "
+             "them if you must stay blinded."),
+          tr("Show"),
+          parent),
+      folder_(study.folder),
+      mode_(runModeChoice(study, this)),
+      profile_(new QComboBox(this)),
+      reason_(new QLineEdit(this)) {
+  profile_->setAccessibleName(tr("Which tests"));
+  const auto add = [&](const QString& words, Profile profile) {
+    profile_->addItem(words, static_cast<int>(profile));
+  };
+  add(tr("As the protocol declares"), Profile::Declared);
+  add(tr("Within participants, with effect sizes"), Profile::Recommended);
+  add(tr("As published: answers pooled"), Profile::AsPublished);
+  reason_->setObjectName(QStringLiteral("reason"));
+  reason_->setAccessibleName(tr("Reason for unblinding"));
+  form().addRow(tr("Sessions"), mode_);
+  form().addRow(tr("Tests"), profile_);
+  form().addRow(tr("Reason for unblinding"), reason_);
+  auto* tables = findChild<QTextBrowser*>(QStringLiteral("more"));
+  tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  tables->setLineWrapMode(QTextEdit::NoWrap);
+  tables->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 13px;"));
+  tables->setMinimumHeight(420);
+  setMinimumWidth(1080);
+  connect(mode_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::updateChoices);
+  connect(reason_, &QLineEdit::textChanged, this, &StatisticsDialog::updateChoices);
+  updateChoices();
+}
+
+void StatisticsDialog::updateChoices() {
+  const bool isLive = chosenMode(*mode_) == RunMode::Live;
+  form().setRowVisible(reason_, isLive);
+  go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
+}
+
+void StatisticsDialog::work() {
+  const auto mode = chosenMode(*mode_);
+  const auto profile = static_cast<Profile>(profile_->currentData().toInt());
+  const auto reason =
+      mode == RunMode::Live ? reason_->text().trimmed().toStdString() : std::string();
+  std::string tables;
+  const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
+    tell(progress, kUnknownShare, "computing the tables");
+    SystemClock clock;
+    auto study = Study::open(folder_, clock, accessToNote(reason));
+    noteUnblinding(study, mode, EventKind::UnblindedResults, reason);
+    tables = resultsAsText(study, computeResults(study, mode), profile);
+  });
+  if (!isDone) return clear();
+  showDetails(QString::fromStdString(tables));
+}
+
+}  // namespace study::gui

@@ -1,0 +1,51 @@
+#include "study/gui/operator/page_mirror.h"
+
+#include <QVBoxLayout>
+
+#include "study/gui/widgets/labels.h"
+
+namespace study::gui {
+namespace {
+
+constexpr int kPictureEvery = 1000;  // [ms]
+
+}  // namespace
+
+PageMirror::PageMirror(QWidget* parent) : QWidget(parent, Qt::Tool), picture_(new QLabel(this)) {
+  setWindowTitle(tr("Participant's page"));
+  setObjectName(QStringLiteral("mirror"));
+  setAttribute(Qt::WA_ShowWithoutActivating);
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
+  picture_->setAccessibleName(windowTitle());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(picture_);
+  resize(480, 330);
+  connect(&timer_, &QTimer::timeout, this, &PageMirror::look);
+}
+
+void PageMirror::follow(QWidget* page) {
+  page_ = page;
+  look();
+}
+
+void PageMirror::look() {
+  if (!isVisible()) return;
+  if (page_ == nullptr) return picture_->setText(tr("No session is open."));
+  picture_->setPixmap(
+      page_->grab().scaled(picture_->size(), Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+void PageMirror::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  timer_.start(kPictureEvery);
+  look();
+}
+
+void PageMirror::hideEvent(QHideEvent* event) {
+  timer_.stop();
+  QWidget::hideEvent(event);
+}
+
+}  // namespace study::gui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QLabel>
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+namespace study::gui {
+
+/// A small window with a picture of what the participant sees, once a second while it is open.
+class PageMirror final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PageMirror(QWidget* parent);
+
+  /// Shows @p page, a window; nullptr: nothing.
+  void follow(QWidget* page);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void look();
+
+  QPointer<QWidget> page_;
+  QLabel* picture_;
+  QTimer timer_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+namespace study::gui {
+
+/// Opens a file or a folder in the program that the desktop has for it.
+void openOnDesktop(const QString& path);
+
+/// Two buttons for something that was written: *Open*, and *Show in folder*.
+class WrittenFile final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit WrittenFile(QWidget* parent = nullptr);
+
+  /// A file, or a folder; empty: the buttons are hidden.
+  void show(const QString& path);
+  using QWidget::show;
+  const QString& path() const noexcept { return path_; }
+
+ private:
+  QString path_;
+};
+
+}  // namespace study::gui

@@ -1,0 +1,75 @@
+#include "study/gui/authoring/preview_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QFileInfo>
+#include <QTest>
+
+#include "protocols/load_protocol.h"
+#include "tests/study/gui/participant.h"
+#include "tests/study/gui/pictures.h"
+
+namespace study::gui {
+namespace preview_window_test {
+
+protocols::LoadedProtocol shipped(const char* name) {
+  questionnaires::Problems problems;
+  return *protocols::loadProtocolFile(name, problems);
+}
+
+TEST(PreviewWindow, ShowsEveryPageInItsPlaceAndKeepsNothing) {
+  QString folder;
+  {
+    PreviewWindow preview(shipped("two-devices"));
+    preview.show();
+    folder = preview.folder();
+    EXPECT_TRUE(QFileInfo::exists(folder));
+    const auto& plan = preview.controller().session().plan();
+    auto* steps = preview.findChild<QListWidget*>(QStringLiteral("steps"));
+    ASSERT_EQ(steps->count(), static_cast<int>(plan.size()) + 1) << "and the end";
+    for (int step = 0; step < steps->count(); ++step) {
+      steps->setCurrentRow(step);
+      EXPECT_EQ(preview.controller().session().stepIndex(), step);
+      EXPECT_TRUE(preview.page().isVisible());
+      QCoreApplication::processEvents();
+      tests::keepPicture(preview.page().grab().toImage(), QStringLiteral("preview-%1").arg(step));
+    }
+    EXPECT_TRUE(preview.controller().session().isOver());
+    steps->setCurrentRow(1);
+    EXPECT_EQ(preview.controller().session().stepIndex(), 1) << "back again";
+  }
+  EXPECT_FALSE(QFileInfo::exists(folder));
+}
+
+TEST(PreviewWindow, HasTheLanguageAndTheSizeThatAreChosen) {
+  PreviewWindow preview(shipped("punch-face-validity"));
+  preview.show();
+  auto* languages = preview.findChild<QComboBox*>(QStringLiteral("language"));
+  auto* sizes = preview.findChild<QComboBox*>(QStringLiteral("size"));
+  languages->setCurrentIndex(languages->findData(QStringLiteral("de")));
+  sizes->setCurrentIndex(sizes->findData(QSize(1920, 1080)));
+  EXPECT_EQ(preview.page().size(), QSize(1920, 1080));
+  EXPECT_NE(tests::buttonSaying(&preview.page(), QStringLiteral("Weiter")), nullptr);
+  preview.findChild<QListWidget*>(QStringLiteral("steps"))->setCurrentRow(1);
+  EXPECT_EQ(preview.controller().session().language(), "de");
+  EXPECT_EQ(preview.page().size(), QSize(1920, 1080));
+  tests::photographInAllThemes(preview, QStringLiteral("preview"));
+}
+
+TEST(PreviewWindow, LetsAnAlternativeBeFelt) {
+  PreviewWindow preview(shipped("punch-face-validity"));
+  preview.show();
+  const auto& plan = preview.controller().session().plan();
+  int trial = 0;
+  while (plan[static_cast<std::size_t>(trial)].kind != StepKind::Trial) ++trial;
+  preview.goTo(trial);
+  auto* begin = tests::buttonSaying(&preview.page(), QStringLiteral("Begin"));
+  ASSERT_NE(begin, nullptr);
+  QTest::mouseClick(begin, Qt::LeftButton);
+  EXPECT_TRUE(preview.controller().isTrialRunning());
+  QTest::keyPress(&preview.page(), Qt::Key_Escape);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !preview.controller().isTrialRunning(); }));
+}
+
+}  // namespace preview_window_test
+}  // namespace study::gui

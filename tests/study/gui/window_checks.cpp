@@ -1,0 +1,344 @@
+#include "tests/study/gui/window_checks.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStyleOptionComboBox>
+#include <QTabBar>
+#include <QTest>
+
+#include "study/gui/widgets/theme.h"
+
+namespace tests {
+namespace {
+
+QString textOf(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+  if (const auto* box = qobject_cast<const QComboBox*>(&widget)) return box->currentText();
+  if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) return line->text();
+  return {};
+}
+
+QString nameOf(const QWidget& widget) {
+  const QString text = textOf(widget).left(40);
+  const QString name = text.isEmpty() ? widget.accessibleName() : text;
+  return QStringLiteral("%1 '%2'").arg(
+      QString::fromUtf8(widget.metaObject()->className()),
+      name.isEmpty() ? widget.objectName() : name);
+}
+
+/// Whether @p widget belongs to a control of Qt's own, which paints or labels it.
+bool isInner(const QWidget& widget) {
+  for (const auto* up = widget.parentWidget(); up != nullptr; up = up->parentWidget()) {
+    const bool isControl = qobject_cast<const QAbstractSpinBox*>(up) != nullptr ||
+                           qobject_cast<const QComboBox*>(up) != nullptr ||
+                           qobject_cast<const QAbstractItemView*>(up) != nullptr ||
+                           qobject_cast<const QTabBar*>(up) != nullptr ||
+                           qobject_cast<const QMenuBar*>(up) != nullptr ||
+                           qobject_cast<const QLineEdit*>(up) != nullptr;
+    if (isControl) return true;
+    if (up->isWindow()) return false;
+  }
+  return false;
+}
+
+std::vector<QWidget*> visibleIn(QWidget& window) {
+  std::vector<QWidget*> found;
+  for (auto* widget : window.findChildren<QWidget*>()) {
+    if (widget->isVisible() && widget->window() == &window) found.push_back(widget);
+  }
+  return found;
+}
+
+void settle() {
+  for (int i = 0; i < 3; ++i) {
+    QApplication::processEvents();
+    QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  }
+}
+
+/// The largest contrast of a pixel with the colour that most pixels have.
+double contrastWithin(const QImage& picture) {
+  std::map<QRgb, int> counts;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
+  }
+  if (counts.empty()) return 1.0;
+  const auto ground = std::max_element(
+      counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
+  double most = 1.0;
+  for (const auto& [colour, count] : counts) {
+    most = std::max(most, study::gui::contrast(QColor(colour), QColor(ground->first)));
+  }
+  return most;
+}
+
+void judge(const QImage& picture, const QString& what, double least, QStringList& found) {
+  const double contrast = contrastWithin(picture);
+  if (contrast >= least) return;
+  found << QStringLiteral("%1: contrast %2").arg(what).arg(contrast, 0, 'f', 2);
+}
+
+void judgeEntries(QComboBox& box, double least, QStringList& found) {
+  box.showPopup();
+  settle();
+  auto* list = box.view();
+  const int before = box.currentIndex();
+  for (int row = 0; row < std::min(box.count(), 4); ++row) {
+    const auto index = list->model()->index(row, box.modelColumn(), list->rootIndex());
+    if (index.data().toString().trimmed().isEmpty()) continue;
+    list->setCurrentIndex(index);
+    const auto place = list->visualRect(index).adjusted(4, 4, -4, -4);
+    const auto shown = list->viewport()->grab().toImage();
+    judge(
+        shown.copy(place),
+        nameOf(box) + QStringLiteral(", entry ") + index.data().toString(),
+        least,
+        found);
+  }
+  box.hidePopup();
+  settle();
+  if (box.currentIndex() != before) found << nameOf(box) + QStringLiteral(": looking has chosen");
+}
+
+void judgeMenu(QMenu& menu, double least, QStringList& found) {
+  menu.popup(QPoint(0, 0));
+  settle();
+  for (auto* action : menu.actions()) {
+    if (action->isSeparator() || action->menu() != nullptr) continue;
+    menu.setActiveAction(action);
+    const auto shown = menu.grab().toImage();
+    judge(
+        shown.copy(menu.actionGeometry(action).adjusted(4, 2, -4, -2)),
+        QStringLiteral("menu entry ") + action->text(),
+        least,
+        found);
+  }
+  menu.hide();
+  settle();
+  for (auto* action : menu.actions()) {
+    if (action->menu() != nullptr) judgeMenu(*action->menu(), least, found);
+  }
+}
+
+/// The scroll area that @p widget can be scrolled in; nullptr if there is none.
+QScrollArea* scrollAreaOf(const QWidget& widget) {
+  for (auto* up = widget.parentWidget(); up != nullptr && !up->isWindow();
+       up = up->parentWidget()) {
+    auto* area = qobject_cast<QScrollArea*>(up);
+    if (area != nullptr && area->widget() != nullptr && area->widget()->isAncestorOf(&widget)) {
+      return area;
+    }
+  }
+  return nullptr;
+}
+
+/// Whether @p widget can be seen completely, if need be after scrolling up or down.
+bool isInSight(const QWidget& widget) {
+  const auto* area = scrollAreaOf(widget);
+  if (area == nullptr) return widget.visibleRegion().boundingRect() == widget.rect();
+  const QRect place(widget.mapTo(area->widget(), QPoint(0, 0)), widget.size());
+  const bool fitsAcross = place.left() >= 0 && place.right() < area->viewport()->width();
+  return fitsAcross && area->widget()->rect().contains(place) &&
+         area->viewport()->height() >= std::min(widget.height(), 30);
+}
+
+bool hasRoomForItsWords(const QWidget& widget) {
+  constexpr int kRounding = 2;  // [px]
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+    if (label->text().isEmpty()) return true;
+    if (!label->wordWrap()) return label->sizeHint().width() <= label->width() + kRounding;
+    return label->heightForWidth(label->width()) <= label->height() + kRounding;
+  }
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+    return button->text().isEmpty() || button->sizeHint().width() <= button->width() + kRounding;
+  }
+  if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
+    QStyleOptionComboBox option;
+    option.initFrom(box);
+    option.editable = box->isEditable();
+    const auto place = box->style()->subControlRect(
+        QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+    const int needed = box->fontMetrics().horizontalAdvance(box->currentText());
+    return needed <= place.width() + kRounding &&
+           box->fontMetrics().height() <= place.height() + kRounding;
+  }
+  return true;
+}
+
+bool isControlOrText(const QWidget& widget) {
+  return qobject_cast<const QLabel*>(&widget) != nullptr ||
+         qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+         qobject_cast<const QComboBox*>(&widget) != nullptr ||
+         qobject_cast<const QLineEdit*>(&widget) != nullptr ||
+         qobject_cast<const QPlainTextEdit*>(&widget) != nullptr ||
+         qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr;
+}
+
+/// The stops from @p first on, as @p key visits them; the last one is @p first again, unless more
+/// than all widgets were visited.
+std::vector<QWidget*> stopsFrom(QWidget& first, int key, std::size_t most) {
+  std::vector<QWidget*> stops{&first};
+  while (stops.size() <= most) {
+    QTest::keyClick(stops.back(), static_cast<Qt::Key>(key));
+    auto* focus = QApplication::focusWidget();
+    if (focus == nullptr) break;
+    stops.push_back(focus);
+    if (focus == &first) break;
+  }
+  return stops;
+}
+
+bool isExpectedStop(const QWidget& widget) {
+  const bool takesTab = (widget.focusPolicy() & Qt::TabFocus) == Qt::TabFocus;
+  return takesTab && widget.isEnabled() && widget.focusProxy() == nullptr;
+}
+
+/// Whether a widget holds other controls and texts: a page that is scrolled, or that is itself the
+/// handle of a virtual instrument.
+bool isPage(const QWidget& widget) {
+  return qobject_cast<const QScrollArea*>(&widget) != nullptr ||
+         widget.findChild<QLabel*>() != nullptr;
+}
+
+bool looksFocused(QWidget& stop) {
+  stop.setFocus(Qt::TabFocusReason);
+  settle();
+  const auto with = stop.grab().toImage();
+  stop.clearFocus();
+  settle();
+  return with != stop.grab().toImage();
+}
+
+/// Whether arrow keys lead to @p widget from one of @p stops: options that exclude each other are
+/// one stop.
+bool isInGroupOf(const QWidget& widget, const std::vector<QWidget*>& stops) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  if (button == nullptr || button->group() == nullptr) return false;
+  return std::any_of(stops.begin(), stops.end(), [&](const QWidget* stop) {
+    const auto* other = qobject_cast<const QAbstractButton*>(stop);
+    return other != nullptr && other->group() == button->group();
+  });
+}
+
+}  // namespace
+
+QStringList unreadableTexts(QWidget& window, double least) {
+  QStringList found;
+  settle();
+  for (auto* widget : visibleIn(window)) {
+    if (textOf(*widget).trimmed().isEmpty() || isInner(*widget)) continue;
+    if (widget->visibleRegion().isEmpty()) continue;
+    // With what is behind it, as far as it is in sight.
+    QRect seen = widget->visibleRegion().boundingRect();
+    seen.moveTopLeft(widget->mapTo(&window, seen.topLeft()));
+    if (seen.height() >= widget->fontMetrics().height()) {
+      judge(window.grab(seen).toImage(), nameOf(*widget), least, found);
+    }
+    auto* box = qobject_cast<QComboBox*>(widget);
+    if (box != nullptr && box->isEnabled()) judgeEntries(*box, least, found);
+  }
+  for (auto* menu : window.findChildren<QMenuBar*>()) {
+    for (auto* action : menu->actions()) {
+      if (action->menu() != nullptr) judgeMenu(*action->menu(), least, found);
+    }
+  }
+  return found;
+}
+
+QStringList cutOffAt(QWidget& window, QSize size) {
+  QStringList found;
+  window.resize(size);
+  settle();
+  const auto about = [&](const QString& what) {
+    found << QStringLiteral("%1×%2: %3").arg(size.width()).arg(size.height()).arg(what);
+  };
+  if (window.width() > size.width() || window.height() > size.height()) {
+    about(QStringLiteral("needs %1×%2").arg(window.width()).arg(window.height()));
+    return found;
+  }
+  for (auto* widget : visibleIn(window)) {
+    if (!isControlOrText(*widget) || isInner(*widget)) continue;
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    if (label != nullptr && label->text().isEmpty()) continue;
+    if (!isInSight(*widget)) about(nameOf(*widget) + QStringLiteral(" is not in sight"));
+    if (!hasRoomForItsWords(*widget))
+      about(nameOf(*widget) + QStringLiteral(" has no room for its words"));
+  }
+  return found;
+}
+
+QStringList lostFocus(QWidget& window) {
+  QStringList found;
+  std::set<QWidget*> expected;
+  for (auto* widget : visibleIn(window)) {
+    if (isExpectedStop(*widget) && !isInner(*widget)) expected.insert(widget);
+  }
+  if (expected.empty()) return found;
+  window.activateWindow();
+  settle();
+  if (QApplication::focusWidget() == nullptr) (*expected.begin())->setFocus();
+  // The first Tab may lead from a widget that is no stop itself.
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  auto* first = QApplication::focusWidget();
+  if (first == nullptr) return {QStringLiteral("Tab loses the focus")};
+  const std::size_t most = 2 * window.findChildren<QWidget*>().size();
+  auto forward = stopsFrom(*first, Qt::Key_Tab, most);
+  if (forward.back() != first)
+    found << QStringLiteral("Tab is caught at ") + nameOf(*forward.back());
+  for (auto* stop : forward) expected.erase(stop);
+  for (auto* stop : expected) {
+    if (isInGroupOf(*stop, forward)) continue;
+    found << QStringLiteral("Tab does not reach ") + nameOf(*stop);
+  }
+  const auto backward = stopsFrom(*first, Qt::Key_Backtab, most);
+  std::reverse(forward.begin(), forward.end());
+  if (forward != backward) found << QStringLiteral("Shift+Tab does not go back the same way");
+  for (auto* stop : std::set<QWidget*>(forward.begin(), forward.end())) {
+    if (!isPage(*stop) && !looksFocused(*stop))
+      found << nameOf(*stop) + QStringLiteral(" does not show the focus");
+  }
+  return found;
+}
+
+namespace {
+
+void collectUnnamed(QAccessibleInterface* node, QStringList& found) {
+  if (node == nullptr || !node->isValid() || node->state().invisible) return;
+  if (node->state().focusable && node->text(QAccessible::Name).trimmed().isEmpty()) {
+    const auto* widget = qobject_cast<QWidget*>(node->object());
+    if (widget != nullptr && !isInner(*widget) && widget->focusProxy() == nullptr) {
+      found << nameOf(*widget) + QStringLiteral(" has no name for a screen reader");
+    }
+  }
+  // Cells are named by their contents.
+  if (node->tableInterface() != nullptr) return;
+  for (int i = 0; i < node->childCount(); ++i) collectUnnamed(node->child(i), found);
+}
+
+}  // namespace
+
+QStringList unnamedElements(QWidget& window) {
+  QStringList found;
+  collectUnnamed(QAccessible::queryAccessibleInterface(&window), found);
+  return found;
+}
+
+}  // namespace tests
