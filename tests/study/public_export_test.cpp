@@ -126,6 +126,64 @@ TEST(PublicExport, HasNoFreeTextAndNoUniqueNumbers) {
   EXPECT_NE(files.at("responses.csv").find("agree"), std::string::npos);
 }
 
+/// Live participants who are all alike, and publish again and again.
+class SecondReleaseTest : public testing::Test {
+ protected:
+  void takePart(int people) {
+    for (int i = 0; i < people; ++i) {
+      auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+      tests::walkToTheEnd(session);
+    }
+  }
+  /// The refusal; empty if it was written.
+  std::string publish(const std::string& name, std::size_t k = kSmallestPublicClass) {
+    try {
+      exportStudy(*study_, folder_ / name, {.publicClass = k});
+      return "";
+    } catch (const storage::StorageError& error) {
+      EXPECT_FALSE(fs::exists(folder_ / name));
+      return error.what();
+    }
+  }
+
+  tests::ScratchFolder folder_;
+  tests::MadeStudy study_{tests::protocolFrom(tests::shortProtocol({.order = "fixed"}))};
+};
+
+TEST_F(SecondReleaseTest, IsRefusedWhereSubtractionLeavesFewerThanK) {
+  takePart(12);
+  EXPECT_EQ(publish("first"), "");
+  takePart(1);
+  const auto refused = publish("second");
+  EXPECT_NE(refused.find("1 of them new"), std::string::npos) << refused;
+  takePart(3);
+  EXPECT_NE(publish("third"), "");
+  takePart(1);
+  EXPECT_EQ(publish("fourth"), "") << "five people came";
+}
+
+TEST_F(SecondReleaseTest, OfTheSamePeopleIsAllowed) {
+  takePart(12);
+  EXPECT_EQ(publish("first"), "");
+  EXPECT_EQ(publish("second"), "");
+}
+
+TEST_F(SecondReleaseTest, WithoutAFirstOneIsNotCompared) {
+  takePart(13);  // control: as many as are refused after 12
+  EXPECT_EQ(publish("first"), "");
+}
+
+TEST_F(SecondReleaseTest, OfPilotsSaysNothingOfLiveSessions) {
+  takePart(5);
+  for (int i = 0; i < 5; ++i) {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Pilot});
+    tests::walkToTheEnd(session);
+  }
+  exportStudy(*study_, folder_ / "pilots", {.runMode = RunMode::Pilot, .publicClass = 5});
+  takePart(1);
+  EXPECT_EQ(publish("live"), "");
+}
+
 TEST_F(PublicExportTest, HasNewIdsAndANewOrderEachTime) {
   take(12);
   const auto first = analysis::readCsv(exported("first").at("participants.csv"));

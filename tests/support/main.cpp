@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.h"
 #include "tests/support/standstill.h"
 
 /// The C library never frees memory for LOCPATH; the leak sanitizer asks this function what to
@@ -14,6 +15,9 @@ extern "C" const char* __lsan_default_suppressions() {
 int main(int argc, char** argv) {
   // Windows are tested without a display; tests are also listed at build time.
   setenv("QT_QPA_PLATFORM", "offscreen", 0);
+  // What a station keeps for itself stays out of the home folder of whoever runs the tests.
+  const tests::ScratchFolder station;
+  setenv("PALPATE_STATION", (station / "station").c_str(), 0);
   testing::InitGoogleTest(&argc, argv);
   return tests::runAllTests();
 }

@@ -1,0 +1,26 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "protocols/reading/mesh_file.h"
+#include "questionnaires/json/problem.h"
+
+// Fuzzes the reader of meshes: every index is of a vertex, and there are words for every refusal.
+
+// NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t count) {
+  const std::string_view text(reinterpret_cast<const char*>(data), count);
+  try {
+    for (const auto& surface : protocols::readMesh(text)) {
+      for (const auto& triangle : surface.triangles) {
+        for (const auto corner : triangle) {
+          if (corner >= surface.places.size()) std::abort();
+        }
+      }
+    }
+  } catch (const questionnaires::Error& error) {
+    if (std::string_view(error.what()).empty()) std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,75 @@
+// Whether an export says truly that it names no one.
+#include "study/export/named_people.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/study/everything_instrument.h"
+#include "tests/study/made_study.h"
+#include "tests/study/walk.h"
+
+namespace study {
+namespace named_people_test {
+
+class NamedPeopleTest : public testing::Test {
+ protected:
+  /// A live participant who signs with @p name and tells @p story.
+  void take(const std::string& name, const std::string& story, double count = 3.0) {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+    tests::walkTo(session, StepKind::Form);
+    session.record({.item = "agree", .response = std::int64_t{1}, .itemOrder = 1});
+    session.record({.item = "count", .response = count, .itemOrder = 2});
+    if (!story.empty()) session.record({.item = "story", .response = story, .itemOrder = 4});
+    session.record({.item = "name", .response = name, .itemOrder = 5});
+    session.finishStep();
+    tests::walkToTheEnd(session);
+  }
+  std::string readme(const std::string& name) {
+    exportStudy(*study_, folder_ / name, {.runMode = RunMode::Live});
+    return tests::contentOf(folder_ / name + "/README.md");
+  }
+  static bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  tests::ScratchFolder folder_;
+  tests::MadeStudy study_{tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
+};
+
+TEST_F(NamedPeopleTest, AreFoundInWhatOthersWrote) {
+  take("Kari Åsgård", "it felt soft");
+  EXPECT_TRUE(has(readme("without"), "No name that the study keeps apart is in this folder"));
+  take("Ola Nordmann", "As KARI said, and ÅSGÅRD too: soft.");
+  const auto text = readme("with");
+  EXPECT_TRUE(has(text, "THIS FOLDER NAMES PEOPLE: 1 cell has")) << text;
+  EXPECT_TRUE(has(text, "(responses: 1)")) << text;
+  EXPECT_FALSE(has(text, "Åsgård") || has(text, "Nordmann")) << "it does not repeat them";
+}
+
+TEST_F(NamedPeopleTest, AreNotFoundInPartsOfOtherWords) {
+  take("Ann Ek", "Annoying: a bare ekko");
+  EXPECT_TRUE(has(readme("out"), "No name that the study keeps apart is in this folder"));
+}
+
+TEST_F(NamedPeopleTest, CannotBeSearchedForWhereNoNameIsKept) {
+  take("Xy", "Kari was here");
+  const auto text = readme("out");
+  EXPECT_TRUE(has(text, "keeps no names")) << text;
+  EXPECT_FALSE(has(text, "Nothing in this folder names a person")) << text;
+}
+
+TEST_F(NamedPeopleTest, WhoAreAloneWithTheirBackgroundAreCounted) {
+  for (int i = 0; i < 4; ++i) take("Xy", "", 3.0);
+  EXPECT_TRUE(has(readme("alike"), "0 of 4 people are alone"));
+  take("Xy", "", 27.0);
+  EXPECT_TRUE(has(readme("alone"), "1 of 5 people are alone"));
+}
+
+TEST(WordsOfNames, AreLowerCaseAndOfThreeLettersOrMore) {
+  EXPECT_EQ(
+      wordsIn("Dr. Kari ÅSGÅRD-Lie, 2nd Øy"), (std::vector<std::string>{"kari", "åsgård", "lie"}));
+  EXPECT_TRUE(wordsIn("").empty());
+}
+
+}  // namespace named_people_test
+}  // namespace study
