@@ -120,7 +120,8 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
     std::set<std::string> endings;
     reader->GetExtensionList(endings);
     if (endings.count(format) != 0) continue;
-    const std::unique_ptr<Assimp::BaseImporter> removed(reader);  // whose caller owns it from now on
+    const std::unique_ptr<Assimp::BaseImporter> removed(
+        reader);  // whose caller owns it from now on
     importer.UnregisterLoader(reader);
   }
 }
