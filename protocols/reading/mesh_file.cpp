@@ -15,6 +15,7 @@
 #include <iterator>
 #include <memory>
 #include <set>
+#include <sstream>
 
 #include "questionnaires/json/problem.h"
 
@@ -112,6 +113,27 @@ std::string formatOf(std::string_view text) {
   throw questionnaires::Error("it is no STL, OBJ or PLY file");
 }
 
+/// The head of a PLY file says how many corners, faces and corners of faces there are, and the
+/// library allocates memory for as many before it reads them.
+void requireAsManyAsFit(std::string_view text) {
+  static const std::set<std::string> kShortCounts{
+      "char", "uchar", "int8", "uint8", "short", "ushort", "int16", "uint16"};
+  std::istringstream head(std::string(text.substr(0, text.find("end_header"))));
+  double entries = 0.0;
+  for (std::string word; head >> word;) {
+    std::string name;
+    double count = 0.0;
+    if (word == "element" && head >> name >> count) entries += count;
+    if (word != "list" || !(head >> name)) continue;
+    if (kShortCounts.count(name) > 0) continue;
+    throw questionnaires::Error(
+        "its faces may have thousands of millions of corners ('list " + name +
+        "'): save it with 'list uchar'");
+  }
+  if (entries <= static_cast<double>(text.size())) return;
+  throw questionnaires::Error("it says that it has more corners and faces than fit into it");
+}
+
 /// Removes all readers but that of one format. The library has dozens, and takes the one that likes
 /// the text best.
 void keepOnly(Assimp::Importer& importer, const std::string& format) {
@@ -120,9 +142,8 @@ void keepOnly(Assimp::Importer& importer, const std::string& format) {
     std::set<std::string> endings;
     reader->GetExtensionList(endings);
     if (endings.count(format) != 0) continue;
-    const std::unique_ptr<Assimp::BaseImporter> removed(
-        reader);  // whose caller owns it from now on
     importer.UnregisterLoader(reader);
+    const std::unique_ptr<Assimp::BaseImporter> freed(reader);  // it belongs to the caller now
   }
 }
 
@@ -145,6 +166,7 @@ void requireFewCorners(const aiScene& scene) {
 
 void read(
     Assimp::Importer& importer, std::string_view text, const std::string& format, unsigned more) {
+  if (format == "ply") requireAsManyAsFit(text);
   importer.SetIOHandler(new NoFiles);  // the importer owns it from here on
   keepOnly(importer, format);
   importer.ReadFileFromMemory(
