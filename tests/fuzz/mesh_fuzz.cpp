@@ -8,6 +8,13 @@
 
 // Fuzzes the reader of meshes: every index is of a vertex, and there are words for every refusal.
 
+// Assimp 5.2.5 loses the mesh of a text STL that ends early.
+// NOLINTNEXTLINE(bugprone-reserved-identifier, cert-dcl37-c, cert-dcl51-cpp): LeakSanitizer calls
+// it
+extern "C" const char* __lsan_default_suppressions() {
+  return "leak:libassimp";
+}
+
 // NOLINTNEXTLINE(readability-identifier-naming): libFuzzer calls it
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t count) {
   const std::string_view text(reinterpret_cast<const char*>(data), count);
