@@ -21,6 +21,8 @@ struct ExportArguments {
   std::string out;
   std::string runMode;
   bool traces = false;
+  bool exact = false;
+  bool texts = false;
   bool unblind = false;
   std::string reason;
   bool forPublic = false;
@@ -60,7 +62,9 @@ int exportAs(const ExportArguments& options) {
       .format = kFormats.at(options.format),
       .runMode = chosenRunMode(study, options.runMode),
       .isBlinded = !options.unblind,
-      .hasTraces = options.traces};
+      .hasTraces = options.traces,
+      .isExact = options.exact,
+      .hasTexts = options.texts};
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
     fmt::print("{}", identifiabilityInWords(study, how));
   }
@@ -94,6 +98,12 @@ void addExportCommand(CLI::App& program, Action& action) {
       "--traces",
       options->traces,
       "Include the recorded forces of every trial at 1 kHz (gzip); needs --unblind");
+  auto* exact = command->add_flag(
+      "--exact",
+      options->exact,
+      "Dates, times of day, ages and other numbers about people as they are");
+  auto* texts =
+      command->add_flag("--texts", options->texts, "Include what participants and operators wrote");
   auto* unblind = command->add_flag(
       "--unblind",
       options->unblind,
@@ -104,6 +114,7 @@ void addExportCommand(CLI::App& program, Action& action) {
       "--public",
       options->forPublic,
       "Public release: bands, no free text, no times, new ids, k-anonymous (k = 5 or more)");
+  forPublic->excludes(exact)->excludes(texts);
   command
       ->add_option(
           "--k",

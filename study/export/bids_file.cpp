@@ -163,6 +163,7 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
   readers.needParticipant = false;
   const auto sessions = rows.sessions();
   const auto answers = rows.answers();
+  const auto texts = rows.texts();
   const auto trials = rows.trials();
   const auto cuts = rows.cuts();
   const auto events = rows.events();
@@ -170,6 +171,7 @@ std::size_t writeBids(Study& study, const fs::path& folder, const ExportOptions&
   for (const auto& session : sessions) {
     const BidsSession files(folder, session.owner, task, readers);
     files.write(responseTable(), answers);
+    files.write(textTable(), texts);
     files.write(trialTable(), trials);
     files.write(cutTable(), cuts);
     files.writeEvents(events);

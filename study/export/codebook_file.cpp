@@ -34,6 +34,22 @@ std::string sessionsInWords(const ExportOptions& options, std::size_t sessions) 
   return words;
 }
 
+/// What readers who did not ask for it do not see.
+std::string detailInWords(const ExportOptions& options) {
+  std::string text;
+  if (!options.isExact) {
+    text +=
+        "- Coarse: numbers about people (age, years) are bands, and sessions have the day of the "
+        "study in place of dates. `--exact` exports them as they are.\n";
+  }
+  if (!options.hasTexts) {
+    text +=
+        "- What participants and operators wrote is not in this folder. `--texts` exports it, in a "
+        "table of its own.\n";
+  }
+  return text;
+}
+
 /// The particular properties of a format.
 std::string formatInWords(const ExportOptions& options) {
   const bool isR = options.format == ExportFormat::R;
@@ -112,6 +128,8 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   if (options.isBlinded && !disclosures.empty()) {
     head["not_blinded_because"] = base::describe(disclosures);
   }
+  head["coarse"] = !options.isExact;
+  head["texts"] = options.hasTexts;
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
   if (hasHead(options)) head["audit_trail"] = study.events().headInWords();
   if (options.publicClass) head["k"] = *options.publicClass;
@@ -163,6 +181,7 @@ std::string readmeOf(
       "spreadsheet takes it for a formula; the JSON export has it as it was written.\n"
       "- What a column holds is written in `codebook.json`, or beside each table.\n";
   text += identifiabilityInWords(study, options);
+  text += detailInWords(options);
   if (hasHead(options)) {
     text += "- The study's audit trail had " + study.events().headInWords() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";

@@ -48,6 +48,8 @@ using ValueLists = std::map<ValueList, std::vector<Level>>;
 struct Readers {
   bool isBlinded = true;  ///< must not learn the condition behind a condition code
   bool isPublic = false;
+  bool seeExact = false;        ///< dates, times of day, and numbers of the background as given
+  bool seeTexts = false;        ///< what participants and operators wrote
   bool needParticipant = true;  ///< false if the file's name already says whose rows are in it
   /// The quasi-identifiers that a public folder contains (study/export/k_anonymity.h).
   std::set<std::string> told = {};
@@ -208,6 +210,18 @@ class Column {
     return std::move(*this);
   }
 
+  /// The column is so exact that it may identify a person, and is left out of coarse folders.
+  Column exact() && {
+    isExact_ = true;
+    return std::move(*this);
+  }
+
+  /// What somebody wrote, which may name people: left out if the readers did not ask for texts.
+  Column onRequest() && {
+    isOnRequest_ = true;
+    return std::move(*this);
+  }
+
   /// The column identifies session and participant, and is left out if the file's name does so.
   Column identifiesParticipant() && {
     identifiesParticipant_ = true;
@@ -229,6 +243,8 @@ class Column {
 
   bool isFor(const Readers& readers) const {
     if (revealsCondition_ && readers.isBlinded) return false;
+    if (isExact_ && !readers.seeExact) return false;
+    if (isOnRequest_ && !readers.seeTexts) return false;
     if (identifiesParticipant_ && !readers.needParticipant) return false;
     if (!readers.isPublic) return true;
     return public_ && (public_->ifTold.empty() || readers.told.count(public_->ifTold) == 1);
@@ -261,6 +277,8 @@ class Column {
   std::function<Cell(const Row&)> cell_;
   std::optional<ValueList> list_;
   bool revealsCondition_ = false;
+  bool isExact_ = false;
+  bool isOnRequest_ = false;
   bool identifiesParticipant_ = false;
   std::optional<InPublic> public_;
 };
@@ -276,11 +294,14 @@ struct Table {
   Columns<Row> columns;
   /// The whole table identifies conditions by its numbers, and is left out of blinded folders.
   bool revealsCondition = false;
+  /// The whole table is what people wrote.
+  bool isOnRequest = false;
   /// Its description in public folders; std::nullopt: it is not part of them.
   std::optional<std::string> inPublic = std::nullopt;
 
   bool isFor(const Readers& readers) const {
-    return !(revealsCondition && readers.isBlinded) && (inPublic || !readers.isPublic);
+    return !(revealsCondition && readers.isBlinded) && !(isOnRequest && !readers.seeTexts) &&
+           (inPublic || !readers.isPublic);
   }
 };
 

@@ -13,13 +13,22 @@ Column<ExportedEvent> onsetColumn(std::string name) {
 }
 
 Column<ExportedEvent> utcColumn() {
-  return {"utc", holds::Utc{}, "ISO 8601, UTC", [](const ExportedEvent& row) {
-            return asUtc(row.event.when.wall);
-          }};
+  return Column<ExportedEvent>(
+             "utc",
+             holds::Utc{},
+             "ISO 8601, UTC",
+             [](const ExportedEvent& row) { return asUtc(row.event.when.wall); })
+      .exact();
 }
 
 /// Without the answers themselves, which are in responses.csv: here the time of answering matters.
 Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
+  auto detail = Column<ExportedEvent>(
+                    "detail",
+                    holds::FreeText{},
+                    "More about it",
+                    [](const ExportedEvent& row) { return storage::describe(row.event); })
+                    .onRequest();
   const Columns<ExportedEvent> what{
       {"actor",
        holds::Text{},
@@ -29,9 +38,7 @@ Columns<ExportedEvent> columnsAfter(Columns<ExportedEvent> first) {
        holds::Text{},
        "What happened",
        [](const ExportedEvent& row) { return row.event.name(); }},
-      {"detail", holds::FreeText{}, "More about it", [](const ExportedEvent& row) {
-         return storage::describe(row.event);
-       }}};
+      std::move(detail)};
   first.insert(first.end(), what.begin(), what.end());
   return first;
 }

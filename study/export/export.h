@@ -27,6 +27,10 @@ struct ExportOptions {
   std::optional<RunMode> runMode;  ///< std::nullopt: all modes, with a column that tells them apart
   bool isBlinded = true;           ///< condition codes in place of conditions, and no measurements
   bool hasTraces = false;          ///< also the samples of all trials
+  /// Dates and times of day, and numbers about a person (age, years of practice) as given;
+  /// otherwise the day of the study, and bands of five years or more.
+  bool isExact = false;
+  bool hasTexts = false;  ///< also what participants and operators wrote
   /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h); everything else that could identify a person is left out.
   /// std::nullopt: for readers who may see all.
@@ -38,9 +42,9 @@ struct ExportOptions {
 /// The smallest k of a public export, and its default.
 inline constexpr std::size_t kSmallestPublicClass = 5;
 
-/// All data for analyses, as tables: sessions, responses, trials, cuts, events. A blinded export
-/// has sessions and responses only, without anything that depends on the rendering; conditions have
-/// codes that are the same in every row of a run mode.
+/// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
+/// export has sessions, responses and texts only, without anything that depends on the rendering;
+/// conditions have codes that are the same in every row of a run mode.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.

@@ -1,10 +1,13 @@
 #include "study/export/export_rows.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
+#include "study/export/coarsening.h"
 #include "study/storage/answer_repository.h"
 
 namespace study {
@@ -57,6 +60,29 @@ RowOwner ownerOf(const SessionRecord& session) {
       .runMode = session.runMode};
 }
 
+/// The bands of numbers that people gave about themselves.
+class Bands {
+ public:
+  /// Empty if @p answer is no such number, or one of a few.
+  std::string of(const storage::AnswerRecord& answer, const questionnaires::Item& item) {
+    const bool isTheirs = answer.step.kind == StepKind::Form && isAboutThePerson(item);
+    if (!isTheirs || item.type != questionnaires::ItemType::Number) return {};
+    const auto& bands = known_.try_emplace(&item, item, "").first->second;
+    return bands.levelCount() == 0 ? std::string() : bands.told(0, answer.answer.response);
+  }
+
+ private:
+  std::map<const questionnaires::Item*, Coarsening> known_;  // language: bands have no words
+};
+
+/// The day of a time as it is stored: "2026-11-23T08:15:00Z".
+std::chrono::sys_days dayOf(const std::string& utc) {
+  const auto number = [&](std::size_t from, std::size_t count) {
+    return from + count <= utc.size() ? std::atoi(utc.substr(from, count).c_str()) : 0;
+  };
+  return std::chrono::sys_days(std::chrono::year(number(0, 4)) / number(5, 2) / number(8, 2));
+}
+
 Cell responseOf(const questionnaires::Response& response) {
   const auto stored = storage::stored(response);
   if (stored.point) return *stored.point;
@@ -64,9 +90,16 @@ Cell responseOf(const questionnaires::Response& response) {
   return stored.text.value_or("");
 }
 
+/// Whether the participant wrote it. What the protocol does not know any more may be a text.
+bool isText(const ExportedAnswer& row) {
+  if (row.item == nullptr) return std::holds_alternative<std::string>(row.record->answer.response);
+  return questionnaires::answerKindOf(row.item->type) == questionnaires::AnswerKind::Text;
+}
+
 }  // namespace
 
-StudyRows::StudyRows(Study& study, const ExportOptions& options) : study_(study) {
+StudyRows::StudyRows(Study& study, const ExportOptions& options)
+    : study_(study), isExact_(options.isExact) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
     codes_.emplace(mode, conditionCodes(study, mode));
   }
@@ -96,12 +129,29 @@ ExportedStep StudyRows::stepOf(const SessionRecord& session, const StepRecord& s
 
 std::vector<ExportedSession> StudyRows::sessions() const {
   std::vector<ExportedSession> rows;
-  for (const auto& [id, session] : sessions_) rows.push_back({ownerOf(session), &session});
+  std::optional<std::chrono::sys_days> first;
+  for (const auto& [id, session] : sessions_) {
+    const auto day = dayOf(session.startedUtc);
+    first = first ? std::min(*first, day) : day;
+  }
+  for (const auto& [id, session] : sessions_) {
+    const auto days = (dayOf(session.startedUtc) - *first).count();
+    rows.push_back({ownerOf(session), &session, static_cast<int>(days) + 1});
+  }
   return rows;
 }
 
 std::vector<ExportedAnswer> StudyRows::answers() const {
+  return answers(false);
+}
+
+std::vector<ExportedAnswer> StudyRows::texts() const {
+  return answers(true);
+}
+
+std::vector<ExportedAnswer> StudyRows::answers(bool areTexts) const {
   std::vector<ExportedAnswer> rows;
+  Bands bands;
   for (const auto& record : answers_) {
     const auto session = sessions_.find(record.step.visit.session);
     if (session == sessions_.end()) continue;
@@ -110,7 +160,9 @@ std::vector<ExportedAnswer> StudyRows::answers() const {
         study_.protocol(session->second.protocol).instrument(record.step.instrument);
     row.record = &record;
     row.item = instrument == nullptr ? nullptr : instrument->item(record.answer.item);
+    if (isText(row) != areTexts) continue;
     row.response = responseOf(record.answer.response);
+    if (row.item != nullptr && !isExact_) row.band = bands.of(record, *row.item);
     row.labelLanguage = record.answer.language;
     if (!session->second.isCompleted()) {
       row.excluded = statusOf(session->second.state);

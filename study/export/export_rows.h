@@ -25,6 +25,7 @@ struct RowOwner {
 struct ExportedSession {
   RowOwner owner;
   const storage::SessionRecord* record = nullptr;
+  int day = 1;  ///< since the first of these sessions, by UTC
 };
 
 /// The columns on the step, in rows of answers and trials.
@@ -42,6 +43,7 @@ struct ExportedAnswer : ExportedStep {
   const storage::AnswerRecord* record = nullptr;
   const questionnaires::Item* item = nullptr;  ///< nullptr: the protocol does not have it
   Cell response = {};
+  std::string band = {};  ///< in place of a number about the person; empty: it is given as it is
   std::string_view labelLanguage = {};
   std::string_view excluded = {};  ///< why the statistics leave it out; empty: they count it
 };
@@ -70,15 +72,18 @@ class StudyRows {
   StudyRows(Study& study, const ExportOptions& options);
 
   std::vector<ExportedSession> sessions() const;
-  std::vector<ExportedAnswer> answers() const;
+  std::vector<ExportedAnswer> answers() const;  ///< without texts
+  std::vector<ExportedAnswer> texts() const;    ///< answers that participants wrote
   std::vector<ExportedTrial> trials() const;
   std::vector<ExportedCut> cuts() const;
   std::vector<ExportedEvent> events() const;
 
  private:
+  std::vector<ExportedAnswer> answers(bool areTexts) const;
   ExportedStep stepOf(const storage::SessionRecord& session, const storage::StepRecord& step) const;
 
   Study& study_;
+  bool isExact_;
   std::map<RunMode, std::map<std::string, std::string>> codes_;  ///< by condition
   std::map<SessionId, storage::SessionRecord> sessions_;
   std::vector<storage::AnswerRecord> answers_;

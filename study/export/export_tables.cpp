@@ -58,6 +58,8 @@ Readers readersOf(Study& study, const ExportOptions& options) {
   return {
       .isBlinded = options.isBlinded,
       .isPublic = options.publicClass.has_value(),
+      .seeExact = options.isExact,
+      .seeTexts = options.hasTexts,
       .lists = valueListsOf(study, options),
       .device = study.protocol().protocol.onlyDeviceKind()};
 }
@@ -71,6 +73,7 @@ std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& optio
   };
   add(sessionTable(), [&] { return rows.sessions(); });
   add(responseTable(), [&] { return rows.answers(); });
+  add(textTable(), [&] { return rows.texts(); });
   add(trialTable(), [&] { return rows.trials(); });
   add(cutTable(), [&] { return rows.cuts(); });
   add(eventTable(), [&] { return rows.events(); });

@@ -106,11 +106,14 @@ NamedPeople namedPeople(Study& study, const std::vector<ExportedTable>& tables) 
   return named;
 }
 
-ClassSizes alikeAsAnswered(Study& study, RunMode mode) {
-  const PublicPeople people(study, mode);
+ClassSizes alikeAsTold(Study& study, const ExportOptions& options) {
+  const PublicPeople people(study, options.runMode.value_or(RunMode::Live));
   std::vector<ReleasedColumn> columns;
   for (const auto& identifier : people.identifiers()) {
-    if (identifier.name != kOrderColumn) columns.push_back({identifier.name, 0, identifier.exact});
+    if (identifier.name == kOrderColumn) continue;
+    const bool isAsAnswered = options.isExact || identifier.levels.empty();
+    columns.push_back(
+        {identifier.name, 0, isAsAnswered ? identifier.exact : identifier.levels.front()});
   }
   constexpr std::size_t kTwo = 2;
   return classSizes(columns, people.count(), kTwo);
@@ -118,7 +121,7 @@ ClassSizes alikeAsAnswered(Study& study, RunMode mode) {
 
 std::string identifiabilityInWords(Study& study, const ExportOptions& options) {
   if (options.runMode == RunMode::Simulated) return "- Nothing in this folder names a person.\n";
-  return alikeInWords(alikeAsAnswered(study, options.runMode.value_or(RunMode::Live))) +
+  return alikeInWords(alikeAsTold(study, options)) +
          namesInWords(namedPeople(study, exportTables(study, options)));
 }
 

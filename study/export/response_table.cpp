@@ -1,4 +1,6 @@
-// The columns of responses.csv.
+// The columns of responses.csv and texts.csv.
+#include <initializer_list>
+
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
 #include "study/export/study_columns.h"
@@ -19,6 +21,10 @@ std::optional<std::int64_t> keyedResponseOf(const ExportedAnswer& row) {
   const auto* point = std::get_if<std::int64_t>(&row.record->answer.response);
   if (row.item == nullptr || point == nullptr) return std::nullopt;
   return questionnaires::keyed(*row.item, *point);
+}
+
+Cell givenResponse(const ExportedAnswer& row) {
+  return row.band.empty() ? row.response : Cell(row.band);
 }
 
 std::string labelOfResponse(const ExportedAnswer& row) {
@@ -49,7 +55,8 @@ Columns<ExportedAnswer> columnsOfAnsweredStep() {
       conditionColumn<ExportedAnswer>().inPublic()};
 }
 
-Columns<ExportedAnswer> columnsOfAnswer() {
+/// What was asked.
+Columns<ExportedAnswer> columnsOfQuestion() {
   using namespace holds;
   using C = Column<ExportedAnswer>;
   return {
@@ -59,7 +66,26 @@ Columns<ExportedAnswer> columnsOfAnswer() {
         [](const ExportedAnswer& row) {
           return row.record->step.instrument;
         }).inPublic(),
-      C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic(),
+      C("item_id", Text{}, "Question", howGiven(&GivenAnswer::item)).inPublic()};
+}
+
+/// How it counts.
+Columns<ExportedAnswer> columnsOfUse() {
+  using namespace holds;
+  return {
+      {"language",
+       Text{},
+       "Of the question as it is worded here",
+       howGiven(&GivenAnswer::language)},
+      includedColumn<ExportedAnswer>(
+          [](const ExportedAnswer& row) { return row.excluded.empty(); }),
+      {"exclude_reason", Text{}, "Why they do not", &ExportedAnswer::excluded}};
+}
+
+Columns<ExportedAnswer> columnsOfAnswer() {
+  using namespace holds;
+  using C = Column<ExportedAnswer>;
+  return {
       {"item_order",
        Integer{},
        "Where it stood on its page, from 1",
@@ -68,8 +94,9 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       C("key", Integer{}, "1: a high answer is good; -1: a low one is", keyOf).inPublic(),
       C("response",
         FreeText{},
-        "As given: a point, a number, the id of an option, a text",
-        &ExportedAnswer::response)
+        "As given: a point, a number, the id of an option. A number about the person is a band "
+        "(\"25 to 29\") if the export is not exact",
+        givenResponse)
           .inPublic("A point, a number, the id of an option; of alternatives, the condition code"),
       C("response_keyed", Integer{}, "Points only: reversed where the key is -1", keyedResponseOf)
           .inPublic(),
@@ -89,33 +116,51 @@ Columns<ExportedAnswer> columnsOfAnswer() {
       {"n_changes",
        Integer{},
        "How often it was changed after the first touch",
-       howGiven(&GivenAnswer::changes)},
-      {"language",
-       Text{},
-       "Of the question as it is worded here",
-       howGiven(&GivenAnswer::language)},
-      includedColumn<ExportedAnswer>(
-          [](const ExportedAnswer& row) { return row.excluded.empty(); }),
-      {"exclude_reason", Text{}, "Why they do not", &ExportedAnswer::excluded},
-      // The trial between two answers depends on the rendering, and so does the time between them.
-      C("saved_utc",
-        Utc{},
-        "When it was on the disk, ISO 8601, UTC",
-        [](const ExportedAnswer& row) {
-          return row.record->savedUtc;
-        }).revealsCondition()};
+       howGiven(&GivenAnswer::changes)}};
+}
+
+/// The trial between two answers depends on the rendering, and so does the time between them.
+Column<ExportedAnswer> savedColumn() {
+  return Column<ExportedAnswer>(
+             "saved_utc",
+             holds::Utc{},
+             "When it was on the disk, ISO 8601, UTC",
+             [](const ExportedAnswer& row) { return row.record->savedUtc; })
+      .revealsCondition()
+      .exact();
+}
+
+Columns<ExportedAnswer> joined(std::initializer_list<Columns<ExportedAnswer>> parts) {
+  Columns<ExportedAnswer> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace
 
 Table<ExportedAnswer> responseTable() {
-  Table<ExportedAnswer> table{
+  return {
       .name = "responses",
-      .description = "One row per answer. An item that was not answered has no row: it is missing.",
-      .columns = columnsOfAnsweredStep(),
+      .description =
+          "One row per answer that is no text. An item that was not answered has no row: "
+          "it is missing.",
+      .columns = joined(
+          {columnsOfAnsweredStep(),
+           columnsOfQuestion(),
+           columnsOfAnswer(),
+           columnsOfUse(),
+           {savedColumn()}}),
       .inPublic = "One row per answer, in no order. An item that was not answered has no row."};
-  for (auto& column : columnsOfAnswer()) table.columns.push_back(std::move(column));
-  return table;
+}
+
+Table<ExportedAnswer> textTable() {
+  const Columns<ExportedAnswer> text{
+      {"response_text", holds::FreeText{}, "As it was written", &ExportedAnswer::response}};
+  return {
+      .name = "texts",
+      .description = "One row per text that a participant wrote as an answer.",
+      .columns = joined({columnsOfAnsweredStep(), columnsOfQuestion(), text, columnsOfUse()}),
+      .isOnRequest = true};
 }
 
 }  // namespace study

@@ -20,7 +20,9 @@ Columns<ExportedSession> columnsOfSession() {
        "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
        [](const ExportedSession& row) { return statusOf(row.record->state); }},
       // Written by the operator, or the device's reason.
-      C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason)).revealsCondition(),
+      C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason))
+          .revealsCondition()
+          .onRequest(),
       includedColumn<ExportedSession>(
           [](const ExportedSession& row) { return row.record->isCompleted(); }),
       {"session_language",
@@ -34,9 +36,13 @@ Columns<ExportedSession> columnsOfSession() {
         [](const ExportedSession& row) {
           return row.record->slot + 1;
         }).revealsCondition(),
-      {"started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)},
+      {"day",
+       Integer{},
+       "Since the first session of this export, which has 1",
+       &ExportedSession::day},
+      C("started_utc", Utc{}, "ISO 8601, UTC", record(&Record::startedUtc)).exact(),
       // End and start give the duration of all trials.
-      C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).revealsCondition(),
+      C("ended_utc", Utc{}, "ISO 8601, UTC", record(&Record::endedUtc)).revealsCondition().exact(),
       {"protocol_hash",
        Text{},
        "SHA-256 of the protocol with its files",

@@ -9,6 +9,7 @@ namespace study {
 
 Table<ExportedSession> sessionTable();
 Table<ExportedAnswer> responseTable();
+Table<ExportedAnswer> textTable();
 Table<ExportedTrial> trialTable();
 Table<ExportedCut> cutTable();
 Table<ExportedEvent> eventTable();

@@ -96,7 +96,8 @@ class ExportLayoutTest : public testing::Test {
 
   /// Options for a complete, unblinded export.
   static ExportOptions open(ExportFormat format) {
-    return {.format = format, .isBlinded = false, .hasTraces = true};
+    return {
+        .format = format, .isBlinded = false, .hasTraces = true, .isExact = true, .hasTexts = true};
   }
 
   fs::path exported(const std::string& name, ExportOptions options, const std::string& why = {}) {
@@ -250,7 +251,7 @@ TEST_F(ExportLayoutTest, FollowsThePsychDsLayout) {
     for (const auto& column : csv.columns) EXPECT_EQ(variables.count(column), 1U) << column;
     for (const auto& row : csv.rows) EXPECT_EQ(row.cells.size(), csv.columns.size());
   }
-  EXPECT_EQ(tables, 8);
+  EXPECT_EQ(tables, 9);
   EXPECT_TRUE(fs::exists(folder / "README.md"));
   EXPECT_TRUE(fs::exists(folder / "CHANGES.md"));
   EXPECT_TRUE(fs::exists(folder / "materials/study-protocol.json"));
@@ -415,7 +416,9 @@ TEST_F(ExportLayoutTest, FollowsTheBidsLayout) {
       EXPECT_EQ(lines[0][0], "onset");
       EXPECT_EQ(lines[0][1], "duration");
     }
-    if (file.ends_with("responses_beh.tsv")) answers += lines.size() - 1;
+    if (file.ends_with("responses_beh.tsv") || file.ends_with("texts_beh.tsv")) {
+      answers += lines.size() - 1;
+    }
   }
   EXPECT_EQ(answers, storage::Records(study_->database()).answers().size());
 }
@@ -428,7 +431,10 @@ TEST(BidsExport, HasNoFreeTextThatASpreadsheetTakesForAFormula) {
   const std::string words = "=HYPERLINK(\"http://x\")";
   session.record({.item = "line", .response = words, .itemOrder = 1, .language = "en"});
   const fs::path folder = study.scratch() / "bids";
-  exportStudy(*study, folder.string(), {.format = ExportFormat::Bids, .runMode = RunMode::Live});
+  exportStudy(
+      *study,
+      folder.string(),
+      {.format = ExportFormat::Bids, .runMode = RunMode::Live, .hasTexts = true});
   std::size_t found = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".tsv") continue;

@@ -23,8 +23,9 @@ class NamedPeopleTest : public testing::Test {
     session.finishStep();
     tests::walkToTheEnd(session);
   }
-  std::string readme(const std::string& name) {
-    exportStudy(*study_, folder_ / name, {.runMode = RunMode::Live});
+  std::string readme(const std::string& name, bool isExact = false) {
+    exportStudy(
+        *study_, folder_ / name, {.runMode = RunMode::Live, .isExact = isExact, .hasTexts = true});
     return tests::contentOf(folder_ / name + "/README.md");
   }
   static bool has(const std::string& text, const std::string& part) {
@@ -42,7 +43,7 @@ TEST_F(NamedPeopleTest, AreFoundInWhatOthersWrote) {
   take("Ola Nordmann", "As KARI said, and ÅSGÅRD too: soft.");
   const auto text = readme("with");
   EXPECT_TRUE(has(text, "THIS FOLDER NAMES PEOPLE: 1 cell has")) << text;
-  EXPECT_TRUE(has(text, "(responses: 1)")) << text;
+  EXPECT_TRUE(has(text, "(texts: 1)")) << text;
   EXPECT_FALSE(has(text, "Åsgård") || has(text, "Nordmann")) << "it does not repeat them";
 }
 
@@ -61,8 +62,11 @@ TEST_F(NamedPeopleTest, CannotBeSearchedForWhereNoNameIsKept) {
 TEST_F(NamedPeopleTest, WhoAreAloneWithTheirBackgroundAreCounted) {
   for (int i = 0; i < 4; ++i) take("Xy", "", 3.0);
   EXPECT_TRUE(has(readme("alike"), "0 of 4 people are alone"));
+  take("Xy", "", 4.0);
+  EXPECT_TRUE(has(readme("of one band"), "0 of 5 people are alone"));
+  EXPECT_TRUE(has(readme("exact", true), "1 of 5 people are alone"));
   take("Xy", "", 27.0);
-  EXPECT_TRUE(has(readme("alone"), "1 of 5 people are alone"));
+  EXPECT_TRUE(has(readme("alone"), "1 of 6 people are alone"));
 }
 
 TEST(WordsOfNames, AreLowerCaseAndOfThreeLettersOrMore) {

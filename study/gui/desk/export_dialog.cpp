@@ -31,6 +31,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       audience_(new QComboBox(this)),
       smallest_(new QSpinBox(this)),
       reason_(new QLineEdit(this)),
+      exact_(new QCheckBox(tr("dates, times and ages as they are, not in bands"), this)),
+      texts_(new QCheckBox(tr("also what participants and operators wrote"), this)),
       traces_(new QCheckBox(tr("also what was felt, a thousand times a second"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
   const auto add = [](QComboBox* box, const QString& words, auto value) {
@@ -51,6 +53,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   smallest_->setAccessibleName(tr("How many people have to be alike"));
   smallest_->setObjectName(QStringLiteral("smallest-class"));
   smallest_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
+  exact_->setObjectName(QStringLiteral("exact"));
+  texts_->setObjectName(QStringLiteral("texts"));
   reason_->setAccessibleName(tr("Reason for unblinding"));
   reason_->setObjectName(QStringLiteral("reason"));
   target_->setPath(newPathBeside(folder_, QStringLiteral("data")));
@@ -59,6 +63,8 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("For whom"), audience_);
   form().addRow(tr("People alike, at least"), smallest_);
   form().addRow(tr("Reason for unblinding"), reason_);
+  form().addRow(tr("Detail"), exact_);
+  form().addRow(tr("Texts"), texts_);
   form().addRow(tr("Traces"), traces_);
   form().addRow(tr("To a new folder"), target_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
@@ -74,7 +80,9 @@ ExportOptions ExportDialog::options() const {
       .format = static_cast<ExportFormat>(format_->currentData().toInt()),
       .runMode = chosenMode(*mode_),
       .isBlinded = audience != Audience::Unblinded,
-      .hasTraces = audience == Audience::Unblinded && traces_->isChecked()};
+      .hasTraces = audience == Audience::Unblinded && traces_->isChecked(),
+      .isExact = audience != Audience::Public && exact_->isChecked(),
+      .hasTexts = audience != Audience::Public && texts_->isChecked()};
   if (audience == Audience::Public) {
     options.publicClass = static_cast<std::size_t>(smallest_->value());
   }
@@ -85,6 +93,8 @@ void ExportDialog::updateChoices() {
   const auto audience = audienceOf(*audience_);
   form().setRowVisible(smallest_, audience == Audience::Public);
   form().setRowVisible(reason_, audience == Audience::Unblinded);
+  form().setRowVisible(exact_, audience != Audience::Public);
+  form().setRowVisible(texts_, audience != Audience::Public);
   form().setRowVisible(traces_, audience == Audience::Unblinded);
   clear();
   go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());

@@ -36,6 +36,8 @@ class ExportDialog final : public WorkDialog {
   QComboBox* audience_;
   QSpinBox* smallest_;
   QLineEdit* reason_;
+  QCheckBox* exact_;
+  QCheckBox* texts_;
   QCheckBox* traces_;
   PathField* target_;
 };

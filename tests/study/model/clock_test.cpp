@@ -71,7 +71,7 @@ TEST_F(SteppedClockTest, IsNotedAndChangesNoOrderAndNoDuration) {
   EXPECT_EQ(events.back().name(), "gave_consent");
   EXPECT_TRUE(verify(*study_).isSound());
 
-  const auto tables = exportTables(*study_, {.isBlinded = false});
+  const auto tables = exportTables(*study_, {.isBlinded = false, .isExact = true});
   const auto& last = tables.back().rows.back();
   EXPECT_EQ(std::get<double>(last[5]), 15.0);  // onset_s: 10 s and 5 s
 }
@@ -102,7 +102,7 @@ TEST_F(SteppedClockTest, BridgesTheTimeBetweenTwoRunsOfTheProgram) {
   auto resumed = Session::resume(study, id);
   later.advance(2.0);
   resumed.finishStep();
-  const auto events = exportTables(study, {.isBlinded = false}).back();
+  const auto events = exportTables(study, {.isBlinded = false, .isExact = true}).back();
   EXPECT_EQ(std::get<double>(events.rows.back()[5]), 1812.0);  // 10 s + 1800 s + 2 s
 }
 
@@ -127,7 +127,8 @@ class CrashedSessionTest : public SteppedClockTest {
     resumed.finishStep();
   }
   double lastOnset() {
-    return std::get<double>(exportTables(*study_, {.isBlinded = false}).back().rows.back()[5]);
+    return std::get<double>(
+        exportTables(*study_, {.isBlinded = false, .isExact = true}).back().rows.back()[5]);
   }
   static std::string thisBoot() {
     std::string boot;
