@@ -18,6 +18,7 @@ void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
 void addConsentCommand(CLI::App& noun, Action& action);        // adds to the command "study"
 void addProtocolTextsCommand(CLI::App& noun, Action& action);  // adds to "protocol"
+void addEvidenceCommands(CLI::App& noun, Action& action);      // adds to "study"
 void addStudyTextsCommand(CLI::App& noun, Action& action);     // adds to "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);

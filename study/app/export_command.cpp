@@ -52,26 +52,28 @@ void printExport(
   }
 }
 
+RunMode runModeIn(const ExportArguments& options, Clock& clock) {
+  const auto access = options.unblind || options.forPublic ? storage::Database::Access::ReadWrite
+                                                           : storage::Database::Access::ReadOnly;
+  auto study = Study::open(options.folder, clock, access);
+  return chosenRunMode(study, options.runMode);
+}
+
 int exportAs(const ExportArguments& options) {
   SystemClock clock;
-  const bool isAudited = options.unblind || options.forPublic;
-  const auto access =
-      isAudited ? storage::Database::Access::ReadWrite : storage::Database::Access::ReadOnly;
-  auto study = Study::open(options.folder, clock, access);
   ExportOptions how{
       .format = kFormats.at(options.format),
-      .runMode = chosenRunMode(study, options.runMode),
+      .runMode = runModeIn(options, clock),
       .isBlinded = !options.unblind,
       .hasTraces = options.traces,
       .isExact = options.exact,
       .hasTexts = options.texts};
+  if (options.forPublic) how.publicClass = options.smallestClass;
+  auto study = openForExport(options.folder, clock, how);
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
     fmt::print("{}", identifiabilityInWords(study, how));
   }
-  if (options.forPublic) {
-    how.publicClass = options.smallestClass;
-    fmt::print("{}", describe(publicRelease(study, how)));
-  }
+  if (options.forPublic) fmt::print("{}", describe(publicRelease(study, how)));
   const auto sessions = exportStudy(study, options.out, how, options.reason);
   printExport(study, options, how, sessions);
   return 0;

@@ -88,7 +88,6 @@ std::string statusAsJson(Study& study) {
       {"study_id", study.protocol().protocol.study.id},
       {"title", study.protocol().protocol.study.title},
       {"uuid", study.uuid()},
-      {"seed", study.seed()},
       {"created_utc", study.createdUtc()},
       {"protocol_hash", current.sha256},
       {"protocol_frozen_utc", orNull(current.frozenUtc)},
@@ -124,7 +123,10 @@ std::string verificationAsJson(const Verification& verification) {
       {"checks", Json::array()}};
   for (const auto& check : verification.checks) {
     json["checks"].push_back(
-        {{"what", check.what}, {"sound", check.problems.empty()}, {"problems", check.problems}});
+        {{"what", check.what},
+         {"sound", check.problems.empty()},
+         {"problems", check.problems},
+         {"remarks", check.remarks}});
   }
   return printed(json);
 }

@@ -13,9 +13,7 @@
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/cohort/simulated_participant.h"
-#include "study/session/backup.h"
 #include "study/session/unfinished_sessions.h"
-#include "study/session/verification.h"
 #include "study/storage/records.h"
 #include "study/words/counted.h"
 
@@ -36,8 +34,6 @@ struct StudyArguments {
   std::string devices;
   std::string runMode;
   std::string language = "en";
-  std::string out;
-  std::string noted;
   std::string takeOver;
   int participants = 0;
   std::uint64_t seed = 0;
@@ -131,6 +127,7 @@ int simulate(const StudyArguments& options) {
       acknowledge,
       options.devices);
   const int now = static_cast<int>(endings.size());
+  if (now > already) study.transact([&] { study.signTrail("simulated"); });
   fmt::print(
       "{} finished{}{}. Nobody took part: these answers say nothing about "
       "any method.\n",
@@ -168,14 +165,13 @@ int status(const StudyArguments& options) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nseed {}, made {}\n\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n\n",
       metadata.title,
       metadata.id,
       metadata.version,
       current.sha256.substr(0, 12),
       current.frozenUtc ? "frozen " + *current.frozenUtc
                         : "not frozen yet: no live participant has begun",
-      study.seed(),
       study.createdUtc());
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
@@ -202,47 +198,6 @@ int status(const StudyArguments& options) {
     for (const auto& choice : session.choices) fmt::print("  - {}\n", choice);
   }
   return 0;
-}
-
-void printChecks(const Verification& verification) {
-  for (const auto& check : verification.checks) {
-    fmt::print("{}  {}\n", check.problems.empty() ? "ok  " : "FAIL", check.what);
-    for (const auto& problem : check.problems) fmt::print("      {}\n", problem);
-  }
-}
-
-void printHead(const Verification& verification) {
-  fmt::print("Head of the audit trail: {}\n", verification.head);
-}
-
-int backup(const StudyArguments& options) {
-  const auto copy = backUp(options.folder, options.out);
-  fmt::print(
-      "{} holds a copy of {}: {:.1f} MB.\n",
-      options.out,
-      options.folder,
-      1e-6 * static_cast<double>(copy.bytes));
-  if (copy.verification.isSound()) {
-    fmt::print("It was read again to the last byte: everything is what was written.\n");
-    printHead(copy.verification);
-    return 0;
-  }
-  fmt::print("It is NOT sound, and so is the study that it was made of:\n");
-  printChecks(copy.verification);
-  return 1;
-}
-
-int verify(const StudyArguments& options) {
-  SystemClock clock;
-  auto study = Study::open(options.folder, clock, Access::ReadOnly);
-  const auto verification = study::verify(study, {}, options.noted);
-  if (options.json) {
-    std::fputs(verificationAsJson(verification).c_str(), stdout);
-  } else {
-    printChecks(verification);
-    if (verification.isSound()) printHead(verification);
-  }
-  return verification.isSound() ? 0 : 1;
 }
 
 /// Adds one verb: its name, its description, its action.
@@ -338,28 +293,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
       app::status);
   status->add_flag("--json", options->json, "JSON");
 
-  auto* backup = addVerb(
-      *noun,
-      "backup",
-      "Back up a study, also during sessions, and verify the copy",
-      options,
-      action,
-      app::backup);
-  backup->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
-
-  auto* verify = addVerb(
-      *noun,
-      "verify",
-      "Check that no stored data was changed, lost or damaged",
-      options,
-      action,
-      app::verify);
-  verify->add_flag("--json", options->json, "JSON");
-  verify->add_option(
-      "--expect",
-      options->noted,
-      "A head of the audit trail that was noted earlier: fails if it is not there");
-
+  addEvidenceCommands(*noun, action);
   addStudyTextsCommand(*noun, action);
   addConsentCommand(*noun, action);
 }

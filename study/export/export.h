@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -49,7 +50,8 @@ std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& optio
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
 /// If anything fails, there is no folder. An unblinded export needs a @p reason, which is written
-/// into the audit trail; a public export is noted there, too.
+/// into the audit trail. Every export but that of simulated sessions is noted there, and signed, if
+/// the study may be written.
 /// @return  the number of exported sessions.
 /// @throws storage::StorageError  if the folder exists already or cannot be written, or if too few
 ///     people took part for a public export.
@@ -58,6 +60,13 @@ std::size_t exportStudy(
     const std::string& folder,
     const ExportOptions& options,
     const std::string& reason = {});
+
+/// Opens a study so that an export of it can be noted in its audit trail. One that may only be read
+/// (an archive, a full disk, an analyst's rights) is opened all the same for an export that hides
+/// conditions. For one of simulated sessions, which is not noted, nothing is opened for writing.
+/// @throws storage::StorageError
+Study openForExport(
+    const std::filesystem::path& folder, Clock& clock, const ExportOptions& options);
 
 /// What identifies the condition of an answer in spite of its code, in any version of the study's
 /// protocol (protocols/validation/blinding.h). If there is anything, an export with codes is not

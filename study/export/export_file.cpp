@@ -9,6 +9,7 @@
 #include "study/export/public_history.h"
 #include "study/export/public_tables.h"
 #include "study/model/new_file.h"
+#include "study/session/noted_folder.h"
 
 namespace study {
 namespace {
@@ -97,8 +98,34 @@ void requireAllowed(const ExportOptions& options, const std::string& reason) {
   }
 }
 
+/// Whether there may be no such export that the audit trail does not have.
+bool isNoteRequired(const ExportOptions& options) {
+  return !options.isBlinded || options.publicClass.has_value();
+}
+
+/// Notes where a copy of the data is. Simulated sessions have nothing to prove.
+void noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
+  if (!study.isWritable() || options.runMode == RunMode::Simulated) return;
+  const std::string how = options.publicClass ? "public"
+                          : options.isBlinded ? "coded"
+                                              : "unblinded";
+  try {
+    study.note(
+        {.actor = storage::Actor::Operator,
+         .kind = EventKind::Exported,
+         .values = {
+             {"how", how},
+             {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
+             {"folder", asNoted(target)}}});
+  } catch (const storage::StorageError&) {
+    if (isNoteRequired(options)) throw;  // else a full disk must not keep data from being rescued
+  }
+}
+
 /// Notes the export in the audit trail, before anything is written.
-void noteExport(Study& study, const ExportOptions& options, const std::string& reason) {
+void noteExport(
+    Study& study, const fs::path& target, const ExportOptions& options, const std::string& reason) {
+  noteFolder(study, target, options);
   if (options.publicClass) {
     const auto release = publicRelease(study, options);
     study.note(
@@ -126,6 +153,17 @@ void writeScripts(const fs::path& folder, const ExportOptions& options) {
   }
 }
 
+Study openForExport(const fs::path& folder, Clock& clock, const ExportOptions& options) {
+  using Access = storage::Database::Access;
+  if (isNoteRequired(options)) return Study::open(folder, clock, Access::ReadWrite);
+  if (options.runMode == RunMode::Simulated) return Study::open(folder, clock, Access::ReadOnly);
+  try {
+    return Study::open(folder, clock, Access::ReadWrite);
+  } catch (const storage::StorageError&) {
+    return Study::open(folder, clock, Access::ReadOnly);
+  }
+}
+
 std::size_t exportStudy(
     Study& study,
     const std::string& folder,
@@ -143,7 +181,7 @@ std::size_t exportStudy(
   requireAllowed(options, reason);
   if (options.publicClass) requireNothingLaidBare(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
-  noteExport(study, options, reason);
+  noteExport(study, target, options, reason);
   const fs::path unfinished = newFolderBeside(target);
   try {
     const auto sessions = writeAll(study, unfinished, options);

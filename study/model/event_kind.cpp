@@ -26,6 +26,13 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{"unblinded_export"},
     EventFacts{"unblinded_report"},
     EventFacts{"unblinded_results"},
+    EventFacts{"exported", {"{run_mode} sessions, {how}, to {folder}"}},
+    EventFacts{"made_backup", {"to {folder}"}},
+    EventFacts{"restored_copy", {"{reason}"}},
+    EventFacts{"noted_identities", {"{rows}"}},
+    EventFacts{
+        "signed_head", {"{events} events, hash {hash}, for {purpose}, by the station {key}"}},
+    EventFacts{"head_not_signed"},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

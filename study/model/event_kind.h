@@ -18,6 +18,12 @@ enum class EventKind {
   UnblindedExport,
   UnblindedReport,
   UnblindedResults,
+  Exported,  ///< to which folder; an unblinded or public one has an event of its own besides
+  MadeBackup,
+  RestoredCopy,     ///< an older copy took the study's place
+  NotedIdentities,  ///< what identity.db has, where the trail did not know it
+  SignedHead,       ///< a station vouches for all events before this one
+  HeadNotSigned,    ///< the station's key could not be used
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

@@ -8,6 +8,7 @@
 
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
+#include "study/session/noted_folder.h"
 #include "study/storage/lease.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
@@ -107,9 +108,10 @@ void copyOtherFiles(const fs::path& from, const fs::path& to, const Progress& pr
 Verification verifyCopy(const fs::path& folder, const Progress& progress) {
   SystemClock clock;
   auto copy = Study::open(folder, clock, Access::ReadOnly);
-  return verify(copy, [&](double share, const std::string& words) {
+  const auto told = [&](double share, const std::string& words) {
     tell(progress, kShareOfCopying + (1.0 - kShareOfCopying) * share, "reading the copy: " + words);
-  });
+  };
+  return verify(copy, told, {.isOlderCopy = true});  // sessions may have ended meanwhile
 }
 
 /// Removes the log files that reading the copy left beside its databases.
@@ -161,6 +163,20 @@ void clearLeases(const fs::path& copy) {
   storage::Lease::clear(study);
 }
 
+/// The copy has this event as well. A study that cannot be written is copied all the same.
+void noteBackup(const fs::path& from, const fs::path& target) {
+  try {
+    SystemClock clock;
+    auto study = Study::open(from, clock);
+    study.note(
+        {.actor = storage::Actor::Operator,
+         .kind = EventKind::MadeBackup,
+         .values = {{"folder", asNoted(target)}}});
+  } catch (const StorageError&) {
+    return;
+  }
+}
+
 Backup copyInto(
     const fs::path& from,
     const fs::path& unfinished,
@@ -191,6 +207,7 @@ Backup backUp(const fs::path& folder, const fs::path& destination, const Progres
   }
   refuseUnlessNew(from, target);
   const auto unfinished = newFolderBeside(target);
+  noteBackup(from, target);
   try {
     // The copy holds names of people, so it gets the permissions of the study, and no wider ones.
     fs::permissions(unfinished, fs::status(from).permissions());

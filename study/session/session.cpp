@@ -6,6 +6,7 @@
 
 #include "questionnaires/json/document.h"
 #include "study/session/drawn_plan.h"
+#include "study/session/identity_evidence.h"
 #include "study/storage/transaction.h"
 
 namespace study {
@@ -157,6 +158,7 @@ Session Session::resume(Study& study, SessionId id, const std::string& takeOver)
     }
     session.say(Actor::Program, EventKind::Resumed);
   });
+  noteIdentities(study, session.row_);
   if (session.state() == SessionState::InTrial) {
     session.breakOffTrial(session.brokenOff(TrialEnding::ProgramEnded));
   }
@@ -214,6 +216,9 @@ void Session::transact(const std::function<void()>& action) {
       action();
       study_.sessions().update(row_);
       for (const auto& event : pendingEvents_) study_.events().append(event);
+      // Simulated sessions can be made again from their seed, and are signed together.
+      const bool isSigned = isOver() && runMode() != RunMode::Simulated && !pendingEvents_.empty();
+      if (isSigned) study_.signTrail(pendingEvents_.back().name());
     });
   } catch (const StorageError& error) {
     isCommitUnknown_ = error.kind() == StorageError::Kind::Unknown;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "study/session/identity_evidence.h"
 #include "study/session/session.h"
 #include "study/storage/answer_repository.h"
 
@@ -93,11 +94,10 @@ void Session::storeIdentifying(const questionnaires::Item& item, const GivenAnsw
   const auto* text = std::get_if<std::string>(&answer.response);
   require(text != nullptr, "'" + item.id + "' names a person and can only be a text.");
   study_.withReservedSpace([&] { study_.identities().put(place(), item.id, *text, utcNow()); });
-  transact([&] {
-    say(Actor::Participant,
-        EventKind::Answered,
-        {{"item", item.id}, {"kept_apart", std::int64_t{1}}});
-  });
+  base::NamedArguments values{{"item", item.id}, {"kept_apart", std::int64_t{1}}};
+  const auto fingerprint = fingerprintOf(study_, place(), item.id);
+  if (!fingerprint.empty()) values.emplace_back("fingerprint", fingerprint);
+  transact([&] { say(Actor::Participant, EventKind::Answered, values); });
 }
 
 void Session::retract(const std::string& id) {

@@ -38,11 +38,12 @@ std::string_view appVersion() noexcept {
 }
 
 Study::Study(fs::path folder, Clock& clock, Database database, Database traces, Database identities)
-    : folder_(std::move(folder)),
+    : folder_(folder),
       clock_(&clock),
       database_(std::move(database)),
       traces_(std::move(traces)),
-      identities_(std::move(identities)) {}
+      identities_(std::move(identities)),
+      signer_(std::move(folder)) {}
 
 Study Study::open(const fs::path& folder, Clock& clock, Database::Access access) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
@@ -59,7 +60,8 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   auto identities = Database::open(files.identity(), storage::identitySchema(), access);
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
-  if (access == Database::Access::ReadWrite) storage::ReservedSpace(folder).take();
+  study.isWritable_ = access == Database::Access::ReadWrite;
+  if (study.isWritable_) storage::ReservedSpace(folder).take();
   return study;
 }
 
@@ -144,6 +146,7 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
          .actor = storage::Actor::Operator,
          .kind = EventKind::AmendedProtocol,
          .values = {{"version", static_cast<std::int64_t>(id)}, {"reason", reason}}});
+    signTrail(nameOf(EventKind::AmendedProtocol));
   });
 }
 
@@ -176,6 +179,7 @@ void Study::transact(const std::function<void()>& action) {
   withReservedSpace([&] {
     std::vector<std::byte> head;
     try {
+      signer_.forget();
       storage::Transaction transaction(database_);
       action();
       // The hash of the last event identifies this transaction if its commit seems to fail.
@@ -185,6 +189,12 @@ void Study::transact(const std::function<void()>& action) {
       if (!isEventStored(head)) throw;
     }
   });
+  // What cannot be noted now is vouched for by the next head; verify() says how many are missing.
+  signer_.noteSigned();
+}
+
+void Study::signTrail(std::string_view purpose) {
+  signer_.sign(database_, purpose, clock_->now());
 }
 
 void Study::note(EventKind kind, const std::string& words) {
@@ -195,6 +205,7 @@ void Study::note(storage::Event event) {
   transact([&] {
     event.when = clock_->now();
     events().append(event);
+    signTrail(event.name());
   });
 }
 

@@ -14,6 +14,7 @@
 #include "study/storage/blinding_secret.h"
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"
+#include "study/storage/evidence/trail_signer.h"
 #include "study/storage/identity_store.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/session_repository.h"
@@ -87,7 +88,15 @@ class Study {
   ///     where it may have.
   void transact(const std::function<void()>& action);
 
-  /// Appends an event that belongs to no session: an export, an unblinding.
+  /// Signs the audit trail with the key of this station: the last change in the action of
+  /// transact(). @param purpose  name of the event's kind that is signed for
+  void signTrail(std::string_view purpose);
+
+  /// Whether it was opened for writing.
+  bool isWritable() const noexcept { return isWritable_; }
+
+  /// Appends an event that belongs to no session, an export or an unblinding, and signs the audit
+  /// trail with it.
   void note(EventKind kind, const std::string& words);
   void note(storage::Event event);
 
@@ -111,6 +120,8 @@ class Study {
   std::string uuid_;
   std::uint64_t seed_ = 0;
   std::string createdUtc_;
+  storage::TrailSigner signer_;
+  bool isWritable_ = true;
   bool isSecretRead_ = false;
   std::optional<storage::BlindingSecret> secret_;
 };

@@ -8,6 +8,7 @@
 #include "study/model/new_file.h"
 #include "study/model/study_files.h"
 #include "study/session/study.h"
+#include "study/storage/evidence/trail_signer.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
@@ -107,6 +108,7 @@ void begin(
        .values = {{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}}});
   transaction.commit();
   flushFolder(folder);
+  storage::noteNewStudy(database, folder, now);
 }
 
 }  // namespace

@@ -9,9 +9,13 @@
 
 #include "study/model/study_files.h"
 #include "study/session/drawn_plan.h"
+#include "study/session/identity_evidence.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/content_hash.h"
 #include "study/storage/events_of_release_0_1.h"
+#include "study/storage/evidence/head_check.h"
+#include "study/storage/evidence/schema_check.h"
+#include "study/storage/evidence/witness_file.h"
 #include "study/storage/records.h"
 #include "study/storage/study_schema.h"
 
@@ -36,6 +40,35 @@ Problems files(Study& study) {
     if (!found.empty()) problems.push_back(found);
   }
   return problems;
+}
+
+storage::Findings schemas(Study& study) {
+  storage::Findings findings;
+  const std::array<std::pair<storage::Database*, const storage::Schema*>, 3> all{
+      {{&study.database(), &storage::studySchema()},
+       {&study.traces().database(), &storage::traceSchema()},
+       {&study.identities().database(), &storage::identitySchema()}}};
+  for (const auto& [database, schema] : all) {
+    auto found = storage::checkSchema(*database, *schema);
+    findings.problems.insert(findings.problems.end(), found.problems.begin(), found.problems.end());
+  }
+  return findings;
+}
+
+std::optional<storage::StationStore> thisStation() {
+  return storage::StationStore::find(storage::StationStore::usualFolder());
+}
+
+storage::Findings signatures(Study& study) {
+  const auto station = thisStation();
+  return storage::TrailHeads(study.database())
+      .checkSignatures(station ? station->publicKey() : std::string());
+}
+
+storage::Findings notedHere(Study& study, bool isOlderCopy) {
+  const auto station = thisStation();
+  if (!station) return {.remarks = {"this account has noted nothing of any study"}};
+  return storage::checkStation(storage::TrailHeads(study.database()), *station, isOlderCopy);
 }
 
 Problems auditTrail(Study& study) {
@@ -105,14 +138,14 @@ Problems answers(Study& study) {
   return problems;
 }
 
-Problems identities(Study& study) {
-  Problems problems;
+storage::Findings identities(Study& study) {
+  auto findings = checkIdentities(study);
   for (const auto& row : study.identities().damaged()) {
-    problems.push_back(
+    findings.problems.push_back(
         study.identities().database().path() + ": what is kept of " + row +
         " is not what was written");
   }
-  return problems;
+  return findings;
 }
 
 Problems protocolHashes(Study& study) {
@@ -248,38 +281,53 @@ bool Verification::isSound() const noexcept {
       checks.begin(), checks.end(), [](const Check& check) { return check.problems.empty(); });
 }
 
-Verification verify(Study& study, const Progress& progress, const std::string& noted) {
-  constexpr double kChecksBeforeTraces = 7.0;
+Verification verify(Study& study, const Progress& progress, const VerifyOptions& options) {
+  constexpr double kChecksBeforeTraces = 10.0;
   const OneMoment moment(study);
   Verification result;
-  const auto check = [&](const char* what, const std::function<Problems(Study&)>& look) {
+  const auto look = [&](const char* what,
+                        const std::function<storage::Findings(Study&)>& findingsOf) {
     const auto done = static_cast<double>(result.checks.size()) / kChecksBeforeTraces;
     tell(progress, kShareBeforeTraces * done, what);
-    Problems problems;
+    storage::Findings found;
     try {
-      problems = look(study);
+      found = findingsOf(study);
     } catch (const storage::StorageError& error) {
-      problems.push_back(error.what());
+      found.problems.push_back(error.what());
     }
-    result.checks.push_back({what, std::move(problems)});
+    result.checks.push_back({what, std::move(found.problems), std::move(found.remarks)});
+  };
+  const auto check = [&](const char* what, const std::function<Problems(Study&)>& problemsOf) {
+    look(what, [&](Study& of) { return storage::Findings{.problems = problemsOf(of)}; });
   };
   check("the database files are whole, and every row refers to something", files);
+  look("tables, indexes and triggers are those that the program makes", schemas);
   check("the audit trail is unbroken", auditTrail);
+  look("every signature is of the events before it", signatures);
+  look("the audit trail goes on from all that this station signed", [&](Study& of) {
+    return notedHere(of, options.isOlderCopy);
+  });
   check("all data agree with the audit trail", contents);
   check("every answer is what the audit trail says", answers);
-  check("whatever names a person is what was written", identities);
+  look("whatever names a person is what was written", identities);
   check("every protocol is what its hash says", protocolHashes);
   check("every order is the one that was drawn", orders);
-  if (!noted.empty()) {
-    const bool isHeld = study.events().extends(noted);
+  if (!options.noted.empty()) {
+    const bool isHeld = study.events().extends(options.noted);
     Problems problems;
     if (!isHeld) {
       problems.push_back(
-          "no event has the head " + noted +
+          "no event has the head " + options.noted +
           ": the end was cut off since, or the trail was written "
           "anew");
     }
     result.checks.push_back({"the audit trail goes on from what was noted of it", problems});
+  }
+  if (!options.witness.empty()) {
+    const auto witness = storage::readWitness(options.witness);
+    look("the audit trail goes on from every head in the witness file", [&](Study& of) {
+      return checkWitness(storage::TrailHeads(of.database()), witness);
+    });
   }
   result.head = study.events().headInWords();
   check(kOfTraces, [&](Study& of) { return traces(of, progress); });

@@ -31,6 +31,10 @@ std::string BlindingSecret::commitment() const {
   return hashOf("commitment");
 }
 
+std::string BlindingSecret::fingerprint(std::string_view row) const {
+  return hashOf("row of identity.db/" + std::string(row));
+}
+
 void BlindingSecret::arrange(std::vector<std::string>& ids, std::string_view purpose) const {
   std::vector<std::pair<std::string, std::string>> hashed;
   for (const auto& id : ids) hashed.emplace_back(hashOf(std::string(purpose) + "/" + id), id);

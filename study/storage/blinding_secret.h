@@ -26,6 +26,9 @@ class BlindingSecret {
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
   std::string commitment() const;
 
+  /// A keyed hash of a row of identity.db, for the audit trail.
+  std::string fingerprint(std::string_view row) const;
+
   /// Sorts @p ids by their hash with the secret (BLAKE2b-256 of "purpose/id"): to anyone who does
   /// not know it, all orders are equally likely. Purposes are independent of each other.
   /// @param ids  distinct; their order does not matter.

@@ -123,6 +123,22 @@ std::string shortProtocol(const ShortProtocol& options) {
          "}";
 }
 
+// NOLINTBEGIN(concurrency-mt-unsafe): set while a test has one thread
+OwnStation::OwnStation(const std::string& folder) {
+  const char* before = std::getenv("PALPATE_STATION");
+  if (before != nullptr) before_ = before;
+  setenv("PALPATE_STATION", folder.c_str(), 1);
+}
+
+void forgetWhatWasSigned() {
+  if (const char* station = std::getenv("PALPATE_STATION")) std::filesystem::remove_all(station);
+}
+
+OwnStation::~OwnStation() {
+  before_ ? setenv("PALPATE_STATION", before_->c_str(), 1) : unsetenv("PALPATE_STATION");
+}
+// NOLINTEND(concurrency-mt-unsafe)
+
 MadeStudy::MadeStudy(
     const protocols::LoadedProtocol& protocol,
     std::uint64_t seed,

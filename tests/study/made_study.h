@@ -38,7 +38,23 @@ struct ShortProtocol {
 /// debriefing; two cohorts, `surgeons` and `students`; in English, German and Norwegian.
 std::string shortProtocol(const ShortProtocol& options = {});
 
-/// A study in its own folder, with a clock that the test advances.
+/// A station's own folder, as long as it exists: no test meets what another one noted.
+class OwnStation {
+ public:
+  explicit OwnStation(const std::string& folder);
+  ~OwnStation();
+  OwnStation(const OwnStation&) = delete;
+  OwnStation& operator=(const OwnStation&) = delete;
+
+ private:
+  std::optional<std::string> before_;
+};
+
+/// Removes what the station noted. For tests that go on with copies of one study, each by itself: a
+/// station takes them for branches.
+void forgetWhatWasSigned();
+
+/// A study in its own folder and of its own station, with a clock that the test advances.
 class MadeStudy {
  public:
   explicit MadeStudy(
@@ -60,6 +76,7 @@ class MadeStudy {
 
  private:
   ScratchFolder scratch_;
+  OwnStation station_{scratch_ / "station"};
   std::optional<study::Study> study_;
 };
 

@@ -120,9 +120,7 @@ void ExportDialog::work() {
   std::string what;
   const auto write = [&](const Progress& progress) {
     SystemClock clock;
-    const bool isAudited = !how.isBlinded || how.publicClass.has_value();
-    using Access = storage::Database::Access;
-    auto study = Study::open(folder_, clock, isAudited ? Access::ReadWrite : Access::ReadOnly);
+    auto study = openForExport(folder_, clock, how);
     how.progress = progress;
     sessions = exportStudy(study, target, how, reason);
     what = how.publicClass ? "for strangers" : blindingInWords(study, how);

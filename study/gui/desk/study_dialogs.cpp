@@ -25,6 +25,9 @@ QString describe(const Verification& verification) {
     for (const auto& problem : check.problems) {
       words += QStringLiteral("      ") + QString::fromStdString(problem) + QLatin1Char('\n');
     }
+    for (const auto& remark : check.remarks) {
+      words += QStringLiteral("      ") + QString::fromStdString(remark) + QLatin1Char('\n');
+    }
   }
   return words;
 }

@@ -148,6 +148,7 @@ class MishapTest : public AcknowledgementTest, public testing::WithParamInterfac
   std::string copy() {
     std::string folder = study_.scratch() / "copy";
     fs::remove_all(folder);
+    tests::forgetWhatWasSigned();
     fs::copy(study_.folder(), folder, fs::copy_options::recursive);
     return folder;
   }

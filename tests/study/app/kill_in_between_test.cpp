@@ -123,6 +123,7 @@ TEST_F(KilledInBetweenTest, LosesNoDataOfAnOlderFormat) {
       {"study", "simulate", copy, "--participants", "1"},
       [&] {
         fs::remove_all(copy);
+        tests::forgetWhatWasSigned();
         fs::copy(old, copy, fs::copy_options::recursive);
       },
       [&] {

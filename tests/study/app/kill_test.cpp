@@ -41,6 +41,7 @@ class KillTest : public testing::Test {
   std::string copy(const std::string& name) {
     const std::string folder = study_.scratch() / name;
     fs::remove_all(folder);
+    tests::forgetWhatWasSigned();
     fs::copy(study_.folder(), folder, fs::copy_options::recursive);
     return folder;
   }

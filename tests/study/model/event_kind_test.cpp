@@ -23,6 +23,12 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::UnblindedExport, "unblinded_export"},
     {EventKind::UnblindedReport, "unblinded_report"},
     {EventKind::UnblindedResults, "unblinded_results"},
+    {EventKind::Exported, "exported"},
+    {EventKind::MadeBackup, "made_backup"},
+    {EventKind::RestoredCopy, "restored_copy"},
+    {EventKind::NotedIdentities, "noted_identities"},
+    {EventKind::SignedHead, "signed_head"},
+    {EventKind::HeadNotSigned, "head_not_signed"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},
@@ -81,7 +87,7 @@ TEST(EventKind, OfALaterReleaseKeepsItsNameAndWords) {
   tests::MadeStudy study{tests::libraryProtocol("punch-face-validity.json"), 1};
   const storage::Event later{.detail = "{\"a\":1}", .unknownName = "later_kind"};
   study->note(later);
-  const auto event = study->events().read().back();
+  const auto event = study->events().read().rbegin()[1];  // the last one is its signature
   EXPECT_EQ(event.kind, EventKind::Unknown);
   EXPECT_EQ(event.name(), "later_kind");
   EXPECT_EQ(storage::describe(event), later.detail);

@@ -115,9 +115,9 @@ TEST_F(FormatOneTest, StaysUnchangedIfTheConversionFails) {
 }
 
 /// Writes a copy of a study in format 2, made from the present format.
-void writeAsFormatTwo(const std::string& from, const std::string& to) {
+void writeAsFormat(std::size_t format, const std::string& from, const std::string& to) {
   const Schema now = studySchema();
-  Database::create(to, {now.applicationId, now.name, now.steps.first(2)});
+  Database::create(to, {now.applicationId, now.name, now.steps.first(format)});
   tests::Sql sql(to);
   sql.run("ATTACH '" + from + "' AS now");
   for (const std::string table :
@@ -135,8 +135,19 @@ void writeAsFormatTwo(const std::string& from, const std::string& to) {
     sql.run("INSERT INTO main." + table + " SELECT * FROM now." + table + " ORDER BY rowid");
   }
   sql.run(
-      "INSERT INTO main.answer SELECT session_id, step, attempt, item, item_order, kind, point, "
-      "number, text, first_touch_s, response_s, changes, language, saved_utc FROM now.answer");
+      "INSERT INTO main.answer (session_id, step, attempt, item, item_order, kind, point, number, "
+      "text, first_touch_s, response_s, changes, language, saved_utc) SELECT session_id, step, "
+      "attempt, item, item_order, kind, point, number, text, first_touch_s, response_s, changes, "
+      "language, saved_utc FROM now.answer");
+}
+
+void makeOld(const tests::MadeStudy& made, std::size_t format) {
+  writeAsFormat(format, made.file("study.db"), made.file("old.db"));
+  for (const char* rest : {"-wal", "-shm"}) {
+    std::filesystem::remove(made.file("study.db") + rest);
+    std::filesystem::remove(made.file("old.db") + rest);
+  }
+  std::filesystem::rename(made.file("old.db"), made.file("study.db"));
 }
 
 TEST(FormatTwo, GivesTheSameResults) {
@@ -147,12 +158,7 @@ TEST(FormatTwo, GivesTheSameResults) {
   }
   const auto before = resultsAsText(*made, computeResults(*made, RunMode::Live), {});
   made.close();
-  writeAsFormatTwo(made.file("study.db"), made.file("old.db"));
-  for (const char* rest : {"-wal", "-shm"}) {
-    std::filesystem::remove(made.file("study.db") + rest);
-    std::filesystem::remove(made.file("old.db") + rest);
-  }
-  std::filesystem::rename(made.file("old.db"), made.file("study.db"));
+  makeOld(made, 2);
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 5);
@@ -163,7 +169,7 @@ TEST(FormatTwo, GivesTheSameResults) {
 TEST(FormatThree, IsReadWithoutBeingWritten) {
   tests::MadeStudy made;
   made.close();
-  tests::Sql(made.file("study.db")).run("PRAGMA user_version = 3");
+  makeOld(made, 3);
   SimulatedClock clock;
   auto study = Study::open(made.folder(), clock, Access::ReadOnly);
   EXPECT_TRUE(verify(study).isSound());

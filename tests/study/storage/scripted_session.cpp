@@ -117,6 +117,8 @@ ScriptedStudy::ScriptedStudy() {
 std::string ScriptedStudy::copy() {
   fs::remove_all(scratch_ / "copy");
   fs::copy(scratch_ / "original", scratch_ / "copy", fs::copy_options::recursive);
+  // Every copy goes on by itself: one station would take them for branches of one study.
+  forgetWhatWasSigned();
   return scratch_ / "copy";
 }
 

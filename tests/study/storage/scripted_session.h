@@ -34,6 +34,7 @@ class ScriptedStudy {
 
  private:
   ScratchFolder scratch_;
+  OwnStation station_{scratch_ / "station"};
   std::vector<study::storage::Hash> after_;
 };
 

@@ -1,0 +1,171 @@
+// Commands about what proves that a study is what was recorded.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/app/commands.h"
+#include "study/app/json_file.h"
+#include "study/session/backup.h"
+#include "study/session/restored_copy.h"
+#include "study/session/verification.h"
+#include "study/storage/evidence/witness_file.h"
+#include "study/words/counted.h"
+
+namespace study::app {
+namespace {
+
+using Access = storage::Database::Access;
+
+struct EvidenceArguments {
+  std::string folder;
+  std::string out;
+  std::string reason;
+  std::string noted;
+  std::string witness;
+  std::string newWitness;
+  bool isOlderCopy = false;
+  bool json = false;
+};
+
+void printChecks(const Verification& verification) {
+  for (const auto& check : verification.checks) {
+    fmt::print("{}  {}\n", check.problems.empty() ? "ok  " : "FAIL", check.what);
+    for (const auto& problem : check.problems) fmt::print("      {}\n", problem);
+    for (const auto& remark : check.remarks) fmt::print("      ({})\n", remark);
+  }
+}
+
+void printHead(const Verification& verification) {
+  fmt::print("Head of the audit trail: {}\n", verification.head);
+}
+
+/// Writes a witness file, if one is wanted.
+void writeWitness(Study& study, const EvidenceArguments& options) {
+  if (options.newWitness.empty()) return;
+  storage::writeWitness(study.database(), options.newWitness, asUtc(study.clock().now().wall));
+  if (!options.json) fmt::print("{} has its signed heads.\n", options.newWitness);
+}
+
+int backup(const EvidenceArguments& options) {
+  const auto copy = backUp(options.folder, options.out);
+  fmt::print(
+      "{} holds a copy of {}: {:.1f} MB.\n",
+      options.out,
+      options.folder,
+      1e-6 * static_cast<double>(copy.bytes));
+  if (copy.verification.isSound()) {
+    fmt::print("It was read again to the last byte: everything is what was written.\n");
+    printHead(copy.verification);
+    SystemClock clock;
+    auto study = Study::open(options.folder, clock, Access::ReadOnly);
+    writeWitness(study, options);
+    return 0;
+  }
+  fmt::print("It is NOT sound, and so is the study that it was made of:\n");
+  printChecks(copy.verification);
+  return 1;
+}
+
+int verify(const EvidenceArguments& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, Access::ReadOnly);
+  const auto verification = study::verify(
+      study,
+      {},
+      {.noted = options.noted, .witness = options.witness, .isOlderCopy = options.isOlderCopy});
+  if (options.json) {
+    std::fputs(verificationAsJson(verification).c_str(), stdout);
+  } else {
+    printChecks(verification);
+    if (verification.isSound()) printHead(verification);
+  }
+  if (verification.isSound()) writeWitness(study, options);
+  return verification.isSound() ? 0 : 1;
+}
+
+int restored(const EvidenceArguments& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock);
+  const auto givenUp = noteRestoredCopy(study, options.reason);
+  if (givenUp == 0) {
+    fmt::print("This study has all that this station signed: there is nothing to note.\n");
+    return 0;
+  }
+  fmt::print(
+      "Noted: {} is an older copy, and {} that this station signed {} given up.\n",
+      options.folder,
+      words::counted(givenUp, "later head", "later heads"),
+      givenUp == 1 ? "is" : "are");
+  return 0;
+}
+
+CLI::App* addVerb(
+    CLI::App& noun,
+    const char* name,
+    const char* help,
+    const std::shared_ptr<EvidenceArguments>& options,
+    Action& action,
+    int (*perform)(const EvidenceArguments&)) {
+  auto* verb = noun.add_subcommand(name, help);
+  verb->add_option("DIR", options->folder, "The study's folder")->required();
+  verb->callback(
+      [&action, options, perform] { action = [options, perform] { return perform(*options); }; });
+  return verb;
+}
+
+void addNewWitness(CLI::App& verb, const std::shared_ptr<EvidenceArguments>& options) {
+  verb.add_option(
+      "--write-witness",
+      options->newWitness,
+      "New file of the signed heads, to be kept where nobody who writes the study can");
+}
+
+}  // namespace
+
+void addEvidenceCommands(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<EvidenceArguments>();
+
+  auto* backup = addVerb(
+      noun,
+      "backup",
+      "Back up a study, also during sessions, and verify the copy",
+      options,
+      action,
+      app::backup);
+  backup->add_option("--out", options->out, "New folder; nothing is overwritten")->required();
+  addNewWitness(*backup, options);
+
+  auto* verify = addVerb(
+      noun,
+      "verify",
+      "Check that no stored data was changed, lost or damaged",
+      options,
+      action,
+      app::verify);
+  verify->add_flag("--json", options->json, "JSON");
+  verify->add_option(
+      "--expect",
+      options->noted,
+      "A head of the audit trail that was noted earlier: fails if it is not there");
+  verify->add_option(
+      "--witness", options->witness, "A witness file of this study: fails if the study is another");
+  addNewWitness(*verify, options);
+  verify->add_flag(
+      "--older-copy",
+      options->isOlderCopy,
+      "DIR is a backup: what this station signed after it may be missing");
+
+  auto* restored = addVerb(
+      noun,
+      "restored",
+      "Note that an older copy took the study's place on purpose",
+      options,
+      action,
+      app::restored);
+  restored->add_option("--reason", options->reason, "Why; goes into the audit trail")->required();
+}
+
+}  // namespace study::app

@@ -1,0 +1,173 @@
+#include "study/session/identity_evidence.h"
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "study/storage/evidence/identity_rows.h"
+
+namespace study {
+namespace {
+
+using storage::Findings;
+
+constexpr const char* kGone = "-";
+constexpr const char* kUnknown = "";  ///< a release without fingerprints wrote the event
+
+std::string nameOf(const storage::IdentityStore::Place& place, const std::string& item) {
+  return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
+         std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
+}
+
+std::string textOf(const storage::Event& event, std::string_view name) {
+  const auto* value = event.value(name);
+  const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+  return text == nullptr ? std::string() : *text;
+}
+
+/// What the audit trail says of identity.db: the fingerprint of each row, by its name.
+class SaidOfIdentities {
+ public:
+  explicit SaidOfIdentities(Study& study) {
+    for (const auto& row : study.sessions().all()) sessions_[row.id] = row;
+    for (const auto& event : study.events().read()) add(event);
+  }
+
+  const std::map<std::string, std::string>& rows() const noexcept { return rows_; }
+
+  bool isErased(const std::string& row) const {
+    return erased_.count(row.substr(0, row.find('/'))) > 0;
+  }
+
+  /// Whether a session stands at the step of a row: what is missing there is noted when the session
+  /// goes on.
+  bool isUnderWay(const std::string& row) const {
+    for (const auto& [id, session] : sessions_) {
+      if (isOver(session.state)) continue;
+      const storage::IdentityStore::Place place{
+          session.participant, session.number, session.step, session.attempt};
+      if (row.starts_with(nameOf(place, ""))) return true;
+    }
+    return false;
+  }
+
+ private:
+  void add(const storage::Event& event) {
+    if (event.kind == EventKind::NotedIdentities) {
+      std::istringstream pairs(textOf(event, "rows"));
+      for (std::string pair; pairs >> pair;) {
+        const auto sign = pair.find('=');
+        if (sign != std::string::npos) rows_[pair.substr(0, sign)] = pair.substr(sign + 1);
+      }
+    } else if (event.name() == "erased" && textOf(event, "level") != "answers") {
+      erased_.insert(textOf(event, "participant"));
+    } else if (event.visit && sessions_.count(event.visit->session) > 0) {
+      addOfSession(event);
+    }
+  }
+
+  void addOfSession(const storage::Event& event) {
+    const auto& session = sessions_.at(event.visit->session);
+    const auto nameFor = [&](const std::string& item) {
+      return nameOf(
+          {session.participant, session.number, event.visit->step, event.visit->attempt}, item);
+    };
+    if (event.kind == EventKind::Retracted) rows_.erase(nameFor(event.detail));
+    if (event.kind != EventKind::Answered || event.value("kept_apart") == nullptr) return;
+    rows_[nameFor(textOf(event, "item"))] = textOf(event, "fingerprint");
+  }
+
+  std::map<SessionId, storage::SessionRow> sessions_;
+  std::map<std::string, std::string> rows_;
+  std::set<std::string> erased_;
+};
+
+/// The fingerprints of the rows that are there, by name.
+std::map<std::string, std::string> presentRows(Study& study) {
+  const auto* secret = study.secretFor(RunMode::Live);
+  std::map<std::string, std::string> rows;
+  for (const auto& row : storage::identityRows(study.identities().database())) {
+    rows[row.name] = secret == nullptr ? kUnknown : secret->fingerprint(row.bytes);
+  }
+  return rows;
+}
+
+void compare(
+    const std::string& row,
+    const std::string& said,
+    const std::map<std::string, std::string>& present,
+    Findings& findings) {
+  const auto here = present.find(row);
+  if (said == kGone ? here != present.end() : here == present.end()) {
+    findings.problems.push_back(
+        "what names " + row + (said == kGone ? " was gone, and is there" : " is missing"));
+  } else if (said != kGone && said != kUnknown && here->second != said) {
+    findings.problems.push_back("what names " + row + " is not what the audit trail says");
+  }
+}
+
+}  // namespace
+
+std::string fingerprintOf(
+    Study& study, const storage::IdentityStore::Place& place, const std::string& item) {
+  const auto rows = presentRows(study);
+  const auto found = rows.find(nameOf(place, item));
+  return found == rows.end() ? std::string() : found->second;
+}
+
+void noteIdentities(Study& study, const storage::SessionRow& session) {
+  if (study.secretFor(RunMode::Live) == nullptr || isOver(session.state)) return;
+  const auto step = nameOf(
+      storage::IdentityStore::Place{
+          session.participant, session.number, session.step, session.attempt},
+      "");
+  const auto present = presentRows(study);
+  const SaidOfIdentities said(study);
+  std::string pairs;
+  const auto add = [&](const std::string& row, const std::string& fingerprint) {
+    pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
+  };
+  for (const auto& [row, fingerprint] : present) {
+    const auto known = said.rows().find(row);
+    const bool isKnown =
+        known != said.rows().end() && (known->second == fingerprint || known->second == kUnknown);
+    if (row.starts_with(step) && !isKnown) add(row, fingerprint);
+  }
+  for (const auto& [row, fingerprint] : said.rows()) {
+    const bool isGone = present.count(row) == 0 && fingerprint != kGone;
+    if (row.starts_with(step) && isGone) add(row, kGone);
+  }
+  if (!pairs.empty()) {
+    study.note({.kind = EventKind::NotedIdentities, .values = {{"rows", pairs}}});
+  }
+}
+
+storage::Findings checkIdentities(Study& study) {
+  Findings findings;
+  const auto present = presentRows(study);
+  const SaidOfIdentities said(study);
+  std::size_t unknown = 0;
+  for (const auto& [row, fingerprint] : said.rows()) {
+    if (said.isErased(row) || said.isUnderWay(row)) continue;
+    compare(row, fingerprint, present, findings);
+    if (fingerprint == kUnknown) ++unknown;
+  }
+  for (const auto& [row, fingerprint] : present) {
+    if (said.rows().count(row) > 0 || said.isUnderWay(row)) continue;
+    if (fingerprint == kUnknown) {
+      ++unknown;
+    } else {
+      findings.problems.push_back("what names " + row + " was never answered");
+    }
+  }
+  if (unknown > 0) {
+    findings.remarks.push_back(
+        std::to_string(unknown) +
+        " of the answers that name people were written by an older release: that they are there is "
+        "checked, and not what they say");
+  }
+  return findings;
+}
+
+}  // namespace study

@@ -1,0 +1,124 @@
+#include "study/storage/evidence/head_check.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace study::storage {
+namespace {
+
+std::string asWords(const NotedHead& noted) {
+  const auto& head = noted.head;
+  return std::to_string(head.events) + " events, " + inGroups(head.hash) + " (signed " + head.utc +
+         ", " + head.purpose + (noted.folder.empty() ? "" : ", in " + noted.folder) + ")";
+}
+
+/// Why a head is missing, as far as the trail shows it.
+std::string reasonFor(const TrailHeads& trail, const NotedHead& noted) {
+  const auto last = std::to_string(trail.lastEvent());
+  if (trail.endsBefore(noted.head)) {
+    return "the trail ends with event " + last + ", and had gone on to " + asWords(noted) +
+           ": its end was cut off, or an older copy is in its place";
+  }
+  return "the trail is not the one that had " + asWords(noted) +
+         ": it was written anew, or goes on from an older copy";
+}
+
+void addMissing(
+    const TrailHeads& trail, const std::vector<NotedHead>& missing, Findings& findings) {
+  if (missing.empty()) return;
+  // The first says from where on events are missing, the last how far it had gone.
+  findings.problems.push_back(reasonFor(trail, missing.front()));
+  if (missing.size() > 1) {
+    findings.problems.push_back(
+        "and " + std::to_string(missing.size() - 1) + " later, the last with " +
+        asWords(missing.back()));
+  }
+  findings.problems.push_back(
+      "A backup is verified with --older-copy. If an older copy was put back on purpose: palpate "
+      "study restored --reason \"…\"");
+}
+
+std::vector<NotedHead> ofThisBeginning(
+    const TrailHeads& trail, const std::vector<NotedHead>& noted) {
+  std::vector<NotedHead> found;
+  std::copy_if(noted.begin(), noted.end(), std::back_inserter(found), [&](const auto& each) {
+    return each.head.first == trail.firstHash();
+  });
+  return found;
+}
+
+}  // namespace
+
+Findings checkHeads(
+    const TrailHeads& trail, const std::vector<NotedHead>& noted, bool isOlderCopy) {
+  Findings findings;
+  std::vector<NotedHead> missing;
+  std::size_t givenUp = 0;
+  std::size_t later = 0;
+  for (const auto& each : noted) {
+    if (trail.holds(each.head)) continue;
+    if (trail.gaveUp(each.head)) {
+      ++givenUp;
+    } else if (isOlderCopy && trail.endsBefore(each.head)) {
+      ++later;
+    } else {
+      missing.push_back(each);
+    }
+  }
+  addMissing(trail, missing, findings);
+  if (givenUp > 0) {
+    findings.remarks.push_back(
+        std::to_string(givenUp) +
+        " noted heads were given up when an older copy was put back (event restored_copy)");
+  }
+  if (later > 0) {
+    findings.remarks.push_back(
+        "an older copy: " + std::to_string(later) +
+        " heads were noted after its end. Whether an end was cut off cannot be told from that");
+  }
+  return findings;
+}
+
+Findings checkStation(const TrailHeads& trail, const StationStore& station, bool isOlderCopy) {
+  const auto [all, unsound] = notedHeads(station, trail.study());
+  const auto noted = ofThisBeginning(trail, all);
+  if (noted.empty() && !all.empty()) {
+    return {
+        .problems = {
+            "this station made a study of this uuid with another first event, and goes on from " +
+            asWords(all.back()) +
+            ": the trail was written anew, or the study comes from elsewhere"}};
+  }
+  auto findings = checkHeads(trail, noted, isOlderCopy);
+  if (noted.empty()) {
+    findings.remarks.push_back(
+        "this station has noted nothing of this study: compare it with a head or a witness file "
+        "from where it was made (--expect, --witness)");
+  }
+  if (unsound > 0) {
+    findings.remarks.push_back(
+        std::to_string(unsound) +
+        " lines of this station's list are not what it wrote, and were left out");
+  }
+  const auto unnoted = std::count_if(trail.all().begin(), trail.all().end(), [&](const auto& each) {
+    return each.isSound && each.head.key == station.publicKey() &&
+           std::none_of(noted.begin(), noted.end(), [&](const auto& other) {
+             return other.head.signature == each.head.signature;
+           });
+  });
+  if (unnoted > 0) {
+    findings.remarks.push_back(
+        std::to_string(unnoted) + " heads that this station signed are not in its own list");
+  }
+  return findings;
+}
+
+std::vector<SignedHead> missingHeads(const TrailHeads& trail, const StationStore& station) {
+  std::vector<SignedHead> missing;
+  for (const auto& each : ofThisBeginning(trail, notedHeads(station, trail.study()).heads)) {
+    if (!trail.holds(each.head) && !trail.gaveUp(each.head)) missing.push_back(each.head);
+  }
+  return missing;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/storage/database.h"
+
+namespace study::storage {
+
+/// A row of identity.db that names a person, bit by bit as it is stored.
+struct IdentityRow {
+  std::string name;        ///< "P001/1/3/1/signature": participant, session, step, attempt, item
+  std::string bytes = {};  ///< all of it, sealed or not
+};
+
+std::vector<IdentityRow> identityRows(const Database& identities);
+
+}  // namespace study::storage

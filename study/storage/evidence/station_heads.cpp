@@ -1,0 +1,51 @@
+#include "study/storage/evidence/station_heads.h"
+
+#include <algorithm>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "study/storage/hasher.h"
+
+namespace study::storage {
+namespace {
+
+/// A study's uuid comes from a file that others may have written: it must not lead out of the
+/// station's folder.
+std::string listOf(const std::string& study) {
+  constexpr std::size_t kLongest = 64;
+  const bool isSound = !study.empty() && study.size() <= kLongest &&
+                       study.find_first_not_of("0123456789abcdef-") == std::string::npos;
+  return "heads-" + (isSound ? study : inHexadecimal(hashOf(std::as_bytes(std::span(study)))));
+}
+
+std::string onOneLine(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const auto whole = std::filesystem::absolute(folder, ignored);
+  std::string text = whole.empty() ? folder.string() : whole.lexically_normal().string();
+  std::replace(text.begin(), text.end(), '\n', '?');
+  return text;
+}
+
+}  // namespace
+
+void noteHead(
+    const StationStore& station, const SignedHead& head, const std::filesystem::path& folder) {
+  station.append(listOf(head.study), head.asLine() + " " + onOneLine(folder));
+}
+
+NotedHeads notedHeads(const StationStore& station, const std::string& study) {
+  NotedHeads noted;
+  for (const auto& line : station.lines(listOf(study))) {
+    std::string folder;
+    auto head = headIn(line, &folder);
+    if (head && head->key == station.publicKey() && head->isSigned()) {
+      noted.heads.push_back({std::move(*head), std::move(folder)});
+    } else {
+      ++noted.unsound;
+    }
+  }
+  return noted;
+}
+
+}  // namespace study::storage

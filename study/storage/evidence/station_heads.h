@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/storage/evidence/signed_head.h"
+
+namespace study::storage {
+
+/// A head that a station signed, and the folder that the study was in.
+struct NotedHead {
+  SignedHead head;
+  std::string folder;
+};
+
+/// Appends a head to the station's list of the study. It is on the disk on return.
+/// @throws StorageError
+void noteHead(
+    const StationStore& station, const SignedHead& head, const std::filesystem::path& folder);
+
+/// A station's list of a study.
+struct NotedHeads {
+  std::vector<NotedHead> heads = {};  ///< oldest first
+  /// Lines that this station did not sign: somebody changed them, or a full disk cut them off.
+  std::size_t unsound = 0;
+};
+
+/// @throws StorageError  if the list cannot be read
+NotedHeads notedHeads(const StationStore& station, const std::string& study);
+
+}  // namespace study::storage

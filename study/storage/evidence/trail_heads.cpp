@@ -1,0 +1,147 @@
+#include "study/storage/evidence/trail_heads.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "study/model/event_kind.h"
+#include "study/storage/statement.h"
+#include "study/storage/stored_values.h"
+
+namespace study::storage {
+namespace {
+
+std::string textIn(const base::NamedArguments& values, std::string_view name) {
+  for (const auto& [key, value] : values) {
+    const auto* text = std::get_if<std::string>(&value);
+    if (key == name && text != nullptr) return *text;
+  }
+  return {};
+}
+
+std::int64_t numberIn(const base::NamedArguments& values, std::string_view name) {
+  for (const auto& [key, value] : values) {
+    const auto* number = std::get_if<std::int64_t>(&value);
+    if (key == name && number != nullptr) return *number;
+  }
+  return 0;
+}
+
+/// The number and values of all events of a kind.
+std::vector<std::pair<std::int64_t, base::NamedArguments>> eventsOf(
+    const Database& study, EventKind kind) {
+  Statement select(study, "SELECT seq, detail FROM event WHERE kind = ? ORDER BY seq");
+  select.bind(1, study::nameOf(kind));
+  std::vector<std::pair<std::int64_t, base::NamedArguments>> events;
+  while (select.step()) {
+    events.emplace_back(
+        select.number(0), valuesIn(select.text(1)).value_or(base::NamedArguments()));
+  }
+  return events;
+}
+
+}  // namespace
+
+std::string nameOf(const SignedHead& head) {
+  constexpr std::size_t kDigits = 32;
+  return std::to_string(head.events) + ":" + head.hash.substr(0, kDigits);
+}
+
+TrailHeads::TrailHeads(const Database& study) : database_(study) {
+  Statement select(
+      study, "SELECT (SELECT uuid FROM study WHERE id = 1), coalesce(max(seq), 0) FROM event");
+  select.step();
+  study_ = select.text(0);
+  last_ = select.number(1);
+  first_ = hashOf(1);
+  readSigned();
+  readGivenUp();
+}
+
+std::string TrailHeads::hashOf(std::int64_t seq) const {
+  Statement select(database_, "SELECT lower(hex(hash)) FROM event WHERE seq = ?");
+  select.bind(1, seq);
+  return select.step() ? select.text(0) : std::string();
+}
+
+void TrailHeads::readSigned() {
+  for (const auto& [seq, values] : eventsOf(database_, EventKind::SignedHead)) {
+    Signed found{
+        .seq = seq,
+        .head = {
+            .study = study_,
+            .first = first_,
+            .events = numberIn(values, "events"),
+            .hash = textIn(values, "hash"),
+            .utc = textIn(values, "utc"),
+            .purpose = textIn(values, "purpose"),
+            .key = textIn(values, "key"),
+            .signature = textIn(values, "signature")}};
+    found.isSound =
+        found.head.events == seq - 1 && found.head.hash == hashOf(seq - 1) && found.head.isSigned();
+    signed_.push_back(std::move(found));
+  }
+}
+
+void TrailHeads::readGivenUp() {
+  for (const auto& event : eventsOf(database_, EventKind::RestoredCopy)) {
+    // The station that signed the heads has to sign that they were given up, too.
+    const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
+      return each.isSound && each.head.events == event.first;
+    });
+    if (signature == signed_.end()) continue;
+    std::istringstream names(textIn(event.second, "given_up"));
+    for (std::string name; names >> name;) givenUp_[signature->head.key].insert(name);
+  }
+}
+
+bool TrailHeads::holds(const SignedHead& head) const {
+  if (head.events < 1 || hashOf(head.events) != head.hash) return false;
+  const bool isElsewhereOnly =
+      head.purpose == kWitness || head.purpose == study::nameOf(EventKind::MadeStudy);
+  return isElsewhereOnly || std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
+           return each.seq == head.events + 1 && each.head.signature == head.signature;
+         });
+}
+
+bool TrailHeads::endsBefore(const SignedHead& head) const {
+  return head.events > last_ || (head.events == last_ && hashOf(last_) == head.hash);
+}
+
+bool TrailHeads::gaveUp(const SignedHead& head) const {
+  const auto found = givenUp_.find(head.key);
+  return found != givenUp_.end() && found->second.count(nameOf(head)) > 0;
+}
+
+Findings TrailHeads::checkSignatures(const std::string& key) const {
+  Findings findings;
+  std::map<std::string, int> others;
+  std::int64_t signedUpTo = 0;
+  for (const auto& each : signed_) {
+    if (!each.isSound) {
+      findings.problems.push_back(
+          "the signature in event " + std::to_string(each.seq) +
+          " is not of the events before it, or not by the station that it names");
+      continue;
+    }
+    signedUpTo = each.seq;
+    if (each.head.key != key) ++others[each.head.key];
+  }
+  for (const auto& [other, count] : others) {
+    findings.remarks.push_back(
+        std::to_string(count) + " signed by another station, whose key is " + inGroups(other) +
+        ": ask there whether that is its key");
+  }
+  if (signedUpTo == 0) {
+    findings.remarks.push_back("no station has signed anything of it yet");
+  } else if (signedUpTo < last_) {
+    findings.remarks.push_back(
+        "events " + std::to_string(signedUpTo + 1) + " to " + std::to_string(last_) +
+        " are not signed yet: that happens at the end of a session, and for exports, reports and "
+        "backups");
+  }
+  return findings;
+}
+
+}  // namespace study::storage

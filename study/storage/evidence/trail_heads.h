@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "study/storage/database.h"
+#include "study/storage/evidence/findings.h"
+#include "study/storage/evidence/signed_head.h"
+
+namespace study::storage {
+
+/// What an audit trail says of its own heads: which were signed, and which were given up when an
+/// older copy took its place.
+class TrailHeads {
+ public:
+  explicit TrailHeads(const Database& study);
+
+  struct Signed {
+    std::int64_t seq = 0;  ///< of the event that holds it
+    SignedHead head;
+    bool isSound = false;  ///< the signature, and that it is of the events before it
+  };
+
+  const std::vector<Signed>& all() const noexcept { return signed_; }
+  std::int64_t lastEvent() const noexcept { return last_; }
+  const std::string& study() const noexcept { return study_; }
+  const std::string& firstHash() const noexcept { return first_; }
+
+  /// Whether the trail has all events that @p head vouches for, and the event that it was signed
+  /// in.
+  bool holds(const SignedHead& head) const;
+
+  /// Whether @p head was signed after the trail's last event, as far as that can be seen.
+  bool endsBefore(const SignedHead& head) const;
+
+  /// Whether an event that the same station signed says that @p head was given up.
+  bool gaveUp(const SignedHead& head) const;
+
+  /// Signatures that are wrong, or not of the events before them. Says how much is signed.
+  /// @param key  of this station; empty: it has none
+  Findings checkSignatures(const std::string& key) const;
+
+ private:
+  std::string hashOf(std::int64_t seq) const;
+  void readSigned();
+  void readGivenUp();
+
+  const Database& database_;
+  std::string study_;
+  std::string first_;
+  std::int64_t last_ = 0;
+  std::vector<Signed> signed_;
+  std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
+};
+
+/// How heads that were given up are named in the event RestoredCopy.
+std::string nameOf(const SignedHead& head);
+
+}  // namespace study::storage
