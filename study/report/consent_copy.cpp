@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "study/model/user_error.h"
 #include "study/report/html_text.h"
+#include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
 #include "study/words/words.h"
 
@@ -57,9 +59,13 @@ std::optional<Consent> findConsent(Study& study, const std::string& code) {
 class ConsentPage {
  public:
   ConsentPage(
-      const protocols::LoadedProtocol& protocol, const Consent& consent, const TextToHtml& htmlOf)
+      const protocols::LoadedProtocol& protocol,
+      const Consent& consent,
+      storage::TrailEnd trail,
+      const TextToHtml& htmlOf)
       : protocol_(protocol),
         consent_(consent),
+        trail_(std::move(trail)),
         language_(consent.answers.begin()->second.answer.language),
         htmlOf_(htmlOf) {
     const auto known = words::languages();
@@ -121,11 +127,19 @@ class ConsentPage {
                  instrument.version,
                  protocol_.protocol.study.version,
                  consent_.session.protocolHash)) +
+             "</p>\n<p class=\"note\">" +
+             escaped(words_.say(
+                 "When this copy was written, the study's audit trail had {} events, and its last "
+                 "one the code {}. These eight groups can be read aloud: with them it can be "
+                 "checked later that nothing recorded until then was changed or removed.",
+                 trail_.events,
+                 storage::inGroups(trail_.hash))) +
              "</p>\n";
   }
 
   const protocols::LoadedProtocol& protocol_;
   const Consent& consent_;
+  storage::TrailEnd trail_;
   std::string language_;
   const TextToHtml& htmlOf_;
   words::Words words_;
@@ -153,7 +167,12 @@ std::string consentCopy(Study& study, const std::string& participant, const Text
         "Nobody of the code '" + participant +
         "' has come to the end of a consent form here. 'palpate study status' lists the codes.");
   }
-  return ConsentPage(study.protocol(consent->session.protocol), *consent, htmlOf).html();
+  return ConsentPage(
+             study.protocol(consent->session.protocol),
+             *consent,
+             storage::endOf(study.database()),
+             htmlOf)
+      .html();
 }
 
 }  // namespace study::report

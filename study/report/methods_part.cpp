@@ -34,12 +34,22 @@ class MethodsWriter : HtmlWriter {
         s_.uuid,
         say("seed"),
         s_.seed);
+    trail();
     sources();
     instruments();
     return std::move(html_);
   }
 
  private:
+  void trail() {
+    if (s_.trail.hash.empty()) return;
+    put("<p>{}</p>",
+        say("The study's audit trail had {} events when this was written, the last one with the "
+            "hash {}. 'palpate study verify --expect' finds whether the study goes on from there.",
+            s_.trail.events,
+            storage::inGroups(s_.trail.hash)));
+  }
+
   std::string titleOf(const std::string& instrument) const {
     for (const auto& i : s_.instruments) {
       if (i.id == instrument) return i.title.in(s_.words.language());

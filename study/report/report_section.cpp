@@ -129,6 +129,8 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .history = planHistory(study),
       .seed = study.seed(),
       .uuid = study.uuid(),
+      // Simulated sessions are made again from a seed, with the same report.
+      .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
       .results = computeResults(study, mode),
       .curves = std::move(felt.curves),
       .curvesReason = std::move(felt.reason),

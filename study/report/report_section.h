@@ -8,6 +8,7 @@
 #include "study/results/results.h"
 #include "study/session/plan_history.h"
 #include "study/session/study.h"
+#include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
 #include "study/words/words.h"
 
@@ -61,6 +62,7 @@ struct ReportSection {
   PlanHistory history;  ///< of the protocol's versions
   std::uint64_t seed = 0;
   std::string uuid;
+  storage::TrailEnd trail = {};  ///< how far the audit trail was; empty in simulated sessions
   Results results;
   std::vector<FeltCurve> curves;
   base::Message curvesReason;  ///< why there are no curves, if the traces could not be read

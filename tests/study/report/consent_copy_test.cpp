@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/storage/evidence/signed_head.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 
@@ -40,6 +41,9 @@ TEST_F(ConsentCopy, HasInformationTermsAndChoiceInTheParticipantsLanguage) {
   EXPECT_TRUE(has(page, "consent-punch, Version " + consent->version));
   EXPECT_TRUE(has(page, study_.protocols().current().sha256));
   EXPECT_TRUE(has(page, session.participant()));
+  const auto end = storage::endOf(study_.database());
+  EXPECT_TRUE(has(page, std::to_string(end.events) + " Ereignisse"));
+  EXPECT_TRUE(has(page, storage::inGroups(end.hash)));
   const auto information = protocol.protocol.phases.front().instrument;
   EXPECT_TRUE(has(page, protocol.instrument(information)->title.in("de")));
 }

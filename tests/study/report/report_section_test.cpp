@@ -48,6 +48,19 @@ TEST(ReportSection, LeavesADamagedTraceOutWithAReason) {
   EXPECT_NE(page.find("Durchgänge, "), std::string::npos) << "the rest is there";
 }
 
+TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
+  tests::MadeStudy study;
+  auto session = Session::enrol(*study, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  const auto live = gather(*study, RunMode::Live);
+  EXPECT_EQ(
+      std::to_string(live.trail.events) + " events, " + storage::inGroups(live.trail.hash),
+      study->events().headInWords());
+  EXPECT_NE(asHtml({live}).find(storage::inGroups(live.trail.hash)), std::string::npos);
+  // Simulated sessions are made again from a seed, with the same report.
+  EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());
+}
+
 /// Finds wrong plurals: "1 cuts", "1 participants".
 std::string oneOfMany(const std::string& text) {
   static const std::regex kWrong(
