@@ -107,6 +107,29 @@ void compare(
   }
 }
 
+/// Notes the rows whose name begins with @p where.
+void noteRows(Study& study, const std::string& where) {
+  if (study.secretFor(RunMode::Live) == nullptr) return;
+  const auto present = presentRows(study);
+  const SaidOfIdentities said(study);
+  std::string pairs;
+  const auto add = [&](const std::string& row, const std::string& fingerprint) {
+    if (row.starts_with(where)) pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
+  };
+  for (const auto& [row, fingerprint] : present) {
+    const auto known = said.rows().find(row);
+    const bool isKnown =
+        known != said.rows().end() && (known->second == fingerprint || known->second == kUnknown);
+    if (!isKnown) add(row, fingerprint);
+  }
+  for (const auto& [row, fingerprint] : said.rows()) {
+    if (present.count(row) == 0 && fingerprint != kGone) add(row, kGone);
+  }
+  if (!pairs.empty()) {
+    study.note({.kind = EventKind::NotedIdentities, .values = {{"rows", pairs}}});
+  }
+}
+
 }  // namespace
 
 std::string fingerprintOf(
@@ -117,30 +140,14 @@ std::string fingerprintOf(
 }
 
 void noteIdentities(Study& study, const storage::SessionRow& session) {
-  if (study.secretFor(RunMode::Live) == nullptr || isOver(session.state)) return;
-  const auto step = nameOf(
-      storage::IdentityStore::Place{
-          session.participant, session.number, session.step, session.attempt},
-      "");
-  const auto present = presentRows(study);
-  const SaidOfIdentities said(study);
-  std::string pairs;
-  const auto add = [&](const std::string& row, const std::string& fingerprint) {
-    pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
-  };
-  for (const auto& [row, fingerprint] : present) {
-    const auto known = said.rows().find(row);
-    const bool isKnown =
-        known != said.rows().end() && (known->second == fingerprint || known->second == kUnknown);
-    if (row.starts_with(step) && !isKnown) add(row, fingerprint);
-  }
-  for (const auto& [row, fingerprint] : said.rows()) {
-    const bool isGone = present.count(row) == 0 && fingerprint != kGone;
-    if (row.starts_with(step) && isGone) add(row, kGone);
-  }
-  if (!pairs.empty()) {
-    study.note({.kind = EventKind::NotedIdentities, .values = {{"rows", pairs}}});
-  }
+  if (isOver(session.state)) return;
+  const storage::IdentityStore::Place place{
+      session.participant, session.number, session.step, session.attempt};
+  noteRows(study, nameOf(place, ""));
+}
+
+void noteAllIdentities(Study& study) {
+  noteRows(study, "");
 }
 
 storage::Findings checkIdentities(Study& study) {

@@ -18,6 +18,9 @@ std::string fingerprintOf(
 /// leaves them different.
 void noteIdentities(Study& study, const storage::SessionRow& session);
 
+/// The same of all rows, after they were written again in another way.
+void noteAllIdentities(Study& study);
+
 /// Compares identity.db with the audit trail, row by row.
 storage::Findings checkIdentities(Study& study);
 

@@ -55,10 +55,13 @@ Findings checkHeads(
   std::vector<NotedHead> missing;
   std::size_t givenUp = 0;
   std::size_t later = 0;
+  std::size_t before = 0;
   for (const auto& each : noted) {
     if (trail.holds(each.head)) continue;
     if (trail.gaveUp(each.head)) {
       ++givenUp;
+    } else if (trail.isOfTheTrailBefore(each.head)) {
+      ++before;
     } else if (isOlderCopy && trail.endsBefore(each.head)) {
       ++later;
     } else {
@@ -70,6 +73,11 @@ Findings checkHeads(
     findings.remarks.push_back(
         std::to_string(givenUp) +
         " noted heads were given up when an older copy was put back (event restored_copy)");
+  }
+  if (before > 0) {
+    findings.remarks.push_back(
+        std::to_string(before) +
+        " noted heads are of the trail before it was sealed again (event resealed_trail)");
   }
   if (later > 0) {
     findings.remarks.push_back(

@@ -28,11 +28,13 @@ std::int64_t numberIn(const base::NamedArguments& values, std::string_view name)
   return 0;
 }
 
+constexpr std::string_view kResealed = "resealed_trail";
+
 /// The number and values of all events of a kind.
 std::vector<std::pair<std::int64_t, base::NamedArguments>> eventsOf(
-    const Database& study, EventKind kind) {
+    const Database& study, std::string_view kind) {
   Statement select(study, "SELECT seq, detail FROM event WHERE kind = ? ORDER BY seq");
-  select.bind(1, study::nameOf(kind));
+  select.bind(1, kind);
   std::vector<std::pair<std::int64_t, base::NamedArguments>> events;
   while (select.step()) {
     events.emplace_back(
@@ -55,6 +57,7 @@ TrailHeads::TrailHeads(const Database& study) : database_(study) {
   study_ = select.text(0);
   last_ = select.number(1);
   first_ = hashOf(1);
+  readResealed();
   readSigned();
   readGivenUp();
 }
@@ -65,8 +68,19 @@ std::string TrailHeads::hashOf(std::int64_t seq) const {
   return select.step() ? select.text(0) : std::string();
 }
 
+void TrailHeads::readResealed() {
+  for (const auto& [seq, values] : eventsOf(database_, kResealed)) {
+    if (seq == 1) eventsBefore_ = numberIn(values, "events");
+  }
+}
+
 void TrailHeads::readSigned() {
-  for (const auto& [seq, values] : eventsOf(database_, EventKind::SignedHead)) {
+  const auto heads = eventsOf(database_, study::nameOf(EventKind::SignedHead));
+  for (const auto& [seq, values] : heads) {
+    if (eventsBefore_ > 0 && seq <= eventsBefore_ + 1) {
+      ++signedBefore_;
+      continue;
+    }
     Signed found{
         .seq = seq,
         .head = {
@@ -85,7 +99,7 @@ void TrailHeads::readSigned() {
 }
 
 void TrailHeads::readGivenUp() {
-  for (const auto& event : eventsOf(database_, EventKind::RestoredCopy)) {
+  for (const auto& event : eventsOf(database_, study::nameOf(EventKind::RestoredCopy))) {
     // The station that signed the heads has to sign that they were given up, too.
     const auto signature = std::find_if(signed_.begin(), signed_.end(), [&](const auto& each) {
       return each.isSound && each.head.events == event.first;
@@ -107,6 +121,13 @@ bool TrailHeads::holds(const SignedHead& head) const {
 
 bool TrailHeads::endsBefore(const SignedHead& head) const {
   return head.events > last_ || (head.events == last_ && hashOf(last_) == head.hash);
+}
+
+bool TrailHeads::isOfTheTrailBefore(const SignedHead& head) const {
+  return eventsBefore_ > 0 && head.first != first_ && head.events <= eventsBefore_ &&
+         std::any_of(signed_.begin(), signed_.end(), [&](const auto& each) {
+           return each.isSound && each.head.key == head.key;
+         });
 }
 
 bool TrailHeads::gaveUp(const SignedHead& head) const {
@@ -132,6 +153,11 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
     findings.remarks.push_back(
         std::to_string(count) + " signed by another station, whose key is " + inGroups(other) +
         ": ask there whether that is its key");
+  }
+  if (signedBefore_ > 0) {
+    findings.remarks.push_back(
+        std::to_string(signedBefore_) +
+        " signed before the trail was sealed again (event resealed_trail)");
   }
   if (signedUpTo == 0) {
     findings.remarks.push_back("no station has signed anything of it yet");

@@ -36,6 +36,10 @@ class TrailHeads {
   /// Whether @p head was signed after the trail's last event, as far as that can be seen.
   bool endsBefore(const SignedHead& head) const;
 
+  /// Whether @p head is of the trail that was there before this one was sealed again (event
+  /// resealed_trail), and the station that signed it has signed this one, too.
+  bool isOfTheTrailBefore(const SignedHead& head) const;
+
   /// Whether an event that the same station signed says that @p head was given up.
   bool gaveUp(const SignedHead& head) const;
 
@@ -45,6 +49,7 @@ class TrailHeads {
 
  private:
   std::string hashOf(std::int64_t seq) const;
+  void readResealed();
   void readSigned();
   void readGivenUp();
 
@@ -52,6 +57,8 @@ class TrailHeads {
   std::string study_;
   std::string first_;
   std::int64_t last_ = 0;
+  std::int64_t eventsBefore_ = 0;  ///< that were sealed again; they stand behind the first event
+  std::size_t signedBefore_ = 0;   ///< heads among them, which are of another trail
   std::vector<Signed> signed_;
   std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
 };

@@ -1,0 +1,77 @@
+#include "study/storage/evidence/trail_heads.h"
+
+#include <gtest/gtest.h>
+
+#include "study/storage/evidence/head_check.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/sql.h"
+
+namespace study::storage {
+namespace trail_heads_test {
+
+class TrailHeadsTest : public testing::Test {
+ protected:
+  TrailHeadsTest() { study_->note(EventKind::Note, "before"); }
+
+  void edit(const std::string& sql) {
+    study_.close();
+    tests::Sql(study_.file("study.db")).run(sql);
+    study_.reopen();
+  }
+
+  /// All events one place further, behind a first one that says so.
+  void sealAgain() {
+    edit(
+        "DROP TRIGGER an_event_is_never_changed; DROP TRIGGER an_event_is_added_at_the_end;"
+        "UPDATE event SET seq = -seq; UPDATE event SET seq = 1 - seq, hash = randomblob(32);"
+        "INSERT INTO event (seq, utc, monotonic_ns, actor, kind, detail, hash) VALUES (1, '', 0, "
+        "'operator', 'resealed_trail', '{\"events\":3}', randomblob(32))");
+  }
+
+  static std::string keyHere() {
+    return StationStore::find(StationStore::usualFolder())->publicKey();
+  }
+
+  tests::MadeStudy study_;
+};
+
+TEST_F(TrailHeadsTest, HasEachSignedHead) {
+  const TrailHeads trail(study_->database());
+  ASSERT_EQ(trail.all().size(), 1U);
+  EXPECT_EQ(trail.all()[0].seq, 3);
+  EXPECT_TRUE(trail.all()[0].isSound);
+  EXPECT_TRUE(trail.holds(trail.all()[0].head));
+  EXPECT_FALSE(trail.gaveUp(trail.all()[0].head));
+  EXPECT_TRUE(trail.checkSignatures(keyHere()).remarks.empty());
+}
+
+TEST_F(TrailHeadsTest, OfATrailThatWasSealedAgainAreOfAnother) {
+  const auto before = TrailHeads(study_->database()).all().at(0).head;
+  sealAgain();
+  {
+    const TrailHeads trail(study_->database());
+    EXPECT_TRUE(trail.all().empty());
+    EXPECT_FALSE(trail.isOfTheTrailBefore(before)) << "no one signed that it was sealed again";
+    EXPECT_FALSE(checkHeads(trail, {{before, "/"}}).problems.empty());
+  }
+  study_->note(EventKind::Note, "after");
+  const TrailHeads trail(study_->database());
+  const auto found = trail.checkSignatures(keyHere());
+  EXPECT_TRUE(found.problems.empty());
+  EXPECT_EQ(found.remarks.size(), 1U);
+  EXPECT_TRUE(trail.isOfTheTrailBefore(before));
+  EXPECT_TRUE(checkHeads(trail, {{before, "/"}}).problems.empty());
+  const auto station = StationStore::find(StationStore::usualFolder());
+  EXPECT_TRUE(checkStation(trail, *station, false).problems.empty());
+}
+
+TEST_F(TrailHeadsTest, OfAnotherStationAreNotOfTheTrailBefore) {
+  const auto before = TrailHeads(study_->database()).all().at(0).head;
+  sealAgain();
+  const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
+  study_->note(EventKind::Note, "after");
+  EXPECT_FALSE(TrailHeads(study_->database()).isOfTheTrailBefore(before));
+}
+
+}  // namespace trail_heads_test
+}  // namespace study::storage
