@@ -84,11 +84,13 @@ std::string problemsAsJson(
 
 std::string statusAsJson(Study& study) {
   const auto current = study.protocols().current();
+  const auto commitment = study.events().commitment();
   Json json{
       {"study_id", study.protocol().protocol.study.id},
       {"title", study.protocol().protocol.study.title},
       {"uuid", study.uuid()},
       {"created_utc", study.createdUtc()},
+      {"commitment", commitment.empty() ? Json() : Json(commitment)},
       {"protocol_hash", current.sha256},
       {"protocol_frozen_utc", orNull(current.frozenUtc)},
       {"sessions", Json::array()}};

@@ -14,6 +14,7 @@
 #include "study/app/terminal_session.h"
 #include "study/cohort/simulated_participant.h"
 #include "study/session/unfinished_sessions.h"
+#include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
 #include "study/words/counted.h"
 
@@ -55,17 +56,26 @@ std::optional<std::uint64_t> seedOf(const StudyArguments& options) {
   return options.hasSeed ? std::optional(options.seed) : std::nullopt;
 }
 
+/// What keeps orders and codes from being chosen afterwards; no line in studies of release 0.1.
+std::string commitmentOf(Study& study) {
+  const auto commitment = study.events().commitment();
+  return commitment.empty()
+             ? commitment
+             : "commitment of orders and codes: " + storage::inGroups(commitment) + "\n";
+}
+
 int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
   auto study = Study::create(options.folder, protocol, clock, seedOf(options));
   fmt::print(
-      "{} is ready: \"{}\", seed {}.\nNext: palpate-studio {}, or try it first: palpate study "
+      "{} is ready: \"{}\", seed {}.\n{}Next: palpate-studio {}, or try it first: palpate study "
       "simulate "
       "{} --participants {}\n",
       options.folder,
       protocol.protocol.study.title,
       study.seed(),
+      commitmentOf(study),
       options.folder,
       options.folder,
       plannedParticipants(protocol.protocol));
@@ -165,14 +175,15 @@ int status(const StudyArguments& options) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}\n",
       metadata.title,
       metadata.id,
       metadata.version,
       current.sha256.substr(0, 12),
       current.frozenUtc ? "frozen " + *current.frozenUtc
                         : "not frozen yet: no live participant has begun",
-      study.createdUtc());
+      study.createdUtc(),
+      commitmentOf(study));
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",

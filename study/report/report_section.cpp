@@ -131,6 +131,7 @@ ReportSection gather(Study& study, RunMode mode, const words::Words& words) {
       .uuid = study.uuid(),
       // Simulated sessions are made again from a seed, with the same report.
       .trail = mode == RunMode::Simulated ? storage::TrailEnd() : storage::endOf(study.database()),
+      .commitment = mode == RunMode::Simulated ? std::string() : study.events().commitment(),
       .results = computeResults(study, mode),
       .curves = std::move(felt.curves),
       .curvesReason = std::move(felt.reason),

@@ -63,6 +63,9 @@ struct ReportSection {
   std::uint64_t seed = 0;
   std::string uuid;
   storage::TrailEnd trail = {};  ///< how far the audit trail was; empty in simulated sessions
+  /// What keeps orders and codes from being chosen afterwards (BlindingSecret::commitment()); empty
+  /// in simulated sessions, and in studies without a secret.
+  std::string commitment = {};
   Results results;
   std::vector<FeltCurve> curves;
   base::Message curvesReason;  ///< why there are no curves, if the traces could not be read

@@ -57,7 +57,10 @@ TEST(ReportSection, SaysHowFarTheAuditTrailWas) {
       std::to_string(live.trail.events) + " events, " + storage::inGroups(live.trail.hash),
       study->events().headInWords());
   EXPECT_NE(asHtml({live}).find(storage::inGroups(live.trail.hash)), std::string::npos);
+  EXPECT_EQ(live.commitment, tests::knownSecret().commitment());
+  EXPECT_NE(asHtml({live}).find(storage::inGroups(live.commitment)), std::string::npos);
   // Simulated sessions are made again from a seed, with the same report.
+  EXPECT_TRUE(gather(*study, RunMode::Simulated).commitment.empty());
   EXPECT_TRUE(gather(*study, RunMode::Simulated).trail.hash.empty());
 }
 

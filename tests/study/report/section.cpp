@@ -117,6 +117,7 @@ study::report::ReportSection madeUpSection() {
   section.sources = loaded.sources;
   section.protocolHash = "abc";
   section.uuid = "def";
+  section.commitment = "c0ffee00c0ffee00c0ffee00c0ffee00c0ffee00c0ffee00c0ffee00c0ffee00";
   section.trail = {812, "1a2b3c4d5e6f708192a3b4c5d6e7f8091a2b3c4d5e6f708192a3b4c5d6e7f809"};
   section.seed = 7;
   using Kind = study::FamilyChange::Kind;
