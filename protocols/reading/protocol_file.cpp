@@ -43,6 +43,8 @@ constexpr std::array kPolicies{
     Choice<LabelPolicy>{"random", LabelPolicy::Random},
 };
 
+constexpr std::array kBlindings{Choice<bool>{"closed", false}, Choice<bool>{"open", true}};
+
 void requireSchema(const Node& root) {
   const std::string schema = root.text("$schema");
   const bool isOurs = schema == kSchema || schema.ends_with("/" + std::string(kSchema));
@@ -241,6 +243,7 @@ Protocol readRoot(const Node& root, ReferencedFiles& files, std::vector<FeltSour
   if (root.has("seed")) {
     protocol.seed = static_cast<std::uint64_t>(root.wholeNumber("seed", 0, kMostExactWhole));
   }
+  if (root.has("blinding")) protocol.isBlindingOpen = root.choice("blinding", kBlindings);
   protocol.cohorts = readAll<Cohort>(root.requiredList("cohorts"), readCohort);
   protocol.devices = readAll<DeviceNeed>(root.requiredList("devices"), readDevice);
   protocol.instrumentFiles = readFileNames(root);
@@ -340,6 +343,7 @@ std::optional<Draft> readDraft(
            "study",
            "languages",
            "seed",
+           "blinding",
            "cohorts",
            "devices",
            "instrument_files",

@@ -15,6 +15,9 @@ class BlindingCheck {
   explicit BlindingCheck(const Protocol& protocol) : protocol_(protocol) {}
 
   std::vector<Disclosure> all() && {
+    if (protocol_.isBlindingOpen) {
+      return {{"$.blinding", message("blinding_open"), message("blinding_open.fix")}};
+    }
     if (protocol_.seed) {
       found_.push_back({"$.seed", message("seed_tells"), message("seed_tells.fix")});
     }

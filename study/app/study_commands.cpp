@@ -175,7 +175,7 @@ int status(const StudyArguments& options) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}\n",
       metadata.title,
       metadata.id,
       metadata.version,
@@ -183,7 +183,8 @@ int status(const StudyArguments& options) {
       current.frozenUtc ? "frozen " + *current.frozenUtc
                         : "not frozen yet: no live participant has begun",
       study.createdUtc(),
-      commitmentOf(study));
+      commitmentOf(study),
+      study.protocol().protocol.isBlindingOpen ? "blinding: open, nobody is kept blind\n" : "");
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
       "id",

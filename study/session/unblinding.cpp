@@ -4,6 +4,8 @@ namespace study {
 
 void noteUnblinding(Study& study, RunMode mode, EventKind kind, const std::string& reason) {
   if (mode != RunMode::Live) return;
+  const bool isOpen = study.protocol().protocol.isBlindingOpen;
+  if (isOpen && reason.empty()) return;
   if (reason.empty()) {
     throw storage::StorageError(
         "This names every condition beside the answers of real people, and whoever reads it is no "

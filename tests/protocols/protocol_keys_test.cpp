@@ -45,6 +45,7 @@ TEST(ProtocolKeys, DescribeTheStudy) {
   EXPECT_EQ(protocol.study.description, "For the tests.");
   EXPECT_EQ(protocol.languages, (std::vector<std::string>{"en", "de"}));
   EXPECT_EQ(protocol.seed, 42U);
+  EXPECT_TRUE(protocol.isBlindingOpen);
   EXPECT_EQ(protocol.instrumentFiles, std::vector<std::string>{"instruments/comfort.json"});
   EXPECT_EQ(protocol.texts.at("institution").in("de"), "A laboratory");
   EXPECT_EQ(protocol.texts.at("contact").in("de"), "Frau Author");
@@ -203,6 +204,7 @@ TEST(ProtocolKeys, DescribeTheAnalysisPlanAndTheSimulation) {
 TEST(ProtocolKeys, MayBeLeftOutWhereSomethingIsUsual) {
   const auto protocol = readGood("smallest");
   EXPECT_FALSE(protocol.seed.has_value());
+  EXPECT_FALSE(protocol.isBlindingOpen);
   EXPECT_EQ(protocol.cohorts.at(0).planned, 0);
   EXPECT_EQ(protocol.labels.prefix.in("en"), "Alternative");
   EXPECT_TRUE(protocol.phase("felt")->trials.questionnaires.empty());

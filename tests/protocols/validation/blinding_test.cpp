@@ -41,6 +41,14 @@ TEST(Blinding, HoldsWhereOrdersAndLabelsDifferBetweenParticipants) {
   EXPECT_EQ(foundIn(tests::with(tests::usualProtocol(), "random", "position")), Words{});
 }
 
+TEST(Blinding, IsOpenWhereTheProtocolSaysSo) {
+  const auto open = [](const std::string& json) {
+    return tests::with(json, R"("languages")", R"("blinding": "open", "languages")");
+  };
+  EXPECT_EQ(foundIn(open(tests::usualProtocol())), Words{"$.blinding blinding_open"});
+  EXPECT_EQ(foundIn(open(ordered("fixed"))), Words{"$.blinding blinding_open"}) << "nothing more";
+}
+
 TEST(Blinding, IsBrokenByOneOrderForAll) {
   EXPECT_EQ(foundIn(ordered("fixed")), Words{"$.phases[1].order order_tells"});
 }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "study/export/export.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 #include "tests/support/child_process.h"
@@ -54,6 +55,23 @@ TEST_F(UnblindingTest, NeedsAReasonForLiveSessionsOnly) {
   EXPECT_TRUE(reasonsOf("unblinded_report").empty());
   noteUnblinding(*study_, RunMode::Live, EventKind::UnblindedReport, "plan signed");
   EXPECT_EQ(reasonsOf("unblinded_report"), std::vector<std::string>{"plan signed"});
+}
+
+TEST(OpenStudy, NeedsNoReasonAndIsCalledBlindedNowhere) {
+  auto json = tests::shortProtocol();
+  json.insert(json.find("\"languages\""), "\"blinding\": \"open\", ");
+  tests::MadeStudy study(tests::protocolFrom(json));
+  const auto events = study->events().last();
+  EXPECT_NO_THROW(noteUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, ""));
+  EXPECT_EQ(study->events().last(), events);
+  noteUnblinding(*study, RunMode::Live, EventKind::UnblindedReport, "said all the same");
+  EXPECT_GT(study->events().last(), events);
+  EXPECT_NE(blindingInWords(*study, {.runMode = RunMode::Live}), "blinded");
+  ASSERT_EQ(disclosuresOf(*study).size(), 1U);
+  EXPECT_EQ(disclosuresOf(*study)[0].key(), "blinding_open");
+  EXPECT_NE(
+      tests::run({tests::program(), "study", "status", study.folder()}).out.find("blinding: open"),
+      std::string::npos);
 }
 
 TEST_F(UnblindingTest, ReportsAndStatisticsNeedAReasonAsExportsDo) {
