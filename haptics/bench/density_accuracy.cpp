@@ -140,12 +140,11 @@ void fitLayers(const Problem& problem, std::size_t layers, const AccuracyRun& ru
 
 void measureDensity(const AccuracyRun& run) {
   const Problem problem = problemOf(run.isShort ? 5000 : 201'532);
-  const auto& [matrix, forces, uniform] = problem;
   const std::string all = "all spheres";
   for (const double weight : {1e-2, 1e-4, 1e-6}) {
     double gap = 0.0;
     timeFit(all, kBounded, weight, run, [&] {
-      auto fit = reaming::fitNonNegative(matrix, forces, uniform, weight);
+      auto fit = reaming::fitNonNegative(problem.matrix, problem.forces, problem.uniform, weight);
       gap = std::max(fit.gap, 0.0);
       return fit;
     });
@@ -161,14 +160,14 @@ void measureDensity(const AccuracyRun& run) {
   if (run.isShort) return;
   for (const int iterations : {20, 100}) {
     timeFit(all, "multiplicative (MLEM)", iterations, run, [&, n = iterations] {
-      return reaming::fitMultiplicative(matrix, forces, uniform, n);
+      return reaming::fitMultiplicative(problem.matrix, problem.forces, problem.uniform, n);
     });
     timeFit(all, "Eigen LSCG, cut off at 0", iterations, run, [&, n = iterations] {
       return leastSquares(problem, n);
     });
   }
   constexpr int kSwarmIterations = 8;
-  timeSwarms(all, matrix, forces, kSwarmIterations, kSwarmIterations, run);
+  timeSwarms(all, problem.matrix, problem.forces, kSwarmIterations, kSwarmIterations, run);
 }
 
 }  // namespace haptics::bench

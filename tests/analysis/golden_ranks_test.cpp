@@ -43,7 +43,8 @@ void compare(
     tests::WorstDigits& worst) {
   for (const auto& [quantity, truth] : golden.items()) {
     const bool isOurs = std::ranges::any_of(
-        prefixes, [&](const std::string& prefix) { return quantity.starts_with(prefix); });
+        prefixes,
+        [&name = quantity](const std::string& prefix) { return name.starts_with(prefix); });
     if (!isOurs) continue;
     SCOPED_TRACE(testing::Message() << dataSet << " " << quantity);
     ASSERT_TRUE(ours.contains(quantity));

@@ -9,7 +9,7 @@
 /// suppress.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
-  return "leak:__argz_add_sep\n";
+  return "leak:argz_add_sep\n";
 }
 
 int main(int argc, char** argv) {

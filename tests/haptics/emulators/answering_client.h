@@ -64,7 +64,6 @@ class AnsweringClient {
   Seen seen_;
   std::vector<int> arrived_;
   std::uint32_t next_ = 0;
-  std::uint32_t unanswered_ = 0;
   std::uint64_t answers_ = 0;
 };
 
