@@ -17,6 +17,7 @@ void addInstrumentCommands(CLI::App& program, Action& action);
 void addProtocolCommands(CLI::App& program, Action& action);
 void addStudyCommands(CLI::App& program, Action& action);
 void addConsentCommand(CLI::App& noun, Action& action);        // adds to the command "study"
+void addErasureCommands(CLI::App& noun, Action& action);       // adds to "study"
 void addProtocolTextsCommand(CLI::App& noun, Action& action);  // adds to "protocol"
 void addEvidenceCommands(CLI::App& noun, Action& action);      // adds to "study"
 void addStudyTextsCommand(CLI::App& noun, Action& action);     // adds to "study"

@@ -308,6 +308,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   addEvidenceCommands(*noun, action);
   addStudyTextsCommand(*noun, action);
   addConsentCommand(*noun, action);
+  addErasureCommands(*noun, action);
 }
 
 }  // namespace study::app

@@ -17,7 +17,7 @@ Columns<ExportedSession> columnsOfSession() {
       runModeColumn<ExportedSession>(),
       {"status",
        OneOf{ValueList::Statuses},
-       "in_progress, completed, declined, withdrawn, rejected or aborted_hardware",
+       "in_progress, completed, declined, withdrawn, rejected, aborted_hardware or erased",
        [](const ExportedSession& row) { return statusOf(row.record->state); }},
       // Written by the operator, or the device's reason.
       C("end_reason", FreeText{}, "Why it ended", record(&Record::endReason))

@@ -56,7 +56,8 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
             SessionState::Declined,
             SessionState::Withdrawn,
             SessionState::Rejected,
-            SessionState::AbortedHardware},
+            SessionState::AbortedHardware,
+            SessionState::Erased},
            statusOf)},
       {ValueList::Verdicts, levelsNamed({Verdict::Pass, Verdict::Warn, Verdict::Fail}, nameOf)},
       {ValueList::ItemTypes, itemTypeLevels()}};

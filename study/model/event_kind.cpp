@@ -33,6 +33,8 @@ constexpr std::array<EventFacts, kKnown> kFacts{
     EventFacts{
         "signed_head", {"{events} events, hash {hash}, for {purpose}, by the station {key}"}},
     EventFacts{"head_not_signed"},
+    EventFacts{"erased", {"{participant} ({level}): {reason}"}},
+    EventFacts{"resealed_trail", {"{events} events until then, the last one {head}: {reason}"}},
     EventFacts{"finished_step"},
     EventFacts{"gave_consent"},
     EventFacts{"declined_consent"},

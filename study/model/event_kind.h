@@ -24,6 +24,8 @@ enum class EventKind {
   NotedIdentities,  ///< what identity.db has, where the trail did not know it
   SignedHead,       ///< a station vouches for all events before this one
   HeadNotSigned,    ///< the station's key could not be used
+  Erased,           ///< names, answers or both of a participant
+  ResealedTrail,    ///< the trail of an older format was sealed once, so that it can be erased from
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

@@ -18,6 +18,7 @@ constexpr auto kStates = std::to_array<std::pair<SessionState, std::string_view>
     {SessionState::Withdrawn, "withdrawn"},
     {SessionState::Rejected, "rejected"},
     {SessionState::AbortedHardware, "aborted_hardware"},
+    {SessionState::Erased, "erased"},
 });
 
 }  // namespace

@@ -19,6 +19,7 @@ enum class SessionState {
   Withdrawn,        ///< the participant stopped
   Rejected,         ///< the operator stopped, with a reason
   AbortedHardware,  ///< a device could not be brought back
+  Erased,           ///< its answers were erased, whatever it was before
 };
 
 /// The events of a session.
@@ -101,14 +102,14 @@ static_assert(!next(SessionState::Enrolled, SessionEvent::SkippedStep), "consent
 static_assert(!next(SessionState::InTrial, SessionEvent::FinishedStep), "a trial ends as a trial");
 static_assert(isOver(SessionState::Completed) && isOver(SessionState::Declined));
 static_assert(isOver(SessionState::Withdrawn) && isOver(SessionState::Rejected));
-static_assert(isOver(SessionState::AbortedHardware));
+static_assert(isOver(SessionState::AbortedHardware) && isOver(SessionState::Erased));
 
 std::string_view nameOf(SessionState state) noexcept;
 std::optional<SessionState> sessionStateNamed(std::string_view name) noexcept;
 std::string_view nameOf(SessionEvent event) noexcept;
 
 /// The status of a session in tables: `in_progress`, `completed`, `declined`, `withdrawn`,
-/// `rejected`, `aborted_hardware`.
+/// `rejected`, `aborted_hardware`, `erased`.
 std::string_view statusOf(SessionState state) noexcept;
 
 }  // namespace study

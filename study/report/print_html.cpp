@@ -6,7 +6,7 @@
 namespace study::report {
 namespace {
 
-constexpr const char* kStyle = R"css(
+constexpr const char* kStyleOnPaper = R"css(
 body { font-size: 9pt; }
 h1 { font-size: 15pt; margin-top: 0px; } h2 { font-size: 13pt; } h3 { font-size: 11pt; margin-top: 10px; margin-bottom: 3px; } h4 { font-size: 9.5pt; margin-bottom: 3px; }
 p { margin-top: 3px; margin-bottom: 5px; } ul { margin-top: 3px; margin-bottom: 5px; } li { margin-bottom: 2px; }
@@ -163,7 +163,7 @@ PrintHtml forPrint(std::string_view html) {
   auto& text = page.html;
   if (const auto style = spanOf(text, "<style>", "</style>", 0); style.begin != std::string::npos) {
     text.replace(
-        style.begin, style.end - style.begin, "<style>" + std::string(kStyle) + "</style>");
+        style.begin, style.end - style.begin, "<style>" + std::string(kStyleOnPaper) + "</style>");
   }
   unlinkAndUnfold(text);
   captionsInHead(text);

@@ -91,14 +91,15 @@ class ParticipantWriter : HtmlWriter {
   }
 
   void flow() {
-    constexpr std::array<Column, 7> kColumns{
+    constexpr std::array<Column, 8> kColumns{
         {{"Enrolled", &CohortFlow::enrolled, true},
          {"Completed", &CohortFlow::completed, true},
          {"In progress", &CohortFlow::inProgress},
          {"Declined", &CohortFlow::declined},
          {"Withdrawn", &CohortFlow::withdrawn},
          {"Rejected", &CohortFlow::rejected},
-         {"Device failed", &CohortFlow::abortedHardware}}};
+         {"Device failed", &CohortFlow::abortedHardware},
+         {"Erased", &CohortFlow::erased}}};
     heading("Participants");
     std::vector<std::string> headings{say("Cohort")};
     for (const auto& column : kColumns) {
@@ -117,6 +118,10 @@ class ParticipantWriter : HtmlWriter {
     note(
         "Only completed sessions count below, and of these only steps that were finished and not "
         "repeated. Reasons for leaving are omitted to protect anonymity.");
+    const auto erased = say(
+        "Erased: answers and traces were deleted at the participant's request, and no number below "
+        "contains them.");
+    if (isShown(kColumns.back())) put("<p class=\"note\">{}</p>", erased);
   }
 };
 

@@ -300,6 +300,9 @@ void CohortFlow::add(SessionState state) {
     case SessionState::AbortedHardware:
       ++abortedHardware;
       return;
+    case SessionState::Erased:
+      ++erased;
+      return;
     default:
       ++inProgress;
   }

@@ -30,6 +30,7 @@ struct CohortFlow {
   int withdrawn = 0;
   int rejected = 0;
   int abortedHardware = 0;
+  int erased = 0;
 
   /// Counts one more session.
   void add(SessionState state);

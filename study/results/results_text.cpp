@@ -67,12 +67,14 @@ class Writer {
     for (const auto& flow : results_.flow) {
       const int others = flow.declined + flow.withdrawn + flow.rejected + flow.abortedHardware;
       line(fmt::format(
-          "{}: {} enrolled, {} completed, {} in progress, {} left or excluded",
+          "{}: {} enrolled, {} completed, {} in progress, {} left or excluded{}",
           cohortTitle(flow.cohort),
           flow.enrolled,
           flow.completed,
           flow.inProgress,
-          others));
+          others,
+          flow.erased > 0 ? fmt::format(", {} erased and counted nowhere below", flow.erased)
+                          : std::string()));
     }
   }
 

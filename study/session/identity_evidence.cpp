@@ -150,6 +150,15 @@ void noteAllIdentities(Study& study) {
   noteRows(study, "");
 }
 
+std::string fingerprintsOf(Study& study, const std::string& participant) {
+  std::string pairs;
+  for (const auto& [row, fingerprint] : presentRows(study)) {
+    if (!row.starts_with(participant + "/")) continue;
+    pairs += (pairs.empty() ? "" : " ") + row + "=" + fingerprint;
+  }
+  return pairs;
+}
+
 storage::Findings checkIdentities(Study& study) {
   Findings findings;
   const auto present = presentRows(study);

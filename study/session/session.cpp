@@ -7,6 +7,7 @@
 #include "questionnaires/json/document.h"
 #include "study/session/drawn_plan.h"
 #include "study/session/identity_evidence.h"
+#include "study/storage/erasure/erasure_repository.h"
 #include "study/storage/transaction.h"
 
 namespace study {
@@ -60,12 +61,24 @@ void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
 }
 
+/// Draws the keys of a new participant. One of an older release, who comes again, has none until
+/// the trail is sealed again: the trail of one person is not sealed in parts.
+void prepareFor(Study& study, const SessionRow& row) {
+  if (storage::ErasureRepository(study.database()).hasErasedAnswersOf(row.participant)) {
+    throw UserError(
+        "'" + row.participant + "' was erased. Choose another code, or leave it to the program.");
+  }
+  const bool isNew = !study.sessions().hasParticipant(row.participant);
+  if (isNew && row.runMode != RunMode::Simulated) study.identities().drawKeys(row.participant);
+}
+
 /// Stores a new participant's first session, inside the caller's transaction.
 std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   auto sessions = study.sessions();
   row.protocol = study.protocols().current().id;
   row.startedUtc = asUtc(now.wall);
   if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode);
+  prepareFor(study, row);
   row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
   auto plan = drawnPlan(study, row);
   freezeFor(study, row, now);

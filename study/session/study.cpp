@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "protocols/load_protocol.h"
 #include "study/model/study_files.h"
+#include "study/session/erasure.h"
 #include "study/storage/network_drive.h"
 #include "study/storage/reserved_space.h"
 #include "study/storage/statement.h"
@@ -29,6 +30,11 @@ void requireFinished(const Database& database) {
       database.path() +
           " was not finished when it was made. Remove the folder and make the study again.",
       StorageError::Kind::Damaged);
+}
+
+bool isErasureOpenIn(const StudyFiles& files) {
+  auto database = Database::open(files.study(), storage::studySchema(), Database::Access::ReadOnly);
+  return isErasureOpen(database);
 }
 
 }  // namespace
@@ -54,6 +60,9 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   }
   const StudyFiles files{folder};
   if (access == Database::Access::ReadWrite) storage::requireOwnDisk(files.study());
+  if (access == Database::Access::ReadOnly && isErasureOpenIn(files)) {
+    open(folder, clock, Database::Access::ReadWrite);
+  }
   auto database = Database::open(files.study(), storage::studySchema(), access);
   requireFinished(database);
   auto traces = Database::open(files.traces(), storage::traceSchema(), access);
@@ -61,7 +70,10 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
   study.isWritable_ = access == Database::Access::ReadWrite;
-  if (study.isWritable_) storage::ReservedSpace(folder).take();
+  if (study.isWritable_) {
+    storage::ReservedSpace(folder).take();
+    finishErasures(study);
+  }
   return study;
 }
 

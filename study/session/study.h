@@ -40,7 +40,8 @@ class Study {
       std::optional<std::uint64_t> seed = std::nullopt,
       const std::optional<storage::BlindingSecret>& secret = std::nullopt);
 
-  /// Opens an existing folder. @throws storage::StorageError
+  /// Opens an existing folder. Goes on with an erasure that was interrupted, also if the folder is
+  /// only to be read. @throws storage::StorageError
   static Study open(
       const std::filesystem::path& folder,
       Clock& clock,
@@ -70,7 +71,7 @@ class Study {
   storage::Database& database() noexcept { return database_; }
   storage::ProtocolRepository protocols() { return storage::ProtocolRepository(database_); }
   storage::SessionRepository sessions() { return storage::SessionRepository(database_); }
-  storage::EventLog events() { return storage::EventLog(database_); }
+  storage::EventLog events() { return storage::EventLog(database_, &identities_); }
   storage::TraceStore& traces() noexcept { return traces_; }
   storage::IdentityStore& identities() noexcept { return identities_; }
 

@@ -9,6 +9,7 @@
 
 #include "study/model/study_files.h"
 #include "study/session/drawn_plan.h"
+#include "study/session/erasure.h"
 #include "study/session/identity_evidence.h"
 #include "study/storage/answer_repository.h"
 #include "study/storage/content_hash.h"
@@ -71,6 +72,14 @@ storage::Findings notedHere(Study& study, bool isOlderCopy) {
   return storage::checkStation(storage::TrailHeads(study.database()), *station, isOlderCopy);
 }
 
+std::vector<std::string> remarksOn(Study& study) {
+  try {
+    return remarksOnErasure(study);
+  } catch (const storage::StorageError&) {
+    return {};  // a damaged file: the checks say what is wrong
+  }
+}
+
 Problems auditTrail(Study& study) {
   const auto broken = study.events().firstBreak();
   return broken ? Problems{*broken} : Problems{};
@@ -79,25 +88,32 @@ Problems auditTrail(Study& study) {
 /// Compares the tables' content with the hash in the last event. Events of format 1 have no such
 /// hash.
 void checkContent(
-    Study& study,
-    std::optional<SessionId> session,
-    const storage::Hash& found,
-    const std::string& name,
-    Problems& problems) {
-  const auto expected = study.events().lastContentHash(session);
-  if (!expected) {
+    Study& study, std::optional<SessionId> session, const std::string& name, Problems& problems) {
+  const auto said = study.events().lastContent(session);
+  if (!said) {
     problems.push_back("the audit trail knows nothing of " + name);
-  } else if (!expected->empty() && *expected != storage::asBytes(found)) {
+    return;
+  }
+  const auto key = said->isSealed ? study.events().keyOf(*session) : std::nullopt;
+  if (said->isSealed && !key) {
+    problems.push_back(
+        "what the audit trail says of " + name + " cannot be read: the key is missing in " +
+        study.identities().database().path());
+    return;
+  }
+  const auto& database = study.database();
+  const auto found = session ? storage::contentHash(database, *session, key ? &*key : nullptr)
+                             : storage::contentHash(database);
+  if (!said->hash.empty() && said->hash != storage::asBytes(found)) {
     problems.push_back("the data of " + name + " do not agree with the audit trail");
   }
 }
 
 Problems contents(Study& study) {
   Problems problems;
-  auto& database = study.database();
-  checkContent(study, {}, storage::contentHash(database), "the study itself", problems);
+  checkContent(study, {}, "the study itself", problems);
   for (const auto& row : study.sessions().all()) {
-    checkContent(study, row.id, storage::contentHash(database, row.id), row.participant, problems);
+    checkContent(study, row.id, row.participant, problems);
   }
   return problems;
 }
@@ -303,6 +319,7 @@ Verification verify(Study& study, const Progress& progress, const VerifyOptions&
   check("the database files are whole, and every row refers to something", files);
   look("tables, indexes and triggers are those that the program makes", schemas);
   check("the audit trail is unbroken", auditTrail);
+  result.checks.back().remarks = remarksOn(study);
   look("every signature is of the events before it", signatures);
   look("the audit trail goes on from all that this station signed", [&](Study& of) {
     return notedHere(of, options.isOlderCopy);

@@ -37,6 +37,15 @@ constexpr std::array kOfTheStudy{
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
 
+/// Hashed only where there is a row: studies of older formats have the hashes of before. When the
+/// work was finished is left out, because that is no event.
+constexpr const char* kErasures =
+    "SELECT id, participant, level, reason, erased_utc FROM erasure ORDER BY id";
+
+bool wasAnyoneErased(const Database& database) {
+  return database.hasTable("erasure") && Statement(database, "SELECT 1 FROM erasure").step();
+}
+
 /// Adds marks between rows and after the last one, so that no value can move to another row or
 /// table without a change of the hash.
 void addRows(Hasher& hasher, Statement& rows) {
@@ -51,20 +60,24 @@ void addRows(Hasher& hasher, Statement& rows) {
 
 }  // namespace
 
-Hash contentHash(const Database& database, SessionId session) {
+Hash contentHash(const Database& database, SessionId session, const SealingKey* key) {
   Hasher hasher;
   for (const char* select : kOfASession) {
     Statement rows(database, select);
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
   }
-  return hasher.finish();
+  return key == nullptr ? hasher.finish() : hasher.finish(key->hashingKey());
 }
 
 Hash contentHash(const Database& database) {
   Hasher hasher;
   for (const char* select : kOfTheStudy) {
     Statement rows(database, select);
+    addRows(hasher, rows);
+  }
+  if (wasAnyoneErased(database)) {
+    Statement rows(database, kErasures);
     addRows(hasher, rows);
   }
   return hasher.finish();

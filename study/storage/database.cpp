@@ -227,6 +227,11 @@ void Database::rollBackIfOwed() {
   owesRollback_ = false;
 }
 
+bool Database::hasTable(const std::string& name) const {
+  Statement table(*this, "SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = ?");
+  return table.bind(1, std::string_view(name)).step();
+}
+
 std::string Database::integrityProblems() {
   std::string problems;
   Statement integrity(*this, "PRAGMA integrity_check(20)");

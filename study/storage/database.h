@@ -56,6 +56,9 @@ class Database {
   void owesRollback() noexcept { owesRollback_ = true; }
   void rollBackIfOwed();
 
+  /// False in a file of an older format that is only read.
+  bool hasTable(const std::string& name) const;
+
   /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
   std::string integrityProblems();
 

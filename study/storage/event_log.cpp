@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -27,7 +28,8 @@ struct Row {
   std::string actor;
   std::string kind;
   std::string detail;
-  std::vector<std::byte> content;  ///< empty in rows of format 1
+  std::vector<std::byte> content;      ///< empty in rows of format 1
+  std::vector<std::byte> sealed = {};  ///< the detail; empty if that is open
 
   Hash hashAfter(std::int64_t seq, const std::vector<std::byte>& previous) const {
     Hasher hasher;
@@ -41,16 +43,38 @@ struct Row {
     hasher.add(actor);
     hasher.add(kind);
     hasher.add(detail);
+    if (!sealed.empty()) {  // rows of older formats were hashed without it
+      hasher.add("sealed");
+      hasher.add(std::span<const std::byte>(sealed));
+    }
     // Left out if empty: rows of format 1 were hashed without it.
     if (!content.empty()) hasher.add(std::span(content));
     return hasher.finish();
+  }
+
+  /// Where what is sealed belongs.
+  std::string place(std::int64_t seq) const { return std::to_string(seq) + "/" + kind; }
+
+  void seal(std::int64_t seq, const SealingKey& key) {
+    sealed = key.seal(detail, place(seq));
+    detail.clear();
   }
 };
 
 constexpr std::size_t kDigitsOfHead = 32;  // 128 bits: short enough to be read aloud
 
 constexpr const char* kEventColumns =
-    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash";
+    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
+    "sealed";
+constexpr const char* kColumnsBeforeSealing =
+    "seq, session_id, step, attempt, utc, monotonic_ns, actor, kind, detail, hash, content_hash, "
+    "NULL";
+constexpr int kAfterEvent = 12;
+
+/// A file of an older format that is only read does not have the last column.
+const char* columnsIn(const Database& database) {
+  return database.hasTable("erasure") ? kEventColumns : kColumnsBeforeSealing;
+}
 
 Row rowIn(const Statement& statement) {
   return {
@@ -62,7 +86,8 @@ Row rowIn(const Statement& statement) {
       .actor = statement.text(6),
       .kind = statement.text(7),
       .detail = statement.text(8),
-      .content = statement.blob(10)};
+      .content = statement.blob(10),
+      .sealed = statement.blob(11)};
 }
 
 constexpr std::string_view kLimitCycle =
@@ -106,6 +131,93 @@ std::int64_t millisecondsIn(const std::string& utc) {
   return milliseconds;
 }
 
+Row rowOf(const Event& event) {
+  Row row{
+      .session = std::nullopt,
+      .step = std::nullopt,
+      .attempt = std::nullopt,
+      .utc = asUtc(event.when.wall),
+      .monotonic = event.when.monotonic,
+      .actor = std::string(nameOf(event.actor)),
+      .kind = std::string(event.name()),
+      .detail = event.values.empty() ? event.detail : asJson(event.values),
+      .content = {}};
+  if (event.visit) {
+    row.session = static_cast<std::int64_t>(event.visit->session);
+    row.step = event.visit->step;
+    row.attempt = event.visit->attempt;
+  }
+  return row;
+}
+
+void insert(Database& database, std::int64_t seq, const Row& row, const Hash& hash) {
+  Statement insert(
+      database,
+      std::string("INSERT INTO event (") + kEventColumns + ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
+  insert.bind(1, seq)
+      .bind(2, row.session)
+      .bind(3, row.step)
+      .bind(4, row.attempt)
+      .bind(5, row.utc)
+      .bind(6, row.monotonic)
+      .bind(7, row.actor)
+      .bind(8, row.kind)
+      .bind(9, row.detail)
+      .bind(10, std::span<const std::byte>(hash));
+  if (!row.content.empty()) insert.bind(11, std::span<const std::byte>(row.content));
+  if (!row.sealed.empty()) insert.bind(12, std::span<const std::byte>(row.sealed));
+  insert.run();
+}
+
+/// The keys of sessions, each looked up once.
+class Keys {
+ public:
+  explicit Keys(const EventLog& log) : log_(log) {}
+
+  /// nullptr if there is none.
+  const SealingKey* find(std::int64_t session) {
+    const auto [found, isNew] = keys_.try_emplace(session);
+    if (isNew) found->second = log_.keyOf(SessionId{session});
+    return found->second ? &*found->second : nullptr;
+  }
+
+  /// Puts the detail back into its place. False if it cannot be opened.
+  bool open(std::int64_t seq, Row& row) {
+    const auto* key = find(row.session.value_or(0));
+    auto detail = key != nullptr ? key->open(row.sealed, row.place(seq)) : std::nullopt;
+    if (detail) row.detail = std::move(*detail);
+    return detail.has_value();
+  }
+
+ private:
+  const EventLog& log_;
+  std::map<std::int64_t, std::optional<SealingKey>> keys_;
+};
+
+/// The triggers that keep events as they are, taken away so that all can be written anew.
+class Guards {
+ public:
+  explicit Guards(Database& database) : database_(database) {
+    Statement select(
+        database,
+        "SELECT name, sql FROM sqlite_schema WHERE type = 'trigger' AND tbl_name = 'event' "
+        "ORDER BY rowid");
+    std::string removals;
+    while (select.step()) {
+      removals += "DROP TRIGGER " + select.text(0) + ";";
+      triggers_ += select.text(1) + ";";
+    }
+    select.reset();
+    database.execute(removals);
+  }
+  /// Without it, the transaction is not to be committed.
+  void putBack() { database_.execute(triggers_); }
+
+ private:
+  Database& database_;
+  std::string triggers_;
+};
+
 Actor actorNamed(std::string_view name) {
   if (name == "participant") return Actor::Participant;
   return name == "operator" ? Actor::Operator : Actor::Program;
@@ -136,6 +248,7 @@ const base::Argument* Event::value(std::string_view name) const noexcept {
 }
 
 std::string describe(const Event& event) {
+  if (event.isErased) return "(erased)";
   const auto pattern = patternOf(event.kind);
   if (pattern.english.empty() || event.values.empty()) return event.detail;
   const auto* counted = event.value(pattern.counted);
@@ -152,19 +265,13 @@ std::string describe(const Event& event) {
 
 void EventLog::append(const Event& event) {
   requireText(event);
-  Row row{
-      .utc = asUtc(event.when.wall),
-      .monotonic = event.when.monotonic,
-      .actor = std::string(nameOf(event.actor)),
-      .kind = std::string(event.name()),
-      .detail = event.values.empty() ? event.detail : asJson(event.values)};
-  if (event.visit) {
-    row.session = static_cast<std::int64_t>(event.visit->session);
-    row.step = event.visit->step;
-    row.attempt = event.visit->attempt;
-  }
-  row.content =
-      asBytes(event.visit ? contentHash(database_, event.visit->session) : contentHash(database_));
+  Row row = rowOf(event);
+  // That somebody was erased can always be read, and is said of tables that nobody must guess.
+  const bool isSealed = event.visit && event.kind != EventKind::Erased;
+  const auto key = isSealed ? keyOf(event.visit->session) : std::nullopt;
+  row.content = asBytes(
+      event.visit ? contentHash(database_, event.visit->session, key ? &*key : nullptr)
+                  : contentHash(database_));
   std::int64_t seq = 1;
   std::vector<std::byte> previous;
   Statement last(database_, "SELECT seq, hash FROM event ORDER BY seq DESC LIMIT 1");
@@ -172,22 +279,46 @@ void EventLog::append(const Event& event) {
     seq = last.number(0) + 1;
     previous = last.blob(1);
   }
-  const Hash hash = row.hashAfter(seq, previous);
-  Statement insert(
-      database_,
-      "INSERT INTO event (" + std::string(kEventColumns) + ") VALUES (?,?,?,?,?,?,?,?,?,?,?)");
-  insert.bind(1, seq)
-      .bind(2, row.session)
-      .bind(3, row.step)
-      .bind(4, row.attempt)
-      .bind(5, row.utc)
-      .bind(6, row.monotonic)
-      .bind(7, row.actor)
-      .bind(8, row.kind)
-      .bind(9, row.detail)
-      .bind(10, std::span<const std::byte>(hash))
-      .bind(11, std::span<const std::byte>(row.content));
-  insert.run();
+  if (key) row.seal(seq, *key);
+  insert(database_, seq, row, row.hashAfter(seq, previous));
+}
+
+void EventLog::sealAgain(const Event& event) {
+  std::vector<Row> rows;
+  std::map<std::int64_t, std::size_t> lastOf;  // the last event of every session
+  Keys keys(*this);
+  {
+    Statement select(
+        database_, std::string("SELECT ") + kEventColumns + " FROM event ORDER BY seq");
+    while (select.step()) {
+      Row row = rowIn(select);
+      // What cannot be opened stays as it is: its participant was erased.
+      if (!row.sealed.empty() && keys.open(select.number(0), row)) row.sealed.clear();
+      if (row.session) lastOf[*row.session] = rows.size();
+      rows.push_back(std::move(row));
+    }
+  }
+  Guards guards(database_);
+  database_.execute("DELETE FROM event");
+  append(event);
+  std::vector<std::byte> previous = head();
+  std::int64_t seq = 1;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i];
+    ++seq;
+    const bool isOpen = row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
+    if (const auto* key = isOpen ? keys.find(*row.session) : nullptr) {
+      row.seal(seq, *key);
+      row.content.clear();
+      if (lastOf.at(*row.session) == i) {
+        row.content = asBytes(contentHash(database_, SessionId{*row.session}, key));
+      }
+    }
+    const auto hash = row.hashAfter(seq, previous);
+    insert(database_, seq, row, hash);
+    previous = asBytes(hash);
+  }
+  guards.putBack();
 }
 
 std::vector<std::byte> EventLog::head() const {
@@ -200,6 +331,7 @@ std::string EventLog::headInWords() const {
   if (!select.step()) return {};
   std::string words = std::to_string(select.number(0)) + " events,";
   const auto hash = select.text(1);
+  if (hash.size() < kDigitsOfHead) return {};  // a damaged file
   for (std::size_t i = 0; i < kDigitsOfHead; i += 4) words += " " + hash.substr(i, 4);
   return words;
 }
@@ -230,7 +362,9 @@ std::int64_t EventLog::last() const {
 }
 
 std::string EventLog::commitment() const {
-  Statement first(database_, "SELECT detail FROM event WHERE seq = 1 AND kind = ?");
+  // The first event, or the second: a trail that was sealed again begins with that.
+  Statement first(
+      database_, "SELECT detail FROM event WHERE seq <= 2 AND kind = ? ORDER BY seq LIMIT 1");
   first.bind(1, study::nameOf(EventKind::MadeStudy));
   if (!first.step()) return {};
   Event made{.kind = EventKind::MadeStudy};
@@ -246,40 +380,58 @@ bool EventLog::holds(const std::vector<std::byte>& head) const {
   return select.step();
 }
 
-std::optional<std::vector<std::byte>> EventLog::lastContentHash(
-    std::optional<SessionId> session) const {
+std::optional<EventLog::Content> EventLog::lastContent(std::optional<SessionId> session) const {
   Statement select(
-      database_, "SELECT content_hash FROM event WHERE session_id IS ? ORDER BY seq DESC LIMIT 1");
+      database_,
+      std::string("SELECT ") + columnsIn(database_) +
+          " FROM event WHERE session_id IS ? ORDER BY seq DESC LIMIT 1");
   select.bind(1, session ? std::optional(static_cast<std::int64_t>(*session)) : std::nullopt);
-  return select.step() ? std::optional(select.blob(0)) : std::nullopt;
+  if (!select.step()) return std::nullopt;
+  const Row row = rowIn(select);
+  return Content{.hash = row.content, .isSealed = !row.sealed.empty()};
+}
+
+std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
+  if (identities_ == nullptr) return std::nullopt;
+  Statement select(
+      database_,
+      "SELECT p.code FROM session AS s JOIN participant AS p ON p.id = s.participant_id "
+      "WHERE s.id = ?");
+  select.bind(1, static_cast<std::int64_t>(session));
+  if (!select.step()) return std::nullopt;
+  return identities_->key(IdentityStore::Key::Content, select.text(0));
 }
 
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   Statement select(
       database_,
-      "SELECT " + std::string(kEventColumns) + ", unixepoch(utc) FROM event" +
+      std::string("SELECT ") + columnsIn(database_) + ", unixepoch(utc) FROM event" +
           (session ? " WHERE session_id = ?" : "") + " ORDER BY seq");
   if (session) select.bind(1, static_cast<std::int64_t>(*session));
   std::vector<Event> events;
+  Keys keys(*this);
   while (select.step()) {
-    const Row row = rowIn(select);
+    Row row = rowIn(select);
+    const bool isOpen = row.sealed.empty() || keys.open(select.number(0), row);
     Event event{.actor = actorNamed(row.actor), .kind = eventKindNamed(row.kind)};
     if (event.kind == EventKind::Unknown) event.unknownName = row.kind;
-    readDetail(event, row.detail);
+    event.isErased = !isOpen;
+    if (isOpen) readDetail(event, row.detail);
     if (row.session) {
       event.visit = VisitKey{
           SessionId{*row.session},
           static_cast<int>(row.step.value_or(0)),
           static_cast<int>(row.attempt.value_or(1))};
     }
-    event.when = {select.number(11) * 1000 + millisecondsIn(row.utc), row.monotonic};
+    event.when = {select.number(kAfterEvent) * 1000 + millisecondsIn(row.utc), row.monotonic};
     events.push_back(std::move(event));
   }
   return events;
 }
 
 std::optional<std::string> EventLog::firstBreak() const {
-  Statement select(database_, "SELECT " + std::string(kEventColumns) + " FROM event ORDER BY seq");
+  Statement select(
+      database_, std::string("SELECT ") + columnsIn(database_) + " FROM event ORDER BY seq");
   std::vector<std::byte> previous;
   std::int64_t expected = 1;
   while (select.step()) {

@@ -12,6 +12,7 @@
 #include "study/model/event_kind.h"
 #include "study/model/ids.h"
 #include "study/storage/database.h"
+#include "study/storage/identity_store.h"
 
 namespace study::storage {
 
@@ -28,6 +29,8 @@ struct Event {
   /// a sentence instead, which is then in @ref detail (docs/decisions/0019).
   base::NamedArguments values = {};
   std::string unknownName = {};  ///< of a kind that only a later release knows
+  /// What it says is sealed with a key that is gone: its participant was erased.
+  bool isErased = false;
 
   /// "answered", "finished_step", "note": the kind as it is stored.
   std::string_view name() const noexcept;
@@ -46,9 +49,16 @@ std::string describe(const Event& event);
 /// 3,000 flipped bits it missed 1,571 that changed content). Every event also carries a hash of the
 /// tables' content about its session at that time, so that a row which another program changed is
 /// detected as well.
+///
+/// What an event says of a participant is sealed with that participant's content key, and so is the
+/// hash of the tables; the chain covers what is sealed. Once the key is destroyed, the chain is as
+/// sound as before (docs/decisions/0040). Participants without keys, simulated ones and those of
+/// older releases, have open events.
 class EventLog {
  public:
-  explicit EventLog(Database& database) : database_(database) {}
+  /// @param identities  has the keys; without it nothing is sealed, and nothing sealed is read.
+  explicit EventLog(Database& database, const IdentityStore* identities = nullptr)
+      : database_(database), identities_(identities) {}
 
   /// Appends an event inside the caller's transaction. It must be the last change there, because it
   /// stores the hash of the tables' content.
@@ -77,9 +87,21 @@ class EventLog {
   /// Whether the event with hash @p head is stored.
   bool holds(const std::vector<std::byte>& head) const;
 
-  /// The content hash in the last event of a session, or of the study itself. Empty if format 1
-  /// wrote the event; std::nullopt if there is no event.
-  std::optional<std::vector<std::byte>> lastContentHash(std::optional<SessionId> session) const;
+  /// What the last event of a session, or of the study itself, says of the tables.
+  struct Content {
+    std::vector<std::byte> hash;  ///< empty if format 1 wrote the event
+    bool isSealed = false;        ///< hashed with the participant's content key
+  };
+  /// std::nullopt if there is no event.
+  std::optional<Content> lastContent(std::optional<SessionId> session) const;
+
+  /// The content key of a session's participant; std::nullopt if there is none (any more).
+  std::optional<SealingKey> keyOf(SessionId session) const;
+
+  /// Writes the whole trail anew, inside the caller's transaction: @p event comes first, then
+  /// everything else in its order, with what concerns participants who have keys sealed. Of their
+  /// hashes of the tables only the last ones stay; the others would tell something of answers.
+  void sealAgain(const Event& event);
 
   /// Events of one session, or of all, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;
@@ -90,6 +112,7 @@ class EventLog {
 
  private:
   Database& database_;
+  const IdentityStore* identities_;
 };
 
 std::string_view nameOf(Actor actor) noexcept;

@@ -3,6 +3,21 @@
 #include <sodium.h>
 
 namespace study::storage {
+namespace {
+
+Hash hashWith(std::span<const unsigned char> key, std::span<const std::byte> bytes) {
+  Hash hash{};
+  crypto_generichash(
+      reinterpret_cast<unsigned char*>(hash.data()),
+      hash.size(),
+      reinterpret_cast<const unsigned char*>(bytes.data()),
+      bytes.size(),
+      key.data(),
+      key.size());
+  return hash;
+}
+
+}  // namespace
 
 void Hasher::add(std::string_view field) {
   fields_ += std::to_string(field.size()) + ":";
@@ -21,16 +36,12 @@ Hash Hasher::finish() const {
   return hashOf(std::as_bytes(std::span(fields_)));
 }
 
+Hash Hasher::finish(std::span<const unsigned char> key) const {
+  return hashWith(key, std::as_bytes(std::span(fields_)));
+}
+
 Hash hashOf(std::span<const std::byte> bytes) {
-  Hash hash{};
-  crypto_generichash(
-      reinterpret_cast<unsigned char*>(hash.data()),
-      hash.size(),
-      reinterpret_cast<const unsigned char*>(bytes.data()),
-      bytes.size(),
-      nullptr,
-      0);
-  return hash;
+  return hashWith({}, bytes);
 }
 
 std::vector<std::byte> asBytes(const Hash& hash) {

@@ -23,6 +23,9 @@ class Hasher {
 
   Hash finish() const;
 
+  /// With a key: nobody who lacks it can find the fields by trying.
+  Hash finish(std::span<const unsigned char> key) const;
+
  private:
   std::string fields_;
 };

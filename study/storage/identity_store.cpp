@@ -1,6 +1,7 @@
 #include "study/storage/identity_store.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include "study/storage/hasher.h"
@@ -10,7 +11,9 @@
 namespace study::storage {
 namespace {
 
-void bindPlace(Statement& statement, const IdentityStore::Place& place, const std::string& item) {
+using Place = IdentityStore::Place;
+
+void bindPlace(Statement& statement, const Place& place, const std::string& item) {
   statement.bind(1, place.participant)
       .bind(2, std::int64_t{place.sessionNumber})
       .bind(3, std::int64_t{place.step})
@@ -18,20 +21,89 @@ void bindPlace(Statement& statement, const IdentityStore::Place& place, const st
       .bind(5, item);
 }
 
-Hash hashOfRow(
-    const IdentityStore::Place& place,
-    const std::string& item,
-    const std::string& text,
-    const std::string& utc) {
-  Hasher hasher;
-  hasher.add(place.participant);
-  for (const int number : {place.sessionNumber, place.step, place.attempt}) {
-    hasher.add(std::optional(std::int64_t{number}));
+/// Where a sealed name belongs.
+std::string asText(const Place& place, const std::string& item) {
+  return place.participant + "/" + std::to_string(place.sessionNumber) + "/" +
+         std::to_string(place.step) + "/" + std::to_string(place.attempt) + "/" + item;
+}
+
+/// A row of identifying_answer.
+struct NameRow {
+  Place place;
+  std::string item;
+  std::string text;  ///< empty if it is sealed
+  std::string utc;
+  std::vector<std::byte> sealed;
+  std::vector<std::byte> writtenHash = {};  ///< empty: format 1 wrote it
+
+  Hash hash() const {
+    Hasher hasher;
+    hasher.add(place.participant);
+    for (const int number : {place.sessionNumber, place.step, place.attempt}) {
+      hasher.add(std::optional(std::int64_t{number}));
+    }
+    hasher.add(item);
+    hasher.add(text);
+    hasher.add(utc);
+    // Left out if empty: older formats were hashed without it.
+    if (!sealed.empty()) hasher.add(std::span<const std::byte>(sealed));
+    return hasher.finish();
   }
-  hasher.add(item);
-  hasher.add(text);
-  hasher.add(utc);
-  return hasher.finish();
+
+  void seal(const SealingKey& key) {
+    sealed = key.seal(text, asText(place, item));
+    text.clear();
+  }
+
+  /// std::nullopt if it is sealed and cannot be opened.
+  std::optional<std::string> opened(const std::optional<SealingKey>& key) const {
+    if (sealed.empty()) return text;
+    return key ? key->open(sealed, asText(place, item)) : std::nullopt;
+  }
+};
+
+std::vector<NameRow> nameRows(
+    const Database& database, const std::optional<std::string>& participant) {
+  // A file of an older format that is only read does not have the column.
+  const std::string sealed = database.hasTable("participant_key") ? "sealed" : "NULL";
+  Statement select(
+      database,
+      "SELECT participant, session_number, step, attempt, item, text, saved_utc, hash, " + sealed +
+          " FROM identifying_answer" + (participant ? " WHERE participant = ?" : "") +
+          " ORDER BY participant, session_number, step, attempt, item");
+  if (participant) select.bind(1, *participant);
+  std::vector<NameRow> rows;
+  while (select.step()) {
+    rows.push_back(
+        {.place =
+             {.participant = select.text(0),
+              .sessionNumber = static_cast<int>(select.number(1)),
+              .step = static_cast<int>(select.number(2)),
+              .attempt = static_cast<int>(select.number(3))},
+         .item = select.text(4),
+         .text = select.text(5),
+         .utc = select.text(6),
+         .sealed = select.blob(8),
+         .writtenHash = select.blob(7)});
+  }
+  return rows;
+}
+
+void insert(Database& database, const NameRow& row) {
+  Statement statement(
+      database,
+      "INSERT OR REPLACE INTO identifying_answer "
+      "(participant, session_number, step, attempt, item, text, saved_utc, hash, sealed) VALUES "
+      "(?,?,?,?,?,?,?,?,?)");
+  bindPlace(statement, row.place, row.item);
+  const Hash hash = row.hash();
+  statement.bind(6, row.text).bind(7, row.utc).bind(8, std::span<const std::byte>(hash));
+  if (!row.sealed.empty()) statement.bind(9, std::span<const std::byte>(row.sealed));
+  statement.run();
+}
+
+const char* columnOf(IdentityStore::Key kind) {
+  return kind == IdentityStore::Key::Identity ? "identity" : "content";
 }
 
 }  // namespace
@@ -39,15 +111,9 @@ Hash hashOfRow(
 void IdentityStore::put(
     const Place& place, const std::string& item, const std::string& text, const std::string& utc) {
   Transaction transaction(database_);
-  Statement insert(
-      database_,
-      "INSERT OR REPLACE INTO identifying_answer "
-      "(participant, session_number, step, attempt, item, text, saved_utc, hash) VALUES "
-      "(?,?,?,?,?,?,?,?)");
-  const Hash hash = hashOfRow(place, item, text, utc);
-  bindPlace(insert, place, item);
-  insert.bind(6, text).bind(7, utc).bind(8, std::span<const std::byte>(hash));
-  insert.run();
+  NameRow row{.place = place, .item = item, .text = text, .utc = utc, .sealed = {}};
+  if (const auto identity = key(Key::Identity, place.participant)) row.seal(*identity);
+  insert(database_, row);
   transaction.commit();
 }
 
@@ -63,20 +129,74 @@ void IdentityStore::remove(const Place& place, const std::string& item) {
 }
 
 bool IdentityStore::has(const Place& place, const std::string& item) const {
-  Statement select(
-      database_,
-      "SELECT 1 FROM identifying_answer WHERE participant = ? AND session_number = ? AND step = ? "
-      "AND attempt = ? AND item = ? AND text <> ''");
-  bindPlace(select, place, item);
-  return select.step();
+  for (const auto& row : nameRows(database_, place.participant)) {
+    if (asText(row.place, row.item) != asText(place, item)) continue;
+    const auto text = row.opened(key(Key::Identity, place.participant));
+    return text && !text->empty();
+  }
+  return false;
+}
+
+std::vector<IdentityStore::Name> IdentityStore::names(
+    const std::optional<std::string>& participant) const {
+  std::vector<Name> names;
+  for (const auto& row : nameRows(database_, participant)) {
+    auto text = row.opened(key(Key::Identity, row.place.participant));
+    if (text && !text->empty()) {
+      names.push_back({row.place.participant, row.item, std::move(*text)});
+    }
+  }
+  return names;
 }
 
 std::vector<std::string> IdentityStore::texts() const {
+  std::set<std::string> texts;
+  for (auto& name : names()) texts.insert(std::move(name.text));
+  return {texts.begin(), texts.end()};
+}
+
+void IdentityStore::drawKeys(const std::string& participant) {
+  Transaction transaction(database_);
+  Statement insert(
+      database_,
+      "INSERT OR IGNORE INTO participant_key (participant, identity, content) VALUES (?,?,?)");
+  const auto identity = SealingKey::drawn();
+  const auto content = SealingKey::drawn();
+  insert.bind(1, participant)
+      .bind(2, std::as_bytes(std::span(identity.bytes())))
+      .bind(3, std::as_bytes(std::span(content.bytes())));
+  insert.run();
+  transaction.commit();
+}
+
+std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& participant) const {
+  if (!database_.hasTable("participant_key")) return std::nullopt;
   Statement select(
-      database_, "SELECT DISTINCT text FROM identifying_answer WHERE text <> '' ORDER BY text");
-  std::vector<std::string> texts;
-  while (select.step()) texts.push_back(select.text(0));
-  return texts;
+      database_,
+      std::string("SELECT ") + columnOf(kind) + " FROM participant_key WHERE participant = ?");
+  select.bind(1, participant);
+  if (!select.step()) return std::nullopt;
+  const auto stored = select.blob(0);
+  SealingKey::Bytes bytes{};
+  if (stored.size() != bytes.size()) return std::nullopt;
+  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
+  return SealingKey(bytes);
+}
+
+void IdentityStore::destroy(Key kind, const std::string& participant) {
+  // What is deleted is overwritten with zeros, in the file; Debian's SQLite does so anyway.
+  database_.execute("PRAGMA secure_delete = ON");
+  Transaction transaction(database_);
+  Statement key(
+      database_,
+      std::string("UPDATE participant_key SET ") + columnOf(kind) +
+          " = NULL WHERE participant = ?");
+  key.bind(1, participant).run();
+  if (kind == Key::Identity) {
+    Statement names(database_, "DELETE FROM identifying_answer WHERE participant = ?");
+    names.bind(1, participant).run();
+  }
+  transaction.commit();
 }
 
 void IdentityStore::put(const BlindingSecret& secret) {
@@ -89,9 +209,7 @@ void IdentityStore::put(const BlindingSecret& secret) {
 
 std::optional<BlindingSecret> IdentityStore::blindingSecret() const {
   // A file of format 2 that is only read does not have the table.
-  Statement table(
-      database_, "SELECT 1 FROM sqlite_schema WHERE type = 'table' AND name = 'blinding_secret'");
-  if (!table.step()) return std::nullopt;
+  if (!database_.hasTable("blinding_secret")) return std::nullopt;
   Statement select(database_, "SELECT bytes FROM blinding_secret WHERE id = 1");
   if (!select.step()) return std::nullopt;
   const auto stored = select.blob(0);
@@ -102,20 +220,12 @@ std::optional<BlindingSecret> IdentityStore::blindingSecret() const {
 }
 
 std::vector<std::string> IdentityStore::damaged() const {
-  Statement select(
-      database_,
-      "SELECT participant, session_number, step, attempt, item, text, saved_utc, hash "
-      "FROM identifying_answer WHERE hash IS NOT NULL ORDER BY rowid");
   std::vector<std::string> damaged;
-  while (select.step()) {
-    const Place place{
-        .participant = select.text(0),
-        .sessionNumber = static_cast<int>(select.number(1)),
-        .step = static_cast<int>(select.number(2)),
-        .attempt = static_cast<int>(select.number(3))};
-    const auto hash = hashOfRow(place, select.text(4), select.text(5), select.text(6));
-    if (select.blob(7) != asBytes(hash))
-      damaged.push_back(place.participant + ", " + select.text(4));
+  for (const auto& row : nameRows(database_, std::nullopt)) {
+    const bool isSound = row.writtenHash.empty() || row.writtenHash == asBytes(row.hash());
+    if (!isSound || !row.opened(key(Key::Identity, row.place.participant))) {
+      damaged.push_back(row.place.participant + ", " + row.item);
+    }
   }
   return damaged;
 }

@@ -7,15 +7,20 @@
 #include "study/model/ids.h"
 #include "study/storage/blinding_secret.h"
 #include "study/storage/database.h"
+#include "study/storage/keys/sealing_key.h"
 
 namespace study::storage {
 
 /// identity.db: answers that name a person, and the secret of the study. They are stored apart from
-/// everything else and never exported. Each row carries a hash of itself, because the audit trail
+/// everything else and never exported. Names are sealed with the identity key of their participant;
+/// the keys are in the same file. Each row carries a hash of itself, because the audit trail
 /// must not contain anything about them.
 class IdentityStore {
  public:
   explicit IdentityStore(Database database) : database_(std::move(database)) {}
+
+  /// Names are sealed with one key, what the audit trail says of a participant with the other.
+  enum class Key { Identity, Content };
 
   struct Place {
     std::string participant;
@@ -31,16 +36,33 @@ class IdentityStore {
   void remove(const Place& place, const std::string& item);
   bool has(const Place& place, const std::string& item) const;
 
-  /// All answers that name people.
+  /// An answer that names a person.
+  struct Name {
+    std::string participant;
+    std::string item;
+    std::string text;
+  };
+  /// All of them, or those of one participant, by participant and item. What is sealed and cannot
+  /// be opened is left out; damaged() tells it.
+  std::vector<Name> names(const std::optional<std::string>& participant = std::nullopt) const;
+
+  /// All answers that name people, each once.
   std::vector<std::string> texts() const;
+
+  /// Draws both keys of a participant. Does nothing if there are keys, or were. One transaction.
+  void drawKeys(const std::string& participant);
+  /// std::nullopt if it was destroyed, or if the participant took part under an older release.
+  std::optional<SealingKey> key(Key kind, const std::string& participant) const;
+  /// Destroys a key, with the names if it is theirs. One transaction.
+  void destroy(Key kind, const std::string& participant);
 
   /// One transaction. @throws StorageError  if there is one already.
   void put(const BlindingSecret& secret);
   /// std::nullopt in studies that an older release made.
   std::optional<BlindingSecret> blindingSecret() const;
 
-  /// The rows that differ from what was written, by participant and item. (Format 1 stored no
-  /// hash.)
+  /// The rows that differ from what was written, or cannot be opened, by participant and item.
+  /// (Format 1 stored no hash.)
   std::vector<std::string> damaged() const;
 
   Database& database() noexcept { return database_; }

@@ -88,6 +88,12 @@ bool SessionRepository::hasParticipant(const std::string& code) const {
   return select.step();
 }
 
+std::string SessionRepository::enrolledUtc(const std::string& code) const {
+  Statement select(database_, "SELECT created_utc FROM participant WHERE code = ?");
+  select.bind(1, code);
+  return select.step() ? select.text(0) : std::string();
+}
+
 std::int64_t SessionRepository::participantId(const SessionRow& session) {
   Statement select(database_, "SELECT id, cohort, run_mode FROM participant WHERE code = ?");
   select.bind(1, session.participant);

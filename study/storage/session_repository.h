@@ -55,6 +55,8 @@ class SessionRepository {
   /// An unused participant's code: P001, or PILOT-001, SIM-001.
   std::string freeCode(RunMode mode) const;
   bool hasParticipant(const std::string& code) const;
+  /// When the participant came; empty if there is none of the code.
+  std::string enrolledUtc(const std::string& code) const;
 
   /// Writes participant (if new), session, steps and allocation; fills in the id and the number.
   /// @throws StorageError  if the code belongs to a participant of another cohort or run mode.

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added and never changed,
 // because there are studies of every version.
-constexpr std::array<std::string_view, 5> kStudySteps{
+constexpr std::array<std::string_view, 6> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -317,6 +317,29 @@ constexpr std::array<std::string_view, 5> kStudySteps{
       DROP INDEX sessions_by_outcome;
       DROP INDEX visits_that_do_not_count;
     )sql",
+    R"sql(
+      -- What an event says of a participant is sealed with that participant's content key, which is
+      -- in identity.db; 'detail' is empty then (docs/decisions/0040). Events that older releases
+      -- wrote stay as they are until the trail is sealed again.
+      ALTER TABLE event ADD COLUMN sealed BLOB;
+
+      -- Who was erased, from what, and why. Erasing ends in other files: finished_utc says that
+      -- nothing is left to do.
+      CREATE TABLE erasure (
+        id           INTEGER PRIMARY KEY,
+        participant  TEXT NOT NULL REFERENCES participant (code),
+        level        TEXT NOT NULL CHECK (level IN ('identity', 'answers', 'all')),
+        reason       TEXT NOT NULL,
+        erased_utc   TEXT NOT NULL,
+        finished_utc TEXT
+      ) STRICT;
+
+      CREATE TRIGGER an_erasure_is_never_removed BEFORE DELETE ON erasure
+      BEGIN SELECT RAISE(ABORT, 'erasures are never removed'); END;
+      CREATE TRIGGER an_erasure_is_never_changed
+      BEFORE UPDATE OF id, participant, level, reason, erased_utc ON erasure
+      BEGIN SELECT RAISE(ABORT, 'erasures are never changed'); END;
+    )sql",
 };
 
 constexpr std::array<std::string_view, 1> kTraceSteps{
@@ -335,7 +358,7 @@ constexpr std::array<std::string_view, 1> kTraceSteps{
     )sql",
 };
 
-constexpr std::array<std::string_view, 3> kIdentitySteps{
+constexpr std::array<std::string_view, 4> kIdentitySteps{
     R"sql(
       CREATE TABLE identifying_answer (
         participant TEXT NOT NULL,
@@ -365,6 +388,18 @@ constexpr std::array<std::string_view, 3> kIdentitySteps{
       BEGIN SELECT RAISE(ABORT, 'the secret is never changed'); END;
       CREATE TRIGGER a_secret_is_never_removed BEFORE DELETE ON blinding_secret
       BEGIN SELECT RAISE(ABORT, 'the secret is never removed'); END;
+    )sql",
+    R"sql(
+      -- Names are sealed with the first key, what the audit trail says of a participant with the
+      -- second (docs/decisions/0040). NULL: destroyed. Participants of older formats have no row.
+      CREATE TABLE participant_key (
+        participant TEXT PRIMARY KEY,
+        identity    BLOB CHECK (identity IS NULL OR length(identity) = 32),
+        content     BLOB CHECK (content IS NULL OR length(content) = 32)
+      ) STRICT;
+
+      -- The text, sealed; 'text' is empty then.
+      ALTER TABLE identifying_answer ADD COLUMN sealed BLOB;
     )sql",
 };
 

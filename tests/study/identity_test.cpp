@@ -37,14 +37,23 @@ class IdentityTest : public testing::Test {
   Session session_ = Session::enrol(*study_, {.cohort = "surgeons"});
 };
 
-TEST_F(IdentityTest, IsStoredInItsOwnDatabaseOnly) {
+TEST_F(IdentityTest, IsStoredInItsOwnDatabaseAndSealed) {
   EXPECT_TRUE(session_.missing().empty());
-  for (const auto& name : filesWith(study_.folder(), kName)) {
-    EXPECT_EQ(name.substr(0, 11), "identity.db");  // or its -wal
-  }
-  EXPECT_FALSE(filesWith(study_.folder(), kName).empty());
+  const auto names = study_->identities().names("P001");
+  ASSERT_EQ(names.size(), 1U);
+  EXPECT_EQ(names[0].item, "name");
+  EXPECT_EQ(names[0].text, kName);
+  EXPECT_TRUE(study_->identities().names("P002").empty());
   { const Session gone = std::move(session_); }
   study_.close();  // moves the content of the write-ahead log into the database
+  EXPECT_TRUE(filesWith(study_.folder(), kName).empty());
+}
+
+TEST_F(IdentityTest, IsStoredInTheOpenWhereThereIsNoKey) {
+  // The control of the test above, and what older releases wrote.
+  study_->identities().put({"P009", 1, 0, 1}, "name", kName, "now");
+  { const Session gone = std::move(session_); }
+  study_.close();
   EXPECT_EQ(filesWith(study_.folder(), kName), std::vector<std::string>{"identity.db"});
 }
 
@@ -73,7 +82,8 @@ TEST_F(IdentityTest, IsDeletedWhenItIsRetracted) {
   EXPECT_EQ(session_.missing(), std::vector<std::string>{"name"});
   { const Session gone = std::move(session_); }
   study_.close();
-  EXPECT_TRUE(filesWith(study_.folder(), kName).empty());  // SQLite overwrites deleted content
+  study_.reopen();
+  EXPECT_TRUE(study_->identities().names().empty());
 }
 
 TEST_F(IdentityTest, IsReadableByItsOwnerOnly) {

@@ -372,7 +372,8 @@ ResultJson flowAsJson(const CohortFlow& flow) {
       {"declined", flow.declined},
       {"withdrawn", flow.withdrawn},
       {"rejected", flow.rejected},
-      {"aborted_hardware", flow.abortedHardware}};
+      {"aborted_hardware", flow.abortedHardware},
+      {"erased", flow.erased}};
 }
 
 ResultJson voteAsJson(const VoteResult& vote) {

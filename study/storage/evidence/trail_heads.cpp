@@ -28,8 +28,6 @@ std::int64_t numberIn(const base::NamedArguments& values, std::string_view name)
   return 0;
 }
 
-constexpr std::string_view kResealed = "resealed_trail";
-
 /// The number and values of all events of a kind.
 std::vector<std::pair<std::int64_t, base::NamedArguments>> eventsOf(
     const Database& study, std::string_view kind) {
@@ -58,6 +56,7 @@ TrailHeads::TrailHeads(const Database& study) : database_(study) {
   last_ = select.number(1);
   first_ = hashOf(1);
   readResealed();
+  readErasedAgain();
   readSigned();
   readGivenUp();
 }
@@ -69,8 +68,15 @@ std::string TrailHeads::hashOf(std::int64_t seq) const {
 }
 
 void TrailHeads::readResealed() {
-  for (const auto& [seq, values] : eventsOf(database_, kResealed)) {
+  for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::ResealedTrail))) {
     if (seq == 1) eventsBefore_ = numberIn(values, "events");
+  }
+}
+
+void TrailHeads::readErasedAgain() {
+  ownEnd_ = last_;
+  for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::Erased))) {
+    if (numberIn(values, "again") != 0) ownEnd_ = std::min(ownEnd_, seq - 1);
   }
 }
 
@@ -120,7 +126,7 @@ bool TrailHeads::holds(const SignedHead& head) const {
 }
 
 bool TrailHeads::endsBefore(const SignedHead& head) const {
-  return head.events > last_ || (head.events == last_ && hashOf(last_) == head.hash);
+  return head.events > ownEnd_ || (head.events == ownEnd_ && hashOf(ownEnd_) == head.hash);
 }
 
 bool TrailHeads::isOfTheTrailBefore(const SignedHead& head) const {

@@ -50,6 +50,7 @@ class TrailHeads {
  private:
   std::string hashOf(std::int64_t seq) const;
   void readResealed();
+  void readErasedAgain();
   void readSigned();
   void readGivenUp();
 
@@ -58,7 +59,9 @@ class TrailHeads {
   std::string first_;
   std::int64_t last_ = 0;
   std::int64_t eventsBefore_ = 0;  ///< that were sealed again; they stand behind the first event
-  std::size_t signedBefore_ = 0;   ///< heads among them, which are of another trail
+  /// The last event before a copy was erased from: those after it are not of the study.
+  std::int64_t ownEnd_ = 0;
+  std::size_t signedBefore_ = 0;  ///< heads among them, which are of another trail
   std::vector<Signed> signed_;
   std::map<std::string, std::set<std::string>> givenUp_;  ///< by key
 };

@@ -29,6 +29,8 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::NotedIdentities, "noted_identities"},
     {EventKind::SignedHead, "signed_head"},
     {EventKind::HeadNotSigned, "head_not_signed"},
+    {EventKind::Erased, "erased"},
+    {EventKind::ResealedTrail, "resealed_trail"},
     {kindOf(SessionEvent::FinishedStep), "finished_step"},
     {kindOf(SessionEvent::GaveConsent), "gave_consent"},
     {kindOf(SessionEvent::DeclinedConsent), "declined_consent"},

@@ -297,7 +297,8 @@ study::report::ReportSection numberedSection() {
        .declined = 14,
        .withdrawn = 15,
        .rejected = 16,
-       .abortedHardware = 17}};
+       .abortedHardware = 17,
+       .erased = 18}};
   auto family = loaded.protocol.analysis.families.front();
   family.alpha = 0.01;
   family.test = protocols::TestType::SignedRank;

@@ -120,7 +120,8 @@ TEST_F(ReportTables, OfParticipantsHasEachEndInItsColumn) {
       {"Declined", "14"},
       {"Withdrawn", "15"},
       {"Rejected", "16"},
-      {"Device failed", "17"}};
+      {"Device failed", "17"},
+      {"Erased", "18"}};
   EXPECT_EQ(row("Who took part"), expected);
 }
 

@@ -171,7 +171,7 @@ TEST_F(OpeningTest, AStudyWithUnknownRandomNumbers) {
 TEST(Transaction, RollsBackUncommittedChanges) {
   auto database = Database::inMemory(identitySchema());
   const std::string row =
-      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '', NULL)";
+      "INSERT INTO identifying_answer VALUES ('P001', 1, 0, 1, 'name', 'x', '', NULL, NULL)";
   {
     Transaction transaction(database);
     database.execute(row);

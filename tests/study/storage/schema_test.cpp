@@ -98,7 +98,20 @@ TEST_F(SchemaTest, RefusesToChangeOrRemoveAnEvent) {
   expectRefused("REPLACE INTO event SELECT * FROM event WHERE seq = 3");
   expectRefused(
       "INSERT INTO event SELECT 1000, session_id, step, attempt, utc, monotonic_ns, actor, kind, "
-      "detail, hash, content_hash FROM event WHERE seq = 3");
+      "detail, hash, content_hash, sealed FROM event WHERE seq = 3");
+}
+
+TEST_F(SchemaTest, RefusesToChangeOrRemoveAnErasure) {
+  sql_->run(
+      "INSERT INTO erasure (participant, level, reason, erased_utc) "
+      "SELECT code, 'all', 'a reason', 'now' FROM participant");
+  expectAllowed("UPDATE erasure SET finished_utc = 'now'");
+  expectRefused("UPDATE erasure SET reason = 'another'");
+  expectRefused("DELETE FROM erasure");
+  expectRefused(
+      "INSERT INTO erasure (participant, level, reason, erased_utc) VALUES ('P009', 'all', '', "
+      "'')");
+  expectRefused("UPDATE erasure SET level = 'half'");
 }
 
 TEST_F(SchemaTest, RefusesToChangeAFrozenProtocol) {

@@ -1,0 +1,144 @@
+// Names of participants, and their erasure.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/app/commands.h"
+#include "study/app/paint_figures.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/report/erasure_certificate.h"
+#include "study/storage/erasure/erasure_list.h"
+
+namespace study::app {
+namespace {
+
+struct ErasureArguments {
+  std::string folder;
+  std::string level = "all";
+  ErasureRequest request;
+  std::vector<std::string> also;
+  std::vector<std::string> certificates;
+  std::string by;
+};
+
+void write(const report::ErasureCertificate& certificate, const std::string& path) {
+  const auto extension = std::filesystem::path(path).extension();
+  if (extension == ".pdf") {
+    writeNewFile(path, pdfOf(asHtml(certificate), certificate.title));
+  } else {
+    writeNewFile(path, extension == ".html" ? asHtml(certificate) : asText(certificate));
+  }
+}
+
+/// In another copy of the study what a certificate tells.
+int eraseBy(const ErasureArguments& options) {
+  std::ifstream stream(options.by, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const auto erasures = report::erasuresIn(text);
+  if (erasures.empty()) {
+    throw UserError(
+        options.by +
+        " is not the text of a certificate of erasure. 'palpate study erase "
+        "--certificate FILE.txt' writes it.");
+  }
+  // Every copy that is opened on this station from now on is erased from.
+  for (const auto& erasure : erasures) storage::list(erasure);
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock);
+  bool isOfThisStudy = false;
+  for (const auto& erasure : erasures) {
+    if (erasure.study != study.uuid()) continue;
+    isOfThisStudy = true;
+    fmt::print("{} is erased from {}.\n", erasure.participant, options.folder);
+  }
+  if (!isOfThisStudy) throw UserError(options.by + " is of another study. Nothing was changed.");
+  return 0;
+}
+
+int erase(ErasureArguments options) {
+  if (!options.by.empty()) return eraseBy(options);
+  if (options.request.participant.empty()) {
+    throw UserError("Say who: --participant P001. 'palpate study names' finds the code.");
+  }
+  options.request.level = storage::erasureLevelNamed(options.level).value();
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock);
+  report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
+  certificate.report = study::erase(study, options.request);
+  for (const auto& folder : options.also) {
+    certificate.copies.push_back(
+        eraseFromCopy(folder, certificate.report.listed, certificate.report.texts, clock));
+  }
+  certificate.left = copiesLeft(study, certificate.copies);
+  if (certificate.report.wasTrailSealedAgain) {
+    fmt::print("The audit trail was sealed again; 'palpate study verify' says so from now on.\n");
+  }
+  fmt::print("{}", asText(certificate));
+  if (!certificate.isClean()) {
+    fmt::print(
+        "\nSomething is left. Delete the files in which a text was found, or export them again (in "
+        "a "
+        "database, somebody else wrote the same), and try again what was not erased.\n");
+  }
+  for (const auto& path : options.certificates) write(certificate, path);
+  return certificate.isClean() ? 0 : 1;
+}
+
+int names(const ErasureArguments& options) {
+  SystemClock clock;
+  auto study = Study::open(options.folder, clock, storage::Database::Access::ReadOnly);
+  const auto names = study.identities().names();
+  for (const auto& name : names) {
+    fmt::print("{:<12} {:<20} {}\n", name.participant, name.item, name.text);
+  }
+  if (names.empty()) fmt::print("This study keeps no names.\n");
+  return 0;
+}
+
+}  // namespace
+
+void addErasureCommands(CLI::App& noun, Action& action) {
+  auto options = std::make_shared<ErasureArguments>();
+  auto* erase = noun.add_subcommand(
+      "erase", "Erase a participant: names, answers and traces; the audit trail stays sound");
+  erase->add_option("DIR", options->folder, "The study's folder")->required();
+  erase->add_option("--participant", options->request.participant, "Participant code");
+  erase
+      ->add_option(
+          "--level",
+          options->level,
+          "identity: names and signatures; answers: answers, votes, texts and traces; all: both")
+      ->check(CLI::IsMember({"identity", "answers", "all"}))
+      ->capture_default_str();
+  erase->add_option(
+      "--reason", options->request.reason, "Why, without a name: it stays in the audit trail");
+  erase->add_flag(
+      "--reseal",
+      options->request.sealsTrailAgain,
+      "Seal the audit trail of an older release first, once for the whole study");
+  erase->add_option(
+      "--also", options->also, "A backup to erase from, too, or an export to remove; repeatable");
+  erase->add_option(
+      "--certificate",
+      options->certificates,
+      "Write a certificate: .txt, .html or .pdf; nothing is overwritten; repeatable");
+  erase->add_option(
+      "--by",
+      options->by,
+      "Erase what this certificate (.txt) tells, from another copy of its study");
+  erase->callback([&action, options] { action = [options] { return app::erase(*options); }; });
+
+  auto* names = noun.add_subcommand(
+      "names", "Show which participant gave which name, to find whom somebody asks about");
+  names->add_option("DIR", options->folder, "The study's folder")->required();
+  names->callback([&action, options] { action = [options] { return app::names(*options); }; });
+}
+
+}  // namespace study::app

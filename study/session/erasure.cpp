@@ -1,0 +1,290 @@
+#include "study/session/erasure.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "study/model/user_error.h"
+#include "study/session/identity_evidence.h"
+#include "study/session/verification.h"
+#include "study/storage/erasure/byte_search.h"
+#include "study/storage/erasure/erased_rows.h"
+#include "study/storage/hasher.h"
+#include "study/storage/lease.h"
+#include "study/storage/statement.h"
+#include "study/words/counted.h"
+
+namespace study {
+namespace {
+
+using Key = storage::IdentityStore::Key;
+using storage::Erasure;
+using storage::StorageError;
+
+// Shorter texts stand in other people's answers, too.
+constexpr std::size_t kShortestText = 8;  // [bytes]
+constexpr std::size_t kShortestName = 4;  // [bytes]
+
+std::vector<storage::SessionRow> sessionsOf(Study& study, const std::string& participant) {
+  auto sessions = study.sessions().all();
+  std::erase_if(sessions, [&](const auto& row) { return row.participant != participant; });
+  return sessions;
+}
+
+void requireReason(Study& study, const ErasureRequest& request) {
+  if (request.reason.empty()) {
+    throw UserError("Say why, without a name: it stays in the audit trail (--reason \"…\").");
+  }
+  std::istringstream words(request.reason);
+  for (std::string word; words >> word;) {
+    if (word.size() < kShortestName) continue;
+    for (const auto& name : study.identities().names(request.participant)) {
+      if (name.text.find(word) == std::string::npos) continue;
+      throw UserError(
+          "'" + word +
+          "' is part of what is to be erased, and the reason stays in the audit "
+          "trail. Give a reason without it.");
+    }
+  }
+}
+
+void requireErasable(Study& study, const ErasureRequest& request) {
+  const auto sessions = sessionsOf(study, request.participant);
+  if (sessions.empty()) {
+    throw UserError("There is no participant '" + request.participant + "' in this study.");
+  }
+  if (sessions.front().runMode == RunMode::Simulated) {
+    throw UserError("'" + request.participant + "' was simulated: there is nobody to erase.");
+  }
+  for (const auto& row : sessions) {
+    const auto holder = storage::Lease::holder(study.database(), row.id);
+    if (!holder || !holder->isAlive) continue;
+    throw StorageError(
+        "A session of '" + request.participant + "' is open, on " + holder->station + " (process " +
+            std::to_string(holder->pid) + "). Close it there first.",
+        StorageError::Kind::Busy);
+  }
+  requireReason(study, request);
+}
+
+bool isSealed(Study& study, const std::string& participant) {
+  const auto sessions = sessionsOf(study, participant);
+  return std::none_of(sessions.begin(), sessions.end(), [&](const auto& row) {
+    return storage::hasOpenEvents(study.database(), row.id);
+  });
+}
+
+/// Everyone real, by code.
+std::set<std::string> people(Study& study) {
+  std::set<std::string> codes;
+  for (const auto& row : study.sessions().all()) {
+    if (row.runMode != RunMode::Simulated) codes.insert(row.participant);
+  }
+  return codes;
+}
+
+void sealTrailAgain(Study& study, const ErasureRequest& request) {
+  // What was changed before must not look sound afterwards.
+  if (!verify(study, {}, {.isOlderCopy = request.isAgain}).isSound()) {
+    throw StorageError(
+        "The audit trail is not sealed again, because the study is not sound: 'palpate study "
+        "verify' says what is wrong. Nothing was changed.",
+        StorageError::Kind::Damaged);
+  }
+  for (const auto& code : people(study)) study.identities().drawKeys(code);
+  const auto events = study.events();
+  const auto head = events.head();
+  storage::Hash hash{};
+  std::copy_n(head.begin(), std::min(head.size(), hash.size()), hash.begin());
+  study.transact([&] {
+    study.events().sealAgain(
+        {.when = study.clock().now(),
+         .actor = storage::Actor::Operator,
+         .kind = EventKind::ResealedTrail,
+         .values = {
+             {"events", events.last()},
+             {"head", storage::inHexadecimal(hash)},
+             {"reason", request.reason}}});
+    study.signTrail(nameOf(EventKind::ResealedTrail));
+  });
+}
+
+/// Everything that the participant wrote, and that was written about the participant.
+storage::ByteSearch textsOf(Study& study, const ErasureRequest& request) {
+  storage::ByteSearch search;
+  if (erasesNames(request.level)) {
+    for (const auto& name : study.identities().names(request.participant)) {
+      search.add(name.text, kShortestName);
+    }
+  }
+  if (!erasesAnswers(request.level)) return search;
+  for (const auto& text : storage::textsAbout(study.database(), request.participant)) {
+    search.add(text, kShortestText);
+  }
+  for (const auto& row : sessionsOf(study, request.participant)) {
+    for (const auto& event : study.events().read(row.id)) {
+      if (event.kind == EventKind::Note) search.add(event.detail, kShortestText);
+    }
+  }
+  return search;
+}
+
+/// Inside a transaction: the rows, and that it was done.
+std::int64_t eraseRows(Study& study, Erasure& erasure, bool isAgain) {
+  std::int64_t answers = 0;
+  const Moment now = study.clock().now();
+  erasure.utc = asUtc(now.wall);
+  erasure.id = storage::ErasureRepository(study.database()).add(erasure);
+  storage::Event erased{
+      .when = now,
+      .actor = storage::Actor::Operator,
+      .kind = EventKind::Erased,
+      .values = {
+          {"participant", erasure.participant},
+          {"level", std::string(nameOf(erasure.level))},
+          {"reason", erasure.reason}}};
+  if (isAgain) erased.values.emplace_back("again", std::int64_t{1});
+  if (erasesAnswers(erasure.level)) {
+    for (const auto& row : sessionsOf(study, erasure.participant)) {
+      answers += storage::eraseAnswers(study.database(), row.id, erasure.utc);
+      auto ofSession = erased;
+      ofSession.visit = VisitKey{row.id, row.step, row.attempt};
+      study.events().append(ofSession);
+    }
+  }
+  study.events().append(erased);
+  // What the trail said of names that stay can be read no more: it is said again.
+  const auto kept =
+      erasesNames(erasure.level) ? std::string() : fingerprintsOf(study, erasure.participant);
+  if (!kept.empty()) {
+    study.events().append(
+        {.when = now, .kind = EventKind::NotedIdentities, .values = {{"rows", kept}}});
+  }
+  if (!isAgain) study.signTrail(nameOf(EventKind::Erased));
+  return answers;
+}
+
+storage::ListedErasure asListed(Study& study, const Erasure& erasure) {
+  return {
+      .study = study.uuid(),
+      .participant = erasure.participant,
+      .enrolledUtc = study.sessions().enrolledUtc(erasure.participant),
+      .level = erasure.level,
+      .utc = erasure.utc};
+}
+
+/// @return  why not; empty if it is listed
+std::string listOnStation(const storage::ListedErasure& erasure) {
+  try {
+    storage::list(erasure);
+    return {};
+  } catch (const StorageError& error) {
+    return error.what();
+  }
+}
+
+/// What is done in other files, as often as it takes.
+void finish(Study& study, const Erasure& erasure) {
+  if (erasesNames(erasure.level)) study.identities().destroy(Key::Identity, erasure.participant);
+  if (erasesAnswers(erasure.level)) {
+    study.identities().destroy(Key::Content, erasure.participant);
+    std::vector<SessionId> sessions;
+    for (const auto& row : sessionsOf(study, erasure.participant)) sessions.push_back(row.id);
+    storage::eraseTraces(study.traces().database(), sessions);
+  }
+  storage::purge(study.identities().database());
+  storage::purge(study.database());
+  if (erasesAnswers(erasure.level)) storage::purge(study.traces().database());
+  storage::ErasureRepository(study.database()).finish(erasure.id, asUtc(study.clock().now().wall));
+}
+
+ErasureReport perform(Study& study, const ErasureRequest& request) {
+  ErasureReport report{
+      .erasure = {
+          .participant = request.participant, .level = request.level, .reason = request.reason}};
+  if (erasesAnswers(request.level) && !isSealed(study, request.participant)) {
+    if (!request.sealsTrailAgain) {
+      throw UserError(
+          "An older release wrote the audit trail of this study, with the answers in the open. It "
+          "is sealed once, for all participants, before the first of them is erased: back up the "
+          "study, then add --reseal. Heads that were noted before are not found in it any more.");
+    }
+    sealTrailAgain(study, request);
+    report.wasTrailSealedAgain = true;
+  }
+  report.texts = textsOf(study, request);
+  report.sessions = sessionsOf(study, request.participant).size();
+  if (erasesNames(request.level)) {
+    report.names = study.identities().names(request.participant).size();
+  }
+  study.database().execute("PRAGMA secure_delete = ON");
+  study.transact([&] { report.answers = eraseRows(study, report.erasure, request.isAgain); });
+  study.withReservedSpace([&] { finish(study, report.erasure); });
+  report.filesWithTexts = report.texts.filesIn(
+      study.folder(),
+      {&study.database(), &study.traces().database(), &study.identities().database()});
+  report.listed = asListed(study, report.erasure);
+  return report;
+}
+
+}  // namespace
+
+ErasureReport erase(Study& study, const ErasureRequest& request) {
+  requireErasable(study, request);
+  auto report = perform(study, request);
+  report.whyNotListed = listOnStation(report.listed);
+  return report;
+}
+
+void eraseAgain(Study& study, const storage::ListedErasure& erasure) {
+  perform(
+      study,
+      {.participant = erasure.participant,
+       .level = erasure.level,
+       .reason = "erased from another copy on " + erasure.utc,
+       .sealsTrailAgain = true,
+       .isAgain = true});
+}
+
+bool isErasureOpen(storage::Database& database) {
+  if (!storage::ErasureRepository(database).unfinished().empty()) return true;
+  storage::Statement uuid(database, "SELECT uuid FROM study WHERE id = 1");
+  return uuid.step() && !storage::notDone(database, storage::listedErasures(uuid.text(0))).empty();
+}
+
+void finishErasures(Study& study) {
+  for (const auto& erasure : storage::ErasureRepository(study.database()).unfinished()) {
+    study.withReservedSpace([&] { finish(study, erasure); });
+    listOnStation(asListed(study, erasure));  // it was interrupted before that
+  }
+  const auto listed = storage::listedErasures(study.uuid());
+  for (const auto& erasure : storage::notDone(study.database(), listed)) {
+    eraseAgain(study, erasure);
+  }
+}
+
+std::string remarksOnOpenTrail(Study& study) {
+  std::uint64_t open = 0;
+  for (const auto& code : people(study)) open += isSealed(study, code) ? 0 : 1;
+  if (open == 0) return {};
+  return "an older release wrote what it says of " +
+         words::counted(open, "participant", "participants") +
+         " in the open; 'palpate study erase --reseal' seals it";
+}
+
+std::vector<std::string> remarksOnErasure(Study& study) {
+  std::vector<std::string> remarks;
+  for (const auto& event : study.events().read()) {
+    if (event.kind != EventKind::ResealedTrail) continue;
+    remarks.push_back("it was sealed again on " + asUtc(event.when.wall) + ": " + describe(event));
+  }
+  if (auto open = remarksOnOpenTrail(study); !open.empty()) remarks.push_back(std::move(open));
+  for (const auto& erasure : storage::ErasureRepository(study.database()).all()) {
+    remarks.push_back(
+        erasure.participant + " was erased (" + std::string(nameOf(erasure.level)) + ") on " +
+        erasure.utc + ": " + erasure.reason);
+  }
+  return remarks;
+}
+
+}  // namespace study

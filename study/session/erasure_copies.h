@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/session/erasure.h"
+
+namespace study {
+
+/// A copy of the study's data that the program made.
+struct KnownCopy {
+  std::string folder;   ///< as it was named then
+  std::string what;     ///< "made_backup", "exported": the event
+  std::string madeUtc;  ///< empty if it is found in the study's folder
+  bool isThere = false;
+};
+
+/// Backups and exports that the audit trail knows, and what lies in the study's `exports`. Where a
+/// copy was moved to, nobody knows.
+std::vector<KnownCopy> knownCopies(Study& study);
+
+/// What was done with a copy.
+struct ErasedCopy {
+  enum class Outcome {
+    Erased,   ///< a backup: the participant was erased from it
+    NotInIt,  ///< a backup from before the participant came, or erased already
+    Removed,  ///< an export: it can be made again
+    Failed,   ///< it is as it was, or partly erased: to be tried again
+  };
+  std::string folder;
+  Outcome outcome = Outcome::Erased;
+  std::string whyNot;  ///< it failed
+  std::vector<std::string> filesWithTexts;
+};
+
+/// The known copies that nothing was done with.
+std::vector<KnownCopy> copiesLeft(Study& study, const std::vector<ErasedCopy>& done);
+
+/// Erases a participant from a copy of the study, too: from a backup, or by removing an export.
+/// @param texts  are searched for in every byte of the copy afterwards
+/// What fails is told in the result: the study itself is erased from already.
+ErasedCopy eraseFromCopy(
+    const std::filesystem::path& folder,
+    const storage::ListedErasure& erasure,
+    const storage::ByteSearch& texts,
+    Clock& clock);
+
+}  // namespace study

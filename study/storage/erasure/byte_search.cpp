@@ -1,0 +1,93 @@
+#include "study/storage/erasure/byte_search.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "study/storage/erasure/raw_file.h"
+
+namespace study::storage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kAtATime = 1 << 20;  // [bytes]
+
+std::string longestPlainPart(const std::string& text) {
+  constexpr std::string_view kWrittenDifferently = "\"'&<>\\\r\n\t";
+  std::string longest;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find_first_of(kWrittenDifferently, begin), text.size());
+    if (end - begin > longest.size()) longest = text.substr(begin, end - begin);
+    begin = end + 1;
+  }
+  return longest;
+}
+
+/// Whether @p file is a database of @p open, or the log or the shared memory of one.
+bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
+  return std::any_of(open.begin(), open.end(), [&](const Database* database) {
+    const auto path = database->path();
+    return file == path || file == path + "-wal" || file == path + "-shm";
+  });
+}
+
+}  // namespace
+
+void ByteSearch::add(const std::string& text, std::size_t shortest) {
+  auto part = longestPlainPart(text);
+  const bool isNew = std::find(texts_.begin(), texts_.end(), part) == texts_.end();
+  if (part.size() >= shortest && isNew) texts_.push_back(std::move(part));
+}
+
+bool ByteSearch::isIn(const Reader& read) const {
+  std::size_t longest = 1;
+  for (const auto& text : texts_) longest = std::max(longest, text.size());
+  std::string bytes;
+  while (true) {
+    // What a part ends with may be the beginning of a text.
+    bytes.erase(0, bytes.size() - std::min(bytes.size(), longest - 1));
+    const auto kept = bytes.size();
+    bytes.resize(kept + kAtATime);
+    const auto came = read(bytes.data() + kept, kAtATime);
+    if (came == 0) return false;
+    bytes.resize(kept + came);
+    const bool isFound = std::any_of(texts_.begin(), texts_.end(), [&](const auto& text) {
+      return bytes.find(text) != std::string::npos;
+    });
+    if (isFound) return true;
+  }
+}
+
+bool ByteSearch::isIn(const fs::path& file) const {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw StorageError(file.string() + " cannot be read.");
+  return isIn([&](char* to, std::size_t most) {
+    stream.read(to, static_cast<std::streamsize>(most));
+    if (stream.bad()) throw StorageError(file.string() + " cannot be read to its end.");
+    return static_cast<std::size_t>(stream.gcount());
+  });
+}
+
+std::vector<std::string> ByteSearch::filesIn(
+    const fs::path& folder, const std::vector<const Database*>& open) const {
+  std::vector<std::string> found;
+  if (texts_.empty()) return found;
+  const auto relative = [&](const fs::path& file) {
+    return file.lexically_relative(folder).generic_string();
+  };
+  for (const auto* database : open) {
+    for (auto& file : rawFilesOf(*database)) {
+      if (isIn([&](char* to, std::size_t most) { return file.read(to, most); })) {
+        found.push_back(relative(file.path()));
+      }
+    }
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const bool isSearched = entry.is_regular_file() && !isOf(open, entry.path());
+    if (isSearched && isIn(entry.path())) found.push_back(relative(entry.path()));
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,77 @@
+#include "study/storage/erasure/erasure_list.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "study/storage/statement.h"
+#include "study/storage/station_store.h"
+
+namespace study::storage {
+namespace {
+
+constexpr const char* kList = "erasures";
+constexpr std::size_t kFields = 5;
+
+bool isEnrolled(const Database& database, const ListedErasure& erasure) {
+  Statement select(database, "SELECT 1 FROM participant WHERE code = ? AND created_utc = ?");
+  select.bind(1, erasure.participant).bind(2, erasure.enrolledUtc);
+  return select.step();
+}
+
+}  // namespace
+
+std::string asLine(const ListedErasure& erasure) {
+  return erasure.study + "\t" + erasure.participant + "\t" + erasure.enrolledUtc + "\t" +
+         std::string(nameOf(erasure.level)) + "\t" + erasure.utc;
+}
+
+std::optional<ListedErasure> listedErasureIn(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, '\t');) fields.push_back(field);
+  if (fields.size() != kFields) return std::nullopt;
+  const auto level = erasureLevelNamed(fields[3]);
+  if (!level) return std::nullopt;
+  return ListedErasure{
+      .study = fields[0],
+      .participant = fields[1],
+      .enrolledUtc = fields[2],
+      .level = *level,
+      .utc = fields[4]};
+}
+
+std::vector<ListedErasure> listedErasures(const std::string& study) {
+  std::vector<ListedErasure> listed;
+  const auto station = StationStore::find(StationStore::usualFolder());
+  if (!station) return listed;
+  for (const auto& line : station->lines(kList)) {
+    auto erasure = listedErasureIn(line);
+    if (erasure && erasure->study == study) listed.push_back(std::move(*erasure));
+  }
+  return listed;
+}
+
+void list(const ListedErasure& erasure) {
+  const auto known = listedErasures(erasure.study);
+  if (std::find(known.begin(), known.end(), erasure) != known.end()) return;
+  StationStore::findOrMake(StationStore::usualFolder()).append(kList, asLine(erasure));
+}
+
+std::vector<ListedErasure> notDone(Database& database, const std::vector<ListedErasure>& listed) {
+  std::vector<ListedErasure> open;
+  const auto done = ErasureRepository(database).all();
+  const auto isDone = [&](const ListedErasure& erasure, bool (*part)(ErasureLevel)) {
+    return !part(erasure.level) || std::any_of(done.begin(), done.end(), [&](const auto& other) {
+      return other.participant == erasure.participant && part(other.level);
+    });
+  };
+  for (const auto& erasure : listed) {
+    const auto names = [](ErasureLevel level) { return erasesNames(level); };
+    const auto answers = [](ErasureLevel level) { return erasesAnswers(level); };
+    const bool isAllDone = isDone(erasure, names) && isDone(erasure, answers);
+    if (!isAllDone && isEnrolled(database, erasure)) open.push_back(erasure);
+  }
+  return open;
+}
+
+}  // namespace study::storage

@@ -1,0 +1,471 @@
+#include "study/session/erasure.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "study/export/export.h"
+#include "study/model/user_error.h"
+#include "study/results/results.h"
+#include "study/session/backup.h"
+#include "study/session/erasure_copies.h"
+#include "study/session/verification.h"
+#include "study/storage/records.h"
+#include "study/storage/study_schema.h"
+#include "tests/study/everything_instrument.h"
+#include "tests/study/made_study.h"
+#include "tests/study/storage/faults.h"
+#include "tests/study/storage/sql.h"
+#include "tests/study/walk.h"
+#include "tests/support/long_form.h"
+#include "tests/support/test_data.h"
+
+namespace study {
+namespace erasure_test {
+
+namespace fs = std::filesystem;
+using storage::ErasureLevel;
+
+// What one participant leaves in every field. All begin alike, so that one search finds each.
+const std::string kSentinel = "Sentinel-7411";
+const std::string kName = kSentinel + " Beeblebrox";
+
+std::string planted(const std::string& where) {
+  return kSentinel + " in " + where;
+}
+
+std::vector<std::string> filesWith(const fs::path& folder, const std::string& text) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    if (tests::contentOf(entry.path()).find(text) == std::string::npos) continue;
+    names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
+std::string problemsOf(Study& study, const VerifyOptions& options = {}) {
+  std::string all;
+  for (const auto& check : verify(study, {}, options).checks) {
+    for (const auto& problem : check.problems) all += check.what + ": " + problem + "\n";
+  }
+  return all;
+}
+
+/// Answers everything in a form with the sentinel, and goes on to the end.
+void takePart(Study& study, Session& session, const std::string& name) {
+  session.note(planted("a note"));
+  tests::walkTo(session, StepKind::Form);
+  int order = 0;
+  for (const auto& item : session.items()) {
+    auto answer = tests::answerTo(session, item, ++order);
+    if (std::holds_alternative<std::string>(answer.response) && item.options.empty()) {
+      answer.response = item.isIdentifying ? name : planted(item.id);
+    }
+    session.record(answer);
+  }
+  session.finishStep();
+  session.pause(planted("a pause"));
+  session.resumeAfterPause();
+  tests::walkTo(session, StepKind::Trial);
+  session.beginTrial();
+  study.traces().add(session.visit(), 0, std::vector<storage::TraceSample>(500));
+  session.breakOffTrial({.ending = TrialEnding::Stopped, .ticks = 500, .traceSamples = 500});
+  session.repeatStep(planted("a repetition"));
+  tests::walkToTheEnd(session);
+}
+
+/// A study in which P001 is to be erased and P002 stays. Both wrote something in every field.
+class ErasureTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    {
+      auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+      takePart(*study_, session, kName);
+    }
+    other_.emplace(Session::enrol(*study_, {.cohort = "surgeons"}));
+    tests::walkTo(*other_, StepKind::Form);
+    other_->record(tests::answerTo(*other_, other_->items().front()));
+    other_.reset();
+  }
+
+  ErasureReport eraseThem(ErasureLevel level = ErasureLevel::All) {
+    return erase(
+        *study_, {.participant = "P001", .level = level, .reason = "asked for it by telephone"});
+  }
+
+  std::vector<std::string> filesWithSentinel() {
+    study_.close();
+    auto files = filesWith(study_.folder(), kSentinel);
+    study_.reopen();
+    return files;
+  }
+
+  storage::SessionRow row() { return study_->sessions().load(SessionId{1}); }
+
+  tests::MadeStudy study_{tests::protocolFrom(
+      tests::protocolWithEverything(), {{"everything.json", tests::everythingInstrument()}})};
+  std::optional<Session> other_;
+};
+
+TEST_F(ErasureTest, LeavesNothingThatTheParticipantWrote) {
+  // The control: it is there before, in answers and reasons. Events and names are sealed.
+  EXPECT_EQ(filesWithSentinel(), std::vector<std::string>{"study.db"});
+  EXPECT_EQ(study_->identities().names("P001").size(), 1U);
+  EXPECT_EQ(study_->traces().visits().size(), 1U);
+  const auto report = eraseThem();
+  EXPECT_GT(report.answers, 10);
+  EXPECT_EQ(report.names, 1U);
+  EXPECT_EQ(report.sessions, 1U);
+  EXPECT_GE(report.texts.size(), 5U);
+  EXPECT_TRUE(report.filesWithTexts.empty());
+  EXPECT_TRUE(filesWithSentinel().empty());
+  EXPECT_TRUE(study_->identities().names().empty());
+  EXPECT_TRUE(study_->traces().visits().empty());
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, DestroysTheKeysAndWithThemWhatEventsSay) {
+  const auto said = [&] {
+    std::string all;
+    for (const auto& event : study_->events().read(SessionId{1})) all += describe(event) + "\n";
+    return all;
+  };
+  EXPECT_NE(said().find(kSentinel), std::string::npos);
+  eraseThem();
+  EXPECT_EQ(said().find(kSentinel), std::string::npos);
+  EXPECT_NE(said().find("(erased)"), std::string::npos);
+  EXPECT_NE(said().find("P001 (all): asked for it by telephone"), std::string::npos);
+  using Key = storage::IdentityStore::Key;
+  EXPECT_FALSE(study_->identities().key(Key::Identity, "P001"));
+  EXPECT_FALSE(study_->identities().key(Key::Content, "P001"));
+  EXPECT_TRUE(study_->identities().key(Key::Content, "P002"));
+  for (const auto& event : study_->events().read(SessionId{2})) EXPECT_FALSE(event.isErased);
+}
+
+TEST_F(ErasureTest, LeavesATombstoneAndGivesThePlaceBack) {
+  const auto before = row();
+  eraseThem();
+  EXPECT_EQ(row().state, SessionState::Erased);
+  EXPECT_EQ(row().slotState, storage::SlotState::Released);
+  EXPECT_EQ(row().endReason, std::nullopt);
+  EXPECT_EQ(row().participant, "P001");
+  EXPECT_EQ(row().startedUtc, before.startedUtc);
+  auto next = Session::enrol(*study_, {.cohort = "surgeons"});
+  EXPECT_EQ(next.slot(), before.slot);
+  EXPECT_EQ(next.participant(), "P003");
+  EXPECT_THROW(Session::enrol(*study_, {.cohort = "surgeons", .code = "P001"}), UserError);
+}
+
+TEST_F(ErasureTest, TakesTheParticipantOutOfAllResults) {
+  EXPECT_EQ(computeResults(*study_, RunMode::Live).completed(), 1);
+  eraseThem();
+  const auto results = computeResults(*study_, RunMode::Live);
+  EXPECT_EQ(results.completed(), 0);
+  EXPECT_EQ(results.flow[0].enrolled, 2);
+  EXPECT_EQ(results.flow[0].erased, 1);
+  EXPECT_EQ(results.flow[0].inProgress, 1);
+  for (const auto& answer : storage::Records(study_->database()).answers()) {
+    EXPECT_NE(answer.step.visit.session, SessionId{1});
+  }
+}
+
+TEST_F(ErasureTest, OfTheIdentityKeepsAnswers) {
+  const auto answers = storage::Records(study_->database()).answers().size();
+  const auto report = eraseThem(ErasureLevel::Identity);
+  EXPECT_EQ(report.names, 1U);
+  EXPECT_EQ(report.answers, 0);
+  EXPECT_EQ(storage::Records(study_->database()).answers().size(), answers);
+  EXPECT_EQ(row().state, SessionState::Completed);
+  EXPECT_TRUE(study_->identities().names().empty());
+  EXPECT_EQ(problemsOf(*study_), "");
+  eraseThem(ErasureLevel::Answers);
+  EXPECT_EQ(row().state, SessionState::Erased);
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, OfAnswersKeepsTheName) {
+  eraseThem(ErasureLevel::Answers);
+  EXPECT_EQ(study_->identities().names("P001").size(), 1U);
+  EXPECT_EQ(row().state, SessionState::Erased);
+  EXPECT_TRUE(filesWithSentinel().empty()) << "the name is sealed";
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, NamesTheFilesThatStillHoldAText) {
+  fs::create_directories(study_.file("exports/table"));
+  std::ofstream(study_.file("exports/table/responses.csv"))
+      << "P001,\"" << planted("story") << "\"";
+  std::ofstream(study_.file("exports/table/other.csv")) << "P002,nothing";
+  const auto report = eraseThem();
+  EXPECT_EQ(report.filesWithTexts, std::vector<std::string>{"exports/table/responses.csv"});
+}
+
+/// The study as it was before, in another folder.
+class CopiedStudy : public ErasureTest {
+ protected:
+  void SetUp() override {
+    ErasureTest::SetUp();
+    backUp(study_.folder(), copy_);
+  }
+  bool isErasedFrom(const std::string& folder) {
+    SimulatedClock clock;
+    auto copy = Study::open(folder, clock, storage::Database::Access::ReadOnly);
+    const bool isErased = copy.sessions().load(SessionId{1}).state == SessionState::Erased;
+    EXPECT_EQ(problemsOf(copy, {.isOlderCopy = true}), "");
+    EXPECT_EQ(problemsOf(*study_), "") << "the study does not suffer from its copies";
+    return isErased && copy.identities().names().empty();
+  }
+
+  std::string copy_ = study_.scratch() / "backup";
+};
+
+TEST_F(CopiedStudy, IsErasedFromWhenItIsNamed) {
+  EXPECT_EQ(filesWith(copy_, kSentinel), std::vector<std::string>{"study.db"}) << "the control";
+  const auto report = eraseThem();
+  const auto copy = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
+  EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::Erased);
+  EXPECT_TRUE(copy.filesWithTexts.empty());
+  EXPECT_TRUE(filesWith(copy_, kSentinel).empty());
+  EXPECT_TRUE(isErasedFrom(copy_));
+  const auto again = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
+  EXPECT_EQ(again.outcome, ErasedCopy::Outcome::NotInIt);
+}
+
+TEST_F(CopiedStudy, IsErasedFromWhenItIsOpenedToBeReadOnTheSameStation) {
+  eraseThem();
+  EXPECT_TRUE(isErasedFrom(copy_));
+  EXPECT_TRUE(filesWith(copy_, kSentinel).empty());
+}
+
+TEST_F(CopiedStudy, IsLeftAsItIsOnAnotherStationUntilACertificateIsThere) {
+  const auto report = eraseThem();
+  const tests::OwnStation other(study_.scratch() / "other");
+  EXPECT_FALSE(isErasedFrom(copy_));
+  storage::list(report.listed);
+  EXPECT_TRUE(isErasedFrom(copy_));
+}
+
+TEST_F(CopiedStudy, KeepsAnotherParticipantOfTheSameCode) {
+  auto report = eraseThem();
+  report.listed.enrolledUtc = "2001-01-01T00:00:00.000Z";
+  const tests::OwnStation other(study_.scratch() / "other");
+  storage::list(report.listed);
+  EXPECT_FALSE(isErasedFrom(copy_));
+  const auto copy = eraseFromCopy(copy_, report.listed, report.texts, study_.clock);
+  EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::NotInIt);
+}
+
+TEST_F(CopiedStudy, IsRefusedIfItIsAnother) {
+  const auto report = eraseThem();
+  const auto outcome = [&](const std::string& folder) {
+    return eraseFromCopy(folder, report.listed, report.texts, study_.clock).outcome;
+  };
+  tests::MadeStudy other(tests::protocolFrom(tests::shortProtocol()), 77);
+  EXPECT_EQ(outcome(other.folder()), ErasedCopy::Outcome::Failed);
+  fs::create_directory(study_.scratch() / "mine");
+  std::ofstream(study_.scratch() / "mine/codebook.json") << "{\"study_uuid\": \"another\"}";
+  EXPECT_EQ(outcome(study_.scratch() / "mine"), ErasedCopy::Outcome::Failed);
+  EXPECT_TRUE(fs::exists(study_.scratch() / "mine/codebook.json"));
+}
+
+TEST_F(CopiedStudy, IsRemovedIfItIsAnExport) {
+  std::size_t removed = 0;
+  std::vector<std::string> exports;
+  for (const auto format :
+       {ExportFormat::Csv,
+        ExportFormat::Json,
+        ExportFormat::PsychDs,
+        ExportFormat::Bids,
+        ExportFormat::R,
+        ExportFormat::Python}) {
+    exports.push_back(study_.scratch() / ("export-" + std::to_string(exports.size())));
+    exportStudy(*study_, exports.back(), {.format = format, .runMode = RunMode::Live});
+  }
+  const auto report = eraseThem();
+  for (const auto& folder : exports) {
+    const auto copy = eraseFromCopy(folder, report.listed, report.texts, study_.clock);
+    EXPECT_EQ(copy.outcome, ErasedCopy::Outcome::Removed) << folder << copy.whyNot;
+    removed += fs::exists(folder) ? 0 : 1;
+  }
+  EXPECT_EQ(removed, exports.size());
+}
+
+TEST(ErasureList, ReadsWhatItWrote) {
+  const storage::ListedErasure erasure{
+      .study = "1a2b",
+      .participant = "P 001",
+      .enrolledUtc = "then",
+      .level = ErasureLevel::Answers,
+      .utc = "now"};
+  EXPECT_EQ(storage::listedErasureIn(asLine(erasure)), erasure);
+  EXPECT_FALSE(storage::listedErasureIn("a\tb"));
+  EXPECT_FALSE(storage::listedErasureIn("a\tb\tc\thalf\te"));
+}
+
+TEST_F(ErasureTest, IsToldByVerify) {
+  eraseThem();
+  const auto verification = verify(*study_);
+  std::string remarks;
+  for (const auto& check : verification.checks) {
+    for (const auto& remark : check.remarks) remarks += remark + "\n";
+  }
+  EXPECT_NE(remarks.find("P001 was erased (all) on "), std::string::npos) << remarks;
+}
+
+TEST_F(ErasureTest, IsNotTakenForAForgedOne) {
+  // The control of a sound study: without the key nothing can be read, and nobody was erased.
+  study_->identities().destroy(storage::IdentityStore::Key::Content, "P002");
+  EXPECT_NE(problemsOf(*study_).find("the key is missing"), std::string::npos);
+}
+
+TEST_F(ErasureTest, ShowsIfItsRecordWasChanged) {
+  eraseThem();
+  study_.close();
+  tests::Sql(study_.file("study.db"))
+      .run("DROP TRIGGER an_erasure_is_never_changed; UPDATE erasure SET reason = 'another'");
+  study_.reopen();
+  EXPECT_NE(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, IsRefusedWithAReason) {
+  const auto refused = [&](const ErasureRequest& request) {
+    EXPECT_THROW(erase(*study_, request), UserError) << request.participant << request.reason;
+  };
+  refused({.participant = "P009", .reason = "a reason"});
+  refused({.participant = "P001"});
+  refused({.participant = "P001", .reason = "Beeblebrox wants it"});
+  {
+    auto simulated = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Simulated});
+    refused({.participant = simulated.participant(), .reason = "a reason"});
+  }
+  auto open = Session::resume(*study_, SessionId{2});
+  EXPECT_THROW(
+      erase(*study_, {.participant = "P002", .reason = "a reason"}), storage::StorageError);
+  EXPECT_TRUE(storage::ErasureRepository(study_->database()).all().empty());
+}
+
+TEST_F(ErasureTest, EndsASessionThatIsUnderWay) {
+  erase(*study_, {.participant = "P002", .reason = "a reason"});
+  EXPECT_TRUE(Session::resume(*study_, SessionId{2}).isOver());
+  EXPECT_EQ(problemsOf(*study_), "");
+}
+
+TEST_F(ErasureTest, IsGoneOnWithWhenTheStudyIsOpenedToBeRead) {
+  // As if it had been interrupted right after the decision.
+  eraseThem(ErasureLevel::Answers);
+  study_->database().execute("UPDATE erasure SET finished_utc = NULL");
+  study_->identities().drawKeys("P001");
+  study_.close();
+  tests::Sql(study_.file("identity.db"))
+      .run("UPDATE participant_key SET content = zeroblob(32) WHERE participant = 'P001'");
+  SimulatedClock clock;
+  auto study = Study::open(study_.folder(), clock, storage::Database::Access::ReadOnly);
+  EXPECT_FALSE(study.identities().key(storage::IdentityStore::Key::Content, "P001"));
+  EXPECT_TRUE(storage::ErasureRepository(study.database()).unfinished().empty());
+  study_.reopen();
+}
+
+TEST_F(ErasureTest, LeavesNothingOnADiskThatFailsAtAnyCall) {
+  study_.close();
+  const auto original = study_.scratch() / "original";
+  fs::rename(study_.folder(), original);
+  fs::remove(original + std::string("/ballast"));
+  std::int64_t points = 0;
+  bool isComplete = false;
+  for (std::int64_t n = 1; !isComplete; n += tests::isLong() ? 1 : 7) {
+    fs::remove_all(study_.folder());
+    fs::copy(original, study_.folder(), fs::copy_options::recursive);
+    // On this station the erasures before this one did not happen.
+    const tests::OwnStation station(study_.scratch() / ("station-" + std::to_string(n)));
+    study_.reopen();
+    tests::io_faults::arm({.first = n, .isPersistent = true});
+    try {
+      eraseThem();
+      isComplete = true;
+    } catch (const std::exception&) {
+      ++points;
+    }
+    tests::io_faults::disarm();
+    study_.close();
+    study_.reopen();  // goes on, if it was decided
+    if (row().state != SessionState::Erased) eraseThem();
+    ASSERT_EQ(filesWithSentinel(), std::vector<std::string>{}) << "call " << n;
+    ASSERT_EQ(problemsOf(*study_), "") << "call " << n;
+  }
+  std::cout << points << " points\n";
+  EXPECT_GE(points, 5);
+}
+
+/// A study of format 1, as palpate 0.1.0 made it.
+class OldStudy : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder_);
+    tests::Sql study(folder_ + "/study.db");
+    study.run(
+        tests::contentOf((tests::repository() / "tests/study/data/study-format-1.sql").string()));
+    study.run("PRAGMA application_id = 0x50616c53; PRAGMA user_version = 1");
+    storage::Database::create(folder_ + "/traces.db", storage::traceSchema());
+    storage::Database::create(folder_ + "/identity.db", storage::identitySchema());
+  }
+
+  tests::ScratchFolder scratch_;
+  tests::OwnStation station_{scratch_ / "station"};
+  std::string folder_ = scratch_ / "old";
+  SimulatedClock clock_{1'795'300'000'000};  // 2026-11-21, later
+};
+
+TEST_F(OldStudy, ErasesOnlyAfterItsTrailWasSealedAgain) {
+  auto study = Study::open(folder_, clock_);
+  study.identities().put({"Q1", 1, 0, 1}, "signature", kName, "then");
+  ErasureRequest request{.participant = "Q1", .reason = "asked for it"};
+  EXPECT_THROW(erase(study, request), UserError);
+  const auto head = study.events().headInWords();
+  const auto events = study.events().last();
+  request.sealsTrailAgain = true;
+  EXPECT_TRUE(erase(study, request).wasTrailSealedAgain);
+  EXPECT_EQ(problemsOf(study), "");
+  const auto first = study.events().read().front();
+  ASSERT_EQ(first.kind, EventKind::ResealedTrail);
+  EXPECT_EQ(*first.value("events"), base::Argument(events));
+  const auto old = std::get<std::string>(*first.value("head"));
+  EXPECT_NE(head.find(old.substr(0, 4) + " " + old.substr(4, 4)), std::string::npos);
+  EXPECT_EQ(filesWith(folder_, "presence = 4"), std::vector<std::string>{});
+  EXPECT_EQ(filesWith(folder_, kSentinel), std::vector<std::string>{});
+}
+
+TEST_F(OldStudy, IsSaidByVerifyToBeInTheOpen) {
+  auto study = Study::open(folder_, clock_);
+  std::string remarks;
+  for (const auto& check : verify(study).checks) {
+    for (const auto& remark : check.remarks) remarks += remark;
+  }
+  EXPECT_NE(remarks.find("of 1 participant in the open"), std::string::npos) << remarks;
+}
+
+TEST_F(OldStudy, IsNotSealedAgainIfItIsNotSound) {
+  auto study = Study::open(folder_, clock_);
+  study.database().execute("UPDATE answer SET point = 5 WHERE item = 'presence'");
+  const ErasureRequest request{
+      .participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true};
+  EXPECT_THROW(erase(study, request), storage::StorageError);
+  EXPECT_EQ(study.events().read().front().kind, EventKind::MadeStudy);
+}
+
+TEST_F(OldStudy, GoesOnAfterItsTrailWasSealedAgain) {
+  auto study = Study::open(folder_, clock_);
+  {
+    auto other = Session::enrol(study, {.cohort = "surgeons"});
+    tests::walkToTheEnd(other);
+  }
+  erase(study, {.participant = "Q1", .reason = "asked for it", .sealsTrailAgain = true});
+  auto session = Session::enrol(study, {.cohort = "surgeons"});
+  tests::walkToTheEnd(session);
+  EXPECT_EQ(problemsOf(study), "");
+  EXPECT_EQ(computeResults(study, RunMode::Live).completed(), 2);
+}
+
+}  // namespace erasure_test
+}  // namespace study
