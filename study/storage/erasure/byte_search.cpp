@@ -26,7 +26,7 @@ std::string longestPlainPart(const std::string& text) {
 /// Whether @p file is a database of @p open, or the log or the shared memory of one.
 bool isOf(const std::vector<const Database*>& open, const fs::path& file) {
   return std::any_of(open.begin(), open.end(), [&](const Database* database) {
-    const auto path = database->path();
+    const auto& path = database->path();
     return file == path || file == path + "-wal" || file == path + "-shm";
   });
 }
