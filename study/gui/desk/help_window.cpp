@@ -37,6 +37,7 @@ constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>
     {"OperatorWindow", "The day"},
     {"BackupDialog", "After each day"},
     {"VerifyDialog", "After each day"},
+    {"EraseDialog", "After each day"},
     {"ReportDialog", "The results"},
     {"ExportDialog", "The results"},
     {"SelfTestDialog", "System check"},

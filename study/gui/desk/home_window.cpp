@@ -16,6 +16,7 @@
 #include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/authoring/texts_dialog.h"
+#include "study/gui/desk/erase_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/measurement_dialogs.h"
@@ -189,6 +190,7 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::forgetRequested, this, &HomeWindow::forgetChosen);
   connect(panel_, &StudyPanel::backupRequested, this, &HomeWindow::openDialog<BackupDialog>);
   connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
+  connect(panel_, &StudyPanel::erasureRequested, this, &HomeWindow::openDialog<EraseDialog>);
   connect(panel_, &StudyPanel::reportRequested, this, &HomeWindow::openDialog<ReportDialog>);
   connect(panel_, &StudyPanel::exportRequested, this, &HomeWindow::openDialog<ExportDialog>);
   connect(

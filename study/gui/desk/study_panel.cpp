@@ -81,6 +81,7 @@ QGridLayout* StudyPanel::makeButtons() {
   add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
+  add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
   for (int column = 0; column < kColumns; ++column) buttons->setColumnStretch(column, 1);
   const int rows = static_cast<int>(actions_.size() + kColumns - 1) / kColumns;
   buttons->addWidget(forget_, 1 + rows, 0, 1, kColumns);

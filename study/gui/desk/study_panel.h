@@ -37,6 +37,7 @@ class StudyPanel final : public QFrame {
   void amendmentRequested();
   void backupRequested();
   void verifyRequested();
+  void erasureRequested();
   void forgetRequested();
 
  private:

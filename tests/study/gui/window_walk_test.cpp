@@ -24,6 +24,7 @@
 #include "study/gui/authoring/preview_window.h"
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/authoring/texts_dialog.h"
+#include "study/gui/desk/erase_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/home_window.h"
@@ -92,6 +93,7 @@ class Windows {
         {"BackupDialog", [=] { return make<BackupDialog>(summary); }},
         {"BuildBoneDialog", [] { return make<BuildBoneDialog>(); }},
         {"CupWindow", [] { return cup(); }},
+        {"EraseDialog", [=] { return make<EraseDialog>(summary); }},
         {"ExportDialog", [=] { return make<ExportDialog>(summary); }},
         {"FindingsDialog", [] { return findings(); }},
         {"FitMaterialDialog", [] { return make<FitMaterialDialog>(); }},
@@ -201,6 +203,7 @@ const std::vector<KnownFlaw> kKnownFlaws{
     {"AmendDialog", Check::Room, "needs 760×"},
     {"BackupDialog", Check::Room, "needs 760×"},
     {"BuildBoneDialog", Check::Room, "needs 760×"},
+    {"EraseDialog", Check::Room, "needs 760×"},
     {"ExportDialog", Check::Room, "needs 760×"},
     {"FitMaterialDialog", Check::Room, "needs 760×"},
     {"HelpWindow", Check::Keyboard, "Tab does not reach QListWidget"},
@@ -320,6 +323,7 @@ INSTANTIATE_TEST_SUITE_P(
         "BackupDialog",
         "BuildBoneDialog",
         "CupWindow",
+        "EraseDialog",
         "ExportDialog",
         "FindingsDialog",
         "FitMaterialDialog",

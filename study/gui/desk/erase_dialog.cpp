@@ -1,0 +1,159 @@
+#include "study/gui/desk/erase_dialog.h"
+
+#include <map>
+
+#include <QFileInfo>
+
+#include "study/gui/desk/recent_studies.h"
+#include "study/gui/desk/study_dialogs.h"
+#include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/background_task.h"
+#include "study/model/new_file.h"
+#include "study/report/pdf_report.h"
+
+namespace study::gui {
+namespace {
+
+/// The participants that can be erased, with the names that they gave.
+std::map<std::string, std::string> namesByCode(Study& study) {
+  std::map<std::string, std::string> people;
+  for (const auto& row : study.sessions().all()) {
+    if (row.runMode != RunMode::Simulated && row.state != SessionState::Erased) {
+      people.try_emplace(row.participant);
+    }
+  }
+  for (const auto& name : study.identities().names()) {
+    auto& names = people[name.participant];
+    names += (names.empty() ? "" : ", ") + name.text;
+  }
+  return people;
+}
+
+std::string fileOf(const report::ErasureCertificate& certificate, const QString& path) {
+  const auto ending = QFileInfo(path).suffix();
+  if (ending == QLatin1String("txt")) return asText(certificate);
+  const auto html = asHtml(certificate);
+  return ending == QLatin1String("pdf") ? report::asPdf(html, certificate.title) : html;
+}
+
+}  // namespace
+
+EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Erase a participant"),
+          tr("Deletes what a participant said and did, for good. The audit trail stays sound, and "
+             "says that, when and why it was done; no result counts the person any more."),
+          tr("Erase"),
+          parent),
+      folder_(study.folder),
+      participant_(new QComboBox(this)),
+      level_(new QComboBox(this)),
+      reason_(new QLineEdit(this)),
+      code_(new QLineEdit(this)),
+      copy_(new PathField(PathField::Kind::ExistingFolder, tr("Backup or export"), {}, this)),
+      certificate_(new PathField(
+          PathField::Kind::NewFile,
+          tr("Certificate"),
+          tr("Certificates (*.pdf *.html *.txt)"),
+          this)),
+      reseal_(new QCheckBox(tr("Seal the audit trail of an older release first"), this)) {
+  participant_->setObjectName(QStringLiteral("participant"));
+  participant_->setAccessibleName(tr("Participant"));
+  level_->setObjectName(QStringLiteral("level"));
+  level_->setAccessibleName(tr("What is erased"));
+  level_->addItem(tr("Names, answers and traces"), QStringLiteral("all"));
+  level_->addItem(tr("Answers and traces only"), QStringLiteral("answers"));
+  level_->addItem(tr("Names and signature only"), QStringLiteral("identity"));
+  reason_->setObjectName(QStringLiteral("reason"));
+  reason_->setAccessibleName(tr("Reason"));
+  reason_->setPlaceholderText(tr("without a name: it stays in the audit trail"));
+  code_->setObjectName(QStringLiteral("code"));
+  code_->setAccessibleName(tr("Type the code"));
+  reseal_->setObjectName(QStringLiteral("reseal"));
+  reseal_->setToolTip(
+      tr("Once for the whole study. Heads of the audit trail that were noted before are not found "
+         "in it any more. Back up the study before."));
+  form().addRow(tr("Participant"), participant_);
+  form().addRow(tr("What"), level_);
+  form().addRow(tr("Reason"), reason_);
+  form().addRow(tr("Also from a backup or export"), copy_);
+  form().addRow(tr("Certificate"), certificate_);
+  form().addRow(QString(), reseal_);
+  form().addRow(tr("Type the code to confirm"), code_);
+  for (auto* line : {reason_, code_}) {
+    connect(line, &QLineEdit::textChanged, this, &EraseDialog::updateButton);
+  }
+  connect(participant_, &QComboBox::currentIndexChanged, this, &EraseDialog::updateButton);
+  fillIn();
+}
+
+void EraseDialog::fillIn() {
+  participant_->clear();
+  code_->clear();
+  attempt(this, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
+    for (const auto& [code, names] : namesByCode(study)) {
+      const auto words = QString::fromStdString(code);
+      participant_->addItem(
+          names.empty() ? words : words + QStringLiteral(" · ") + QString::fromStdString(names),
+          words);
+    }
+    reseal_->setVisible(!remarksOnOpenTrail(study).empty());
+  });
+  certificate_->setPath(newPathBeside(folder_, QStringLiteral("erasure"), QStringLiteral(".pdf")));
+  updateButton();
+}
+
+void EraseDialog::updateButton() {
+  const auto code = participant_->currentData().toString();
+  go().setEnabled(
+      !code.isEmpty() && code_->text().trimmed() == code && !reason_->text().trimmed().isEmpty());
+}
+
+report::ErasureCertificate EraseDialog::erase() const {
+  const auto level = level_->currentData().toString().toStdString();
+  SystemClock clock;
+  auto study = Study::open(folder_, clock);
+  report::ErasureCertificate certificate{.title = study.protocol().protocol.study.title};
+  certificate.report = study::erase(
+      study,
+      {.participant = participant_->currentData().toString().toStdString(),
+       .level = storage::erasureLevelNamed(level).value(),
+       .reason = reason_->text().trimmed().toStdString(),
+       .sealsTrailAgain = reseal_->isChecked()});
+  if (const auto copy = copy_->path().toStdString(); !copy.empty()) {
+    certificate.copies.push_back(
+        eraseFromCopy(copy, certificate.report.listed, certificate.report.texts, clock));
+  }
+  certificate.left = copiesLeft(study, certificate.copies);
+  if (const auto path = certificate_->path(); !path.isEmpty()) {
+    writeNewFile(path.toStdString(), fileOf(certificate, path));
+  }
+  return certificate;
+}
+
+void EraseDialog::work() {
+  report::ErasureCertificate certificate;
+  const bool isDone = BackgroundTask::run(
+      this,
+      tr("Erasing"),
+      [&](const Progress&) { certificate = erase(); },
+      BackgroundTask::Cancelling::Impossible);
+  if (!isDone) return clear();
+  const auto told = QString::fromStdString(asText(certificate));
+  const auto path = certificate_->path();
+  const auto code = QString::fromStdString(certificate.report.erasure.participant);
+  if (!certificate.isClean()) {
+    showOutcome(Outcome::Warning, tr("%1 is erased, but something is left.").arg(code), told);
+  } else if (path.isEmpty()) {
+    showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), told);
+  } else {
+    rememberDocument(QString::fromStdString(folder_), path);
+    showWritten(path, tr("%1 is erased. Certificate saved: %2").arg(code, path), told);
+  }
+  fillIn();
+  emit erased();
+}
+
+}  // namespace study::gui

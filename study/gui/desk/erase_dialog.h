@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+
+#include "study/gui/desk/study_summary.h"
+#include "study/gui/desk/work_dialog.h"
+#include "study/gui/widgets/path_field.h"
+#include "study/report/erasure_certificate.h"
+
+namespace study::gui {
+
+/// Erases a participant, as `palpate study erase` does. The code has to be typed, so that nobody is
+/// erased by a click.
+class EraseDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit EraseDialog(const StudySummary& study, QWidget* parent = nullptr);
+
+ signals:
+  void erased();
+
+ protected:
+  void work() override;
+
+ private:
+  void fillIn();
+  void updateButton();
+  report::ErasureCertificate erase() const;
+
+  std::string folder_;
+  QComboBox* participant_;
+  QComboBox* level_;
+  QLineEdit* reason_;
+  QLineEdit* code_;
+  PathField* copy_;
+  PathField* certificate_;
+  QCheckBox* reseal_;
+};
+
+}  // namespace study::gui
