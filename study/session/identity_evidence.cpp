@@ -146,10 +146,6 @@ void noteIdentities(Study& study, const storage::SessionRow& session) {
   noteRows(study, nameOf(place, ""));
 }
 
-void noteAllIdentities(Study& study) {
-  noteRows(study, "");
-}
-
 std::string fingerprintsOf(Study& study, const std::string& participant) {
   std::string pairs;
   for (const auto& [row, fingerprint] : presentRows(study)) {

@@ -18,9 +18,6 @@ std::string fingerprintOf(
 /// leaves them different.
 void noteIdentities(Study& study, const storage::SessionRow& session);
 
-/// The same of all rows, after they were written again in another way.
-void noteAllIdentities(Study& study);
-
 /// The fingerprints of what identity.db has of a participant, as the event NotedIdentities has
 /// them; empty if there is nothing.
 std::string fingerprintsOf(Study& study, const std::string& participant);
