@@ -97,8 +97,9 @@ std::shared_ptr<const reaming::PackedBone> parametricBone() {
     made->title = "A cup of our own making";
     made->isSynthetic = true;
     made->packing = *reaming::pack(reaming::Acetabulum(), {.count = kSpheres});
-    reaming::fitTo(*made, parametricCurves());
-    made->friction = reaming::fitFriction(*made, parametricTorque()).friction;
+    // `packing fit` finds this friction in seconds, and with 400 depths a fit that is hardly
+    // better: at any depth these have 0.08 % of the force and 1.4 % of the torque.
+    reaming::fitTo(*made, parametricCurves(), parametricTorque(), {.depths = 150, .friction = 0.2});
     return made;
   }();
   return bone;

@@ -29,8 +29,19 @@ std::vector<double> ContactMatrix::transposedTimes(std::span<const double> force
   return sums;
 }
 
-ContactMatrix contactMatrix(
-    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths) {
+namespace {
+
+/// What a sphere has at a depth: area [m²] in touch times what @p shareOf makes of where it is.
+///
+/// @param shareOf  of (before, d, across): the distances [m] of the sphere's centre from the
+///                 reamer's along the axis, in all, and from the axis.
+template <typename ShareOf>
+ContactMatrix matrixOf(
+    const Packing& packing,
+    double coverage,
+    const Plunge& plunge,
+    std::span<const double> depths,
+    const ShareOf& shareOf) {
   ContactMatrix matrix{.rows = depths.size(), .start = {0}, .row = {}, .value = {}};
   const double R = plunge.radius;
   for (const auto& sphere : packing.spheres) {
@@ -45,16 +56,49 @@ ContactMatrix contactMatrix(
       const double before = sphere.z - (plunge.start + *depth);
       if (before < 0.0) break;  // behind the teeth
       // The reamer's surface (radius R) cuts a cap out of the sphere, of area π R (r² − (d −
-      // R)²)/d; before/d is the axis' share of its normal.
+      // R)²)/d.
       const double d = std::hypot(across, before);
       const double lens = r * r - (d - R) * (d - R);
       if (lens <= 0.0) continue;
       matrix.row.push_back(static_cast<std::uint32_t>(depth - depths.begin()));
-      matrix.value.push_back(std::numbers::pi * R * lens / d * (before / d) / coverage);
+      matrix.value.push_back(
+          std::numbers::pi * R * lens / d * shareOf(before, d, across) / coverage);
     }
     matrix.start.push_back(matrix.row.size());
   }
   return matrix;
+}
+
+}  // namespace
+
+ContactMatrix contactMatrix(
+    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths) {
+  // The axis' share of the normal.
+  return matrixOf(packing, coverage, plunge, depths, [](double before, double d, double) {
+    return before / d;
+  });
+}
+
+ContactMatrix leverMatrix(
+    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths) {
+  return matrixOf(
+      packing, coverage, plunge, depths, [](double, double, double across) { return across; });
+}
+
+ContactMatrix stacked(const ContactMatrix& upper, const ContactMatrix& lower, double weight) {
+  ContactMatrix both{.rows = upper.rows + lower.rows, .start = {0}, .row = {}, .value = {}};
+  for (std::size_t column = 0; column < upper.columns(); ++column) {
+    for (std::size_t i = upper.start[column]; i < upper.start[column + 1]; ++i) {
+      both.row.push_back(upper.row[i]);
+      both.value.push_back(upper.value[i]);
+    }
+    for (std::size_t i = lower.start[column]; i < lower.start[column + 1]; ++i) {
+      both.row.push_back(static_cast<std::uint32_t>(upper.rows + lower.row[i]));
+      both.value.push_back(weight * lower.value[i]);
+    }
+    both.start.push_back(both.row.size());
+  }
+  return both;
 }
 
 std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t layers) {

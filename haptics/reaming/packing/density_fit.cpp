@@ -231,18 +231,81 @@ double touchedShare(const ContactMatrix& matrix) {
 
 }  // namespace
 
-BoneFit fitBone(const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers) {
+namespace {
+
+/// @param layerOf  the layer of each column of @p matrix.
+BoneFit fitInLayers(
+    const ContactMatrix& matrix,
+    std::span<const double> wanted,
+    double uniform,
+    std::span<const std::uint32_t> layerOf,
+    std::size_t layers) {
   BoneFit fit;
   // A dozen unknowns are well determined by the curve; they are the prior of the spheres, of which
   // there are far more than depths.
-  const auto layerOf = layersOf(matrix, layers);
   const auto few = layered(matrix, layerOf, layers);
-  const std::vector<double> uniform(layers, uniformDensity(matrix, forces));
-  fit.layers = fitNonNegative(few, forces, uniform, 1e-9);
-  fit.spheres = fitNonNegative(matrix, forces, spread(few, layerOf, fit.layers.densities));
+  fit.layers = fitNonNegative(few, wanted, std::vector<double>(layers, uniform), 1e-9);
+  fit.spheres = fitNonNegative(matrix, wanted, spread(few, layerOf, fit.layers.densities));
   fit.densities = fit.spheres.densities;
   fit.touchedShare = touchedShare(matrix);
   return fit;
+}
+
+/// Rows of force and torque, each divided by what it wants and multiplied by |F|.
+struct JointProblem {
+  ContactMatrix matrix;
+  std::vector<double> wanted;
+
+  JointProblem(const ContactMatrix& force, std::span<const double> forces, const TorqueRows& torque)
+      : wanted(forces.begin(), forces.end()) {
+    const double torques = asVector(torque.torques).norm();
+    const double weight = torques > 0.0 ? asVector(forces).norm() / torques : 0.0;
+    matrix = stacked(force, torque.levers, weight * torque.friction);
+    for (const double t : torque.torques) wanted.push_back(weight * t);
+  }
+};
+
+}  // namespace
+
+BoneFit fitBone(const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers) {
+  return fitInLayers(
+      matrix, forces, uniformDensity(matrix, forces), layersOf(matrix, layers), layers);
+}
+
+BoneFit fitBone(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    const TorqueRows& torque,
+    std::size_t layers) {
+  const JointProblem joint(matrix, forces, torque);
+  const auto layerOf = layersOf(matrix, layers);
+  auto fit =
+      fitInLayers(joint.matrix, joint.wanted, uniformDensity(matrix, forces), layerOf, layers);
+  const auto few = layered(matrix, layerOf, layers);
+  fit.layers.error = errorOf(few, fit.layers.densities, forces);
+  fit.spheres.error = errorOf(matrix, fit.densities, forces);
+  return fit;
+}
+
+double bestFriction(
+    const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque) {
+  constexpr int kTried = 13;  // each a quarter more than the last
+  const std::vector<double> alike(matrix.columns(), uniformDensity(matrix, forces));
+  const auto levers = torque.levers.times(alike);
+  const double square = asVector(levers).squaredNorm();
+  const double one = square > 0.0 ? asVector(levers).dot(asVector(torque.torques)) / square : 0.0;
+  if (!(one > 0.0)) return 0.0;
+  double best = one;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kTried; ++i) {
+    torque.friction = one * std::exp2(-3.0 + 4.0 * i / (kTried - 1));
+    const JointProblem joint(matrix, forces, torque);
+    const double error = fitNonNegative(joint.matrix, joint.wanted, alike).error;
+    if (!(error < least)) continue;
+    least = error;
+    best = torque.friction;
+  }
+  return best;
 }
 
 BoneFit fitBoneBySwarm(

@@ -31,6 +31,14 @@ struct ContactMatrix {
 ContactMatrix contactMatrix(
     const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths);
 
+/// What every sphere adds to the torque about the axis, per density and friction, at every depth:
+/// T = μ B ρ. Of the same shape as the contact matrix; values [m³].
+ContactMatrix leverMatrix(
+    const Packing& packing, double coverage, const Plunge& plunge, std::span<const double> depths);
+
+/// The rows of @p upper, and below them those of @p lower times @p weight.
+ContactMatrix stacked(const ContactMatrix& upper, const ContactMatrix& lower, double weight);
+
 /// Spheres in layers: of each sphere the layer, by the depth at which it is first touched, or
 /// @p layers where it never is.
 std::vector<std::uint32_t> layersOf(const ContactMatrix& matrix, std::size_t layers);
@@ -99,6 +107,26 @@ struct BoneFit {
 };
 BoneFit fitBone(
     const ContactMatrix& matrix, std::span<const double> forces, std::size_t layers = 12);
+
+/// What the torque adds to the problem of a bone: T = μ B ρ.
+struct TorqueRows {
+  ContactMatrix levers;         ///< B, of the columns of the force's matrix
+  std::vector<double> torques;  ///< T [N·m], as many as rows
+  double friction = 0.0;        ///< μ
+};
+
+/// The same by force and torque at once: |A ρ − F|²/|F|² + |μ B ρ − T|²/|T|², so that a percent of
+/// the one weighs as much as a percent of the other. The errors are those of the force.
+BoneFit fitBone(
+    const ContactMatrix& matrix,
+    std::span<const double> forces,
+    const TorqueRows& torque,
+    std::size_t layers = 12);
+
+/// The friction of @p torque with which that sum is least, of thirteen between an eighth and twice
+/// that of spheres of one density. Force and torque alone do not tell friction from where the density
+/// lies, so this is the friction of the fit, not a property of bone.
+double bestFriction(const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque);
 
 /// The same by the paper's swarm alone, which has no optimum to compare itself with: the gap is
 /// NaN.

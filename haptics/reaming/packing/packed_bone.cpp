@@ -40,41 +40,128 @@ std::string problemOf(const PackedBone& bone) {
          "goes into the cup";
 }
 
+namespace {
+
+/// The forces or torques of a curve at some depths; what lies below 0 counts as 0.
+std::vector<double> valuesAt(const CurveNodes& curve, std::span<const double> depths) {
+  std::vector<double> values;
+  values.reserve(depths.size());
+  for (const double depth : depths) values.push_back(std::max(0.0, forceOf(curve, depth)));
+  return values;
+}
+
+/// Every @p stride-th, from the middle of the first on.
+std::vector<double> someOf(std::span<const double> all, std::size_t stride) {
+  std::vector<double> some;
+  for (std::size_t i = stride / 2; i < all.size(); i += stride) some.push_back(all[i]);
+  return some;
+}
+
+/// The spheres of a bone as the unknowns of a fit.
+struct VirtualExperiment {
+  static constexpr std::size_t kTorqueStride = 4;  // a torque is as smooth as its force
+
+  const Packing& packing;
+  Plunge plunge;
+  std::vector<double> depths;
+  std::vector<double> torqueDepths = someOf(depths, kTorqueStride);
+
+  ContactMatrix forces(std::span<const double> at) const {
+    return contactMatrix(packing, packing.coverage(), plunge, at);
+  }
+  ContactMatrix levers() const {
+    return leverMatrix(packing, packing.coverage(), plunge, torqueDepths);
+  }
+  /// By a quarter of the depths, since it asks for a fit a dozen times.
+  double friction(const CurveNodes& force, const CurveNodes& torque) const {
+    return bestFriction(
+        forces(torqueDepths),
+        valuesAt(force, torqueDepths),
+        {.levers = levers(), .torques = valuesAt(torque, torqueDepths)});
+  }
+};
+
+void addTorqueErrors(
+    BoneFitReport& report,
+    const VirtualExperiment& experiment,
+    const HardnessCurves& torque,
+    double friction) {
+  const CurveNodes* curves[]{&torque.minimum, &torque.average, &torque.maximum};
+  const auto levers = experiment.levers();
+  for (std::size_t k = 0; k < report.curves.size(); ++k) {
+    auto densities = report.curves[k].fit.densities;
+    for (double& density : densities) density *= friction;
+    report.curves[k].torqueError =
+        errorOf(levers, densities, valuesAt(*curves[k], experiment.torqueDepths));
+  }
+}
+
+}  // namespace
+
 BoneFitReport fitTo(
     PackedBone& bone,
-    const HardnessCurves& curves,
-    std::size_t depths,
-    const std::function<void(const std::string&)>& goesOn,
-    const DensityMethod& method) {
+    const HardnessCurves& force,
+    const HardnessCurves& torque,
+    const BoneFitOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   if (const auto problem = problemOf(bone); !problem.empty()) throw std::invalid_argument(problem);
   const std::vector<double> ones(bone.packing.spheres.size(), 1.0);
-  const Plunge plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius);
   const double deepest = std::max(
-      {curves.minimum.back().position,
-       curves.average.back().position,
-       curves.maximum.back().position});
+      {force.minimum.back().position,
+       force.average.back().position,
+       force.maximum.back().position});
   std::vector<double> places;
-  for (std::size_t i = 0; i < depths; ++i) {
-    places.push_back(deepest * (static_cast<double>(i) + 0.5) / static_cast<double>(depths));
+  const auto count = static_cast<double>(options.depths);
+  for (std::size_t i = 0; i < options.depths; ++i) {
+    places.push_back(deepest * (static_cast<double>(i) + 0.5) / count);
   }
-  const auto matrix = contactMatrix(bone.packing, bone.packing.coverage(), plunge, places);
-  const std::pair<const char*, const CurveNodes*> all[]{
-      {"minimum", &curves.minimum}, {"average", &curves.average}, {"maximum", &curves.maximum}};
-  std::vector<float>* densities[]{&bone.minimum, &bone.average, &bone.maximum};
+  const VirtualExperiment experiment{
+      .packing = bone.packing,
+      .plunge = plungeInto(SphereField(bone.packing, ones), bone.reamerRadius),
+      .depths = places};
+  const auto matrix = experiment.forces(places);
+  const bool isJoint = !torque.isEmpty() && !options.method;
+  TorqueRows rows;
+  if (isJoint) {
+    if (options.goesOn) options.goesOn("the friction");
+    rows.levers = experiment.levers();
+    rows.friction =
+        options.friction ? *options.friction : experiment.friction(force.average, torque.average);
+  }
+  struct Curve {
+    const char* name;
+    const CurveNodes& force;
+    const CurveNodes& torque;
+    std::vector<float>& densities;
+  };
+  const Curve all[]{
+      {"minimum", force.minimum, torque.minimum, bone.minimum},
+      {"average", force.average, torque.average, bone.average},
+      {"maximum", force.maximum, torque.maximum, bone.maximum}};
   BoneFitReport report;
-  report.knowsOptimum = !method;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (goesOn) goesOn(all[k].first);
-    CurveFit curve{.curve = all[k].first, .depths = places, .wanted = {}, .felt = {}, .fit = {}};
-    for (const double depth : places) {
-      curve.wanted.push_back(std::max(0.0, forceOf(*all[k].second, depth)));
+  report.knowsOptimum = !options.method;
+  for (const auto& [name, wanted, wantedTorque, densities] : all) {
+    if (options.goesOn) options.goesOn(std::string("the ") + name + " curve");
+    CurveFit curve{
+        .curve = name, .depths = places, .wanted = valuesAt(wanted, places), .felt = {}, .fit = {}};
+    if (options.method) {
+      curve.fit = options.method(matrix, curve.wanted);
+    } else if (isJoint) {
+      rows.torques = valuesAt(wantedTorque, experiment.torqueDepths);
+      curve.fit = fitBone(matrix, curve.wanted, rows);
+    } else {
+      curve.fit = fitBone(matrix, curve.wanted);
     }
-    curve.fit = method ? method(matrix, curve.wanted) : fitBone(matrix, curve.wanted);
     curve.felt = matrix.times(curve.fit.densities);
-    densities[k]->assign(curve.fit.densities.begin(), curve.fit.densities.end());
+    densities.assign(curve.fit.densities.begin(), curve.fit.densities.end());
     report.curves.push_back(std::move(curve));
   }
+  bone.friction = options.friction;
+  if (!torque.isEmpty()) {
+    if (!options.friction) bone.friction = fitFriction(bone, torque).friction;
+    addTorqueErrors(report, experiment, torque, *bone.friction);
+  }
+  report.friction = bone.friction;
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
   report.seconds = passed.count();
   return report;

@@ -44,30 +44,42 @@ struct CurveFit {
   std::vector<double> wanted;  ///< by the curve [N]; what lies below 0 counts as 0
   std::vector<double> felt;    ///< by the spheres [N]
   BoneFit fit;
+  std::optional<double> torqueError = {};  ///< |μ B ρ − T| / |T|, where there is a torque
 };
 
 struct BoneFitReport {
   std::vector<CurveFit> curves;
   double seconds = 0.0;
-  bool knowsOptimum = true;  ///< the gap of each fit bounds how far it is from it
+  bool knowsOptimum = true;             ///< the gap of each fit bounds how far it is from it
+  std::optional<double> friction = {};  ///< μ, where there was a torque
 };
 
 /// How densities come of a contact matrix and the forces that are wanted.
 using DensityMethod = std::function<BoneFit(const ContactMatrix&, std::span<const double>)>;
 
-/// Gives the spheres of @p bone densities that follow the curves of a material, at @p depths evenly
-/// over the longest of them (the others stay level beyond their ends). The virtual experiment of
-/// the reaming paper.
+struct BoneFitOptions {
+  std::size_t depths = 400;  ///< of the force; a quarter of them of the torque
+  /// μ between reamer and bone, where it is known, >= 0; otherwise it is fitted as well.
+  std::optional<double> friction = {};
+  std::function<void(const std::string&)> goesOn = {};  ///< is told what is fitted
+  /// How densities come of the force alone, and friction of them afterwards; empty: fitBone(), of
+  /// force and torque.
+  DensityMethod method = {};
+};
+
+/// Gives the spheres of @p bone densities that follow the curves of a material, at depths evenly
+/// over the longest of them (the others stay level beyond their ends), and the friction with which
+/// they have its torque. The virtual experiment of the reaming paper; the paper says nothing of how
+/// its spheres get a torque.
 ///
-/// @param goesOn  is told the curve under way; may be empty.
-/// @param method  how densities come of a problem; empty: fitBone().
+/// @param torque  of the material [N·m]; empty: densities follow the force alone, and the bone has
+///                the friction of the options.
 /// @throws std::invalid_argument  with problemOf(bone).
 BoneFitReport fitTo(
     PackedBone& bone,
-    const HardnessCurves& curves,
-    std::size_t depths = 400,
-    const std::function<void(const std::string&)>& goesOn = {},
-    const DensityMethod& method = {});
+    const HardnessCurves& force,
+    const HardnessCurves& torque = {},
+    const BoneFitOptions& options = {});
 
 /// How well one friction μ gives a bone the torque of a material.
 struct FrictionFit {

@@ -168,7 +168,7 @@ struct DensityCommand {
   MaterialChoice material;
   std::string out;
   std::string report;
-  std::size_t depths = 400;
+  reaming::BoneFitOptions options;
   std::string method = "exact";
   std::size_t layers = 12;  ///< of swarm optimisation
   reaming::SwarmOptions swarm;
@@ -226,20 +226,27 @@ void printExperiments(const reaming::PackedBone& bone, const reaming::BoneFitRep
   }
 }
 
-/// The friction that makes the measured torque; the default where none was measured.
-void fitFriction(reaming::PackedBone& bone, const reaming::HardnessCurves& torque) {
-  bone.friction.reset();
-  if (torque.isEmpty()) {
-    fmt::print("The material has no torque: the scene's friction makes it.\n");
+/// What makes the torque of the bone, and how well.
+void printFriction(const reaming::BoneFitReport& report, bool hasTorque) {
+  if (!hasTorque) {
+    fmt::print(
+        "The material has no torque: {}\n",
+        report.friction ? fmt::format("friction {:.3g} makes it.", *report.friction)
+                        : "the scene's friction makes it.");
     return;
   }
-  const auto fit = reaming::fitFriction(bone, torque);
-  bone.friction = fit.friction;
-  fmt::print(
-      "Friction {:.3g}: its torque is {:.2g} off the material's.\n", fit.friction, fit.error);
+  fmt::print("Friction {:.3g}; of the material's torque ", *report.friction);
+  for (const auto& curve : report.curves) {
+    const bool isLast = &curve == &report.curves.back();
+    fmt::print(
+        "the {} is {:.2g} off{}",
+        curve.curve,
+        curve.torqueError.value_or(0.0),
+        isLast ? ".\n" : ", ");
+  }
 }
 
-int fitDensities(const DensityCommand& command, const CLI::App& verb) {
+int fitDensities(DensityCommand& command, const CLI::App& verb) {
   checkedEnding(command.out);
   const bool isSwarm = command.method == "swarm";
   for (const auto* option : kSwarmOptions) {
@@ -253,11 +260,12 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
   if (isSwarm) origin.material += ", by " + swarmInWords(command);
   bone.isSynthetic = bone.isSynthetic || material.isSynthetic;
   reaming::BoneFitReport report;
-  const auto goesOn = [](const std::string& curve) {
-    fmt::print(stderr, "fitting the {} curve\n", curve);
+  command.options.goesOn = [](const std::string& what) {
+    fmt::print(stderr, "fitting {}\n", what);
   };
+  command.options.method = methodOf(command);
   try {
-    report = reaming::fitTo(bone, material.curves, command.depths, goesOn, methodOf(command));
+    report = reaming::fitTo(bone, material.curves, material.torque, command.options);
   } catch (const std::invalid_argument& wrong) {
     throw UserError(command.packing + ": " + wrong.what() + ".");
   }
@@ -268,7 +276,7 @@ int fitDensities(const DensityCommand& command, const CLI::App& verb) {
       "that is. {:.1f} s.\n",
       100.0 * report.curves.front().fit.touchedShare,
       report.seconds);
-  fitFriction(bone, material.torque);
+  printFriction(report, !material.torque.isEmpty());
   printExperiments(bone, report);
   for (const auto& warning : warningsOf(report)) fmt::print("WARNING: {}\n", warning);
   writeNewFile(command.out, protocols::packingAsText(bone, origin));
@@ -291,9 +299,15 @@ void addFitDensities(CLI::App& noun, Action& action) {
   addMaterialOptions(*verb, command->material);
   verb->add_option("--out", command->out, "A new file that ends in .packing")->required();
   verb->add_option("--report", command->report, "A folder for tables, figures and a page");
-  verb->add_option("--depths", command->depths, "Number of depths at which the curve is fitted")
+  verb->add_option(
+          "--depths", command->options.depths, "Number of depths at which the curve is fitted")
       ->check(CLI::Range(20, 2000))
       ->capture_default_str();
+  verb->add_option(
+          "--friction",
+          command->options.friction,
+          "Between reamer and bone, where it is known (default: fitted to the torque)")
+      ->check(finiteRange(0.0, 2.0));
   verb->add_option("--method", command->method, "exact, or swarm: the reaming paper's way")
       ->check(CLI::IsMember({"exact", "swarm"}))
       ->capture_default_str();

@@ -68,7 +68,8 @@ DataTable fitTable(const reaming::BoneFitReport& fit) {
           {"largest_n", "Largest [N]"},
           {"gap", "Above the optimum by at most"},
           {"iterations", "Steps"},
-          {"touched", "Spheres touched"}}};
+          {"touched", "Spheres touched"},
+          {"torque_error", "|μBρ − T| / |T|"}}};
   for (const auto& curve : fit.curves) {
     double largest = 0.0;
     for (std::size_t i = 0; i < curve.wanted.size(); ++i) {
@@ -81,7 +82,8 @@ DataTable fitTable(const reaming::BoneFitReport& fit) {
          largest,
          fit.knowsOptimum ? Cell(std::max(curve.fit.spheres.gap, 0.0)) : Cell(std::monostate()),
          static_cast<std::int64_t>(curve.fit.spheres.iterations),
-         curve.fit.touchedShare});
+         curve.fit.touchedShare,
+         curve.torqueError ? Cell(*curve.torqueError) : Cell(std::monostate())});
   }
   return table;
 }
@@ -111,12 +113,13 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
   for (const auto& curve : fit.curves) {
     const auto& spheres = curve.fit.spheres;
     if (!fit.knowsOptimum) {
-      if (spheres.error <= kMostError) continue;
-      warnings.push_back(fmt::format(
-          "The swarm misses the {} curve by {:.0f} % of its force. Give it more --iterations or "
-          "another number of --layers, or use --method exact.",
-          curve.curve,
-          100.0 * spheres.error));
+      if (spheres.error > kMostError) {
+        warnings.push_back(fmt::format(
+            "The swarm misses the {} curve by {:.0f} % of its force. Give it more --iterations or "
+            "another number of --layers, or use --method exact.",
+            curve.curve,
+            100.0 * spheres.error));
+      }
     } else if (!(spheres.gap <= kMostGap)) {
       warnings.push_back(fmt::format(
           "The {} curve was not fitted: after {} steps its densities may be up to {:.0f} % above "
@@ -133,6 +136,13 @@ std::vector<std::string> warningsOf(const reaming::BoneFitReport& fit) {
           curve.curve,
           100.0 * spheres.error));
     }
+    if (curve.torqueError.value_or(0.0) <= kMostError) continue;
+    warnings.push_back(fmt::format(
+        "The torque of the {} curve cannot be felt with these spheres: it is {:.0f} % off. {}",
+        curve.curve,
+        100.0 * *curve.torqueError,
+        fit.knowsOptimum ? "Build the bone with more spheres, or leave --friction out."
+                         : "Use --method exact, which fits force and torque."));
   }
   return warnings;
 }
@@ -153,9 +163,10 @@ report::Document packingReport(
        .paragraphs = {fmt::format(
            "The virtual experiment: the reamer is put in, and what all spheres give way at is "
            "added up. {:.0f} % of the spheres are ever touched; the experiment says nothing of the "
-           "others, which are as the deepest layer that is touched. {:.1f} s for all curves.",
+           "others, which are as the deepest layer that is touched. {:.1f} s for all curves.{}",
            100.0 * fit.curves.front().fit.touchedShare,
-           fit.seconds)},
+           fit.seconds,
+           fit.friction ? fmt::format(" Friction {:.3g}.", *fit.friction) : "")},
        .figures =
            {{.name = "forces",
              .caption = "Curves of the material, and what the spheres make of them.",

@@ -57,7 +57,7 @@ std::shared_ptr<const haptics::reaming::PackedBone> cupOf(std::size_t spheres) {
   auto bone = std::make_shared<haptics::reaming::PackedBone>();
   std::fprintf(stderr, "packing %zu spheres\n", spheres);
   bone->packing = *pack(haptics::reaming::Acetabulum(), {.count = spheres});
-  fitTo(*bone, haptics::engine::parametricCurves(), 100);
+  fitTo(*bone, haptics::engine::parametricCurves(), {}, {.depths = 100});
   return bone;
 }
 

@@ -12,6 +12,7 @@
 #include "haptics/devices/punch/punch_kind.h"
 #include "haptics/devices/simulated_device.h"
 #include "haptics/engine/bone_models.h"
+#include "haptics/engine/built_in_models.h"
 #include "haptics/engine/compiled_scene.h"
 #include "haptics/engine/force_engine.h"
 #include "haptics/reaming/bone/sphere_field.h"
@@ -185,18 +186,34 @@ TEST(Torque, OfSpheresIsThatOfTheMaterialOnAHomogeneousCup) {
   EXPECT_LT(ofTorque, 1.25 * ofForce);
 }
 
-// docs/decisions/0036: a fit by the force alone gives spheres at the rim up to 17 times the
-// density.
-TEST(Torque, OfSpheresIsOffTheCupOnceTheirDensitiesWereFittedToItsForceAlone) {
+// docs/decisions/0059: by the force alone, spheres at the rim get a density that is far too large
+// for the torque.
+TEST(Torque, OfSpheresIsThatOfTheCupOnceTheirDensitiesWereFittedToForceAndTorque) {
   auto bone = *cup().bone;
   const auto alike = reaming::fitFriction(bone, cup().torque);
   EXPECT_NEAR(alike.friction, kFriction, 0.05 * kFriction);
   EXPECT_LT(alike.error, 0.25);
-  const auto report = reaming::fitTo(bone, cup().force);
-  EXPECT_LT(report.curves[1].fit.spheres.error, 0.05);
-  const auto fitted = reaming::fitFriction(bone, cup().torque);
-  EXPECT_LT(fitted.friction, 0.6 * kFriction);
-  EXPECT_NEAR(fitted.error, 0.61, 0.1);
+
+  constexpr std::size_t kDepths = 100;
+  reaming::fitTo(bone, cup().force, {}, {.depths = kDepths});
+  EXPECT_GT(reaming::fitFriction(bone, cup().torque).error, 0.4) << "by the force alone";
+
+  const auto both = reaming::fitTo(bone, cup().force, cup().torque, {.depths = kDepths});
+  EXPECT_LT(both.curves[1].fit.spheres.error, 0.06);
+  EXPECT_LT(both.curves[1].torqueError.value(), 0.06);
+  EXPECT_LT(both.curves[1].fit.spheres.gap, 1e-6);
+  EXPECT_EQ(bone.friction, both.friction);
+
+  // With the friction that the cup has, spheres cannot fill its rim well enough for less.
+  const auto known =
+      reaming::fitTo(bone, cup().force, cup().torque, {.depths = kDepths, .friction = kFriction});
+  EXPECT_EQ(bone.friction, kFriction);
+  EXPECT_LT(known.curves[1].fit.spheres.error, 0.12);
+  EXPECT_LT(known.curves[1].torqueError.value(), 0.07);
+}
+
+TEST(Torque, OfTheBuiltInBoneIsThatOfItsMaterial) {
+  EXPECT_LT(reaming::fitFriction(*parametricBone(), parametricTorque()).error, 0.02);
 }
 
 TEST(Torque, OfSpheresHasTheFrictionThatWasFittedToIt) {

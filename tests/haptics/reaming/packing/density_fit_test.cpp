@@ -63,6 +63,29 @@ TEST(ContactMatrix, EqualsTheForceOfTheField) {
   EXPECT_NEAR(left, right, 1e-9 * left);
 }
 
+TEST(LeverMatrix, EqualsTheLeverOfTheField) {
+  const auto& p = problem();
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> density(0.0, 3e5);
+  std::vector<double> densities;
+  for (std::size_t i = 0; i < p.packing.spheres.size(); ++i) densities.push_back(density(random));
+  const SphereField field(p.packing, densities);
+  const auto plunge = plungeInto(field, 0.026);
+  const auto levers =
+      leverMatrix(p.packing, p.packing.coverage(), plunge, p.depths).times(densities);
+  for (std::size_t k = 0; k < p.depths.size(); ++k) {
+    const double felt = field.touch(plunge.at(p.depths[k]), false).lever / p.packing.coverage();
+    ASSERT_NEAR(levers[k], felt, 1e-4 * felt + 1e-8);
+  }
+}
+
+TEST(ContactMatrix, OfTwoIsOneAboveTheOther) {
+  const ContactMatrix one{.rows = 1, .start = {0, 1, 2}, .row = {0, 0}, .value = {1.0, 2.0}};
+  const ContactMatrix two{.rows = 2, .start = {0, 1, 1}, .row = {1}, .value = {5.0}};
+  const std::vector<double> x{10.0, 100.0};
+  EXPECT_EQ(stacked(one, two, 0.5).times(x), (std::vector<double>{210.0, 0.0, 25.0}));
+}
+
 TEST(DensityFit, ReachesTheOptimumAndProvesIt) {
   const auto& p = problem();
   const std::vector<double> prior(p.matrix.columns(), uniformDensity(p.matrix, p.forces));
@@ -200,7 +223,7 @@ TEST(PackedBone, HasTheForceOfItsMaterialAtEveryHardness) {
         {0.0, 0.0, 0.0}, {0.004, 50.0 * scale, 1e4 * scale}, {0.016, 300.0 * scale, 2e4}};
   };
   const HardnessCurves curves{curve(0.2), curve(1.0), curve(2.0)};
-  const auto report = fitTo(bone, curves, 80);
+  const auto report = fitTo(bone, curves, {}, {.depths = 80});
   ASSERT_EQ(report.curves.size(), 3U);
   EXPECT_GT(report.curves[0].fit.touchedShare, 0.1);
   EXPECT_LT(report.curves[0].fit.touchedShare, 0.6);
@@ -221,7 +244,7 @@ TEST(VirtualExperiment, ReamsTheCurveThatWasFitted) {
     return CurveNodes{
         {0.0, 0.0, 0.0}, {0.004, 50.0 * scale, 1e4 * scale}, {0.012, 300.0 * scale, 2e4}};
   };
-  const auto report = fitTo(bone, {curve(0.2), curve(1.0), curve(4.0)}, 200);
+  const auto report = fitTo(bone, {curve(0.2), curve(1.0), curve(4.0)}, {}, {.depths = 200});
   const auto result = ream(bone, 0.5, {.mostDepth = 0.012});
   EXPECT_EQ(result.stop, "the largest depth");
   EXPECT_GT(result.removedShare, 0.01);

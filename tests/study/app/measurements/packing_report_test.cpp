@@ -39,6 +39,17 @@ TEST(PackingReport, WarnsOfACurveThatTheSpheresCannotGive) {
   EXPECT_NE(missed.find("30 %"), std::string::npos) << missed;
 }
 
+TEST(PackingReport, WarnsOfATorqueThatIsOff) {
+  auto fit = fitWith(1e-9, 0.01);
+  fit.curves[0].torqueError = 0.04;
+  EXPECT_TRUE(warningsOf(fit).empty());
+  fit.curves[0].torqueError = 0.44;
+  const auto warnings = warningsOf(fit);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("torque of the maximum curve"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("44 %"), std::string::npos) << warnings[0];
+}
+
 /// The value of a column in a row.
 double cellOf(const DataTable& table, std::size_t row, const std::string& column) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -51,7 +62,7 @@ double cellOf(const DataTable& table, std::size_t row, const std::string& column
 TEST(FeedTable, GivesBackTheCurveAtTheMeasuredFeedsAndAccountsForAllMass) {
   const auto parametric = haptics::engine::parametricBone();
   haptics::reaming::PackedBone bone{.packing = parametric->packing};
-  const auto fit = fitTo(bone, haptics::engine::parametricCurves(), 80);
+  const auto fit = fitTo(bone, haptics::engine::parametricCurves(), {}, {.depths = 80});
   const auto table = feedTable(bone, fit);
   // 0.01, 0.03, 0.1, 0.3, 1 and 1.8 mm/s, for three curves.
   ASSERT_EQ(table.rows.size(), 18U);
