@@ -124,8 +124,8 @@ BoneFit fitBone(
     std::size_t layers = 12);
 
 /// The friction of @p torque with which that sum is least, of thirteen between an eighth and twice
-/// that of spheres of one density. Force and torque alone do not tell friction from where the density
-/// lies, so this is the friction of the fit, not a property of bone.
+/// that of spheres of one density. Force and torque alone do not tell friction from where the
+/// density lies, so this is the friction of the fit, not a property of bone.
 double bestFriction(const ContactMatrix& matrix, std::span<const double> forces, TorqueRows torque);
 
 /// The same by the paper's swarm alone, which has no optimum to compare itself with: the gap is
