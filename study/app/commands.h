@@ -20,6 +20,7 @@ void addConsentCommand(CLI::App& noun, Action& action);        // adds to the co
 void addErasureCommands(CLI::App& noun, Action& action);       // adds to "study"
 void addProtocolTextsCommand(CLI::App& noun, Action& action);  // adds to "protocol"
 void addEvidenceCommands(CLI::App& noun, Action& action);      // adds to "study"
+void addKeyCommands(CLI::App& study, Action& action);          // adds to "study"
 void addStudyTextsCommand(CLI::App& noun, Action& action);     // adds to "study"
 void addStatsCommands(CLI::App& program, Action& action);
 void addReportCommand(CLI::App& program, Action& action);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/keys/ask_passphrase.h"
 #include "study/app/run_mode_option.h"
 #include "study/export/export.h"
 #include "study/export/named_people.h"
@@ -70,6 +71,7 @@ int exportAs(const ExportArguments& options) {
       .hasTexts = options.texts};
   if (options.forPublic) how.publicClass = options.smallestClass;
   auto study = openForExport(options.folder, clock, how);
+  unlockIfAsked(study);
   if (!options.forPublic && how.runMode != RunMode::Simulated) {
     fmt::print("{}", identifiabilityInWords(study, how));
   }

@@ -14,6 +14,7 @@
 #include "study/gui/authoring/protocol_window.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/home_window.h"
+#include "study/gui/desk/key_question.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/tour.h"
 #include "study/gui/operator/operator_window.h"
@@ -127,6 +128,7 @@ int main(int argc, char** argv) {
   const QString folder = folderOf(path);
   study::SystemClock clock;
   int status = 1;
+  study::gui::askForKeyOf(folder.toStdString(), nullptr);
   study::gui::attempt(nullptr, [&] {
     auto study = study::Study::open(folder.toStdString(), clock);
     study::gui::OperatorWindow window(study, devices);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/write_report.h"
@@ -58,6 +59,7 @@ int report(const ReportArguments& options) {
   std::vector<report::ReportSection> sections;
   for (const auto& folder : options.folders) {
     auto study = Study::open(folder, clock, accessToNote(options.reason));
+    unlockIfAsked(study);
     const auto mode = chosenRunMode(study, options.runMode);
     noteUnblinding(study, mode, EventKind::UnblindedReport, options.reason);
     sections.push_back(report::gather(study, mode, words::wordsIn(options.language)));

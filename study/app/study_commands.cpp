@@ -9,10 +9,12 @@
 #include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
+#include "study/app/keys/ask_passphrase.h"
 #include "study/app/run_mode_option.h"
 #include "study/app/simulated_endings.h"
 #include "study/app/terminal_session.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/session/study_key.h"
 #include "study/session/unfinished_sessions.h"
 #include "study/storage/evidence/signed_head.h"
 #include "study/storage/records.h"
@@ -56,6 +58,12 @@ std::optional<std::uint64_t> seedOf(const StudyArguments& options) {
   return options.hasSeed ? std::optional(options.seed) : std::nullopt;
 }
 
+/// Where the key of the conditions is; no line where nothing is sealed.
+std::string sealOf(Study& study) {
+  const auto words = sealInWords(study);
+  return words.empty() ? words : "conditions: " + words + "\n";
+}
+
 /// What keeps orders and codes from being chosen afterwards; no line in studies of release 0.1.
 std::string commitmentOf(Study& study) {
   const auto commitment = study.events().commitment();
@@ -64,18 +72,28 @@ std::string commitmentOf(Study& study) {
              : "commitment of orders and codes: " + storage::inGroups(commitment) + "\n";
 }
 
+std::string keyAdviceOn(Study& study, const std::string& folder) {
+  if (!study.isSealed()) return {};
+  return fmt::format(
+      "Conditions are sealed, and this account has the only key. Before the first participant, "
+      "keep "
+      "a copy of it apart: palpate study key export {} --out key.txt --reason \"a copy\"\n",
+      folder);
+}
+
 int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
   auto study = Study::create(options.folder, protocol, clock, seedOf(options));
   fmt::print(
-      "{} is ready: \"{}\", seed {}.\n{}Next: palpate-studio {}, or try it first: palpate study "
+      "{} is ready: \"{}\", seed {}.\n{}{}Next: palpate-studio {}, or try it first: palpate study "
       "simulate "
       "{} --participants {}\n",
       options.folder,
       protocol.protocol.study.title,
       study.seed(),
       commitmentOf(study),
+      keyAdviceOn(study, options.folder),
       options.folder,
       options.folder,
       plannedParticipants(protocol.protocol));
@@ -155,6 +173,7 @@ int simulate(const StudyArguments& options) {
 int run(const StudyArguments& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock);
+  unlockIfAsked(study);
   return runInTerminal(
       study,
       {.cohort = options.cohort,
@@ -175,7 +194,7 @@ int status(const StudyArguments& options) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}{}\n",
       metadata.title,
       metadata.id,
       metadata.version,
@@ -184,6 +203,7 @@ int status(const StudyArguments& options) {
                         : "not frozen yet: no live participant has begun",
       study.createdUtc(),
       commitmentOf(study),
+      sealOf(study),
       study.protocol().protocol.isBlindingOpen ? "blinding: open, nobody is kept blind\n" : "");
   fmt::print(
       "{:>4}  {:<12} {:<20} {:<10} {:>5}  {:<17} {}\n",
@@ -306,6 +326,7 @@ void addStudyCommands(CLI::App& program, Action& action) {
   status->add_flag("--json", options->json, "JSON");
 
   addEvidenceCommands(*noun, action);
+  addKeyCommands(*noun, action);
   addStudyTextsCommand(*noun, action);
   addConsentCommand(*noun, action);
   addErasureCommands(*noun, action);

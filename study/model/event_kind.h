@@ -26,6 +26,10 @@ enum class EventKind {
   HeadNotSigned,    ///< the station's key could not be used
   Erased,           ///< names, answers or both of a participant
   ResealedTrail,    ///< the trail of an older format was sealed once, so that it can be erased from
+  ExportedKey,      ///< the key of the conditions left the station, and why
+  ImportedKey,      ///< another station, which signs this, has it now
+  SetPassphrase,    ///< that opens the key
+  DroppedKey,       ///< this station has the key no more
 
   // What can happen to a session, in the order of SessionEvent
   FinishedStep,

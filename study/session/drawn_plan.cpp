@@ -54,6 +54,19 @@ std::map<std::string, std::string> exchanged(
 
 }  // namespace
 
+std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row) {
+  const auto& protocol = study.protocol(row.protocol).protocol;
+  auto steps = sessionPlan(
+      protocol,
+      protocols::scheduleFor(
+          protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+  for (auto& step : steps) {
+    step.condition.clear();
+    step.itemSet.clear();
+  }
+  return steps;
+}
+
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
   const auto& protocol = study.protocol(row.protocol).protocol;
   auto schedule = protocols::scheduleFor(

@@ -15,7 +15,12 @@ namespace study {
 /// the seed what was felt. Conditions stay as the seed has them where the protocol itself promises
 /// which is which: with a seed of its own, with labels that stand for conditions, in blocks of a
 /// fixed order. They change parts only with conditions of the same blocks.
-/// @throws storage::StorageError  if the study's secret is not the one that it was made with.
+/// @throws storage::StorageError  if the study's secret is not the one that it was made with, or is
+///     kept elsewhere.
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row);
+
+/// The same steps for those who only want to know where a session stands: without conditions and
+/// sets of items, which need the secret. @throws storage::StorageError
+std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row);
 
 }  // namespace study

@@ -85,10 +85,10 @@ class SaidOfIdentities {
 
 /// The fingerprints of the rows that are there, by name.
 std::map<std::string, std::string> presentRows(Study& study) {
-  const auto* secret = study.secretFor(RunMode::Live);
+  const auto secret = study.secretOfFingerprints();
   std::map<std::string, std::string> rows;
   for (const auto& row : storage::identityRows(study.identities().database())) {
-    rows[row.name] = secret == nullptr ? kUnknown : secret->fingerprint(row.bytes);
+    rows[row.name] = secret ? secret->fingerprint(row.bytes) : kUnknown;
   }
   return rows;
 }
@@ -109,7 +109,7 @@ void compare(
 
 /// Notes the rows whose name begins with @p where.
 void noteRows(Study& study, const std::string& where) {
-  if (study.secretFor(RunMode::Live) == nullptr) return;
+  if (!study.secretOfFingerprints()) return;
   const auto present = presentRows(study);
   const SaidOfIdentities said(study);
   std::string pairs;

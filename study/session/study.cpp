@@ -9,7 +9,9 @@
 #include "base/random.h"
 #include "protocols/load_protocol.h"
 #include "study/model/study_files.h"
+#include "study/model/user_error.h"
 #include "study/session/erasure.h"
+#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/network_drive.h"
 #include "study/storage/reserved_space.h"
 #include "study/storage/statement.h"
@@ -70,6 +72,7 @@ Study Study::open(const fs::path& folder, Clock& clock, Database::Access access)
   Study study(folder, clock, std::move(database), std::move(traces), std::move(identities));
   study.readHead();
   study.isWritable_ = access == Database::Access::ReadWrite;
+  study.findKey();
   if (study.isWritable_) {
     storage::ReservedSpace(folder).take();
     finishErasures(study);
@@ -96,7 +99,12 @@ void Study::readHead() {
 void Study::readSecret() {
   const auto committed = events().commitment();
   auto found = identities_.blindingSecret();
-  const bool isSound = committed.empty() || (found && found->commitment() == committed);
+  isSealed_ = !committed.empty() && !found;
+  if (isSealed_) found = storage::keptKey(committed);
+  if (isSealed_ && !found) {
+    throw StorageError(storage::howToGetTheKey(folder_.string(), hasPassphrase()));
+  }
+  const bool isSound = committed.empty() || found->commitment() == committed;
   if (!isSound) {
     throw StorageError(
         identities_.database().path() +
@@ -105,13 +113,50 @@ void Study::readSecret() {
         StorageError::Kind::Damaged);
   }
   if (!committed.empty()) secret_ = found;
+  if (isSealed_) database_.giveKey(storage::SealingKey(secret_->bytes()));
   isSecretRead_ = true;
+}
+
+void Study::findKey() noexcept {
+  try {
+    readSecret();
+  } catch (const std::exception&) {
+    return;  // much can be done without it; secretFor() says what is missing where it is needed
+  }
 }
 
 const storage::BlindingSecret* Study::secretFor(RunMode mode) {
   if (mode == RunMode::Simulated) return nullptr;
   if (!isSecretRead_) readSecret();
   return secret_ ? &*secret_ : nullptr;
+}
+
+void Study::useKey(const storage::BlindingSecret& key) {
+  if (key.commitment() != events().commitment()) {
+    throw UserError(
+        "This is the key of another study. Take the one that was exported from " +
+        folder_.string() + " or from a copy of it.");
+  }
+  secret_ = key;
+  database_.giveKey(storage::SealingKey(key.bytes()));
+  isSecretRead_ = true;
+}
+
+bool Study::unlock(const std::string& passphrase) {
+  const auto wrapped = storage::wrappedKeyIn(database_);
+  const auto bytes = wrapped ? wrapped->opened(passphrase) : std::nullopt;
+  if (bytes) {
+    useKey(storage::BlindingSecret(*bytes));
+    storage::holdKey(*secret_);
+  }
+  return bytes.has_value();
+}
+
+std::optional<storage::BlindingSecret> Study::secretOfFingerprints() {
+  if (auto secret = identities_.secretOfFingerprints()) return secret;
+  const auto* secret = secretFor(RunMode::Live);
+  if (secret == nullptr) return std::nullopt;
+  return isSealed_ ? secret->forFingerprints() : *secret;
 }
 
 const protocols::LoadedProtocol& Study::protocol() {

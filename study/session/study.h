@@ -16,6 +16,7 @@
 #include "study/storage/event_log.h"
 #include "study/storage/evidence/trail_signer.h"
 #include "study/storage/identity_store.h"
+#include "study/storage/map/study_keys.h"
 #include "study/storage/protocol_repository.h"
 #include "study/storage/session_repository.h"
 #include "study/storage/trace_store.h"
@@ -53,8 +54,30 @@ class Study {
 
   /// What hides the conditions of that run mode: nullptr for simulated sessions, which have nothing
   /// to hide and can be made again from the seed, and in studies that an older release made.
-  /// @throws storage::StorageError  if it is not the secret that the study was made with.
+  /// @throws storage::StorageError  if it is not the secret that the study was made with, or if it
+  ///     is kept elsewhere; then with what to do.
   const storage::BlindingSecret* secretFor(RunMode mode);
+
+  /// Whether the conditions of live and pilot sessions are sealed with a key that is not in the
+  /// study's folder (docs/decisions/0049).
+  bool isSealed() const noexcept { return isSealed_; }
+
+  /// Whether sealed conditions can be read: this station keeps the key, or it was given.
+  bool hasKey() const noexcept { return database_.key() != nullptr; }
+
+  /// Whether a passphrase opens the key.
+  bool hasPassphrase() const { return storage::wrappedKeyIn(database_).has_value(); }
+
+  /// Opens the key with the passphrase, for this program until it ends. @return false if it is
+  /// another one
+  bool unlock(const std::string& passphrase);
+
+  /// Goes on with a key that was handed over. @throws UserError  if it is that of another study.
+  void useKey(const storage::BlindingSecret& key);
+
+  /// What the fingerprints of identity.db in the audit trail are made with; std::nullopt in studies
+  /// that have none. @throws storage::StorageError
+  std::optional<storage::BlindingSecret> secretOfFingerprints();
 
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
@@ -110,6 +133,7 @@ class Study {
       storage::Database identities);
   void readHead();
   void readSecret();
+  void findKey() noexcept;
   bool isEventStored(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;
@@ -124,6 +148,7 @@ class Study {
   storage::TrailSigner signer_;
   bool isWritable_ = true;
   bool isSecretRead_ = false;
+  bool isSealed_ = false;
   std::optional<storage::BlindingSecret> secret_;
 };
 

@@ -9,6 +9,7 @@
 #include "study/model/study_files.h"
 #include "study/session/study.h"
 #include "study/storage/evidence/trail_signer.h"
+#include "study/storage/map/study_keys.h"
 #include "study/storage/statement.h"
 #include "study/storage/study_schema.h"
 #include "study/storage/transaction.h"
@@ -83,7 +84,14 @@ void begin(
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
   storage::IdentityStore identities(Database::create(files.identity(), storage::identitySchema()));
-  identities.put(secret);
+  // Nobody is kept blind: then everybody may have the secret. Else the station has it, before there
+  // is a study that needs it.
+  if (protocol.protocol.isBlindingOpen) {
+    identities.put(secret);
+  } else {
+    storage::keepKey(secret, folder);
+    identities.putForFingerprints(secret.forFingerprints());
+  }
   fs::permissions(files.identity(), fs::perms::owner_read | fs::perms::owner_write);
   // The row of the study is committed last. A folder without it was never finished, and
   // Study::open() refuses it.

@@ -103,7 +103,7 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
   std::vector<UnfinishedSession> unfinished;
   for (const auto& row : study.sessions().all()) {
     if (isOver(row.state)) continue;
-    const auto plan = drawnPlan(study, row);
+    const auto plan = planWithoutConditions(study, row);
     UnfinishedSession session{
         .id = row.id,
         .participant = row.participant,

@@ -13,22 +13,32 @@ BlindingSecret BlindingSecret::drawn() {
   return BlindingSecret(bytes);
 }
 
-std::string BlindingSecret::hashOf(std::string_view text) const {
-  std::array<unsigned char, crypto_generichash_BYTES> hash{};
+BlindingSecret::Bytes BlindingSecret::digestOf(std::string_view text) const {
+  static_assert(std::tuple_size_v<Bytes> == crypto_generichash_BYTES);
+  Bytes digest{};
   crypto_generichash(
-      hash.data(),
-      hash.size(),
+      digest.data(),
+      digest.size(),
       reinterpret_cast<const unsigned char*>(text.data()),
       text.size(),
       bytes_.data(),
       bytes_.size());
-  std::array<char, 2 * hash.size() + 1> hexadecimal{};
+  return digest;
+}
+
+std::string BlindingSecret::hashOf(std::string_view text) const {
+  const auto hash = digestOf(text);
+  std::array<char, 2 * std::tuple_size_v<Bytes> + 1> hexadecimal{};
   sodium_bin2hex(hexadecimal.data(), hexadecimal.size(), hash.data(), hash.size());
   return hexadecimal.data();
 }
 
 std::string BlindingSecret::commitment() const {
   return hashOf("commitment");
+}
+
+BlindingSecret BlindingSecret::forFingerprints() const {
+  return BlindingSecret(digestOf("secret of fingerprints"));
 }
 
 std::string BlindingSecret::fingerprint(std::string_view row) const {

@@ -7,11 +7,14 @@
 
 namespace study::storage {
 
-/// What keeps a study blinded: 256 random bits, drawn when the study is made and stored in
-/// identity.db alone (docs/decisions/0038).
+/// What keeps a study blinded, its key: 256 random bits, drawn when the study is made
+/// (docs/decisions/0038). It is not in the study's folder, but with the station that made it
+/// (docs/decisions/0049); studies of before, and those in which nobody is blind, have it in
+/// identity.db.
 ///
 /// Codes of conditions, and which condition takes which part in the orders, depend on it. Neither
-/// can be computed from the study's seed, its name or its protocol.
+/// can be computed from the study's seed, its name or its protocol. What is stored of the orders is
+/// sealed with it.
 class BlindingSecret {
  public:
   using Bytes = std::array<unsigned char, 32>;
@@ -26,6 +29,9 @@ class BlindingSecret {
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.
   std::string commitment() const;
 
+  /// A secret of its own for fingerprints, which says nothing of this one.
+  BlindingSecret forFingerprints() const;
+
   /// A keyed hash of a row of identity.db, for the audit trail.
   std::string fingerprint(std::string_view row) const;
 
@@ -35,6 +41,7 @@ class BlindingSecret {
   void arrange(std::vector<std::string>& ids, std::string_view purpose) const;
 
  private:
+  Bytes digestOf(std::string_view text) const;
   std::string hashOf(std::string_view text) const;
 
   Bytes bytes_;

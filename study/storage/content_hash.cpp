@@ -37,10 +37,29 @@ constexpr std::array kOfTheStudy{
     "SELECT id, sha256, reason, added_utc, frozen_utc FROM protocol ORDER BY id",
     "SELECT protocol_id, name, sha256 FROM protocol_file ORDER BY protocol_id, name"};
 
+/// Hashed only where there is one: sessions of older formats have the hashes of before.
+constexpr const char* kSealedConditions =
+    "SELECT step, sealed FROM allocation WHERE session_id = ? AND sealed IS NOT NULL ORDER BY step";
+constexpr const char* kWrappedKey = "SELECT salt, operations, memory, sealed FROM wrapped_key";
+
 /// Hashed only where there is a row: studies of older formats have the hashes of before. When the
 /// work was finished is left out, because that is no event.
 constexpr const char* kErasures =
     "SELECT id, participant, level, reason, erased_utc FROM erasure ORDER BY id";
+
+bool hasFormatOfSealedConditions(const Database& database) {
+  return database.hasTable("wrapped_key");
+}
+
+bool isSealed(const Database& database, SessionId session) {
+  if (!hasFormatOfSealedConditions(database)) return false;
+  Statement sealed(database, kSealedConditions);
+  return sealed.bind(1, static_cast<std::int64_t>(session)).step();
+}
+
+bool hasWrappedKey(const Database& database) {
+  return hasFormatOfSealedConditions(database) && Statement(database, kWrappedKey).step();
+}
 
 bool wasAnyoneErased(const Database& database) {
   return database.hasTable("erasure") && Statement(database, "SELECT 1 FROM erasure").step();
@@ -67,6 +86,11 @@ Hash contentHash(const Database& database, SessionId session, const SealingKey* 
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
   }
+  if (isSealed(database, session)) {
+    Statement rows(database, kSealedConditions);
+    rows.bind(1, static_cast<std::int64_t>(session));
+    addRows(hasher, rows);
+  }
   return key == nullptr ? hasher.finish() : hasher.finish(key->hashingKey());
 }
 
@@ -78,6 +102,10 @@ Hash contentHash(const Database& database) {
   }
   if (wasAnyoneErased(database)) {
     Statement rows(database, kErasures);
+    addRows(hasher, rows);
+  }
+  if (hasWrappedKey(database)) {
+    Statement rows(database, kWrappedKey);
     addRows(hasher, rows);
   }
   return hasher.finish();

@@ -95,7 +95,8 @@ Database::~Database() {
 Database::Database(Database&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, nullptr)),
-      owesRollback_(other.owesRollback_) {}
+      owesRollback_(other.owesRollback_),
+      key_(other.key_) {}
 
 Database Database::create(const std::string& path, const Schema& schema) {
   if (std::filesystem::exists(path)) {

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "study/model/storage_error.h"
+#include "study/storage/keys/sealing_key.h"
 
 struct sqlite3;
 
@@ -76,6 +78,12 @@ class Database {
   /// @throws StorageError
   void copyTo(const std::string& path, const std::function<void(double share)>& progress) const;
 
+  /// Gives this connection the key of the study, with which conditions are sealed and opened
+  /// (docs/decisions/0049). Studies whose conditions are open have none.
+  void giveKey(const SealingKey& key) { key_ = key; }
+  /// nullptr: this connection has none.
+  const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
+
   std::int64_t lastInsertedId() const noexcept;
   const std::string& path() const noexcept { return path_; }
   sqlite3* handle() const noexcept { return handle_; }
@@ -99,6 +107,7 @@ class Database {
   std::string path_;
   sqlite3* handle_ = nullptr;
   bool owesRollback_ = false;
+  std::optional<SealingKey> key_;
 };
 
 }  // namespace study::storage

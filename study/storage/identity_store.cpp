@@ -102,6 +102,26 @@ void insert(Database& database, const NameRow& row) {
   statement.run();
 }
 
+void insertSecret(Database& database, const std::string& table, const BlindingSecret& secret) {
+  Transaction transaction(database);
+  Statement insert(database, "INSERT INTO " + table + " (id, bytes) VALUES (1, ?)");
+  insert.bind(1, std::as_bytes(std::span(secret.bytes())));
+  insert.run();
+  transaction.commit();
+}
+
+/// A file of an older format that is only read does not have the table.
+std::optional<BlindingSecret> secretIn(const Database& database, const std::string& table) {
+  if (!database.hasTable(table)) return std::nullopt;
+  Statement select(database, "SELECT bytes FROM " + table + " WHERE id = 1");
+  if (!select.step()) return std::nullopt;
+  const auto stored = select.blob(0);
+  BlindingSecret::Bytes bytes{};
+  if (stored.size() != bytes.size()) return std::nullopt;
+  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
+  return BlindingSecret(bytes);
+}
+
 const char* columnOf(IdentityStore::Key kind) {
   return kind == IdentityStore::Key::Identity ? "identity" : "content";
 }
@@ -200,23 +220,19 @@ void IdentityStore::destroy(Key kind, const std::string& participant) {
 }
 
 void IdentityStore::put(const BlindingSecret& secret) {
-  Transaction transaction(database_);
-  Statement insert(database_, "INSERT INTO blinding_secret (id, bytes) VALUES (1, ?)");
-  insert.bind(1, std::as_bytes(std::span(secret.bytes())));
-  insert.run();
-  transaction.commit();
+  insertSecret(database_, "blinding_secret", secret);
 }
 
 std::optional<BlindingSecret> IdentityStore::blindingSecret() const {
-  // A file of format 2 that is only read does not have the table.
-  if (!database_.hasTable("blinding_secret")) return std::nullopt;
-  Statement select(database_, "SELECT bytes FROM blinding_secret WHERE id = 1");
-  if (!select.step()) return std::nullopt;
-  const auto stored = select.blob(0);
-  BlindingSecret::Bytes bytes{};
-  if (stored.size() != bytes.size()) return std::nullopt;
-  std::transform(stored.begin(), stored.end(), bytes.begin(), std::to_integer<unsigned char>);
-  return BlindingSecret(bytes);
+  return secretIn(database_, "blinding_secret");
+}
+
+void IdentityStore::putForFingerprints(const BlindingSecret& secret) {
+  insertSecret(database_, "fingerprint_key", secret);
+}
+
+std::optional<BlindingSecret> IdentityStore::secretOfFingerprints() const {
+  return secretIn(database_, "fingerprint_key");
 }
 
 std::vector<std::string> IdentityStore::damaged() const {

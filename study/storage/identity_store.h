@@ -11,10 +11,10 @@
 
 namespace study::storage {
 
-/// identity.db: answers that name a person, and the secret of the study. They are stored apart from
-/// everything else and never exported. Names are sealed with the identity key of their participant;
-/// the keys are in the same file. Each row carries a hash of itself, because the audit trail
-/// must not contain anything about them.
+/// identity.db: answers that name a person, and what their fingerprints are made with. They are
+/// stored apart from everything else and never exported. Names are sealed with the identity key of
+/// their participant; the keys are in the same file. Each row carries a hash of itself, because the
+/// audit trail must not contain anything about them.
 class IdentityStore {
  public:
   explicit IdentityStore(Database database) : database_(std::move(database)) {}
@@ -58,8 +58,12 @@ class IdentityStore {
 
   /// One transaction. @throws StorageError  if there is one already.
   void put(const BlindingSecret& secret);
-  /// std::nullopt in studies that an older release made.
+  /// std::nullopt if a station keeps it, and in studies that an older release made.
   std::optional<BlindingSecret> blindingSecret() const;
+
+  /// What fingerprints of these rows are made with, if the secret is not here. One transaction.
+  void putForFingerprints(const BlindingSecret& secret);
+  std::optional<BlindingSecret> secretOfFingerprints() const;
 
   /// The rows that differ from what was written, or cannot be opened, by participant and item.
   /// (Format 1 stored no hash.)

@@ -4,21 +4,26 @@
 
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
+#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/statement.h"
 #include "study/storage/stored_values.h"
 
 namespace study::storage {
 namespace {
 
-// All statements that read visits begin with these columns.
+// All statements that read visits begin with these columns, and the sealed condition.
 constexpr const char* kStepColumns =
     "v.session_id, v.step, v.attempt, s.kind, s.phase, s.instrument, s.position, s.label, "
-    "coalesce(a.condition, ''), v.status";
+    "coalesce(a.condition, ''), v.status, ";
 constexpr const char* kStepJoins =
     " JOIN visit AS v ON v.session_id = x.session_id AND v.step = x.step AND v.attempt = x.attempt "
     "JOIN step AS s ON s.session_id = x.session_id AND s.step = x.step "
     "LEFT JOIN allocation AS a ON a.session_id = x.session_id AND a.step = x.step ";
-constexpr int kAfterStep = 10;
+constexpr int kAfterStep = 11;
+
+std::string stepColumns(const Database& database) {
+  return std::string(kStepColumns) + sealedColumn(database);
+}
 
 VisitKey visitIn(const Statement& row) {
   return {
@@ -30,15 +35,28 @@ std::vector<base::Message> reasonsIn(const std::string& text) {
                                                : release_0_1::trialReasonsIn(text);
 }
 
-StepRecord stepIn(const Statement& row) {
+/// A condition that may be sealed.
+struct ConditionCell {
+  const Database& database;
+  Records::Conditions wanted = Records::Conditions::Shown;
+
+  std::string in(const Statement& row, int open, int sealed, SessionId session, int step) const {
+    if (wanted == Records::Conditions::LeftOut) return {};
+    const auto bytes = row.blob(sealed);
+    return bytes.empty() ? row.text(open) : openedCondition(database.key(), session, step, bytes);
+  }
+};
+
+StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
+  const auto visit = visitIn(row);
   return {
-      .visit = visitIn(row),
+      .visit = visit,
       .kind = known(stepKindNamed(row.text(3)), row.text(3)),
       .phase = row.text(4),
       .instrument = row.text(5),
       .position = static_cast<int>(row.number(6)),
       .label = static_cast<int>(row.number(7)),
-      .condition = row.text(8),
+      .condition = condition.in(row, 8, kAfterStep - 1, visit.session, visit.step),
       .visitStatus = known(visitStatusNamed(row.text(9)), row.text(9))};
 }
 
@@ -75,15 +93,16 @@ std::vector<SessionRecord> Records::sessions() const {
 std::vector<AnswerRecord> Records::answers() const {
   Statement select(
       database_,
-      std::string("SELECT ") + kStepColumns +
+      "SELECT " + stepColumns(database_) +
           ", x.item, x.item_order, x.kind, x.point, x.number, x.text, x.first_touch_s, "
           "x.response_s, x.changes, x.language, x.saved_utc FROM answer AS x" +
           kStepJoins + "ORDER BY x.session_id, x.step, x.attempt, x.item_order, x.item");
+  const ConditionCell condition{database_, conditions_};
   std::vector<AnswerRecord> answers;
   while (select.step()) {
     constexpr int k = kAfterStep;
     answers.push_back(
-        {.step = stepIn(select),
+        {.step = stepIn(select, condition),
          .answer =
              {.item = select.text(k),
               .response = restored(
@@ -107,11 +126,13 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
   Statement visits(
       database_,
       "SELECT v.session_id, v.step, v.attempt, n.cohort, s.phase, s.instrument, "
-      "coalesce(a.condition, '') FROM visit AS v JOIN session AS n ON n.id = v.session_id "
-      "JOIN step AS s ON s.session_id = v.session_id AND s.step = v.step "
-      "LEFT JOIN allocation AS a ON a.session_id = v.session_id AND a.step = v.step "
-      "WHERE n.run_mode = ? AND n.state = ? AND s.kind = ? AND v.status = 'finished' "
-      "ORDER BY v.session_id, v.step, v.attempt");
+      "coalesce(a.condition, ''), " +
+          std::string(sealedColumn(database_)) +
+          " FROM visit AS v JOIN session AS n ON n.id = v.session_id "
+          "JOIN step AS s ON s.session_id = v.session_id AND s.step = v.step "
+          "LEFT JOIN allocation AS a ON a.session_id = v.session_id AND a.step = v.step "
+          "WHERE n.run_mode = ? AND n.state = ? AND s.kind = ? AND v.status = 'finished' "
+          "ORDER BY v.session_id, v.step, v.attempt");
   visits.bind(1, nameOf(mode)).bind(2, nameOf(SessionState::Completed));
   visits.bind(3, nameOf(StepKind::Questionnaire));
   Statement answers(
@@ -123,10 +144,15 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
 
   using ItemCounts = std::map<std::string, std::map<std::int64_t, std::uint64_t>>;
   std::map<std::array<std::string, 4>, ItemCounts> counted;
+  const ConditionCell condition{database_, conditions_};
   bool isThere = answers.step();  // from now on both queries see the same state of the database
   while (visits.step() && isThere) {
     const auto visit = visitIn(visits);
-    auto& items = counted[{visits.text(3), visits.text(4), visits.text(5), visits.text(6)}];
+    auto& items = counted[{
+        visits.text(3),
+        visits.text(4),
+        visits.text(5),
+        condition.in(visits, 6, 7, visit.session, visit.step)}];
     while (isThere && visitIn(answers) < visit) isThere = answers.step();
     for (; isThere && visitIn(answers) == visit; isThere = answers.step()) {
       ++items[answers.text(3)][answers.number(4)];
@@ -154,7 +180,7 @@ std::vector<PointCount> Records::pointCounts(RunMode mode) const {
 std::vector<TrialRow> Records::trials() const {
   Statement select(
       database_,
-      std::string("SELECT ") + kStepColumns +
+      "SELECT " + stepColumns(database_) +
           ", x.device, x.ending, x.verdict, x.verdict_reason, x.travel_unit, x.duration_s, "
           "x.ticks, "
           "x.nominal_rate_hz, x.achieved_rate_hz, x.lateness_p50_us, x.lateness_p99_us, "
@@ -162,11 +188,12 @@ std::vector<TrialRow> Records::trials() const {
           "x.slewed_s, x.undefined_s, x.contact_s, x.largest_force_n, x.cuts, x.trace_samples "
           "FROM trial AS x" +
           kStepJoins + "ORDER BY x.session_id, x.step, x.attempt");
+  const ConditionCell condition{database_, conditions_};
   std::vector<TrialRow> trials;
   while (select.step()) {
     constexpr int k = kAfterStep;
     trials.push_back(
-        {.step = stepIn(select),
+        {.step = stepIn(select, condition),
          .device = select.text(k),
          .travelUnit = select.text(k + 4),
          .ending = known(trialEndingNamed(select.text(k + 1)), select.text(k + 1)),
@@ -221,13 +248,17 @@ std::vector<CutRecord> Records::cuts() const {
 std::map<Records::Alternative, std::string> Records::allocation() const {
   Statement select(
       database_,
-      "SELECT s.session_id, s.phase, s.label, a.condition FROM step AS s "
-      "JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step "
-      "WHERE s.kind = 'trial'");
+      std::string("SELECT s.session_id, s.phase, s.label, a.condition, s.step, ") +
+          sealedColumn(database_) +
+          " FROM step AS s "
+          "JOIN allocation AS a ON a.session_id = s.session_id AND a.step = s.step "
+          "WHERE s.kind = 'trial'");
+  const ConditionCell condition{database_, conditions_};
   std::map<Alternative, std::string> allocation;
   while (select.step()) {
-    allocation[{SessionId{select.number(0)}, select.text(1), static_cast<int>(select.number(2))}] =
-        select.text(3);
+    const SessionId session{select.number(0)};
+    const Alternative place{session, select.text(1), static_cast<int>(select.number(2))};
+    allocation[place] = condition.in(select, 3, 5, session, static_cast<int>(select.number(4)));
   }
   return allocation;
 }

@@ -45,7 +45,7 @@ struct StepRecord {
   std::string instrument;
   int position = 0;
   int label = 0;
-  std::string condition;  ///< empty if the step has no condition
+  std::string condition;  ///< empty if the step has none, or if conditions are left out
   VisitStatus visitStatus = VisitStatus::Open;
 
   /// False for visits that were skipped, broken off or repeated.
@@ -103,7 +103,12 @@ struct TrialRow {
 /// Everything that happened in a study, in order of time, for analyses.
 class Records {
  public:
-  explicit Records(Database& database) : database_(database) {}
+  /// Whether steps have their conditions. Where these are sealed, that needs the study's key.
+  enum class Conditions { Shown, LeftOut };
+
+  /// Functions throw a StorageError that says what to do if the key is needed and not here.
+  explicit Records(Database& database, Conditions conditions = Conditions::Shown)
+      : database_(database), conditions_(conditions) {}
 
   std::vector<SessionRecord> sessions() const;
   std::vector<AnswerRecord> answers() const;
@@ -127,6 +132,7 @@ class Records {
 
  private:
   Database& database_;
+  Conditions conditions_;
 };
 
 }  // namespace study::storage

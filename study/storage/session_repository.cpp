@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "study/model/named_value.h"
+#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/statement.h"
 
 namespace study::storage {
@@ -46,6 +47,10 @@ SessionRow sessionIn(const Statement& row) {
 }
 
 }  // namespace
+
+const char* sealedColumn(const Database& database) {
+  return database.hasTable("wrapped_key") ? "a.sealed" : "NULL";
+}
 
 std::string_view nameOf(SlotState state) noexcept {
   return kSlotStates[static_cast<std::size_t>(state)];
@@ -144,19 +149,22 @@ void SessionRepository::add(
       .bind(13, session.startedUtc);
   insert.run();
   session.id = SessionId{database_.lastInsertedId()};
-  addSteps(session.id, steps);
+  addSteps(session, steps);
 }
 
-void SessionRepository::addSteps(SessionId session, const std::vector<Step>& steps) {
+void SessionRepository::addSteps(const SessionRow& session, const std::vector<Step>& steps) {
+  const auto id = static_cast<std::int64_t>(session.id);
+  // Simulated sessions have nothing to hide, and can be made again from the seed.
+  const auto* key = session.runMode == RunMode::Simulated ? nullptr : database_.key();
   Statement insert(
       database_,
       "INSERT INTO step (session_id, step, kind, phase, instrument, item_set, position, label) "
       "VALUES (?,?,?,?,?,?,?,?)");
   Statement allocation(
-      database_, "INSERT INTO allocation (session_id, step, condition) VALUES (?,?,?)");
+      database_, "INSERT INTO allocation (session_id, step, condition, sealed) VALUES (?,?,?,?)");
   std::int64_t number = 0;
   for (const auto& step : steps) {
-    insert.bind(1, static_cast<std::int64_t>(session))
+    insert.bind(1, id)
         .bind(2, number)
         .bind(3, study::nameOf(step.kind))
         .bind(4, step.phase)
@@ -166,9 +174,14 @@ void SessionRepository::addSteps(SessionId session, const std::vector<Step>& ste
         .bind(8, std::int64_t{step.label});
     insert.run();
     if (!step.condition.empty()) {
-      allocation.bind(1, static_cast<std::int64_t>(session))
-          .bind(2, number)
-          .bind(3, step.condition);
+      allocation.bind(1, id).bind(2, number);
+      if (key == nullptr) {
+        allocation.bind(3, step.condition).bindNull(4);
+      } else {
+        const auto sealed =
+            sealedCondition(*key, session.id, static_cast<int>(number), step.condition);
+        allocation.bind(3, std::string_view("")).bind(4, std::span(sealed));
+      }
       allocation.run();
     }
     ++number;
@@ -261,12 +274,28 @@ void SessionRepository::markRepeated(
   update.run();
 }
 
+bool SessionRepository::isSealed(SessionId session) const {
+  Statement open(
+      database_,
+      std::string("SELECT 1 FROM allocation AS a WHERE session_id = ? AND ") +
+          sealedColumn(database_) + " IS NULL");
+  return !open.bind(1, static_cast<std::int64_t>(session)).step();
+}
+
 std::vector<std::pair<int, std::string>> SessionRepository::allocation(SessionId session) const {
   Statement select(
-      database_, "SELECT step, condition FROM allocation WHERE session_id = ? ORDER BY step");
+      database_,
+      std::string("SELECT step, condition, ") + sealedColumn(database_) +
+          " FROM allocation AS a WHERE session_id = ? ORDER BY step");
   select.bind(1, static_cast<std::int64_t>(session));
   std::vector<std::pair<int, std::string>> result;
-  while (select.step()) result.emplace_back(static_cast<int>(select.number(0)), select.text(1));
+  while (select.step()) {
+    const int step = static_cast<int>(select.number(0));
+    const auto sealed = select.blob(2);
+    result.emplace_back(
+        step,
+        sealed.empty() ? select.text(1) : openedCondition(database_.key(), session, step, sealed));
+  }
   return result;
 }
 

@@ -79,14 +79,22 @@ class SessionRepository {
   void markRepeated(SessionId session, int step, const std::string& utc, const std::string& reason);
 
   /// The condition of every step that has one, as stored when it was drawn.
+  /// @throws StorageError  if it is sealed and the key is not here.
   std::vector<std::pair<int, std::string>> allocation(SessionId session) const;
+
+  /// Whether none of these can be read without the study's key.
+  bool isSealed(SessionId session) const;
 
  private:
   std::int64_t participantId(const SessionRow& session);
-  void addSteps(SessionId session, const std::vector<Step>& steps);
+  void addSteps(const SessionRow& session, const std::vector<Step>& steps);
 
   Database& database_;
 };
+
+/// The column of the table allocation AS a that holds sealed conditions; a file of an older format
+/// that is only read does not have it.
+const char* sealedColumn(const Database& database);
 
 std::string_view nameOf(SlotState state) noexcept;
 std::string_view nameOf(VisitStatus status) noexcept;

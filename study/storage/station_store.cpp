@@ -172,6 +172,20 @@ void StationStore::append(const std::string& list, const std::string& line) cons
   if (!isOnDisk) fail(path, std::generic_category().message(reason));
 }
 
+void StationStore::rewrite(const std::string& list, const std::vector<std::string>& lines) const {
+  const auto unfinished = folder_ / (list + ".new");
+  std::error_code error;
+  fs::remove(unfinished, error);  // of a program that was killed
+  std::string content;
+  for (const auto& line : lines) content += line + "\n";
+  writeNewFile(unfinished.string(), content);
+  fs::rename(unfinished, folder_ / list, error);
+  if (error) fail(folder_ / list, error.message());
+  const int names = open(folder_.c_str(), O_RDONLY | O_CLOEXEC);
+  fsync(names);
+  close(names);
+}
+
 std::vector<std::string> StationStore::lines(const std::string& list) const {
   const auto path = folder_ / list;
   std::error_code error;

@@ -44,6 +44,9 @@ class StationStore {
   /// @throws StorageError
   void append(const std::string& list, const std::string& line) const;
 
+  /// Puts @p lines in the place of a list; it is on the disk on return. @throws StorageError
+  void rewrite(const std::string& list, const std::vector<std::string>& lines) const;
+
   /// The lines of a list; none if there is no such list. @throws StorageError  if it cannot be read
   std::vector<std::string> lines(const std::string& list) const;
 

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added and never changed,
 // because there are studies of every version.
-constexpr std::array<std::string_view, 6> kStudySteps{
+constexpr std::array<std::string_view, 7> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -340,6 +340,20 @@ constexpr std::array<std::string_view, 6> kStudySteps{
       BEFORE UPDATE OF id, participant, level, reason, erased_utc ON erasure
       BEGIN SELECT RAISE(ABORT, 'erasures are never changed'); END;
     )sql",
+    R"sql(
+      -- Which condition an alternative is, sealed with the study's key, which is not in its folder;
+      -- 'condition' is empty then (docs/decisions/0049). Sessions of before stay open.
+      ALTER TABLE allocation ADD COLUMN sealed BLOB;
+
+      -- The same key, if it has a passphrase.
+      CREATE TABLE wrapped_key (
+        id         INTEGER PRIMARY KEY CHECK (id = 1),
+        salt       BLOB NOT NULL CHECK (length(salt) = 16),
+        operations INTEGER NOT NULL,
+        memory     INTEGER NOT NULL,
+        sealed     BLOB NOT NULL
+      ) STRICT;
+    )sql",
 };
 
 constexpr std::array<std::string_view, 1> kTraceSteps{
@@ -358,7 +372,7 @@ constexpr std::array<std::string_view, 1> kTraceSteps{
     )sql",
 };
 
-constexpr std::array<std::string_view, 4> kIdentitySteps{
+constexpr std::array<std::string_view, 5> kIdentitySteps{
     R"sql(
       CREATE TABLE identifying_answer (
         participant TEXT NOT NULL,
@@ -400,6 +414,14 @@ constexpr std::array<std::string_view, 4> kIdentitySteps{
 
       -- The text, sealed; 'text' is empty then.
       ALTER TABLE identifying_answer ADD COLUMN sealed BLOB;
+    )sql",
+    R"sql(
+      -- For the fingerprints of these rows in the audit trail, where the secret above is not in this
+      -- file any more, but with the station that keeps the key (docs/decisions/0049).
+      CREATE TABLE fingerprint_key (
+        id    INTEGER PRIMARY KEY CHECK (id = 1),
+        bytes BLOB NOT NULL CHECK (length(bytes) = 32)
+      ) STRICT;
     )sql",
 };
 

@@ -102,7 +102,8 @@ class Forger:
         return self.identity.execute("SELECT 1 FROM sqlite_master WHERE name = 'participant_key'").fetchone() is not None
 
     def secret(self):
-        return self.identity.execute("SELECT bytes FROM blinding_secret").fetchone()[0]
+        """What fingerprints of names are made with."""
+        return self.identity.execute("SELECT bytes FROM fingerprint_key").fetchone()[0]
 
     def read(self, row):
         event = dict(zip(COLUMNS, row))
@@ -117,6 +118,11 @@ class Forger:
         data = b""
         for query in queries("kOfASession") if session is not None else queries("kOfTheStudy"):
             for row in self.study.execute(query, (session,) if session is not None else ()):
+                data += field(b"row") + b"".join(field(exact(value)) for value in row)
+            data += field(b"end")
+        sealed = self.study.execute(queries("kSealedConditions")[0], (session,)).fetchall() if session is not None else []
+        if sealed:
+            for row in sealed:
                 data += field(b"row") + b"".join(field(exact(value)) for value in row)
             data += field(b"end")
         key = self.key_of(session)

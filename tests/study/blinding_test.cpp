@@ -117,8 +117,7 @@ TEST(Blinding, HasASecretOfItsOwnInEveryStudy) {
   auto one = Study::create(folder / "one", protocol, clock, 7);
   auto other = Study::create(folder / "other", protocol, clock, 7);
   EXPECT_EQ(one.uuid(), other.uuid());
-  EXPECT_NE(
-      one.identities().blindingSecret()->bytes(), other.identities().blindingSecret()->bytes());
+  EXPECT_NE(one.secretFor(RunMode::Live)->bytes(), other.secretFor(RunMode::Live)->bytes());
 }
 
 TEST(Blinding, GivesStudiesOfOneSeedOtherCodes) {
@@ -180,8 +179,8 @@ TEST_F(BlindedStudy, KeepsItsCodesWhenItIsOpenedAndExportedAgain) {
   EXPECT_EQ(exported("after", ExportFormat::Csv), before);
 }
 
-TEST_F(BlindedStudy, HasItsSecretInOneFileAlone) {
-  const auto bytes = study_->identities().blindingSecret()->bytes();
+TEST_F(BlindedStudy, HasItsSecretInNoFile) {
+  const auto bytes = study_->secretFor(RunMode::Live)->bytes();
   const std::string secret(bytes.begin(), bytes.end());
   const auto holds = [&](const std::string& content) {
     return content.find(secret) != std::string::npos ||
@@ -193,14 +192,31 @@ TEST_F(BlindedStudy, HasItsSecretInOneFileAlone) {
     for (const auto& [file, content] : exported(name, format)) EXPECT_FALSE(holds(content)) << file;
   }
   study_.close();
-  Names files;
-  for (const auto& [file, content] : contentsOf(study_.folder())) {
-    if (holds(content)) files.push_back(file);
-  }
-  EXPECT_EQ(files, Names{"identity.db"});
+  for (const auto& [file, content] : contentsOf(study_.folder()))
+    EXPECT_FALSE(holds(content)) << file;
+  // The control: the station has it.
+  const auto station = storage::StationStore::usualFolder();
+  EXPECT_TRUE(holds(tests::contentOf(station / "study-keys")));
 }
 
-TEST_F(BlindedStudy, NoticesThatItsSecretIsAnother) {
+/// Nobody is kept blind in it: the secret lies in the folder.
+class OpenStudy : public testing::Test {
+ protected:
+  static protocols::LoadedProtocol openProtocol() {
+    auto text = tests::shortProtocol();
+    text.insert(text.find(R"("languages")"), R"("blinding": "open", )");
+    return tests::protocolFrom(text);
+  }
+
+  OpenStudy() {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons"});
+    tests::walkToTheEnd(session);
+  }
+
+  tests::MadeStudy study_{openProtocol()};
+};
+
+TEST_F(OpenStudy, NoticesThatItsSecretIsAnother) {
   EXPECT_TRUE(verify(*study_).isSound());
   study_.close();
   tests::Sql identities(study_.file("identity.db"));
@@ -211,9 +227,11 @@ TEST_F(BlindedStudy, NoticesThatItsSecretIsAnother) {
       "UPDATE blinding_secret SET bytes = zeroblob(32)");
   study_.reopen();
   EXPECT_FALSE(verify(*study_).isSound());
+  const auto folder = study_.scratch() / "refused";
   tests::expectClear(
-      tests::refusalOf([&] { exported("refused", ExportFormat::Csv); }), "Restore it from a copy");
-  EXPECT_FALSE(fs::exists(study_.scratch() / "refused"));
+      tests::refusalOf([&] { exportStudy(*study_, folder, {.runMode = RunMode::Live}); }),
+      "Restore it from a copy");
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 }  // namespace blinding_test

@@ -131,7 +131,14 @@ OwnStation::OwnStation(const std::string& folder) {
 }
 
 void forgetWhatWasSigned() {
-  if (const char* station = std::getenv("PALPATE_STATION")) std::filesystem::remove_all(station);
+  namespace fs = std::filesystem;
+  const char* station = std::getenv("PALPATE_STATION");
+  std::error_code error;
+  if (station == nullptr || !fs::exists(station, error)) return;
+  for (const auto& entry : fs::directory_iterator(station)) {
+    const auto name = entry.path().filename();
+    if (name != "study-keys" && name != "key") fs::remove(entry.path());
+  }
 }
 
 OwnStation::~OwnStation() {

@@ -50,8 +50,8 @@ class OwnStation {
   std::optional<std::string> before_;
 };
 
-/// Removes what the station noted. For tests that go on with copies of one study, each by itself: a
-/// station takes them for branches.
+/// Removes what the station noted, and leaves its keys. For tests that go on with copies
+/// of one study, each by itself: a station takes them for branches.
 void forgetWhatWasSigned();
 
 /// A study in its own folder and of its own station, with a clock that the test advances.

@@ -1,8 +1,12 @@
 // A session is resumed at its present step, whenever the program ended.
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "study/session/verification.h"
+#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/records.h"
+#include "study/storage/statement.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
 
@@ -114,8 +118,14 @@ TEST_F(ResumeTest, RecordsThatItWasResumedUnlessItIsOver) {
 TEST_F(ResumeTest, RefusesAnOrderThatIsNotTheOneThatWasDrawn) {
   const auto id = session_->id();
   session_.reset();
-  study_->database().execute(
-      "UPDATE allocation SET condition = 'kalman' WHERE condition = 'interpolation'");
+  // As who has the key could.
+  for (const auto& [step, condition] : study_->sessions().allocation(id)) {
+    if (condition != "interpolation") continue;
+    const auto sealed = storage::sealedCondition(*study_->database().key(), id, step, "kalman");
+    storage::Statement update(
+        study_->database(), "UPDATE allocation SET sealed = ? WHERE step = ?");
+    update.bind(1, std::span(sealed)).bind(2, std::int64_t{step}).run();
+  }
   EXPECT_THROW(Session::resume(*study_, id), StorageError);
 }
 

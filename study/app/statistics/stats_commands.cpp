@@ -10,6 +10,7 @@
 
 #include "study/app/commands.h"
 #include "study/app/json_file.h"
+#include "study/app/keys/ask_passphrase.h"
 #include "study/app/run_mode_option.h"
 #include "study/results/pooled_results.h"
 #include "study/results/results_text.h"
@@ -51,6 +52,7 @@ Profile profileNamed(std::string_view name) {
 int run(const RunOptions& options) {
   SystemClock clock;
   auto study = Study::open(options.folder, clock, accessToNote(options.reason));
+  unlockIfAsked(study);
   const auto mode = chosenRunMode(study, options.runMode);
   noteUnblinding(study, mode, EventKind::UnblindedResults, options.reason);
   if (options.isWatched) watch(study, mode);

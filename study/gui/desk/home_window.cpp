@@ -19,6 +19,7 @@
 #include "study/gui/desk/erase_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
+#include "study/gui/desk/key_question.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/recent_studies.h"
@@ -141,6 +142,7 @@ template <typename Dialog>
 void HomeWindow::openDialog() {
   const auto* study = chosen();
   if (study == nullptr) return;
+  askForKeyOf(study->folder, this);
   auto* dialog = new Dialog(*study, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   // It may have written, changed or simulated something that the panel shows.
@@ -266,6 +268,7 @@ OperatorWindow* HomeWindow::operatorWindow() const noexcept {
 
 void HomeWindow::openStudy(const QString& folder, std::optional<SessionId> session) {
   if (open_) return;
+  askForKeyOf(folder.toStdString(), this);
   const bool isOpen = attempt(
       this, [&] { open_ = std::make_unique<OpenStudy>(folder.toStdString(), deviceFile_); });
   if (!isOpen) return;

@@ -49,7 +49,8 @@ class DamageTest : public testing::Test {
           *database, "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
       while (tables.step()) {
         all += tables.text(0) + "\n";
-        const bool isNarrow = tables.text(0) == "blinding_secret";
+        const auto name = tables.text(0);
+        const bool isNarrow = name == "blinding_secret" || name == "fingerprint_key";
         storage::Statement rows(
             *database,
             "SELECT * FROM " + tables.text(0) + " ORDER BY " + (isNarrow ? "1" : "1, 2, 3"));

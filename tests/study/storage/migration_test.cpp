@@ -42,7 +42,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsConvertedWhenItIsOpenedWithoutLoss) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 6);
+  EXPECT_EQ(format(), 7);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -127,12 +127,12 @@ void writeAsFormat(std::size_t format, const std::string& from, const std::strin
         "participant",
         "session",
         "step",
-        "allocation",
         "visit",
         "trial",
         "cut"}) {
     sql.run("INSERT INTO main." + table + " SELECT * FROM now." + table + " ORDER BY rowid");
   }
+  sql.run("INSERT INTO main.allocation SELECT session_id, step, condition FROM now.allocation");
   sql.run(
       "INSERT INTO main.event SELECT seq, session_id, step, attempt, utc, monotonic_ns, actor, "
       "kind, detail, hash, content_hash FROM now.event ORDER BY seq");
@@ -164,7 +164,7 @@ TEST(FormatTwo, GivesTheSameResults) {
   makeOld(made, 2);
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 6);
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 7);
   EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Simulated), {}), before);
   EXPECT_TRUE(verify(*made).isSound());
 }
@@ -197,7 +197,7 @@ TEST(Identities, OfFormatTwoHaveNoSecretAndAreReadAsTheyAre) {
   EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadOnly)).blindingSecret());
   EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 2);
   EXPECT_FALSE(IdentityStore(Database::open(file, now, Access::ReadWrite)).blindingSecret());
-  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 4);
+  EXPECT_EQ(tests::Sql(file).number("PRAGMA user_version"), 5);
 }
 
 TEST(Identities, OfFormatOneAreKeptAndLaterOnesHaveAHash) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+class QWidget;
+
+namespace study::gui {
+
+/// If the conditions of a study are sealed, this account has not the key, and a passphrase opens
+/// it: asks for the passphrase until it is right or the window is closed. The key is held until the
+/// program ends. Without it everything that needs no key is possible.
+void askForKeyOf(const std::string& folder, QWidget* parent);
+
+}  // namespace study::gui

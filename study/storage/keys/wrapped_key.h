@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "study/storage/keys/sealing_key.h"
+
+namespace study::storage {
+
+/// How much work it is to try one passphrase (Argon2id of libsodium).
+struct PassphraseCost {
+  std::uint64_t operations = 3;
+  std::uint64_t memory = 256ULL * 1024 * 1024;  ///< [bytes]
+
+  /// For tests alone: no protection.
+  static constexpr PassphraseCost least() { return {.operations = 1, .memory = 8192}; }
+};
+
+/// A key, sealed with one that is made of a passphrase. Both are needed to open it; it can lie
+/// where anybody reads it, as far as the passphrase cannot be guessed.
+struct WrappedKey {
+  static constexpr std::size_t kSalt = 16;
+
+  std::array<unsigned char, kSalt> salt{};
+  PassphraseCost cost;
+  std::vector<std::byte> sealed;
+
+  /// @throws std::invalid_argument  if the passphrase is empty; StorageError  without that much
+  ///     memory
+  static WrappedKey make(
+      const SealingKey::Bytes& key, std::string_view passphrase, const PassphraseCost& cost);
+
+  /// std::nullopt if it is another passphrase, or if what is stored was changed.
+  /// @throws StorageError  if it wants more memory or time than make() ever asks for.
+  std::optional<SealingKey::Bytes> opened(std::string_view passphrase) const;
+};
+
+}  // namespace study::storage

@@ -1,0 +1,167 @@
+#include "study/storage/map/study_keys.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <mutex>
+#include <span>
+#include <sstream>
+
+#include <sodium.h>
+
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/storage/statement.h"
+#include "study/storage/station_store.h"
+
+namespace study::storage {
+namespace {
+
+constexpr const char* kList = "study-keys";
+constexpr const char* kFirstLine = "palpate study key 1";
+constexpr std::string_view kKeyWord = "key ";
+
+std::string inHex(const BlindingSecret& key) {
+  const auto& bytes = key.bytes();
+  std::string text(2 * bytes.size() + 1, '\0');
+  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  text.pop_back();
+  return text;
+}
+
+std::optional<BlindingSecret> fromHex(const std::string& text) {
+  BlindingSecret::Bytes bytes{};
+  std::size_t size = 0;
+  const int code =
+      sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &size, nullptr);
+  const bool isSound = code == 0 && size == bytes.size() && text.size() == 2 * size;
+  return isSound ? std::optional(BlindingSecret(bytes)) : std::nullopt;
+}
+
+/// "COMMITMENT KEY FOLDER"
+std::optional<BlindingSecret> keyIn(const std::string& line, const std::string& commitment) {
+  std::istringstream words(line);
+  std::string committed;
+  std::string hexadecimal;
+  if (!(words >> committed >> hexadecimal) || committed != commitment) return std::nullopt;
+  auto key = fromHex(hexadecimal);
+  return key && key->commitment() == commitment ? key : std::nullopt;
+}
+
+std::optional<BlindingSecret> keyOnStation(const std::string& commitment) {
+  const auto station = StationStore::find(StationStore::usualFolder());
+  if (!station) return std::nullopt;
+  for (const auto& line : station->lines(kList)) {
+    if (auto key = keyIn(line, commitment)) return key;
+  }
+  return std::nullopt;
+}
+
+/// Keys that passphrases opened, by commitment. Windows open a study more than once, in more than
+/// one thread.
+struct HeldKeys {
+  std::mutex mutex;
+  std::map<std::string, BlindingSecret> keys;
+};
+
+HeldKeys& heldKeys() {
+  static HeldKeys held;
+  return held;
+}
+
+}  // namespace
+
+void holdKey(const BlindingSecret& key) {
+  const std::scoped_lock lock(heldKeys().mutex);
+  heldKeys().keys.insert_or_assign(key.commitment(), key);
+}
+
+bool keepKey(const BlindingSecret& key, const std::filesystem::path& folder) {
+  const auto commitment = key.commitment();
+  if (keyOnStation(commitment)) return false;
+  const auto station = StationStore::findOrMake(StationStore::usualFolder());
+  std::string where = std::filesystem::absolute(folder).string();
+  std::replace(where.begin(), where.end(), '\n', ' ');
+  station.append(kList, commitment + " " + inHex(key) + " " + where);
+  return true;
+}
+
+std::optional<BlindingSecret> keptKey(const std::string& commitment) {
+  {
+    const std::scoped_lock lock(heldKeys().mutex);
+    const auto held = heldKeys().keys.find(commitment);
+    if (held != heldKeys().keys.end()) return held->second;
+  }
+  return keyOnStation(commitment);
+}
+
+bool dropKey(const std::string& commitment) {
+  {
+    const std::scoped_lock lock(heldKeys().mutex);
+    heldKeys().keys.erase(commitment);
+  }
+  const auto station = StationStore::find(StationStore::usualFolder());
+  if (!station) return false;
+  auto lines = station->lines(kList);
+  const auto isOfStudy = [&](const std::string& line) {
+    return line.starts_with(commitment + " ");
+  };
+  const auto removed = std::erase_if(lines, isOfStudy);
+  if (removed > 0) station->rewrite(kList, lines);
+  return removed > 0;
+}
+
+void writeKeyFile(const std::string& path, const BlindingSecret& key, const std::string& title) {
+  std::string words = title;
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
+  writeNewFile(
+      path,
+      std::string(kFirstLine) + "\n" + std::string(kKeyWord) + inHex(key) + "\nstudy " + words +
+          "\nWho has this file can say which condition each alternative was. Hand it over in "
+          "person, and keep a copy apart from the study: it cannot be made again.\n");
+}
+
+BlindingSecret readKeyFile(const std::string& path) {
+  std::ifstream stream(path);
+  std::string first;
+  std::string second;
+  const bool isRead = stream && std::getline(stream, first) && std::getline(stream, second);
+  if (isRead && first == kFirstLine && second.starts_with(kKeyWord)) {
+    if (auto key = fromHex(second.substr(kKeyWord.size()))) return *key;
+  }
+  throw UserError(
+      path +
+      " holds no key of a study, or cannot be read. 'palpate study key export' writes such a "
+      "file.");
+}
+
+void storeWrapped(Database& study, const WrappedKey& key) {
+  study.execute("DELETE FROM wrapped_key");
+  Statement insert(
+      study,
+      "INSERT INTO wrapped_key (id, salt, operations, memory, sealed) VALUES (1, ?, ?, ?, ?)");
+  insert.bind(1, std::as_bytes(std::span(key.salt)))
+      .bind(2, static_cast<std::int64_t>(key.cost.operations))
+      .bind(3, static_cast<std::int64_t>(key.cost.memory))
+      .bind(4, std::span<const std::byte>(key.sealed));
+  insert.run();
+}
+
+std::optional<WrappedKey> wrappedKeyIn(const Database& study) {
+  // A file of an older format that is only read does not have the table.
+  if (!study.hasTable("wrapped_key")) return std::nullopt;
+  Statement select(study, "SELECT salt, operations, memory, sealed FROM wrapped_key WHERE id = 1");
+  if (!select.step()) return std::nullopt;
+  WrappedKey key{
+      .cost =
+          {.operations = static_cast<std::uint64_t>(select.number(1)),
+           .memory = static_cast<std::uint64_t>(select.number(2))},
+      .sealed = select.blob(3)};
+  const auto salt = select.blob(0);
+  if (salt.size() != key.salt.size()) return std::nullopt;
+  std::transform(salt.begin(), salt.end(), key.salt.begin(), std::to_integer<unsigned char>);
+  return key;
+}
+
+}  // namespace study::storage
