@@ -8,6 +8,7 @@
 #include "study/app/commands.h"
 #include "study/app/keys/ask_passphrase.h"
 #include "study/app/run_mode_option.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/named_people.h"
 #include "study/export/public_tables.h"
@@ -25,6 +26,7 @@ struct ExportArguments {
   bool exact = false;
   bool texts = false;
   bool unblind = false;
+  std::string codesOf;
   std::string reason;
   bool forPublic = false;
   std::size_t smallestClass = kSmallestPublicClass;
@@ -69,6 +71,7 @@ int exportAs(const ExportArguments& options) {
       .hasTraces = options.traces,
       .isExact = options.exact,
       .hasTexts = options.texts};
+  if (!options.codesOf.empty()) how.codes = codeSetOf(options.codesOf);
   if (options.forPublic) how.publicClass = options.smallestClass;
   auto study = openForExport(options.folder, clock, how);
   unlockIfAsked(study);
@@ -114,11 +117,15 @@ void addExportCommand(CLI::App& program, Action& action) {
       "Name the condition of each alternative; goes into the audit trail");
   auto* reason = command->add_option("--reason", options->reason, "Reason for unblinding");
   unblind->needs(reason);
+  auto* codes = command->add_option(
+      "--codes-of",
+      options->codesOf,
+      "Folder of an earlier export whose codes this one has, too (default: codes are drawn anew)");
   auto* forPublic = command->add_flag(
       "--public",
       options->forPublic,
       "Public release: bands, no free text, no times, new ids, k-anonymous (k = 5 or more)");
-  forPublic->excludes(exact)->excludes(texts);
+  forPublic->excludes(exact)->excludes(texts)->excludes(codes);
   command
       ->add_option(
           "--k",

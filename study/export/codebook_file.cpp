@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/export/codebook.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/named_people.h"
 #include "study/export/public_tables.h"
@@ -132,6 +133,7 @@ std::string headAsJson(Study& study, const ExportOptions& options) {
   head["texts"] = options.hasTexts;
   head["run_mode"] = options.runMode ? nameOf(*options.runMode) : "all";
   if (hasHead(options)) head["audit_trail"] = study.events().headInWords();
+  if (!options.codes.empty()) head["codes"] = options.codes;
   if (options.publicClass) head["k"] = *options.publicClass;
   head["felt_from"] = Json::array();
   for (const auto& source : study.protocol().sources) {
@@ -162,6 +164,12 @@ std::string codesInWords(Study& study, const ExportOptions& options) {
              options.publicClass ? "\n" : " 'palpate export --unblind --reason \"…\"' says it.\n");
 }
 
+std::string codeSetInWords(const ExportOptions& options) {
+  if (options.codes.empty()) return {};
+  return "- Codes are drawn for this folder: in other exports they stand for other renderings. "
+         "`palpate export --codes-of` this folder, with or without `--unblind`, has the same.\n";
+}
+
 std::string readmeOf(
     Study& study,
     const ExportOptions& options,
@@ -186,7 +194,7 @@ std::string readmeOf(
     text += "- The study's audit trail had " + study.events().headInWords() +
             ". `palpate study verify --expect` finds whether it goes on from there.\n";
   }
-  text += codesInWords(study, options);
+  text += codesInWords(study, options) + codeSetInWords(options);
   if (options.isBlinded) {
     text +=
         "- Not in this folder: what was measured in trials, when answers were saved, when sessions "

@@ -32,6 +32,9 @@ struct ExportOptions {
   /// otherwise the day of the study, and bands of five years or more.
   bool isExact = false;
   bool hasTexts = false;  ///< also what participants and operators wrote
+  /// Whose codes conditions have (study/export/condition_codes.h). exportStudy() draws them for
+  /// each export, unless it is to have those of an earlier one. Public ones always have the same.
+  std::string codes = {};
   /// For public data: k, the smallest allowed number of people with equal quasi-identifiers
   /// (study/export/public_tables.h); everything else that could identify a person is left out.
   /// std::nullopt: for readers who may see all.
@@ -45,7 +48,7 @@ inline constexpr std::size_t kSmallestPublicClass = 5;
 
 /// All data for analyses, as tables: sessions, responses, texts, trials, cuts, events. A blinded
 /// export has sessions, responses and texts only, without anything that depends on the rendering;
-/// conditions have codes that are the same in every row of a run mode.
+/// conditions have codes that are the same in every row of a run mode, and of this export alone.
 std::vector<ExportedTable> exportTables(Study& study, const ExportOptions& options);
 
 /// Writes the tables, a codebook and a README into a new folder, which appears when it is complete.
@@ -75,13 +78,5 @@ std::vector<base::Message> disclosuresOf(Study& study);
 
 /// "blinded", "NOT blinded", or why an export with codes is not blinded.
 std::string blindingInWords(Study& study, const ExportOptions& options);
-
-/// The codes of conditions in exports: "C2". A condition that a later version of the protocol adds
-/// gets a new code; codes never change.
-///
-/// The study's secret draws other codes for each of live and pilot sessions, so that an unblinded
-/// export of a pilot says nothing of the study. Simulated sessions, and all sessions of studies
-/// that release 0.1 made, have the codes of the seed.
-std::map<std::string, std::string> conditionCodes(Study& study, RunMode mode);
 
 }  // namespace study

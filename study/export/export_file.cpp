@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/export/codebook.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/export_parts.h"
 #include "study/export/library.h"
@@ -103,6 +104,18 @@ bool isNoteRequired(const ExportOptions& options) {
   return !options.isBlinded || options.publicClass.has_value();
 }
 
+/// Codes of its own for an export of people that is not public: who compares public ones needs the
+/// same in each.
+void drawCodes(Study& study, ExportOptions& options) {
+  const auto mode = options.runMode.value_or(RunMode::Live);
+  if (options.publicClass || !hasCodesOfItsOwn(study, mode)) {
+    if (options.codes.empty()) return;
+    throw storage::StorageError(
+        "These sessions have the same codes in each export: leave --codes-of out.");
+  }
+  if (options.codes.empty()) options.codes = drawnCodeSet();
+}
+
 /// Notes where a copy of the data is. Simulated sessions have nothing to prove.
 void noteFolder(Study& study, const fs::path& target, const ExportOptions& options) {
   if (!study.isWritable() || options.runMode == RunMode::Simulated) return;
@@ -110,13 +123,15 @@ void noteFolder(Study& study, const fs::path& target, const ExportOptions& optio
                           : options.isBlinded ? "coded"
                                               : "unblinded";
   try {
-    study.note(
-        {.actor = storage::Actor::Operator,
-         .kind = EventKind::Exported,
-         .values = {
-             {"how", how},
-             {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
-             {"folder", asNoted(target)}}});
+    storage::Event exported{
+        .actor = storage::Actor::Operator,
+        .kind = EventKind::Exported,
+        .values = {
+            {"how", how},
+            {"run_mode", std::string(options.runMode ? nameOf(*options.runMode) : "all")},
+            {"folder", asNoted(target)}}};
+    if (!options.codes.empty()) exported.values.emplace_back("codes", options.codes);
+    study.note(exported);
   } catch (const storage::StorageError&) {
     if (isNoteRequired(options)) throw;  // else a full disk must not keep data from being rescued
   }
@@ -179,6 +194,7 @@ std::size_t exportStudy(
         folder + " is there already. Nothing is ever overwritten: choose another folder.");
   }
   requireAllowed(options, reason);
+  drawCodes(study, options);
   if (options.publicClass) requireNothingLaidBare(study, options);
   tell(options.progress, kUnknownShare, "gathering the tables");
   noteExport(study, target, options, reason);

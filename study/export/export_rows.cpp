@@ -8,6 +8,7 @@
 #include "questionnaires/model/answer.h"
 #include "questionnaires/model/instrument.h"
 #include "study/export/coarsening.h"
+#include "study/export/condition_codes.h"
 #include "study/storage/answer_repository.h"
 
 namespace study {
@@ -101,7 +102,9 @@ bool isText(const ExportedAnswer& row) {
 StudyRows::StudyRows(Study& study, const ExportOptions& options)
     : study_(study), isExact_(options.isExact) {
   for (const auto mode : {RunMode::Live, RunMode::Pilot, RunMode::Simulated}) {
-    codes_.emplace(mode, conditionCodes(study, mode));
+    // Codes of other modes may need a key that is not here.
+    if (options.runMode && *options.runMode != mode) continue;
+    codes_.emplace(mode, conditionCodes(study, mode, options.codes));
   }
   const storage::Records records(study.database());
   for (auto& session : records.sessions()) {

@@ -13,29 +13,6 @@
 
 namespace study {
 
-std::map<std::string, std::string> conditionCodes(Study& study, RunMode mode) {
-  const auto* secret = study.secretFor(mode);
-  std::map<std::string, std::string> codes;
-  std::uint64_t version = 0;
-  for (const auto id : study.protocols().all()) {
-    std::vector<std::string> added;
-    for (const auto& known : study.protocol(id).protocol.conditions) {
-      if (codes.count(known.id) == 0) added.push_back(known.id);
-    }
-    std::sort(added.begin(), added.end());
-    if (secret != nullptr) {
-      secret->arrange(added, "codes/" + std::string(nameOf(mode)));
-    } else {
-      base::RandomStream(study.seed(), version, "blinding").shuffle(added);
-    }
-    ++version;
-    for (const auto& condition : added) {
-      codes.emplace(condition, "C" + std::to_string(codes.size() + 1));
-    }
-  }
-  return codes;
-}
-
 std::vector<base::Message> disclosuresOf(Study& study) {
   std::vector<base::Message> found;
   for (const auto id : study.protocols().all()) {

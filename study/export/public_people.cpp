@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "study/export/condition_codes.h"
 #include "study/storage/answer_repository.h"
 
 namespace study {

@@ -9,6 +9,7 @@
 #include <sodium.h>
 
 #include "questionnaires/model/instrument.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/public_people.h"
 #include "study/export/study_tables.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/statistics_row.h"
 #include "study/results/felt_curves.h"
@@ -141,7 +142,7 @@ ExportedTable statisticsTable(
     Study& study, const ExportOptions& options, const std::vector<Results>& results) {
   std::vector<Row> rows;
   for (const auto& one : results) {
-    for (auto& row : rowsOf(study, one, conditionCodes(study, one.runMode)))
+    for (auto& row : rowsOf(study, one, conditionCodes(study, one.runMode, options.codes)))
       rows.push_back(std::move(row));
   }
   const Table<Row> table{

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "questionnaires/model/instrument.h"
+#include "study/export/condition_codes.h"
 #include "study/model/trial_record.h"
 
 namespace study {
@@ -62,7 +63,8 @@ ValueLists valueListsOf(Study& study, const ExportOptions& options) {
       {ValueList::Verdicts, levelsNamed({Verdict::Pass, Verdict::Warn, Verdict::Fail}, nameOf)},
       {ValueList::ItemTypes, itemTypeLevels()}};
   // Where rows of several run modes stand together, a code has no one condition.
-  const auto byCondition = conditionCodes(study, options.runMode.value_or(RunMode::Live));
+  const auto byCondition =
+      conditionCodes(study, options.runMode.value_or(RunMode::Live), options.codes);
   const bool isNamed = !options.isBlinded && options.runMode;
   auto& codes = lists[ValueList::ConditionCodes];
   for (const auto* protocol : versionsOf(study)) {

@@ -1,4 +1,5 @@
 #include "analysis/effects/share_interval.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export_parts.h"
 #include "study/export/statistics_table.h"
 #include "study/export/study_columns.h"
@@ -118,7 +119,7 @@ ExportedTable votesTable(
     Study& study, const ExportOptions& options, const std::vector<Results>& results) {
   std::vector<ExportedVote> rows;
   for (const auto& one : results) {
-    const auto codes = conditionCodes(study, one.runMode);
+    const auto codes = conditionCodes(study, one.runMode, options.codes);
     for (const auto& vote : one.votes) {
       const auto total = vote.votes.total();
       for (const auto& share : vote.votes.shares()) {

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include <gtest/gtest.h>
 
 #include "protocols/orders/schedule.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/model/session_plan.h"
+#include "study/model/user_error.h"
 #include "study/session/verification.h"
 #include "tests/study/made_study.h"
 #include "tests/study/storage/refusals.h"
@@ -173,10 +176,61 @@ class BlindedStudy : public testing::Test {
   tests::MadeStudy study_;
 };
 
-TEST_F(BlindedStudy, KeepsItsCodesWhenItIsOpenedAndExportedAgain) {
-  const auto before = exported("before", ExportFormat::Csv);
-  study_.reopen();
-  EXPECT_EQ(exported("after", ExportFormat::Csv), before);
+TEST_F(BlindedStudy, HasOtherCodesInEachExport) {
+  std::set<std::map<std::string, std::string>> arrangements;
+  std::set<std::string> sets;
+  for (int number = 0; number < 12; ++number) {
+    const auto name = "export-" + std::to_string(number);
+    exported(name, ExportFormat::Csv);
+    const auto set = codeSetOf(study_.scratch() / name);
+    sets.insert(set);
+    arrangements.insert(conditionCodes(*study_, RunMode::Live, set));
+  }
+  EXPECT_EQ(sets.size(), 12U);
+  EXPECT_GE(arrangements.size(), 3U) << "12 draws of 6 arrangements";
+}
+
+TEST_F(BlindedStudy, HasTheCodesOfAnEarlierExportWhereTheyAreAskedFor) {
+  for (const auto format :
+       {ExportFormat::Csv, ExportFormat::Json, ExportFormat::PsychDs, ExportFormat::Bids}) {
+    const auto name = "of-" + std::to_string(static_cast<int>(format));
+    exported(name, format);
+    const auto set = codeSetOf(study_.scratch() / name);
+    const auto again = study_.scratch() / (name + "-again");
+    study_.reopen();
+    exportStudy(*study_, again, {.format = format, .runMode = RunMode::Live, .codes = set});
+    EXPECT_EQ(codeSetOf(again), set);
+    if (format != ExportFormat::Csv) continue;
+    EXPECT_EQ(
+        tests::contentOf(again + "/responses.csv"),
+        tests::contentOf(study_.scratch() / (name + "/responses.csv")));
+  }
+  EXPECT_THROW(codeSetOf(study_.folder()), UserError);
+}
+
+TEST_F(BlindedStudy, NamesTheConditionsOfACodedExportWithItsCodes) {
+  exported("blinded", ExportFormat::Csv);
+  const auto set = codeSetOf(study_.scratch() / "blinded");
+  const auto unblinded = study_.scratch() / "unblinded";
+  exportStudy(
+      *study_,
+      unblinded,
+      {.runMode = RunMode::Live, .isBlinded = false, .codes = set},
+      "the analysis is done");
+  const auto responses = tests::contentOf(unblinded + "/responses.csv");
+  for (const auto& [condition, code] : conditionCodes(*study_, RunMode::Live, set)) {
+    EXPECT_NE(responses.find("," + code + "," + condition + ","), std::string::npos) << code;
+  }
+  EXPECT_EQ(study_->events().read().rbegin()[3].value("codes") != nullptr, true);
+}
+
+TEST_F(BlindedStudy, DrawsNoCodesForSimulatedSessions) {
+  const auto out = study_.scratch() / "simulated";
+  exportStudy(*study_, out, {.runMode = RunMode::Simulated});
+  EXPECT_THROW(codeSetOf(out), UserError);
+  EXPECT_THROW(
+      exportStudy(*study_, out + "-2", {.runMode = RunMode::Simulated, .codes = drawnCodeSet()}),
+      storage::StorageError);
 }
 
 TEST_F(BlindedStudy, HasItsSecretInNoFile) {

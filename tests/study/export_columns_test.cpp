@@ -14,6 +14,7 @@
 
 #include "analysis/data/csv_table.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"

@@ -8,6 +8,7 @@
 
 #include "analysis/data/csv_table.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/export/condition_codes.h"
 #include "study/export/export.h"
 #include "study/export/public_tables.h"
 #include "study/storage/records.h"

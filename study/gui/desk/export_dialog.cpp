@@ -1,5 +1,6 @@
 #include "study/gui/desk/export_dialog.h"
 
+#include "study/export/condition_codes.h"
 #include "study/export/public_tables.h"
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
@@ -34,7 +35,9 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       exact_(new QCheckBox(tr("dates, times and ages as they are, not in bands"), this)),
       texts_(new QCheckBox(tr("also what participants and operators wrote"), this)),
       traces_(new QCheckBox(tr("also what was felt, a thousand times a second"), this)),
-      target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)) {
+      target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
+      earlier_(new PathField(
+          PathField::Kind::ExistingFolder, tr("Folder of an earlier export"), {}, this)) {
   const auto add = [](QComboBox* box, const QString& words, auto value) {
     box->addItem(words, static_cast<int>(value));
   };
@@ -67,6 +70,7 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Texts"), texts_);
   form().addRow(tr("Traces"), traces_);
   form().addRow(tr("To a new folder"), target_);
+  form().addRow(tr("Same codes as (optional)"), earlier_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(mode_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
   connect(smallest_, &QSpinBox::valueChanged, this, &ExportDialog::updateChoices);
@@ -96,6 +100,8 @@ void ExportDialog::updateChoices() {
   form().setRowVisible(exact_, audience != Audience::Public);
   form().setRowVisible(texts_, audience != Audience::Public);
   form().setRowVisible(traces_, audience == Audience::Unblinded);
+  const bool hasCodes = audience != Audience::Public && chosenMode(*mode_) != RunMode::Simulated;
+  form().setRowVisible(earlier_, hasCodes);
   clear();
   go().setEnabled(audience != Audience::Unblinded || !reason_->text().trimmed().isEmpty());
   if (audience == Audience::Public) showPublicClasses();
@@ -118,8 +124,11 @@ void ExportDialog::work() {
   const std::string reason = reason_->text().trimmed().toStdString();
   std::size_t sessions = 0;
   std::string what;
+  const std::string earlier =
+      form().isRowVisible(earlier_) ? earlier_->path().toStdString() : std::string();
   const auto write = [&](const Progress& progress) {
     SystemClock clock;
+    if (!earlier.empty()) how.codes = codeSetOf(earlier);
     auto study = openForExport(folder_, clock, how);
     how.progress = progress;
     sessions = exportStudy(study, target, how, reason);

@@ -40,6 +40,7 @@ class ExportDialog final : public WorkDialog {
   QCheckBox* texts_;
   QCheckBox* traces_;
   PathField* target_;
+  PathField* earlier_;  ///< an export whose codes this one has, too
 };
 
 }  // namespace study::gui

@@ -7,6 +7,7 @@
 
 #include "study/app/json_file.h"
 #include "study/cohort/simulated_participant.h"
+#include "study/export/condition_codes.h"
 #include "study/export/statistics_table.h"
 #include "tests/study/made_study.h"
 
