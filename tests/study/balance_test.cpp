@@ -1,4 +1,5 @@
 // A design stays balanced when participants leave.
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "study/storage/records.h"
 #include "tests/study/made_study.h"
 #include "tests/study/walk.h"
+#include "tests/support/long_form.h"
 
 namespace study {
 namespace balance_test {
@@ -44,7 +46,8 @@ void takePart(Session& session, bool isRejected) {
   session.reject("did not look at the screen");
 }
 
-TEST(Balance, HoldsForSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
+TEST(Balance, HoldsForHundredsOfParticipantsOfWhomFifteenPercentAreRejected) {
+  const int participants = tests::inLongForm(600, 180);
   const auto protocol =
       tests::protocolFrom(tests::shortProtocol({.questionnaire = "", .hasPreference = false}));
   tests::MadeStudy study(protocol, 2026);
@@ -52,7 +55,7 @@ TEST(Balance, HoldsForSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
   std::map<Order, int> orders;
   std::map<std::pair<std::string, std::string>, int> carryOver;
   int rejected = 0;
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < participants; ++i) {
     auto session = Session::enrol(*study, {.cohort = "surgeons"});
     const bool isRejected = random.uniform() < 0.15;
     takePart(session, isRejected);
@@ -64,9 +67,10 @@ TEST(Balance, HoldsForSixHundredParticipantsOfWhomFifteenPercentAreRejected) {
     ++orders[order];
     for (std::size_t k = 1; k < order.size(); ++k) ++carryOver[{order[k - 1], order[k]}];
   }
-  EXPECT_NEAR(rejected, 90, 27);  // 600 · 0.15, three standard deviations of 8.7
-  EXPECT_EQ(orders.size(), 6U);   // all orders of three conditions
-  EXPECT_LE(spread(orders), 1);   // equally often, except for the unfinished cycle
+  // 0.15 n, three standard deviations of √(0.15 · 0.85 n)
+  EXPECT_NEAR(rejected, 0.15 * participants, 3.0 * std::sqrt(0.1275 * participants));
+  EXPECT_EQ(orders.size(), 6U);  // all orders of three conditions
+  EXPECT_LE(spread(orders), 1);  // equally often, except for the unfinished cycle
   EXPECT_EQ(carryOver.size(), 6U);
   EXPECT_LE(spread(carryOver), 2);  // a pair is in two of the six orders
 }

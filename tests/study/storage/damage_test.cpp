@@ -140,7 +140,7 @@ class DamageTest : public testing::Test {
 };
 
 TEST_F(DamageTest, OfASingleBitIsDetectedOrChangesNoValue) {
-  const int flips = tests::inLongForm(3000, 200);
+  const int flips = tests::inLongForm(3000, 100);
   const std::array<std::string, 4> names{"study.db", "study.db", "traces.db", "identity.db"};
   std::mt19937_64 random(20261121);
   for (int i = 0; i < flips; ++i) {
@@ -158,12 +158,13 @@ TEST_F(DamageTest, OfANameIsAlwaysDetected) {
   const auto where = tests::contentOf(study_.file("identity.db")).find(sealed);
   ASSERT_NE(where, std::string::npos);
   const std::uint64_t bits = sealed.size() * 8;
-  for (std::uint64_t bit = 0; bit < bits; ++bit) {
+  const auto stride = static_cast<std::uint64_t>(tests::inLongForm(1, 7));  // a bit of each byte
+  for (std::uint64_t bit = 0; bit < bits; bit += stride) {
     SCOPED_TRACE("bit " + std::to_string(bit));
     lookAfter("identity.db", [&](const std::string& file) { flip(file, where * 8 + bit); });
   }
   report("bits of a name");
-  EXPECT_EQ(outcome_.found(), static_cast<int>(bits));
+  EXPECT_EQ(outcome_.found(), static_cast<int>((bits + stride - 1) / stride));
 }
 
 TEST_F(DamageTest, OfAWholePageIsDetectedOrChangesNoValue) {

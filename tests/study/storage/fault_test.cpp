@@ -77,7 +77,7 @@ constexpr auto kDisk = [](const char* name, Arm when, bool isPersistent, int err
       when,
       isPersistent,
       error,
-      17,
+      29,
       100};
 };
 
@@ -90,7 +90,7 @@ constexpr auto kMemory = [](const char* name, Arm when, bool isPersistent) {
       when,
       isPersistent,
       0,
-      1201,
+      2003,
       140};
 };
 
