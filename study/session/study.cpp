@@ -113,7 +113,7 @@ void Study::readSecret() {
         StorageError::Kind::Damaged);
   }
   if (!committed.empty()) secret_ = found;
-  if (isSealed_) database_.giveKey(storage::SealingKey(secret_->bytes()));
+  if (isSealed_) giveKey();
   isSecretRead_ = true;
 }
 
@@ -138,8 +138,14 @@ void Study::useKey(const storage::BlindingSecret& key) {
         folder_.string() + " or from a copy of it.");
   }
   secret_ = key;
-  database_.giveKey(storage::SealingKey(key.bytes()));
+  giveKey();
   isSecretRead_ = true;
+}
+
+void Study::giveKey() {
+  const storage::SealingKey key(secret_->bytes());
+  database_.giveKey(key);
+  traces_.database().giveKey(key);
 }
 
 bool Study::unlock(const std::string& passphrase) {
@@ -208,8 +214,10 @@ void Study::amend(const protocols::LoadedProtocol& protocol, const std::string& 
 }
 
 storage::TraceStore Study::openTraces() const {
-  return storage::TraceStore(Database::open(
-      StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite));
+  auto database = Database::open(
+      StudyFiles{folder_}.traces(), storage::traceSchema(), Database::Access::ReadWrite);
+  if (const auto* key = database_.key()) database.giveKey(*key);
+  return storage::TraceStore(std::move(database));
 }
 
 void Study::withReservedSpace(const std::function<void()>& action) {

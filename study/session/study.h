@@ -134,6 +134,7 @@ class Study {
   void readHead();
   void readSecret();
   void findKey() noexcept;
+  void giveKey();
   bool isEventStored(const std::vector<std::byte>& head);
 
   std::filesystem::path folder_;

@@ -16,7 +16,10 @@ haptics::engine::SceneSpec sceneFor(const Session& session) {
 }
 
 Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
+  using Sealing = storage::TraceStore::Sealing;
   const auto& need = deviceFor(session);
+  const auto sealing =
+      session.runMode() == RunMode::Simulated ? Sealing::Never : Sealing::IfThereIsAKey;
   return {
       .scene = sceneFor(session),
       .limits =
@@ -26,8 +29,8 @@ Trial::Setup setupFor(const Session& session, storage::TraceStore& traces) {
            .maxTorqueRate = need.maxTorqueRate,
            .maxVelocity = need.maxVelocity,
            .isPassivityControlled = need.isPassivityControlled},
-      .keep = [&traces, visit = session.visit()](int number, const auto& samples) {
-        traces.add(visit, number, samples);
+      .keep = [&traces, visit = session.visit(), sealing](int number, const auto& samples) {
+        traces.add(visit, number, samples, sealing);
       }};
 }
 

@@ -226,10 +226,10 @@ void checkTrace(
     Study& study, const storage::TrialRow& trial, const std::string& kept, Problems& problems) {
   const auto& visit = trial.step.visit;
   try {
-    const auto samples = study.traces().read(visit);
-    if (static_cast<std::int64_t>(samples.size()) != trial.traceSamples) {
+    const auto samples = study.traces().soundSamples(visit);
+    if (samples != trial.traceSamples) {
       problems.push_back(
-          nameOf(visit) + ": " + std::to_string(samples.size()) + " of " +
+          nameOf(visit) + ": " + std::to_string(samples) + " of " +
           std::to_string(trial.traceSamples) + " samples are there");
     }
     if (!kept.empty() && kept != study.traces().digest(visit)) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "study/storage/statement.h"
 
@@ -40,6 +41,9 @@ constexpr std::array kOfTheStudy{
 /// Hashed only where there is one: sessions of older formats have the hashes of before.
 constexpr const char* kSealedConditions =
     "SELECT step, sealed FROM allocation WHERE session_id = ? AND sealed IS NOT NULL ORDER BY step";
+constexpr const char* kSealedTrials =
+    "SELECT step, attempt, sealed FROM trial WHERE session_id = ? AND sealed IS NOT NULL "
+    "ORDER BY step, attempt";
 constexpr const char* kWrappedKey = "SELECT salt, operations, memory, sealed FROM wrapped_key";
 
 /// Hashed only where there is a row: studies of older formats have the hashes of before. When the
@@ -51,10 +55,21 @@ bool hasFormatOfSealedConditions(const Database& database) {
   return database.hasTable("wrapped_key");
 }
 
-bool isSealed(const Database& database, SessionId session) {
-  if (!hasFormatOfSealedConditions(database)) return false;
-  Statement sealed(database, kSealedConditions);
-  return sealed.bind(1, static_cast<std::int64_t>(session)).step();
+bool hasRows(const Database& database, const char* select, SessionId session) {
+  Statement rows(database, select);
+  return rows.bind(1, static_cast<std::int64_t>(session)).step();
+}
+
+/// What is sealed of a session: statements that have rows.
+std::vector<const char*> sealedParts(const Database& database, SessionId session) {
+  std::vector<const char*> parts;
+  if (hasFormatOfSealedConditions(database) && hasRows(database, kSealedConditions, session)) {
+    parts.push_back(kSealedConditions);
+  }
+  if (database.hasColumn("trial", "sealed") && hasRows(database, kSealedTrials, session)) {
+    parts.push_back(kSealedTrials);
+  }
+  return parts;
 }
 
 bool hasWrappedKey(const Database& database) {
@@ -86,8 +101,8 @@ Hash contentHash(const Database& database, SessionId session, const SealingKey* 
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
   }
-  if (isSealed(database, session)) {
-    Statement rows(database, kSealedConditions);
+  for (const char* select : sealedParts(database, session)) {
+    Statement rows(database, select);
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
   }

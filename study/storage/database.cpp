@@ -233,6 +233,11 @@ bool Database::hasTable(const std::string& name) const {
   return table.bind(1, std::string_view(name)).step();
 }
 
+bool Database::hasColumn(const std::string& table, const std::string& name) const {
+  Statement column(*this, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
+  return column.bind(1, std::string_view(table)).bind(2, std::string_view(name)).step();
+}
+
 std::string Database::integrityProblems() {
   std::string problems;
   Statement integrity(*this, "PRAGMA integrity_check(20)");

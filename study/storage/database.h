@@ -60,6 +60,7 @@ class Database {
 
   /// False in a file of an older format that is only read.
   bool hasTable(const std::string& name) const;
+  bool hasColumn(const std::string& table, const std::string& name) const;
 
   /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
   std::string integrityProblems();

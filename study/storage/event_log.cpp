@@ -185,6 +185,9 @@ class Keys {
   bool open(std::int64_t seq, Row& row) {
     const auto* key = find(row.session.value_or(0));
     auto detail = key != nullptr ? key->open(row.sealed, row.place(seq)) : std::nullopt;
+    if (!detail && key != nullptr && log_.studyKey() != nullptr) {
+      detail = log_.studyKey()->joinedWith(*key).open(row.sealed, row.place(seq));
+    }
     if (detail) row.detail = std::move(*detail);
     return detail.has_value();
   }
@@ -193,6 +196,14 @@ class Keys {
   const EventLog& log_;
   std::map<std::int64_t, std::optional<SealingKey>> keys_;
 };
+
+/// Whether an event of that kind tells what was rendered.
+bool tellsTheRendering(EventKind kind) {
+  return kind == EventKind::FinishedTrial || kind == EventKind::Passivity ||
+         kind == EventKind::Torque || kind == EventKind::DeviceLink ||
+         kind == EventKind::DeviceFault || kind == EventKind::View ||
+         (kind >= EventKind::SafetyTooFast && kind <= EventKind::SafetyTorqueActive);
+}
 
 /// The triggers that keep events as they are, taken away so that all can be written anew.
 class Guards {
@@ -249,6 +260,7 @@ const base::Argument* Event::value(std::string_view name) const noexcept {
 
 std::string describe(const Event& event) {
   if (event.isErased) return "(erased)";
+  if (event.isSealed) return "(sealed)";
   const auto pattern = patternOf(event.kind);
   if (pattern.english.empty() || event.values.empty()) return event.detail;
   const auto* counted = event.value(pattern.counted);
@@ -279,7 +291,7 @@ void EventLog::append(const Event& event) {
     seq = last.number(0) + 1;
     previous = last.blob(1);
   }
-  if (key) row.seal(seq, *key);
+  if (key) row.seal(seq, *keyOf(event.visit->session, event.kind));
   insert(database_, seq, row, row.hashAfter(seq, previous));
 }
 
@@ -308,7 +320,7 @@ void EventLog::sealAgain(const Event& event) {
     ++seq;
     const bool isOpen = row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
     if (const auto* key = isOpen ? keys.find(*row.session) : nullptr) {
-      row.seal(seq, *key);
+      row.seal(seq, *keyOf(SessionId{*row.session}, eventKindNamed(row.kind)));
       row.content.clear();
       if (lastOf.at(*row.session) == i) {
         row.content = asBytes(contentHash(database_, SessionId{*row.session}, key));
@@ -402,6 +414,12 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
   return identities_->key(IdentityStore::Key::Content, select.text(0));
 }
 
+std::optional<SealingKey> EventLog::keyOf(SessionId session, EventKind kind) const {
+  auto own = keyOf(session);
+  const auto* key = tellsTheRendering(kind) ? studyKey() : nullptr;
+  return own && key != nullptr ? key->joinedWith(*own) : own;
+}
+
 std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
   Statement select(
       database_,
@@ -415,7 +433,10 @@ std::vector<Event> EventLog::read(std::optional<SessionId> session) const {
     const bool isOpen = row.sealed.empty() || keys.open(select.number(0), row);
     Event event{.actor = actorNamed(row.actor), .kind = eventKindNamed(row.kind)};
     if (event.kind == EventKind::Unknown) event.unknownName = row.kind;
-    event.isErased = !isOpen;
+    const bool isHidden = !isOpen && studyKey() == nullptr && tellsTheRendering(event.kind) &&
+                          keys.find(row.session.value_or(0)) != nullptr;
+    event.isSealed = isHidden;
+    event.isErased = !isOpen && !isHidden;
     if (isOpen) readDetail(event, row.detail);
     if (row.session) {
       event.visit = VisitKey{

@@ -31,6 +31,8 @@ struct Event {
   std::string unknownName = {};  ///< of a kind that only a later release knows
   /// What it says is sealed with a key that is gone: its participant was erased.
   bool isErased = false;
+  /// What it says tells what was rendered, and is sealed with the study's key, which is not here.
+  bool isSealed = false;
 
   /// "answered", "finished_step", "note": the kind as it is stored.
   std::string_view name() const noexcept;
@@ -97,6 +99,13 @@ class EventLog {
 
   /// The content key of a session's participant; std::nullopt if there is none (any more).
   std::optional<SealingKey> keyOf(SessionId session) const;
+
+  /// What an event of that kind is sealed with: the participant's content key; what tells what was
+  /// rendered needs the study's key besides, where the study is sealed.
+  std::optional<SealingKey> keyOf(SessionId session, EventKind kind) const;
+
+  /// The study's key; nullptr: it is not here, or nothing is sealed with it.
+  const SealingKey* studyKey() const noexcept { return database_.key(); }
 
   /// Writes the whole trail anew, inside the caller's transaction: @p event comes first, then
   /// everything else in its order, with what concerns participants who have keys sealed. Of their

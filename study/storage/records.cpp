@@ -1,6 +1,9 @@
 #include "study/storage/records.h"
 
+#include <algorithm>
 #include <array>
+#include <tuple>
+#include <type_traits>
 
 #include "study/storage/answer_repository.h"
 #include "study/storage/events_of_release_0_1.h"
@@ -58,6 +61,85 @@ StepRecord stepIn(const Statement& row, const ConditionCell& condition) {
       .label = static_cast<int>(row.number(7)),
       .condition = condition.in(row, 8, kAfterStep - 1, visit.session, visit.step),
       .visitStatus = known(visitStatusNamed(row.text(9)), row.text(9))};
+}
+
+/// The value of that name, if it is there and of that type.
+template <typename Value>
+std::optional<Value> valueIn(const base::NamedArguments& values, std::string_view name) {
+  for (const auto& [known, value] : values) {
+    if (known != name) continue;
+    if (const auto* found = std::get_if<Value>(&value)) return *found;
+    // JSON writes a whole number for 3.0.
+    if constexpr (std::is_same_v<Value, double>) {
+      if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+    }
+  }
+  return std::nullopt;
+}
+
+base::NamedArguments measuredIn(const std::string& text) {
+  auto values = valuesIn(text);
+  if (!values) {
+    throw StorageError(
+        "What was measured in a trial cannot be read. Is the study damaged? 'palpate study verify' "
+        "says more.",
+        StorageError::Kind::Damaged);
+  }
+  return std::move(*values);
+}
+
+void fillIn(TrialRow& trial, const base::NamedArguments& values) {
+  const auto real = [&](const char* name) { return valueIn<double>(values, name); };
+  const auto whole = [&](const char* name) { return valueIn<std::int64_t>(values, name); };
+  const auto text = [&](const char* name) {
+    return valueIn<std::string>(values, name).value_or("");
+  };
+  trial.verdict = known(verdictNamed(text("verdict")), text("verdict"));
+  trial.reasons = reasonsIn(text("verdict_reason"));
+  trial.duration = real("duration_s").value_or(0.0);
+  trial.ticks = whole("ticks").value_or(0);
+  trial.nominalRate = real("nominal_rate_hz").value_or(0.0);
+  trial.achievedRate = real("achieved_rate_hz");
+  trial.latenessMedian = real("lateness_p50_us");
+  trial.latenessP99 = real("lateness_p99_us");
+  trial.latenessLargest = real("lateness_max_us");
+  trial.lateTicks = whole("late_ticks");
+  trial.lostSamples = whole("lost_samples").value_or(0);
+  trial.invalidTicks = whole("invalid_ticks").value_or(0);
+  trial.saturated = real("saturated_s").value_or(0.0);
+  trial.slewed = real("slewed_s").value_or(0.0);
+  trial.undefined = real("undefined_s").value_or(0.0);
+  trial.contact = real("contact_s").value_or(0.0);
+  trial.largestForce = real("largest_force_n").value_or(0.0);
+  trial.cuts = whole("cuts").value_or(0);
+}
+
+void addCuts(
+    const VisitKey& visit, const base::NamedArguments& values, std::vector<CutRecord>& cuts) {
+  const auto count = valueIn<std::int64_t>(values, "cuts").value_or(0);
+  for (int number = 1; number <= count; ++number) {
+    const auto real = [&](const char* name) {
+      return valueIn<double>(values, "cut_" + std::to_string(number) + "_" + name);
+    };
+    cuts.push_back(
+        {.visit = visit,
+         .number = number,
+         .interceptionTravel = real("interception_travel"),
+         .interceptionForce = real("interception_n"),
+         .yieldTravel = real("yield_travel"),
+         .yieldForce = real("yield_n"),
+         .bottomOutTravel = real("bottom_out_travel"),
+         .bottomOutForce = real("bottom_out_n"),
+         .openingTravel = real("opening_travel"),
+         .openingForce = real("opening_n"),
+         .peakForce = real("peak_n").value_or(0.0)});
+  }
+}
+
+/// The column of the table trial AS x that holds what is sealed; files of older formats that are
+/// only read do not have it.
+const char* sealedTrialColumn(const Database& database) {
+  return database.hasColumn("trial", "sealed") ? "x.sealed" : "NULL";
 }
 
 }  // namespace
@@ -185,9 +267,9 @@ std::vector<TrialRow> Records::trials() const {
           "x.ticks, "
           "x.nominal_rate_hz, x.achieved_rate_hz, x.lateness_p50_us, x.lateness_p99_us, "
           "x.lateness_max_us, x.late_ticks, x.lost_samples, x.invalid_ticks, x.saturated_s, "
-          "x.slewed_s, x.undefined_s, x.contact_s, x.largest_force_n, x.cuts, x.trace_samples "
-          "FROM trial AS x" +
-          kStepJoins + "ORDER BY x.session_id, x.step, x.attempt");
+          "x.slewed_s, x.undefined_s, x.contact_s, x.largest_force_n, x.cuts, x.trace_samples, " +
+          sealedTrialColumn(database_) + " FROM trial AS x" + kStepJoins +
+          "ORDER BY x.session_id, x.step, x.attempt");
   const ConditionCell condition{database_, conditions_};
   std::vector<TrialRow> trials;
   while (select.step()) {
@@ -216,6 +298,10 @@ std::vector<TrialRow> Records::trials() const {
          .largestForce = select.real(k + 19),
          .cuts = select.number(k + 20),
          .traceSamples = select.number(k + 21)});
+    const auto sealed = select.blob(k + 22);
+    if (sealed.empty() || conditions_ == Conditions::LeftOut) continue;
+    auto& trial = trials.back();
+    fillIn(trial, measuredIn(openedMeasurements(database_.key(), trial.step.visit, sealed)));
   }
   return trials;
 }
@@ -242,6 +328,20 @@ std::vector<CutRecord> Records::cuts() const {
          .openingForce = select.optionalReal(11),
          .peakForce = select.real(12)});
   }
+  if (conditions_ == Conditions::LeftOut) return cuts;
+  Statement sealed(
+      database_,
+      std::string("SELECT session_id, step, attempt, x.sealed FROM (SELECT session_id, step, "
+                  "attempt, ") +
+          sealedTrialColumn(database_) +
+          " AS sealed FROM trial AS x) AS x WHERE sealed IS NOT NULL");
+  while (sealed.step()) {
+    const auto visit = visitIn(sealed);
+    addCuts(visit, measuredIn(openedMeasurements(database_.key(), visit, sealed.blob(3))), cuts);
+  }
+  std::sort(cuts.begin(), cuts.end(), [](const CutRecord& a, const CutRecord& b) {
+    return std::tie(a.visit, a.number) < std::tie(b.visit, b.number);
+  });
   return cuts;
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added and never changed,
 // because there are studies of every version.
-constexpr std::array<std::string_view, 7> kStudySteps{
+constexpr std::array<std::string_view, 8> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -353,6 +353,11 @@ constexpr std::array<std::string_view, 7> kStudySteps{
         memory     INTEGER NOT NULL,
         sealed     BLOB NOT NULL
       ) STRICT;
+    )sql",
+    R"sql(
+      -- What was measured in a trial tells what was rendered: it is sealed where conditions are. The
+      -- other columns of measurements are zero then, the verdict is 'PASS', and there is no cut.
+      ALTER TABLE trial ADD COLUMN sealed BLOB;
     )sql",
 };
 

@@ -4,10 +4,13 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <optional>
 #include <span>
+#include <string_view>
 
 #include "study/model/messages.h"
 #include "study/storage/hasher.h"
+#include "study/storage/keys/sealed_condition.h"
 #include "study/storage/statement.h"
 #include "study/storage/transaction.h"
 
@@ -25,9 +28,36 @@ bool hasTorque(const TraceSample& sample) noexcept {
          std::bit_cast<std::uint32_t>(sample.torque) != 0;
 }
 
+constexpr std::int64_t kSealed = 2;  ///< is added to the layout of what is sealed
+
+bool isSealed(std::int64_t layout) noexcept {
+  return layout > kSealed;
+}
+
 /// The bytes of a sample in a layout; 0 for one that this program does not know.
 std::size_t sizeIn(std::int64_t layout) noexcept {
-  return layout == 1 ? kWithoutTorque : layout == 2 ? sizeof(TraceSample) : 0;
+  const auto open = isSealed(layout) ? layout - kSealed : layout;
+  return open == 1 ? kWithoutTorque : open == 2 ? sizeof(TraceSample) : 0;
+}
+
+std::string placeOf(const VisitKey& visit, std::int64_t number) {
+  return "trace/" + std::to_string(static_cast<std::int64_t>(visit.session)) + "/" +
+         std::to_string(visit.step) + "/" + std::to_string(visit.attempt) + "/" +
+         std::to_string(number);
+}
+
+std::string_view textOf(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// std::nullopt if it was changed. @throws StorageError  without the key
+std::optional<std::string> opened(
+    const Database& database,
+    const std::vector<std::byte>& sealed,
+    const VisitKey& visit,
+    std::int64_t number) {
+  if (database.key() == nullptr) throw StorageError(howToGetTheKey("DIR", false));
+  return database.key()->open(sealed, placeOf(visit, number));
 }
 
 }  // namespace
@@ -45,14 +75,25 @@ struct TraceStore::Chunk {
     hash = hashOf(bytes);
   }
 
+  /// The hash is of what is stored: one of the samples could be compared with a simulation.
+  void seal(const SealingKey& key, const std::string& place) {
+    bytes = key.sealRepeatably(textOf(bytes), place);
+    layout += kSealed;
+    hash = hashOf(bytes);
+  }
+
   std::int64_t samples;
   std::int64_t layout;
   std::vector<std::byte> bytes;
   Hash hash;
 };
 
-void TraceStore::add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples) {
-  const Chunk chunk(samples);
+void TraceStore::add(
+    const VisitKey& visit, int number, const std::vector<TraceSample>& samples, Sealing sealing) {
+  Chunk chunk(samples);
+  if (sealing == Sealing::IfThereIsAKey && database_.key() != nullptr) {
+    chunk.seal(*database_.key(), placeOf(visit, number));
+  }
   try {
     insert(visit, number, chunk);
   } catch (const StorageError&) {
@@ -80,7 +121,8 @@ void TraceStore::insert(const VisitKey& visit, int number, const Chunk& chunk) {
 bool TraceStore::holds(const VisitKey& visit, int number, const Chunk& chunk) const {
   Statement select(
       database_,
-      "SELECT hash FROM chunk WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
+      "SELECT hash FROM chunk "
+      "WHERE session_id = ? AND step = ? AND attempt = ? AND number = ?");
   select.bind(1, visit);
   select.bind(4, std::int64_t{number});
   return select.step() && select.blob(0) == asBytes(chunk.hash);
@@ -94,18 +136,45 @@ std::vector<TraceSample> TraceStore::read(const VisitKey& visit) const {
   select.bind(1, visit);
   std::vector<TraceSample> samples;
   for (std::int64_t expected = 0; select.step(); ++expected) {
-    const auto bytes = select.blob(0);
+    const auto stored = select.blob(0);
     const auto count = static_cast<std::size_t>(select.number(2));
     const std::size_t size = sizeIn(select.number(4));
-    const bool isSound = size > 0 && select.number(3) == expected && bytes.size() == count * size &&
-                         select.blob(1) == asBytes(hashOf(bytes));
-    if (!isSound) {
-      throw StorageError(
-          message("traces.damaged", database_.path(), expected + 1), StorageError::Kind::Damaged);
-    }
+    const bool isAsStored = select.blob(1) == asBytes(hashOf(stored));
+    const auto bytes = !isSealed(select.number(4)) ? std::optional(std::string(textOf(stored)))
+                       : isAsStored                ? opened(database_, stored, visit, expected)
+                                                   : std::nullopt;
+    const bool isSound = size > 0 && select.number(3) == expected && isAsStored && bytes &&
+                         bytes->size() == count * size;
+    if (!isSound) failAt(expected);
     for (std::size_t i = 0; i < count; ++i) {
-      std::memcpy(&samples.emplace_back(), bytes.data() + i * size, size);
+      std::memcpy(&samples.emplace_back(), bytes->data() + i * size, size);
     }
+  }
+  return samples;
+}
+
+void TraceStore::failAt(std::int64_t chunk) const {
+  throw StorageError(
+      message("traces.damaged", database_.path(), chunk + 1), StorageError::Kind::Damaged);
+}
+
+std::int64_t TraceStore::soundSamples(const VisitKey& visit) const {
+  if (database_.key() != nullptr) return static_cast<std::int64_t>(read(visit).size());
+  Statement select(
+      database_,
+      "SELECT data, hash, samples, number, layout FROM chunk "
+      "WHERE session_id = ? AND step = ? AND attempt = ? ORDER BY number");
+  select.bind(1, visit);
+  std::int64_t samples = 0;
+  for (std::int64_t expected = 0; select.step(); ++expected) {
+    const auto size = static_cast<std::int64_t>(sizeIn(select.number(4)));
+    const auto stored = select.blob(0);
+    const auto count = select.number(2);
+    const bool isSound =
+        size > 0 && select.number(3) == expected && select.blob(1) == asBytes(hashOf(stored)) &&
+        (isSealed(select.number(4)) || static_cast<std::int64_t>(stored.size()) == count * size);
+    if (!isSound) failAt(expected);
+    samples += count;
   }
   return samples;
 }

@@ -29,18 +29,31 @@ struct TraceSample {
 };
 
 /// traces.db: the samples of a trial in chunks of about one second, each complete and with its
-/// hash. A power failure loses the chunk in progress only. A connection belongs to one thread.
+/// hash. What is sealed with the study's key has a layout of 3 or 4 in place of 1 or 2. A power
+/// failure loses the chunk in progress only. A connection belongs to one thread.
 class TraceStore {
  public:
   explicit TraceStore(Database database) : database_(std::move(database)) {}
 
+  /// Whether a trace that tells what was rendered is sealed, if the database has the study's key.
+  enum class Sealing { IfThereIsAKey, Never };
+
   /// Stores a chunk in one transaction. Does nothing if this chunk is stored already.
   /// @throws StorageError
-  void add(const VisitKey& visit, int number, const std::vector<TraceSample>& samples);
+  void add(
+      const VisitKey& visit,
+      int number,
+      const std::vector<TraceSample>& samples,
+      Sealing sealing = Sealing::IfThereIsAKey);
 
   /// All samples of a trial, in order.
-  /// @throws StorageError  (Damaged) if a chunk differs from what was written.
+  /// @throws StorageError  (Damaged) if a chunk differs from what was written; or, in words, if the
+  ///     key is needed and not here.
   std::vector<TraceSample> read(const VisitKey& visit) const;
+
+  /// How many samples of a trial are stored as they were written; needs no key.
+  /// @throws StorageError  (Damaged) as read()
+  std::int64_t soundSamples(const VisitKey& visit) const;
 
   std::int64_t sampleCount(const VisitKey& visit) const;
 
@@ -56,6 +69,7 @@ class TraceStore {
  private:
   struct Chunk;
   void insert(const VisitKey& visit, int number, const Chunk& chunk);
+  [[noreturn]] void failAt(std::int64_t chunk) const;
   bool holds(const VisitKey& visit, int number, const Chunk& chunk) const;
 
   Database database_;

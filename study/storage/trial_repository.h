@@ -13,10 +13,13 @@ class TrialRepository {
  public:
   explicit TrialRepository(Database& database) : database_(database) {}
 
-  /// Writes a trial inside the caller's transaction.
+  /// Writes a trial inside the caller's transaction. What was measured is sealed if the database
+  /// has the study's key, but for simulated sessions.
   void add(const VisitKey& visit, const TrialRecord& record);
 
  private:
+  void addOpen(const VisitKey& visit, const TrialRecord& record);
+  bool isSimulated(SessionId session) const;
   void addCut(const VisitKey& visit, std::int64_t number, const TrialRecord::Cut& cut);
 
   Database& database_;

@@ -108,9 +108,13 @@ class Forger:
     def read(self, row):
         event = dict(zip(COLUMNS, row))
         event["sealed"] = row[len(COLUMNS)] if self.is_sealed else None
+        event["stays"] = False
         if event["sealed"]:
             key = self.key_of(event["session_id"])
-            event["detail"] = opened(event["sealed"], f"{event['seq']}/{event['kind']}".encode(), key).decode()
+            try:
+                event["detail"] = opened(event["sealed"], f"{event['seq']}/{event['kind']}".encode(), key).decode()
+            except ValueError:
+                event["stays"] = True  # it needs the study's key besides, which is not in the folder
         return event
 
     def content(self, session):
@@ -120,11 +124,11 @@ class Forger:
             for row in self.study.execute(query, (session,) if session is not None else ()):
                 data += field(b"row") + b"".join(field(exact(value)) for value in row)
             data += field(b"end")
-        sealed = self.study.execute(queries("kSealedConditions")[0], (session,)).fetchall() if session is not None else []
-        if sealed:
+        for name in ("kSealedConditions", "kSealedTrials") if session is not None else ():
+            sealed = self.study.execute(queries(name)[0], (session,)).fetchall()
             for row in sealed:
                 data += field(b"row") + b"".join(field(exact(value)) for value in row)
-            data += field(b"end")
+            data += field(b"end") if sealed else b""
         key = self.key_of(session)
         return blake(data, derived(key, TO_HASH) if key else b"")
 
@@ -155,7 +159,9 @@ class Forger:
 
     def insert(self, event, previous):
         detail, sealed = event["detail"], None
-        if event["sealed"]:
+        if event["stays"]:
+            sealed = event["sealed"]
+        elif event["sealed"]:
             sealed = seal(detail.encode(), f"{event['seq']}/{event['kind']}".encode(), self.key_of(event["session_id"]))
             detail = ""
         data = field(previous)

@@ -5,34 +5,60 @@
 namespace study::storage {
 namespace {
 
-/// [bytes]: ids of conditions are shorter; a longer one takes the next multiple.
-constexpr std::size_t kSize = 64;
+// What is sealed is a multiple of these sizes [bytes]; zeros are added.
+constexpr std::size_t kSizeOfCondition = 64;  // ids of conditions are shorter
+constexpr std::size_t kSizeOfMeasurements = 8192;
 
 std::string placeOf(SessionId session, int step) {
   return "allocation/" + std::to_string(static_cast<std::int64_t>(session)) + "/" +
          std::to_string(step);
 }
 
+std::string placeOf(const VisitKey& trial) {
+  return "trial/" + std::to_string(static_cast<std::int64_t>(trial.session)) + "/" +
+         std::to_string(trial.step) + "/" + std::to_string(trial.attempt);
+}
+
+std::vector<std::byte> sealed(
+    const SealingKey& key, std::string_view text, std::size_t size, const std::string& place) {
+  std::string padded(text);
+  padded.resize((text.size() / size + 1) * size, '\0');
+  return key.sealRepeatably(padded, place);
+}
+
+std::string opened(
+    const SealingKey* key, const std::vector<std::byte>& bytes, const std::string& place) {
+  if (key == nullptr) throw StorageError(howToGetTheKey("DIR", false));
+  const auto padded = key->open(bytes, place);
+  if (!padded) {
+    throw StorageError(
+        "Which condition an alternative was, or what was measured, cannot be read: it was changed "
+        "since it was written. Do not go on with this study; 'palpate study verify' says more.",
+        StorageError::Kind::Damaged);
+  }
+  return padded->substr(0, padded->find('\0'));
+}
+
 }  // namespace
 
 std::vector<std::byte> sealedCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition) {
-  std::string padded(condition);
-  padded.resize((condition.size() / kSize + 1) * kSize, '\0');
-  return key.seal(padded, placeOf(session, step));
+  return sealed(key, condition, kSizeOfCondition, placeOf(session, step));
 }
 
 std::string openedCondition(
-    const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed) {
-  if (key == nullptr) throw StorageError(howToGetTheKey("DIR", false));
-  const auto padded = key->open(sealed, placeOf(session, step));
-  if (!padded) {
-    throw StorageError(
-        "Which condition an alternative was cannot be read: it was changed since it was written. "
-        "Do not go on with this study; 'palpate study verify' says more.",
-        StorageError::Kind::Damaged);
-  }
-  return padded->substr(0, padded->find('\0'));
+    const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& bytes) {
+  return opened(key, bytes, placeOf(session, step));
+}
+
+std::vector<std::byte> sealedMeasurements(
+    const SealingKey& key, const VisitKey& trial, std::string_view text) {
+  return sealed(key, text, kSizeOfMeasurements, placeOf(trial));
+}
+
+std::string openedMeasurements(
+    const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& bytes) {
+  return opened(key, bytes, placeOf(trial));
 }
 
 std::string howToGetTheKey(const std::string& study, bool hasPassphrase) {

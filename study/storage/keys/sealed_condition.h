@@ -10,8 +10,10 @@
 
 namespace study::storage {
 
-/// Which condition an alternative is, sealed with the key of the study (docs/decisions/0049). All
-/// conditions have the same size when they are sealed, so that it does not tell them apart.
+// What tells which condition was felt is sealed with the key of the study (docs/decisions/0049).
+
+/// Which condition an alternative is. All conditions have the same size when they are sealed, so
+/// that it does not tell them apart.
 std::vector<std::byte> sealedCondition(
     const SealingKey& key, SessionId session, int step, std::string_view condition);
 
@@ -20,6 +22,15 @@ std::vector<std::byte> sealedCondition(
 ///     if there is no key, with what to do.
 std::string openedCondition(
     const SealingKey* key, SessionId session, int step, const std::vector<std::byte>& sealed);
+
+/// What was measured in a trial (columns and values in JSON), sealed in the same way. Its size does
+/// not tell how much was measured, up to about 20 cuts.
+std::vector<std::byte> sealedMeasurements(
+    const SealingKey& key, const VisitKey& trial, std::string_view text);
+
+/// As openedCondition().
+std::string openedMeasurements(
+    const SealingKey* key, const VisitKey& trial, const std::vector<std::byte>& sealed);
 
 /// What to do where the key of a study is missing.
 /// @param study  its folder, as somebody would type it

@@ -14,6 +14,8 @@ static_assert(std::tuple_size_v<SealingKey::Bytes> == crypto_aead_xchacha20poly1
 // What a derived key is for. These numbers are part of the file format.
 constexpr unsigned kToSeal = 1;
 constexpr unsigned kToHash = 2;
+constexpr unsigned kToJoin = 3;
+constexpr unsigned kToRepeat = 4;
 
 const unsigned char* bytesIn(std::string_view text) {
   return reinterpret_cast<const unsigned char*>(text.data());
@@ -36,10 +38,30 @@ SealingKey::Bytes SealingKey::derived(unsigned purpose) const {
 }
 
 std::vector<std::byte> SealingKey::seal(std::string_view text, std::string_view place) const {
+  return sealed(text, place, [](unsigned char* nonce) { randombytes_buf(nonce, kNonce); });
+}
+
+std::vector<std::byte> SealingKey::sealRepeatably(
+    std::string_view text, std::string_view place) const {
+  return sealed(text, place, [&](unsigned char* nonce) {
+    const auto key = derived(kToRepeat);
+    crypto_generichash_state state{};
+    crypto_generichash_init(&state, key.data(), key.size(), kNonce);
+    const std::string where = std::to_string(place.size()) + ":" + std::string(place);
+    crypto_generichash_update(&state, bytesIn(where), where.size());
+    crypto_generichash_update(&state, bytesIn(text), text.size());
+    crypto_generichash_final(&state, nonce, kNonce);
+  });
+}
+
+std::vector<std::byte> SealingKey::sealed(
+    std::string_view text,
+    std::string_view place,
+    const std::function<void(unsigned char*)>& writeNonce) const {
   const auto key = derived(kToSeal);
   std::vector<std::byte> sealed(kNonce + text.size() + kProof);
   auto* bytes = reinterpret_cast<unsigned char*>(sealed.data());
-  randombytes_buf(bytes, kNonce);
+  writeNonce(bytes);
   crypto_aead_xchacha20poly1305_ietf_encrypt(
       bytes + kNonce,
       nullptr,
@@ -70,6 +92,19 @@ std::optional<std::string> SealingKey::open(
       bytes,
       key.data());
   return code == 0 ? std::optional(std::move(text)) : std::nullopt;
+}
+
+SealingKey SealingKey::joinedWith(const SealingKey& other) const {
+  const auto key = derived(kToJoin);
+  Bytes joined{};
+  crypto_generichash(
+      joined.data(),
+      joined.size(),
+      other.bytes_.data(),
+      other.bytes_.size(),
+      key.data(),
+      key.size());
+  return SealingKey(joined);
 }
 
 SealingKey::Bytes SealingKey::hashingKey() const {

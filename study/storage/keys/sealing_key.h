@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,14 +30,25 @@ class SealingKey {
   /// @param place  where it will stand ("17/answered"): sealed text that was moved is not opened.
   std::vector<std::byte> seal(std::string_view text, std::string_view place) const;
 
+  /// The same bytes for the same text in the same place, for what is stored once there: 24 bytes of
+  /// a keyed hash stand for the random ones.
+  std::vector<std::byte> sealRepeatably(std::string_view text, std::string_view place) const;
+
   /// std::nullopt if it was sealed with another key or for another place, or was changed.
   std::optional<std::string> open(std::span<const std::byte> sealed, std::string_view place) const;
+
+  /// A key that only who has both can make.
+  SealingKey joinedWith(const SealingKey& other) const;
 
   /// For hashes that tell nothing to anyone without this key.
   Bytes hashingKey() const;
 
  private:
   Bytes derived(unsigned purpose) const;
+  std::vector<std::byte> sealed(
+      std::string_view text,
+      std::string_view place,
+      const std::function<void(unsigned char*)>& writeNonce) const;
 
   Bytes bytes_;
 };

@@ -194,6 +194,122 @@ TEST_F(SealedStudy, NoticesASimulatedSessionThatIsCalledLive) {
   EXPECT_NE(problems.find("is not sealed"), std::string::npos) << problems;
 }
 
+/// A trial in which everything was measured.
+TrialRecord measuredTrial() {
+  auto record = tests::feltTrial(2);
+  record.duration = 4.125;
+  record.ticks = 4125;
+  record.achievedRate = 999.75;
+  record.latenessMedian = 12.0;
+  record.latenessP99 = 55.5;
+  record.latenessLargest = 801.0;
+  record.lateTicks = 3;
+  record.lostSamples = 1;
+  record.saturated = 0.5;
+  record.slewed = 1.0 / 3.0;
+  record.contact = 2.0;
+  record.largestForce = 6.02;
+  record.traceSamples = 500;
+  auto& cut = record.cuts.back();
+  cut.interception = {.travel = 4.0, .force = 0.125, .found = true};
+  cut.yield = {.travel = 9.5, .force = 5.75, .found = true};
+  cut.peakForce = 6.02;
+  return record;
+}
+
+void feel(Study& study) {
+  auto session = Session::enrol(study, {.cohort = "surgeons"});
+  tests::walkTo(session, StepKind::Trial);
+  session.beginTrial();
+  const std::vector<storage::TraceSample> samples(500, {.tick = 7, .travel = 3.0F, .force = 5.0F});
+  study.traces().add(session.visit(), 0, samples);
+  study.traces().add(session.visit(), 0, samples);  // again, after a commit of unknown outcome
+  session.finishTrial(measuredTrial());
+  tests::walkToTheEnd(session);
+}
+
+/// The files of an unblinded export that tell of trials.
+std::vector<std::string> measuredIn(Study& study, const std::string& folder) {
+  exportStudy(study, folder, {.runMode = RunMode::Live, .isBlinded = false}, "to compare");
+  return {tests::contentOf(folder + "/trials.csv"), tests::contentOf(folder + "/cuts.csv")};
+}
+
+TEST(SealedTrials, AreTheSameWithTheKeyAsOpenOnes) {
+  auto text = tests::shortProtocol();
+  tests::MadeStudy sealed(tests::protocolFrom(text));
+  tests::MadeStudy open(
+      tests::protocolFrom(text.insert(text.find(R"("languages")"), R"("blinding": "open", )")));
+  feel(*sealed);
+  feel(*open);
+  EXPECT_EQ(
+      measuredIn(*sealed, sealed.scratch() / "out")[1],
+      measuredIn(*open, open.scratch() / "out")[1]);
+  const auto rows = [](Study& study) { return storage::Records(study.database()).trials(); };
+  ASSERT_EQ(rows(*sealed).size(), rows(*open).size());
+  for (std::size_t i = 0; i < rows(*open).size(); ++i) {
+    const auto mine = rows(*sealed)[i];
+    const auto other = rows(*open)[i];
+    EXPECT_EQ(mine.verdict, other.verdict);
+    EXPECT_EQ(base::describe(mine.reasons), base::describe(other.reasons));
+    EXPECT_EQ(mine.slewed, other.slewed);
+    EXPECT_EQ(mine.achievedRate, other.achievedRate);
+    EXPECT_EQ(mine.lateTicks, other.lateTicks);
+    EXPECT_EQ(mine.ticks, other.ticks);
+    EXPECT_EQ(mine.cuts, other.cuts);
+    EXPECT_EQ(mine.largestForce, other.largestForce);
+  }
+  const auto samples = sealed->traces().read(rows(*sealed).front().step.visit);
+  ASSERT_EQ(samples.size(), 500U);
+  EXPECT_EQ(samples.back().force, 5.0F);
+  EXPECT_TRUE(verify(*sealed).isSound());
+}
+
+TEST(SealedTrials, TellNothingWithoutTheKey) {
+  tests::MadeStudy made;
+  feel(*made);
+  const auto visit = storage::Records(made->database()).trials().front().step.visit;
+  made.close();
+  tests::Sql sql(made.file("study.db"));
+  EXPECT_EQ(sql.number("SELECT count(*) FROM cut"), 0);
+  EXPECT_EQ(
+      sql.number("SELECT sum(duration_s + ticks + saturated_s + slewed_s + contact_s + "
+                 "largest_force_n + cuts) FROM trial"),
+      0);
+  EXPECT_EQ(sql.number("SELECT count(DISTINCT length(sealed)) FROM trial"), 1);
+  const tests::OwnStation elsewhere(made.scratch() / "elsewhere");
+  auto study = Study::open(made.folder(), made.clock);
+  EXPECT_THROW(study.traces().read(visit), storage::StorageError);
+  EXPECT_EQ(study.traces().soundSamples(visit), 500);
+  EXPECT_THROW(storage::Records(study.database()).trials(), storage::StorageError);
+  int sealed = 0;
+  for (const auto& event : study.events().read()) {
+    EXPECT_FALSE(event.isErased);
+    sealed += event.isSealed;
+    if (event.kind == EventKind::Passivity || event.kind == EventKind::Answered) {
+      EXPECT_EQ(describe(event) == "(sealed)", event.kind == EventKind::Passivity);
+    }
+  }
+  EXPECT_GT(sealed, 3);
+  EXPECT_TRUE(verify(study).isSound());
+}
+
+TEST(SealedTrials, AreNoticedIfTheyChange) {
+  tests::MadeStudy made;
+  feel(*made);
+  made.close();
+  tests::Sql(made.file("study.db"))
+      .run(
+          "UPDATE trial SET sealed = zeroblob(length(sealed)) WHERE step = "
+          "(SELECT min(step) FROM trial)");
+  made.reopen();
+  EXPECT_FALSE(verify(*made).isSound());
+  EXPECT_THROW(storage::Records(made->database()).trials(), storage::StorageError);
+  tests::Sql(made.file("traces.db")).run("UPDATE chunk SET data = zeroblob(length(data))");
+  const auto visit = made->traces().visits().front();
+  EXPECT_THROW(made->traces().read(visit), storage::StorageError);
+  EXPECT_THROW(made->traces().soundSamples(visit), storage::StorageError);
+}
+
 TEST(WrappedKey, OpensWithItsPassphraseAlone) {
   const storage::SealingKey::Bytes key{1, 2, 3};
   auto wrapped =
