@@ -4,6 +4,12 @@
 
 namespace study {
 
+std::size_t headsMissingIn(Study& study) {
+  const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
+  if (!station) return 0;
+  return missingHeads(storage::TrailHeads(study.database()), *station).size();
+}
+
 std::size_t noteRestoredCopy(Study& study, const std::string& reason) {
   const auto station = storage::StationStore::find(storage::StationStore::usualFolder());
   if (!station) return 0;

@@ -7,6 +7,10 @@
 
 namespace study {
 
+/// How many heads that this station signed a study neither has nor gave up: more than none of an
+/// older copy that took its place, and of one whose end was cut off. @throws storage::StorageError
+std::size_t headsMissingIn(Study& study);
+
 /// Notes that an older copy, a backup, took the place of a study: what this station signed later is
 /// given up, and verify() no longer takes it for an end that was cut off. Nothing is noted if
 /// nothing is missing.

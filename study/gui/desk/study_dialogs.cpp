@@ -5,13 +5,16 @@
 #include <QDate>
 #include <QDir>
 #include <QFileInfo>
+#include <QInputDialog>
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/report_work.h"
 #include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/backup.h"
+#include "study/session/restored_copy.h"
 #include "study/words/words.h"
 
 namespace study::gui {
@@ -106,16 +109,42 @@ VerifyDialog::VerifyDialog(const StudySummary& study, QWidget* parent)
               .arg(QString::fromStdString(study.title)),
           tr("Verify"),
           parent),
-      folder_(study.folder) {}
+      folder_(study.folder),
+      restored_(new QPushButton(tr("A backup was put back on purpose…"), this)) {
+  restored_->setObjectName(QStringLiteral("restored"));
+  restored_->setAutoDefault(false);
+  form().addRow(QString(), restored_);
+  form().setRowVisible(restored_, false);
+  connect(restored_, &QPushButton::clicked, this, &VerifyDialog::noteRestored);
+}
+
+void VerifyDialog::noteRestored() {
+  const auto reason = QInputDialog::getText(
+      this,
+      tr("A backup was put back"),
+      tr("What this station signed later is given up. That goes into the audit trail for good, "
+         "with "
+         "the reason:"));
+  if (reason.trimmed().isEmpty()) return;
+  const bool isNoted = attempt(this, [&] {
+    SystemClock clock;
+    auto study = Study::open(folder_, clock);
+    noteRestoredCopy(study, reason.trimmed().toStdString());
+  });
+  if (isNoted) work();
+}
 
 void VerifyDialog::work() {
   Verification verification;
+  std::size_t missing = 0;
   const bool isDone = BackgroundTask::run(this, tr("Verifying"), [&](const Progress& progress) {
     SystemClock clock;
     auto study = Study::open(folder_, clock, storage::Database::Access::ReadOnly);
     verification = verify(study, progress);
+    missing = headsMissingIn(study);
   });
   if (!isDone) return clear();
+  form().setRowVisible(restored_, missing > 0);
   const QString checks = describe(verification);
   if (verification.isSound()) {
     showOutcome(Outcome::Good, tr("All data are unchanged."), checks);

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include "study/gui/desk/study_summary.h"
@@ -29,7 +30,8 @@ class BackupDialog final : public WorkDialog {
   PathField* target_;
 };
 
-/// Verifies a whole study and lists the result of each check.
+/// Verifies a whole study and lists the result of each check. Where the end is missing that this
+/// station signed, an older copy can be said to have taken the study's place on purpose.
 class VerifyDialog final : public WorkDialog {
   Q_OBJECT
 
@@ -40,7 +42,10 @@ class VerifyDialog final : public WorkDialog {
   void work() override;
 
  private:
+  void noteRestored();
+
   std::string folder_;
+  QPushButton* restored_;
 };
 
 /// Writes the report of a study.

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDate>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QTest>
@@ -26,6 +27,7 @@
 #include "study/results/results_text.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
+#include "tests/study/made_study.h"
 #include "tests/support/scratch_folder.h"
 
 namespace study::gui {
@@ -72,6 +74,36 @@ TEST_F(StudyDialogsTest, VerifyListsEveryCheck) {
   EXPECT_EQ(more(dialog).count(QStringLiteral("✓")), 11);
   EXPECT_FALSE(more(dialog).contains(QStringLiteral("FAIL")));
   tests::photographInAllThemes(dialog, QStringLiteral("verify"));
+}
+
+TEST_F(StudyDialogsTest, VerifyNotesThatABackupWasPutBackOnPurpose) {
+  namespace fs = std::filesystem;
+  SystemClock clock;
+  const tests::OwnStation station(out_ / "station");  // of the others, no study has a branch
+  const auto folder = out_ / "study";
+  fs::copy(study(), folder, fs::copy_options::recursive);
+  const auto noted = [&](const std::string& from) {
+    Study::open(from, clock).note(EventKind::UnblindedResults, "an interim look");
+  };
+  noted(folder);
+  fs::copy(folder, out_ / "older", fs::copy_options::recursive);
+  noted(folder);
+  fs::remove_all(folder);
+  fs::rename(out_ / "older", folder);
+  VerifyDialog dialog(summaryOf(folder));
+  press(dialog);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕"))) << outcome(dialog).toStdString();
+  auto* restored = dialog.findChild<QPushButton*>(QStringLiteral("restored"));
+  ASSERT_TRUE(restored->isVisible());
+  QTimer::singleShot(0, &dialog, [] {
+    auto* question = qobject_cast<QInputDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    question->setTextValue(QStringLiteral("the disk failed"));
+    question->accept();
+  });
+  QTest::mouseClick(restored, Qt::LeftButton);
+  EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✓"))) << more(dialog).toStdString();
+  EXPECT_FALSE(restored->isVisible());
 }
 
 TEST_F(StudyDialogsTest, BackupMakesAValidCopy) {
