@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "study/report/html_text.h"
-#include "study/words/counted.h"
 
 namespace study::report {
 namespace {
 
 constexpr std::string_view kTitle = "Certificate of erasure";
 constexpr std::string_view kMark = "erasure: ";
+constexpr std::size_t kLeastWidth = 18;  // of the first column of a text
 constexpr std::string_view kForOthers =
     "For other copies of the study, on any computer: palpate study erase COPY --by THIS-FILE, with "
     "the text of this certificate.";
@@ -38,57 +38,83 @@ std::string listed(const std::vector<std::string>& files) {
   return all;
 }
 
-std::string searched(std::size_t texts, const std::vector<std::string>& files) {
-  if (texts == 0) return "nothing was written that could be searched for";
-  return words::counted(texts, "text was", "texts were") + " searched for in every byte: " +
-         (files.empty() ? "not found" : "FOUND in " + listed(files));
-}
-
-std::string inWords(const ErasedCopy& copy, std::size_t texts) {
-  switch (copy.outcome) {
-    case ErasedCopy::Outcome::Removed:
-      return copy.folder + ": an export, removed";
-    case ErasedCopy::Outcome::NotInIt:
-      return copy.folder + ": was not in it; " + searched(texts, copy.filesWithTexts);
-    case ErasedCopy::Outcome::Failed:
-      return copy.folder + ": NOT ERASED. " + copy.whyNot;
-    case ErasedCopy::Outcome::Erased:
-      break;
-  }
-  return copy.folder + ": erased; " + searched(texts, copy.filesWithTexts);
-}
-
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-Rows rowsOf(const ErasureCertificate& certificate) {
-  const auto& report = certificate.report;
-  const auto texts = report.texts.size();
-  Rows rows{
-      {"Study", certificate.title},
-      {"Study id", report.listed.study},
-      {"Participant", report.erasure.participant},
-      {"Erased", std::string(inWords(report.erasure.level))},
-      {"On", report.erasure.utc},
-      {"Reason", report.erasure.reason},
-      {"Deleted",
-       words::counted(report.names, "name", "names") + ", " +
-           words::counted(static_cast<std::uint64_t>(report.answers), "answer", "answers") +
-           ", of " + words::counted(report.sessions, "session", "sessions")},
-      {"Left", "code, cohort, order, times of events, and that it was erased"},
-      {"Study's folder", searched(texts, report.filesWithTexts)}};
-  for (const auto& copy : certificate.copies) rows.emplace_back("Copy", inWords(copy, texts));
-  for (const auto& copy : certificate.left) {
-    rows.emplace_back(
-        "Copy that is left",
-        fmt::format(
-            "{}{}{}",
-            copy.folder,
-            copy.madeUtc.empty() ? "" : ", of " + copy.madeUtc,
-            copy.isThere ? "" : " (not there any more)"));
+/// The rows of a certificate in one language.
+class Telling {
+ public:
+  Telling(const ErasureCertificate& certificate, const words::Words& words)
+      : certificate_(certificate), words_(words) {}
+
+  Rows rows() const {
+    const auto& report = certificate_.report;
+    Rows rows{
+        {words_("Study"), certificate_.title},
+        {words_("Study id"), report.listed.study},
+        {words_("Participant"), report.erasure.participant},
+        {words_("Erased"), words_(inWords(report.erasure.level))},
+        {words_("On"), report.erasure.utc},
+        {words_("Reason"), report.erasure.reason},
+        {words_("Deleted"),
+         words_.count(report.names, "{} name", "{} names") + ", " +
+             words_.count(report.answers, "{} answer", "{} answers") + ", " +
+             words_.count(report.sessions, "of {} session", "of {} sessions")},
+        {words_("Left"), words_("code, cohort, order, times of events, and that it was erased")},
+        {words_("Study's folder"), searched(report.filesWithTexts)}};
+    for (const auto& copy : certificate_.copies) {
+      rows.emplace_back(words_("Copy"), copy.folder + ": " + outcomeOf(copy));
+    }
+    for (const auto& copy : certificate_.left) {
+      rows.emplace_back(words_("Copy that is left"), leftOf(copy));
+    }
+    if (!report.whyNotListed.empty()) {
+      rows.emplace_back(words_("Not listed here"), report.whyNotListed);
+    }
+    rows.emplace_back(words_("Program"), "palpate " + std::string(appVersion()));
+    return rows;
   }
-  if (!report.whyNotListed.empty()) rows.emplace_back("Not listed here", report.whyNotListed);
-  rows.emplace_back("Program", "palpate " + std::string(appVersion()));
-  return rows;
+
+ private:
+  std::string searched(const std::vector<std::string>& files) const {
+    const auto texts = certificate_.report.texts.size();
+    if (texts == 0) return words_("nothing was written that could be searched for");
+    const auto found =
+        files.empty() ? words_("not found") : words_.say("FOUND in {}", listed(files));
+    return words_.count(
+               texts,
+               "{} text was searched for in every byte",
+               "{} texts were searched for in every byte") +
+           ": " + found;
+  }
+
+  std::string outcomeOf(const ErasedCopy& copy) const {
+    switch (copy.outcome) {
+      case ErasedCopy::Outcome::Removed:
+        return words_("an export, removed");
+      case ErasedCopy::Outcome::NotInIt:
+        return words_("was not in it") + "; " + searched(copy.filesWithTexts);
+      case ErasedCopy::Outcome::Failed:
+        return words_("NOT ERASED.") + " " + copy.whyNot;
+      case ErasedCopy::Outcome::Erased:
+        break;
+    }
+    return words_("erased") + "; " + searched(copy.filesWithTexts);
+  }
+
+  std::string leftOf(const KnownCopy& copy) const {
+    return copy.folder + (copy.madeUtc.empty() ? "" : words_.say(", of {}", copy.madeUtc)) +
+           (copy.isThere ? "" : " " + words_("(not there any more)"));
+  }
+
+  const ErasureCertificate& certificate_;
+  const words::Words& words_;
+};
+
+/// How many characters it has, and not bytes.
+std::size_t widthOf(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  }));
 }
 
 }  // namespace
@@ -100,21 +126,26 @@ bool ErasureCertificate::isClean() const {
          });
 }
 
-std::string asText(const ErasureCertificate& certificate) {
-  std::string text = fmt::format("{}\n\n", kTitle);
-  for (const auto& [what, value] : rowsOf(certificate)) {
-    text += fmt::format("{:<18} {}\n", what, value);
+std::string asText(const ErasureCertificate& certificate, const words::Words& words) {
+  std::string text = words(kTitle) + "\n\n";
+  const auto rows = Telling(certificate, words).rows();
+  std::size_t width = kLeastWidth;
+  for (const auto& [what, value] : rows) width = std::max(width, widthOf(what));
+  for (const auto& [what, value] : rows) {
+    text += what + std::string(width + 1 - widthOf(what), ' ') + value + "\n";
   }
-  return text + fmt::format("\n{}\n{}{}\n", kForOthers, kMark, asLine(certificate.report.listed));
+  // The mark is for the program: it stays as it is.
+  return text +
+         fmt::format("\n{}\n{}{}\n", words(kForOthers), kMark, asLine(certificate.report.listed));
 }
 
-std::string asHtml(const ErasureCertificate& certificate) {
-  std::string html = fmt::format("<h1>{}</h1>\n<table><tbody>\n", kTitle);
-  for (const auto& [what, value] : rowsOf(certificate)) {
+std::string asHtml(const ErasureCertificate& certificate, const words::Words& words) {
+  std::string html = fmt::format("<h1>{}</h1>\n<table><tbody>\n", words(kTitle));
+  for (const auto& [what, value] : Telling(certificate, words).rows()) {
     html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(what), escaped(value));
   }
-  html += fmt::format("</tbody></table>\n<p class=\"note\">{}</p>\n", kForOthers);
-  return htmlPage(kTitle, html);
+  html += fmt::format("</tbody></table>\n<p class=\"note\">{}</p>\n", words(kForOthers));
+  return htmlPage(words(kTitle), html, words.language());
 }
 
 std::vector<storage::ListedErasure> erasuresIn(const std::string& text) {

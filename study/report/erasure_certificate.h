@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "study/session/erasure_copies.h"
+#include "study/words/words.h"
 
 namespace study::report {
 
@@ -18,10 +19,11 @@ struct ErasureCertificate {
   bool isClean() const;
 };
 
-/// For reading. The last line is for `palpate study erase --by`: it erases from other copies.
-std::string asText(const ErasureCertificate& certificate);
+/// For reading, in the language of @p words; folders, the reason and errors stay as they are. The
+/// last line is for `palpate study erase --by`: it erases from other copies.
+std::string asText(const ErasureCertificate& certificate, const words::Words& words = {});
 /// The same as a page.
-std::string asHtml(const ErasureCertificate& certificate);
+std::string asHtml(const ErasureCertificate& certificate, const words::Words& words = {});
 
 /// The erasures that the text of a certificate tells.
 std::vector<storage::ListedErasure> erasuresIn(const std::string& text);

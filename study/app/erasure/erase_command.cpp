@@ -15,6 +15,7 @@
 #include "study/model/user_error.h"
 #include "study/report/erasure_certificate.h"
 #include "study/storage/erasure/erasure_list.h"
+#include "study/words/words.h"
 
 namespace study::app {
 namespace {
@@ -26,14 +27,19 @@ struct ErasureArguments {
   std::vector<std::string> also;
   std::vector<std::string> certificates;
   std::string by;
+  std::string language = "en";  ///< of certificates
 };
 
-void write(const report::ErasureCertificate& certificate, const std::string& path) {
+void write(
+    const report::ErasureCertificate& certificate,
+    const words::Words& words,
+    const std::string& path) {
   const auto extension = std::filesystem::path(path).extension();
   if (extension == ".pdf") {
-    writeNewFile(path, pdfOf(asHtml(certificate), certificate.title));
+    writeNewFile(path, pdfOf(asHtml(certificate, words), certificate.title));
   } else {
-    writeNewFile(path, extension == ".html" ? asHtml(certificate) : asText(certificate));
+    writeNewFile(
+        path, extension == ".html" ? asHtml(certificate, words) : asText(certificate, words));
   }
 }
 
@@ -87,7 +93,8 @@ int erase(ErasureArguments options) {
         "a "
         "database, somebody else wrote the same), and try again what was not erased.\n");
   }
-  for (const auto& path : options.certificates) write(certificate, path);
+  const auto words = words::wordsIn(options.language);
+  for (const auto& path : options.certificates) write(certificate, words, path);
   return certificate.isClean() ? 0 : 1;
 }
 
@@ -129,6 +136,9 @@ void addErasureCommands(CLI::App& noun, Action& action) {
       "--certificate",
       options->certificates,
       "Write a certificate: .txt, .html or .pdf; nothing is overwritten; repeatable");
+  erase->add_option("--language", options->language, "Language of certificates: en, de, nb")
+      ->check(CLI::IsMember(words::languages()))
+      ->capture_default_str();
   erase->add_option(
       "--by",
       options->by,

@@ -6,10 +6,12 @@
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
+#include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
 #include "study/model/new_file.h"
 #include "study/report/pdf_report.h"
+#include "study/words/words.h"
 
 namespace study::gui {
 namespace {
@@ -29,10 +31,11 @@ std::map<std::string, std::string> namesByCode(Study& study) {
   return people;
 }
 
-std::string fileOf(const report::ErasureCertificate& certificate, const QString& path) {
+std::string fileOf(
+    const report::ErasureCertificate& certificate, const words::Words& words, const QString& path) {
   const auto ending = QFileInfo(path).suffix();
-  if (ending == QLatin1String("txt")) return asText(certificate);
-  const auto html = asHtml(certificate);
+  if (ending == QLatin1String("txt")) return asText(certificate, words);
+  const auto html = asHtml(certificate, words);
   return ending == QLatin1String("pdf") ? report::asPdf(html, certificate.title) : html;
 }
 
@@ -56,6 +59,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
           tr("Certificate"),
           tr("Certificates (*.pdf *.html *.txt)"),
           this)),
+      language_(new QComboBox(this)),
       reseal_(new QCheckBox(tr("Seal the audit trail of an older release first"), this)) {
   participant_->setObjectName(QStringLiteral("participant"));
   participant_->setAccessibleName(tr("Participant"));
@@ -69,6 +73,12 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   reason_->setPlaceholderText(tr("without a name: it stays in the audit trail"));
   code_->setObjectName(QStringLiteral("code"));
   code_->setAccessibleName(tr("Type the code"));
+  language_->setObjectName(QStringLiteral("language"));
+  language_->setAccessibleName(tr("Language of the certificate"));
+  for (const auto& language : words::languages()) {
+    const QString tag = QString::fromStdString(language);
+    language_->addItem(nativeName(tag), tag);
+  }
   reseal_->setObjectName(QStringLiteral("reseal"));
   reseal_->setToolTip(
       tr("Once for the whole study. Heads of the audit trail that were noted before are not found "
@@ -78,6 +88,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Reason"), reason_);
   form().addRow(tr("Also from a backup or export"), copy_);
   form().addRow(tr("Certificate"), certificate_);
+  form().addRow(tr("Language of the certificate"), language_);
   form().addRow(QString(), reseal_);
   form().addRow(tr("Type the code to confirm"), code_);
   for (auto* line : {reason_, code_}) {
@@ -128,7 +139,8 @@ report::ErasureCertificate EraseDialog::erase() const {
   }
   certificate.left = copiesLeft(study, certificate.copies);
   if (const auto path = certificate_->path(); !path.isEmpty()) {
-    writeNewFile(path.toStdString(), fileOf(certificate, path));
+    const auto words = words::wordsIn(language_->currentData().toString().toStdString());
+    writeNewFile(path.toStdString(), fileOf(certificate, words, path));
   }
   return certificate;
 }

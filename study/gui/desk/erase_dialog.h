@@ -40,6 +40,7 @@ class EraseDialog final : public WorkDialog {
   QLineEdit* code_;
   PathField* copy_;
   PathField* certificate_;
+  QComboBox* language_;  ///< of the certificate
   QCheckBox* reseal_;
 };
 

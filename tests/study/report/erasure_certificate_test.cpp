@@ -50,6 +50,36 @@ TEST(ErasureCertificate, TellsAnotherComputerWhatToErase) {
   EXPECT_TRUE(erasuresIn("erasure: nothing\n").empty());
 }
 
+TEST(ErasureCertificate, IsTranslatedWithoutARest) {
+  for (const std::string language : {"de", "nb"}) {
+    const auto words = words::wordsIn(language);
+    for (const auto level :
+         {storage::ErasureLevel::Identity,
+          storage::ErasureLevel::Answers,
+          storage::ErasureLevel::All}) {
+      for (const auto number : {0, 1, 2}) {
+        auto made = certificate();
+        made.report.erasure.level = level;
+        made.report.names = made.report.sessions = static_cast<std::size_t>(number);
+        made.report.answers = number;
+        if (number == 0) made.report.texts = {};
+        if (number == 2) {
+          made.report.filesWithTexts = {"study.db"};
+          made.copies.push_back({.folder = "/disk/no", .outcome = ErasedCopy::Outcome::NotInIt});
+          made.report.whyNotListed = "why";
+        }
+        const auto text = asText(made, words);
+        EXPECT_EQ(erasuresIn(text).size(), 1U) << "for another computer it says the same";
+        EXPECT_NE(text.find(language == "de" ? "Löschung" : "sletting"), std::string::npos);
+      }
+    }
+    std::string missing;
+    for (const auto& sentence : words.missing()) missing += sentence + "\n";
+    EXPECT_EQ(missing, "");
+    EXPECT_NE(asHtml(certificate(), words).find("lang=\"" + language), std::string::npos);
+  }
+}
+
 TEST(ErasureCertificate, IsAPageWithEscapedText) {
   const auto html = asHtml(certificate());
   EXPECT_NE(html.find("A &lt;short&gt; study"), std::string::npos);
