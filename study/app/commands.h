@@ -30,6 +30,7 @@ void addSceneCommands(CLI::App& program, Action& action);
 void addMaterialCommands(CLI::App& program, Action& action);
 void addPackingCommands(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
+void addCollectCommand(CLI::App& program, Action& action);
 void addDeviceCommands(CLI::App& program, Action& action);
 void addDemoCommand(CLI::App& program, Action& action);
 void addPlanCommand(CLI::App& program, Action& action);

@@ -29,6 +29,7 @@ std::unique_ptr<CLI::App> makeProgram(Action& action) {
   addPackingCommands(*program, action);
   addSceneCommands(*program, action);
   addDeviceCommands(*program, action);
+  addCollectCommand(*program, action);
   addBenchCommand(*program, action);
   return program;
 }

@@ -81,6 +81,15 @@ std::string keyAdviceOn(Study& study, const std::string& folder) {
       folder);
 }
 
+/// Where a study of many sites is run; no line in a study of one machine.
+std::string placeOf(const Study& study) {
+  if (study.isCollected()) return "collected from several stations: 'palpate collect' made it\n";
+  const auto& station = study.station();
+  return station.isNone() ? ""
+                          : "station '" + station.label + "' of the site '" + station.site +
+                                "': 'palpate collect status' says what has arrived\n";
+}
+
 int create(const StudyArguments& options) {
   SystemClock clock;
   const auto protocol = loadOrExplain(options.protocol);
@@ -194,7 +203,7 @@ int status(const StudyArguments& options) {
   const auto current = study.protocols().current();
   const auto& metadata = study.protocol().protocol.study;
   fmt::print(
-      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}{}\n",
+      "{}\nprotocol {} version {}, SHA-256 {}…, {}\nmade {}\n{}{}{}{}\n",
       metadata.title,
       metadata.id,
       metadata.version,
@@ -202,6 +211,7 @@ int status(const StudyArguments& options) {
       current.frozenUtc ? "frozen " + *current.frozenUtc
                         : "not frozen yet: no live participant has begun",
       study.createdUtc(),
+      placeOf(study),
       commitmentOf(study),
       sealOf(study),
       study.protocol().protocol.isBlindingOpen ? "blinding: open, nobody is kept blind\n" : "");

@@ -34,6 +34,8 @@ constexpr std::array<EventFacts, kKnown> kFacts{
         "signed_head", {"{events} events, hash {hash}, for {purpose}, by the station {key}"}},
     EventFacts{"head_not_signed"},
     EventFacts{"erased", {"{participant} ({level}): {reason}"}},
+    EventFacts{
+        "collected_study", {"{sessions} sessions of {stations} stations; {trails}: {reason}"}},
     EventFacts{"resealed_trail", {"{events} events until then, the last one {head}: {reason}"}},
     EventFacts{"exported_key"},
     EventFacts{"imported_key"},

@@ -25,6 +25,7 @@ enum class EventKind {
   SignedHead,       ///< a station vouches for all events before this one
   HeadNotSigned,    ///< the station's key could not be used
   Erased,           ///< names, answers or both of a participant
+  CollectedStudy,   ///< a study was put together of what its stations sent
   ResealedTrail,    ///< the trail of an older format was sealed once, so that it can be erased from
   ExportedKey,      ///< the key of the conditions left the station, and why
   ImportedKey,      ///< another station, which signs this, has it now

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "protocols/orders/schedule.h"
+#include "study/storage/hasher.h"
 
 namespace study {
 namespace {
@@ -52,6 +53,29 @@ std::map<std::string, std::string> exchanged(
   return parts;
 }
 
+/// Each station draws from a seed of its own, and is balanced by itself. Without one it is the
+/// study's: a study of one machine draws as before there were stations.
+std::uint64_t seedAt(const std::string& station, std::uint64_t seed) {
+  if (station.empty()) return seed;
+  storage::Hasher hasher;
+  hasher.add("orders of a station");
+  hasher.add(std::to_string(seed));
+  hasher.add(station);
+  const auto hash = hasher.finish();
+  std::uint64_t drawn = 0;
+  for (std::size_t i = 0; i < sizeof drawn; ++i) {
+    drawn = drawn << 8U | std::to_integer<std::uint64_t>(hash[i]);
+  }
+  return drawn;
+}
+
+/// A station has only its own secret. A study that was collected has the one that all are made of.
+std::optional<storage::BlindingSecret> secretAt(Study& study, const storage::SessionRow& row) {
+  const auto* secret = study.secretFor(row.runMode);
+  if (secret == nullptr) return std::nullopt;
+  return study.isCollected() && !row.station.empty() ? secret->of(row.station) : *secret;
+}
+
 }  // namespace
 
 std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow& row) {
@@ -59,7 +83,10 @@ std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow&
   auto steps = sessionPlan(
       protocol,
       protocols::scheduleFor(
-          protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot)));
+          protocol,
+          seedAt(row.station, study.seed()),
+          row.cohort,
+          static_cast<std::uint64_t>(row.slot)));
   for (auto& step : steps) {
     step.condition.clear();
     step.itemSet.clear();
@@ -70,9 +97,12 @@ std::vector<Step> planWithoutConditions(Study& study, const storage::SessionRow&
 std::vector<Step> drawnPlan(Study& study, const storage::SessionRow& row) {
   const auto& protocol = study.protocol(row.protocol).protocol;
   auto schedule = protocols::scheduleFor(
-      protocol, study.seed(), row.cohort, static_cast<std::uint64_t>(row.slot));
-  const auto* secret = study.secretFor(row.runMode);
-  if (secret == nullptr) return sessionPlan(protocol, schedule);
+      protocol,
+      seedAt(row.station, study.seed()),
+      row.cohort,
+      static_cast<std::uint64_t>(row.slot));
+  const auto secret = secretAt(study, row);
+  if (!secret) return sessionPlan(protocol, schedule);
   const auto parts = exchanged(protocol, *secret, row.runMode);
   for (auto& block : schedule.blocks) {
     for (auto& trial : block.trials) {

@@ -61,6 +61,21 @@ void freezeFor(Study& study, const SessionRow& row, const Moment& now) {
   study.events().append({.when = now, .kind = EventKind::FrozeProtocol, .detail = row.participant});
 }
 
+/// Sessions of a study that was collected go on where they were begun.
+void requireOwnSessions(const Study& study) {
+  if (!study.isCollected()) return;
+  throw UserError(
+      study.folder().string() +
+      " was put together of what several stations sent. Sessions are run at a station; 'palpate "
+      "collect pull' brings them here.");
+}
+
+/// The code begins with the station's name, so that codes of several sites cannot be the same.
+std::string codeAt(const Station& station, const std::string& code) {
+  if (code.empty() || station.isNone() || code.starts_with(station.label + "_")) return code;
+  return station.label + "_" + code;
+}
+
 /// Draws the keys of a new participant. One of an older release, who comes again, has none until
 /// the trail is sealed again: the trail of one person is not sealed in parts.
 void prepareFor(Study& study, const SessionRow& row) {
@@ -77,9 +92,9 @@ std::vector<Step> enrolIn(Study& study, SessionRow& row, const Moment& now) {
   auto sessions = study.sessions();
   row.protocol = study.protocols().current().id;
   row.startedUtc = asUtc(now.wall);
-  if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode);
+  if (row.participant.empty()) row.participant = sessions.freeCode(row.runMode, row.station);
   prepareFor(study, row);
-  row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort);
+  row.slot = sessions.freeSlot(row.protocol, row.runMode, row.cohort, row.station);
   auto plan = drawnPlan(study, row);
   freezeFor(study, row, now);
   sessions.add(row, plan, std::string(appVersion()));
@@ -113,6 +128,7 @@ Session::Session(Study& study, SessionRow row, std::vector<Step> plan, storage::
       lease_(std::move(lease)) {}
 
 Session Session::enrol(Study& study, const Enrolment& enrolment) {
+  requireOwnSessions(study);
   requirePossible(study.protocol().protocol, enrolment);
   SessionRow row;
   std::vector<Step> plan;
@@ -120,10 +136,12 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
   study.transact([&] {
     const Moment now = study.clock().now();
     row = {
-        .participant = enrolment.code,
+        .participant = codeAt(study.station(), enrolment.code),
         .runMode = enrolment.runMode,
         .cohort = enrolment.cohort,
-        .language = enrolment.language};
+        .language = enrolment.language,
+        .site = study.station().site,
+        .station = study.station().label};
     plan = enrolIn(study, row, now);
     lease.emplace(study.database(), row.id, row.startedUtc);
     study.events().append(
@@ -141,6 +159,7 @@ Session Session::enrol(Study& study, const Enrolment& enrolment) {
 
 Session Session::resume(Study& study, SessionId id, const std::string& takeOver) {
   using From = storage::Lease::From;
+  requireOwnSessions(study);
   auto row = study.sessions().load(id);
   const auto holder = storage::Lease::holder(study.database(), id);
   std::optional<storage::Lease> lease;

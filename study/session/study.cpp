@@ -94,6 +94,15 @@ void Study::readHead() {
   const std::string seed = select.text(1);
   std::from_chars(seed.data(), seed.data() + seed.size(), seed_);
   createdUtc_ = select.text(3);
+  const storage::Event made{.kind = EventKind::MadeStudy, .values = events().madeStudy()};
+  const auto textOf = [&](std::string_view name) {
+    const auto* value = made.value(name);
+    const auto* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
+    return text == nullptr ? std::string() : *text;
+  };
+  station_ = {.site = textOf("site"), .label = textOf("station"), .uuid = textOf("station_uuid")};
+  storage::Statement first(database_, "SELECT kind FROM event WHERE seq = 1");
+  isCollected_ = first.step() && first.text(0) == nameOf(EventKind::CollectedStudy);
 }
 
 void Study::readSecret() {

@@ -11,6 +11,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/model/clock.h"
 #include "study/model/run_mode.h"
+#include "study/model/station.h"
 #include "study/storage/blinding_secret.h"
 #include "study/storage/database.h"
 #include "study/storage/event_log.h"
@@ -32,14 +33,16 @@ class Study {
   /// @throws storage::StorageError  if it exists already, or cannot be written.
   /// @param seed  of everything that is drawn; if there is none, the protocol's, or else a random
   ///     one.
-  /// @param secret  of its blinding; if there is none, a random one. Only tests give one, to know
-  ///     codes and orders beforehand.
+  /// @param secret  of its blinding; if there is none, a random one. Tests give one, to know codes
+  ///     and orders beforehand, and the enrolment of a station does.
+  /// @param station  where its sessions take place; none: a study of one machine.
   static Study create(
       const std::filesystem::path& folder,
       const protocols::LoadedProtocol& protocol,
       Clock& clock,
       std::optional<std::uint64_t> seed = std::nullopt,
-      const std::optional<storage::BlindingSecret>& secret = std::nullopt);
+      const std::optional<storage::BlindingSecret>& secret = std::nullopt,
+      const Station& station = {});
 
   /// Opens an existing folder. Goes on with an erasure that was interrupted, also if the folder is
   /// only to be read. @throws storage::StorageError
@@ -81,6 +84,13 @@ class Study {
 
   const std::string& createdUtc() const noexcept { return createdUtc_; }
   Clock& clock() noexcept { return *clock_; }
+
+  /// Where its sessions take place; none in a study of one machine, and in one that was collected.
+  const Station& station() const noexcept { return station_; }
+
+  /// Whether it was put together of what several stations sent. It can be evaluated and exported;
+  /// its sessions go on at their stations.
+  bool isCollected() const noexcept { return isCollected_; }
 
   /// The protocol that new sessions use, and the one of a given version.
   const protocols::LoadedProtocol& protocol();
@@ -147,11 +157,21 @@ class Study {
   std::uint64_t seed_ = 0;
   std::string createdUtc_;
   storage::TrailSigner signer_;
+  Station station_;
+  bool isCollected_ = false;
   bool isWritable_ = true;
   bool isSecretRead_ = false;
   bool isSealed_ = false;
   std::optional<storage::BlindingSecret> secret_;
 };
+
+/// The permanent name of a study. The same seed and protocol give the same name, so that a
+/// simulated study can be made again byte for byte. A drawn seed makes the name unique.
+/// @param protocolHash  storage::sha256() of the protocol with its files
+std::string studyUuid(std::uint64_t seed, const std::string& protocolHash);
+
+/// A random seed that JSON files and scripts can hold exactly.
+std::uint64_t drawnSeed();
 
 /// The version of this program, as stored with every session.
 std::string_view appVersion() noexcept;

@@ -23,31 +23,6 @@ using storage::StorageError;
 
 constexpr std::uintmax_t kLeastFreeSpace = 64 * 1024 * 1024;  // [bytes]: enough for a first session
 
-/// A random seed that JSON files and scripts can hold exactly.
-std::uint64_t drawnSeed() {
-  constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
-  std::uint64_t seed = 0;
-  randombytes_buf(&seed, sizeof seed);
-  return seed & kExactInJson;
-}
-
-/// The permanent name of a study. The same seed and protocol give the same name, so that a
-/// simulated study can be made again byte for byte. A drawn seed makes the name unique.
-std::string uuidFor(std::uint64_t seed, const std::string& protocolHash) {
-  std::array<unsigned char, 16> bytes{};
-  const std::string content = std::to_string(seed) + protocolHash;
-  crypto_generichash(
-      bytes.data(),
-      bytes.size(),
-      reinterpret_cast<const unsigned char*>(content.data()),
-      content.size(),
-      nullptr,
-      0);
-  std::array<char, 2 * bytes.size() + 1> text{};
-  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
-  return text.data();
-}
-
 void makeFolder(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error)) {
@@ -79,7 +54,8 @@ void begin(
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
     std::uint64_t seed,
-    const storage::BlindingSecret& secret) {
+    const storage::BlindingSecret& secret,
+    const Station& station) {
   const StudyFiles files{folder};
   Database::create(files.study(), storage::studySchema());
   Database::create(files.traces(), storage::traceSchema());
@@ -104,16 +80,20 @@ void begin(
       database,
       "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
       "VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, uuidFor(seed, storage::sha256(protocol.text, protocol.files)))
+  insert.bind(1, studyUuid(seed, storage::sha256(protocol.text, protocol.files)))
       .bind(2, std::to_string(seed))
       .bind(3, std::int64_t{base::kRandomVersion})
       .bind(4, appVersion())
       .bind(5, asUtc(now.wall));
   insert.run();
+  base::NamedArguments made{{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}};
+  if (!station.isNone()) {
+    made.emplace_back("site", station.site);
+    made.emplace_back("station", station.label);
+    made.emplace_back("station_uuid", station.uuid);
+  }
   storage::EventLog(database).append(
-      {.when = now,
-       .kind = EventKind::MadeStudy,
-       .values = {{"study", protocol.protocol.study.id}, {"secret", secret.commitment()}}});
+      {.when = now, .kind = EventKind::MadeStudy, .values = std::move(made)});
   transaction.commit();
   flushFolder(folder);
   storage::noteNewStudy(database, folder, now);
@@ -121,12 +101,35 @@ void begin(
 
 }  // namespace
 
+std::uint64_t drawnSeed() {
+  constexpr std::uint64_t kExactInJson = (std::uint64_t{1} << 53) - 1;
+  std::uint64_t seed = 0;
+  randombytes_buf(&seed, sizeof seed);
+  return seed & kExactInJson;
+}
+
+std::string studyUuid(std::uint64_t seed, const std::string& protocolHash) {
+  std::array<unsigned char, 16> bytes{};
+  const std::string content = std::to_string(seed) + protocolHash;
+  crypto_generichash(
+      bytes.data(),
+      bytes.size(),
+      reinterpret_cast<const unsigned char*>(content.data()),
+      content.size(),
+      nullptr,
+      0);
+  std::array<char, 2 * bytes.size() + 1> text{};
+  sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+  return text.data();
+}
+
 Study Study::create(
     const fs::path& folder,
     const protocols::LoadedProtocol& protocol,
     Clock& clock,
     std::optional<std::uint64_t> seed,
-    const std::optional<storage::BlindingSecret>& secret) {
+    const std::optional<storage::BlindingSecret>& secret,
+    const Station& station) {
   if (sodium_init() < 0) throw std::logic_error("libsodium does not start");
   makeFolder(folder);
   try {
@@ -135,7 +138,8 @@ Study Study::create(
         protocol,
         clock,
         seed ? *seed : protocol.protocol.seed.value_or(drawnSeed()),
-        secret ? *secret : storage::BlindingSecret::drawn());
+        secret ? *secret : storage::BlindingSecret::drawn(),
+        station);
   } catch (const StorageError&) {
     std::error_code ignored;
     fs::remove_all(folder, ignored);  // the study was never complete: no data are lost

@@ -13,6 +13,10 @@ BlindingSecret BlindingSecret::drawn() {
   return BlindingSecret(bytes);
 }
 
+BlindingSecret BlindingSecret::of(std::string_view station) const {
+  return BlindingSecret(digestOf("station/" + std::string(station)));
+}
+
 BlindingSecret::Bytes BlindingSecret::digestOf(std::string_view text) const {
   static_assert(std::tuple_size_v<Bytes> == crypto_generichash_BYTES);
   Bytes digest{};

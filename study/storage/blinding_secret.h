@@ -24,6 +24,10 @@ class BlindingSecret {
   /// From the operating system's random numbers.
   static BlindingSecret drawn();
 
+  /// The secret of one station (its label), which tells nothing of this one or of another
+  /// station's.
+  BlindingSecret of(std::string_view station) const;
+
   const Bytes& bytes() const noexcept { return bytes_; }
 
   /// A keyed hash in hexadecimal, which tells the secret from any other and does not reveal it.

@@ -76,6 +76,10 @@ bool hasWrappedKey(const Database& database) {
   return hasFormatOfSealedConditions(database) && Statement(database, kWrappedKey).step();
 }
 
+/// Hashed only where a session has a station, for the same reason.
+constexpr const char* kStationOfASession =
+    "SELECT site, station FROM session WHERE id = ? AND station <> ''";
+
 bool wasAnyoneErased(const Database& database) {
   return database.hasTable("erasure") && Statement(database, "SELECT 1 FROM erasure").step();
 }
@@ -92,6 +96,16 @@ void addRows(Hasher& hasher, Statement& rows) {
   hasher.add("end");
 }
 
+void addStation(const Database& database, SessionId session, Hasher& hasher) {
+  if (!database.hasColumn("session", "station")) return;  // an older format that is only read
+  Statement row(database, kStationOfASession);
+  row.bind(1, static_cast<std::int64_t>(session));
+  if (!row.step()) return;
+  hasher.add("station");
+  hasher.add(row.exactBytes(0));
+  hasher.add(row.exactBytes(1));
+}
+
 }  // namespace
 
 Hash contentHash(const Database& database, SessionId session, const SealingKey* key) {
@@ -106,6 +120,7 @@ Hash contentHash(const Database& database, SessionId session, const SealingKey* 
     rows.bind(1, static_cast<std::int64_t>(session));
     addRows(hasher, rows);
   }
+  addStation(database, session, hasher);
   return key == nullptr ? hasher.finish() : hasher.finish(key->hashingKey());
 }
 

@@ -233,9 +233,17 @@ bool Database::hasTable(const std::string& name) const {
   return table.bind(1, std::string_view(name)).step();
 }
 
-bool Database::hasColumn(const std::string& table, const std::string& name) const {
-  Statement column(*this, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
-  return column.bind(1, std::string_view(table)).bind(2, std::string_view(name)).step();
+bool Database::hasColumn(const std::string& table, const std::string& column) const {
+  return sqlite3_table_column_metadata(
+             handle_,
+             "main",
+             table.c_str(),
+             column.c_str(),
+             nullptr,
+             nullptr,
+             nullptr,
+             nullptr,
+             nullptr) == SQLITE_OK;
 }
 
 std::string Database::integrityProblems() {

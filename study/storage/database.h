@@ -60,7 +60,7 @@ class Database {
 
   /// False in a file of an older format that is only read.
   bool hasTable(const std::string& name) const;
-  bool hasColumn(const std::string& table, const std::string& name) const;
+  bool hasColumn(const std::string& table, const std::string& column) const;
 
   /// The problems that SQLite's integrity check and the foreign keys find; empty if none.
   std::string integrityProblems();
@@ -84,6 +84,14 @@ class Database {
   void giveKey(const SealingKey& key) { key_ = key; }
   /// nullptr: this connection has none.
   const SealingKey* key() const noexcept { return key_ ? &*key_ : nullptr; }
+
+  /// From now on what is measured is stored in the open: sessions of stations travel as they are
+  /// stored (docs/decisions/0054).
+  void leaveMeasurementsOpen() noexcept { areMeasurementsSealed_ = false; }
+  /// With which measurements are sealed; nullptr: they are not.
+  const SealingKey* measurementKey() const noexcept {
+    return areMeasurementsSealed_ ? key() : nullptr;
+  }
 
   std::int64_t lastInsertedId() const noexcept;
   const std::string& path() const noexcept { return path_; }
@@ -109,6 +117,7 @@ class Database {
   sqlite3* handle_ = nullptr;
   bool owesRollback_ = false;
   std::optional<SealingKey> key_;
+  bool areMeasurementsSealed_ = true;
 };
 
 }  // namespace study::storage

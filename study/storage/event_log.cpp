@@ -18,23 +18,12 @@
 namespace study::storage {
 namespace {
 
-/// An event as it stands in a row.
-struct Row {
-  std::optional<std::int64_t> session;
-  std::optional<std::int64_t> step;
-  std::optional<std::int64_t> attempt;
-  std::string utc;
-  std::int64_t monotonic = 0;
-  std::string actor;
-  std::string kind;
-  std::string detail;
-  std::vector<std::byte> content;      ///< empty in rows of format 1
-  std::vector<std::byte> sealed = {};  ///< the detail; empty if that is open
-
-  Hash hashAfter(std::int64_t seq, const std::vector<std::byte>& previous) const {
+/// An event as it stands in a row. The number is given by those who write it.
+struct Row : StoredEvent {
+  Hash hashAfter(std::int64_t number, const std::vector<std::byte>& previous) const {
     Hasher hasher;
     hasher.add(std::span(previous));
-    hasher.add(std::optional(seq));
+    hasher.add(std::optional(number));
     hasher.add(session);
     hasher.add(step);
     hasher.add(attempt);
@@ -53,10 +42,10 @@ struct Row {
   }
 
   /// Where what is sealed belongs.
-  std::string place(std::int64_t seq) const { return std::to_string(seq) + "/" + kind; }
+  std::string place(std::int64_t number) const { return std::to_string(number) + "/" + kind; }
 
-  void seal(std::int64_t seq, const SealingKey& key) {
-    sealed = key.seal(detail, place(seq));
+  void seal(std::int64_t number, const SealingKey& key) {
+    sealed = key.seal(detail, place(number));
     detail.clear();
   }
 };
@@ -77,7 +66,8 @@ const char* columnsIn(const Database& database) {
 }
 
 Row rowIn(const Statement& statement) {
-  return {
+  return {StoredEvent{
+      .seq = statement.number(0),
       .session = statement.optionalNumber(1),
       .step = statement.optionalNumber(2),
       .attempt = statement.optionalNumber(3),
@@ -87,7 +77,8 @@ Row rowIn(const Statement& statement) {
       .kind = statement.text(7),
       .detail = statement.text(8),
       .content = statement.blob(10),
-      .sealed = statement.blob(11)};
+      .sealed = statement.blob(11),
+      .hash = statement.blob(9)}};
 }
 
 constexpr std::string_view kLimitCycle =
@@ -132,16 +123,12 @@ std::int64_t millisecondsIn(const std::string& utc) {
 }
 
 Row rowOf(const Event& event) {
-  Row row{
-      .session = std::nullopt,
-      .step = std::nullopt,
-      .attempt = std::nullopt,
+  Row row{StoredEvent{
       .utc = asUtc(event.when.wall),
       .monotonic = event.when.monotonic,
       .actor = std::string(nameOf(event.actor)),
       .kind = std::string(event.name()),
-      .detail = event.values.empty() ? event.detail : asJson(event.values),
-      .content = {}};
+      .detail = event.values.empty() ? event.detail : asJson(event.values)}};
   if (event.visit) {
     row.session = static_cast<std::int64_t>(event.visit->session);
     row.step = event.visit->step;
@@ -150,7 +137,8 @@ Row rowOf(const Event& event) {
   return row;
 }
 
-void insert(Database& database, std::int64_t seq, const Row& row, const Hash& hash) {
+void insert(
+    Database& database, std::int64_t seq, const StoredEvent& row, std::span<const std::byte> hash) {
   Statement insert(
       database,
       std::string("INSERT INTO event (") + kEventColumns + ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?)");
@@ -163,7 +151,7 @@ void insert(Database& database, std::int64_t seq, const Row& row, const Hash& ha
       .bind(7, row.actor)
       .bind(8, row.kind)
       .bind(9, row.detail)
-      .bind(10, std::span<const std::byte>(hash));
+      .bind(10, hash);
   if (!row.content.empty()) insert.bind(11, std::span<const std::byte>(row.content));
   if (!row.sealed.empty()) insert.bind(12, std::span<const std::byte>(row.sealed));
   insert.run();
@@ -333,6 +321,42 @@ void EventLog::sealAgain(const Event& event) {
   guards.putBack();
 }
 
+std::vector<StoredEvent> EventLog::stored(std::int64_t after, std::int64_t most) const {
+  Statement select(
+      database_,
+      std::string("SELECT ") + columnsIn(database_) +
+          " FROM event WHERE seq > ? ORDER BY seq LIMIT ?");
+  select.bind(1, after).bind(2, most);
+  std::vector<StoredEvent> events;
+  while (select.step()) events.push_back(rowIn(select));
+  return events;
+}
+
+void EventLog::putStored(const StoredEvent& event) {
+  insert(database_, event.seq, event, event.hash);
+}
+
+void EventLog::appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches) {
+  Row row{event};
+  if (key != nullptr && !row.sealed.empty()) {
+    if (auto detail = key->open(row.sealed, row.place(event.seq))) {
+      row.detail = std::move(*detail);
+      row.sealed.clear();
+    }
+  }
+  const bool isToBeSealed =
+      key != nullptr && row.session && row.sealed.empty() && row.kind != nameOf(EventKind::Erased);
+  row.content.clear();
+  if (vouches) {
+    row.content = asBytes(
+        row.session ? contentHash(database_, SessionId{*row.session}, isToBeSealed ? key : nullptr)
+                    : contentHash(database_));
+  }
+  const auto seq = last() + 1;
+  if (isToBeSealed) row.seal(seq, *key);
+  insert(database_, seq, row, row.hashAfter(seq, head()));
+}
+
 std::vector<std::byte> EventLog::head() const {
   Statement last(database_, "SELECT hash FROM event ORDER BY seq DESC LIMIT 1");
   return last.step() ? last.blob(0) : std::vector<std::byte>();
@@ -373,14 +397,17 @@ std::int64_t EventLog::last() const {
   return last.number(0);
 }
 
-std::string EventLog::commitment() const {
+base::NamedArguments EventLog::madeStudy() const {
   // The first event, or the second: a trail that was sealed again begins with that.
   Statement first(
       database_, "SELECT detail FROM event WHERE seq <= 2 AND kind = ? ORDER BY seq LIMIT 1");
   first.bind(1, study::nameOf(EventKind::MadeStudy));
   if (!first.step()) return {};
-  Event made{.kind = EventKind::MadeStudy};
-  made.values = valuesIn(first.text(0)).value_or(base::NamedArguments());
+  return valuesIn(first.text(0)).value_or(base::NamedArguments());
+}
+
+std::string EventLog::commitment() const {
+  const Event made{.kind = EventKind::MadeStudy, .values = madeStudy()};
   const auto* value = made.value("secret");
   const auto* secret = value == nullptr ? nullptr : std::get_if<std::string>(value);
   return secret == nullptr ? std::string() : *secret;

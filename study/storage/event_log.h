@@ -41,6 +41,22 @@ struct Event {
   const base::Argument* value(std::string_view name) const noexcept;
 };
 
+/// An event as it stands in its row. What it says may be sealed.
+struct StoredEvent {
+  std::int64_t seq = 0;
+  std::optional<std::int64_t> session;
+  std::optional<std::int64_t> step;
+  std::optional<std::int64_t> attempt;
+  std::string utc;
+  std::int64_t monotonic = 0;  ///< [ns]
+  std::string actor;
+  std::string kind;
+  std::string detail;
+  std::vector<std::byte> content;  ///< hash of the tables; empty in rows of format 1
+  std::vector<std::byte> sealed;   ///< the detail; empty if that is open
+  std::vector<std::byte> hash;
+};
+
 /// What the event says besides its kind, in English.
 std::string describe(const Event& event);
 
@@ -82,6 +98,9 @@ class EventLog {
   /// The number of the last event; 0 before the first.
   std::int64_t last() const;
 
+  /// The values of the event with which the study was made.
+  base::NamedArguments madeStudy() const;
+
   /// What the first event says of the secret with which the study was made
   /// (BlindingSecret::commitment()); empty in studies without one.
   std::string commitment() const;
@@ -111,6 +130,20 @@ class EventLog {
   /// everything else in its order, with what concerns participants who have keys sealed. Of their
   /// hashes of the tables only the last ones stay; the others would tell something of answers.
   void sealAgain(const Event& event);
+
+  /// Rows as they are: the first @p most after the event @p after.
+  std::vector<StoredEvent> stored(std::int64_t after, std::int64_t most) const;
+
+  /// Stores a row as it is, in an empty trail that is to be checked; its session need not be there.
+  void putStored(const StoredEvent& event);
+
+  /// Appends what an event of another trail says, as the next event of this one, inside the
+  /// caller's transaction. Time, actor, kind and text stay; number and hash are of this trail.
+  /// @param event  with the session's number in this study
+  /// @param key  with which it is sealed there, and here again; nullptr: it is open, or stays
+  /// closed
+  /// @param vouches  whether it carries a hash of the tables: the last event of a session
+  void appendFrom(const StoredEvent& event, const SealingKey* key, bool vouches);
 
   /// Events of one session, or of all, in order.
   std::vector<Event> read(std::optional<SessionId> session = std::nullopt) const;

@@ -189,6 +189,13 @@ void IdentityStore::drawKeys(const std::string& participant) {
   transaction.commit();
 }
 
+void IdentityStore::putContentKey(const std::string& participant, const SealingKey& key) {
+  Statement insert(
+      database_, "INSERT INTO participant_key (participant, identity, content) VALUES (?,NULL,?)");
+  insert.bind(1, participant).bind(2, std::as_bytes(std::span(key.bytes())));
+  insert.run();
+}
+
 std::optional<SealingKey> IdentityStore::key(Key kind, const std::string& participant) const {
   if (!database_.hasTable("participant_key")) return std::nullopt;
   Statement select(

@@ -51,6 +51,8 @@ class IdentityStore {
 
   /// Draws both keys of a participant. Does nothing if there are keys, or were. One transaction.
   void drawKeys(const std::string& participant);
+  /// The content key of somebody whose names are kept elsewhere, inside the caller's transaction.
+  void putContentKey(const std::string& participant, const SealingKey& key);
   /// std::nullopt if it was destroyed, or if the participant took part under an older release.
   std::optional<SealingKey> key(Key kind, const std::string& participant) const;
   /// Destroys a key, with the names if it is theirs. One transaction.

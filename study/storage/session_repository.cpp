@@ -17,8 +17,17 @@ constexpr std::array<std::string_view, 5> kVisitStatuses{
 
 constexpr const char* kSelect =
     "SELECT s.id, p.code, s.number, s.protocol_id, s.run_mode, s.cohort, s.language, s.slot, "
-    "s.slot_state, s.state, s.step, s.attempt, s.started_utc, s.ended_utc, s.end_reason "
-    "FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
+    "s.slot_state, s.state, s.step, s.attempt, s.started_utc, s.ended_utc, s.end_reason, ";
+constexpr const char* kStationColumns = "s.site, s.station";
+constexpr const char* kNoStationColumns = "'', ''";
+constexpr const char* kFromTables =
+    " FROM session AS s JOIN participant AS p ON p.id = s.participant_id ";
+
+/// A file of an older format that is only read has no stations.
+std::string selectFrom(const Database& database) {
+  const bool hasStations = database.hasColumn("session", "station");
+  return std::string(kSelect) + (hasStations ? kStationColumns : kNoStationColumns) + kFromTables;
+}
 
 SessionRow sessionIn(const Statement& row) {
   const auto mode = runModeNamed(row.text(4));
@@ -36,6 +45,8 @@ SessionRow sessionIn(const Statement& row) {
       .runMode = *mode,
       .cohort = row.text(5),
       .language = row.text(6),
+      .site = row.text(15),
+      .station = row.text(16),
       .slot = row.number(7),
       .slotState = known(valueNamed<SlotState>(kSlotStates, row.text(8)), row.text(8)),
       .state = *state,
@@ -65,19 +76,28 @@ std::optional<VisitStatus> visitStatusNamed(std::string_view name) noexcept {
 }
 
 std::int64_t SessionRepository::freeSlot(
-    ProtocolId protocol, RunMode mode, const std::string& cohort) const {
+    ProtocolId protocol,
+    RunMode mode,
+    const std::string& cohort,
+    const std::string& station) const {
   Statement held(
       database_,
       "SELECT slot FROM session WHERE protocol_id = ? AND run_mode = ? AND cohort = ? "
-      "AND slot_state <> 'released' ORDER BY slot");
-  held.bind(1, static_cast<std::int64_t>(protocol)).bind(2, nameOf(mode)).bind(3, cohort);
+      "AND station = ? AND slot_state <> 'released' ORDER BY slot");
+  held.bind(1, static_cast<std::int64_t>(protocol))
+      .bind(2, nameOf(mode))
+      .bind(3, cohort)
+      .bind(4, station);
   std::int64_t free = 0;
   while (held.step() && held.number(0) == free) ++free;
   return free;
 }
 
-std::string SessionRepository::freeCode(RunMode mode) const {
-  const char* prefix = mode == RunMode::Live ? "P" : mode == RunMode::Pilot ? "PILOT-" : "SIM-";
+std::string SessionRepository::freeCode(RunMode mode, const std::string& station) const {
+  const std::string prefix =
+      (station.empty() ? "" : station + "_") + (mode == RunMode::Live    ? "P"
+                                                : mode == RunMode::Pilot ? "PILOT-"
+                                                                         : "SIM-");
   Statement count(database_, "SELECT count(*) FROM participant WHERE run_mode = ?");
   count.bind(1, nameOf(mode));
   count.step();
@@ -132,8 +152,8 @@ void SessionRepository::add(
   Statement insert(
       database_,
       "INSERT INTO session (participant_id, number, protocol_id, run_mode, cohort, language, slot, "
-      "slot_state, state, step, attempt, app_version, started_utc) VALUES "
-      "(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+      "slot_state, state, step, attempt, app_version, started_utc, site, station) VALUES "
+      "(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   insert.bind(1, participant)
       .bind(2, std::int64_t{session.number})
       .bind(3, static_cast<std::int64_t>(session.protocol))
@@ -146,7 +166,9 @@ void SessionRepository::add(
       .bind(10, std::int64_t{session.step})
       .bind(11, std::int64_t{session.attempt})
       .bind(12, appVersion)
-      .bind(13, session.startedUtc);
+      .bind(13, session.startedUtc)
+      .bind(14, session.site)
+      .bind(15, session.station);
   insert.run();
   session.id = SessionId{database_.lastInsertedId()};
   addSteps(session, steps);
@@ -205,7 +227,7 @@ void SessionRepository::update(const SessionRow& session) {
 }
 
 SessionRow SessionRepository::load(SessionId id) const {
-  Statement select(database_, std::string(kSelect).append("WHERE s.id = ?"));
+  Statement select(database_, selectFrom(database_) + "WHERE s.id = ?");
   select.bind(1, static_cast<std::int64_t>(id));
   if (!select.step()) {
     throw StorageError(
@@ -215,7 +237,7 @@ SessionRow SessionRepository::load(SessionId id) const {
 }
 
 std::vector<SessionRow> SessionRepository::all() const {
-  Statement select(database_, std::string(kSelect).append("ORDER BY s.id"));
+  Statement select(database_, selectFrom(database_) + "ORDER BY s.id");
   std::vector<SessionRow> sessions;
   while (select.step()) sessions.push_back(sessionIn(select));
   return sessions;

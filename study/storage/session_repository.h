@@ -28,6 +28,8 @@ struct SessionRow {
   RunMode runMode = RunMode::Live;
   std::string cohort;
   std::string language;
+  std::string site = {};     ///< empty in a study of one machine
+  std::string station = {};  ///< label
   std::int64_t slot = 0;
   SlotState slotState = SlotState::Reserved;
   SessionState state = SessionState::Enrolled;
@@ -49,11 +51,15 @@ class SessionRepository {
  public:
   explicit SessionRepository(Database& database) : database_(database) {}
 
-  /// The lowest free place of a design.
-  std::int64_t freeSlot(ProtocolId protocol, RunMode mode, const std::string& cohort) const;
+  /// The lowest free place of a design: each station has places of its own.
+  std::int64_t freeSlot(
+      ProtocolId protocol,
+      RunMode mode,
+      const std::string& cohort,
+      const std::string& station = {}) const;
 
-  /// An unused participant's code: P001, or PILOT-001, SIM-001.
-  std::string freeCode(RunMode mode) const;
+  /// An unused participant's code: P001, or PILOT-001, SIM-001; oslo_P001 at the station "oslo".
+  std::string freeCode(RunMode mode, const std::string& station = {}) const;
   bool hasParticipant(const std::string& code) const;
   /// When the participant came; empty if there is none of the code.
   std::string enrolledUtc(const std::string& code) const;

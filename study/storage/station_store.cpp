@@ -15,6 +15,7 @@
 
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
+#include "study/model/user_error.h"
 
 namespace study::storage {
 namespace {
@@ -157,6 +158,41 @@ bool StationStore::isSigned(
   const auto key = fromHex<PublicKey>(publicKey);
   return bytes && key &&
          crypto_sign_verify_detached(bytes->data(), bytesOf(text), text.size(), key->data()) == 0;
+}
+
+std::vector<std::byte> StationStore::sealFor(std::string_view text, const std::string& publicKey) {
+  const auto key = fromHex<PublicKey>(publicKey);
+  std::array<unsigned char, crypto_box_PUBLICKEYBYTES> box{};
+  if (!key || crypto_sign_ed25519_pk_to_curve25519(box.data(), key->data()) != 0) {
+    throw UserError(
+        "'" + publicKey +
+        "' is no key of a station: that has 64 digits or letters a to f. 'palpate collect key' "
+        "prints it on the station.");
+  }
+  std::vector<std::byte> sealed(text.size() + crypto_box_SEALBYTES);
+  crypto_box_seal(
+      reinterpret_cast<unsigned char*>(sealed.data()), bytesOf(text), text.size(), box.data());
+  return sealed;
+}
+
+std::optional<std::string> StationStore::openSealed(std::span<const std::byte> sealed) const {
+  std::array<unsigned char, crypto_box_PUBLICKEYBYTES> publicBox{};
+  std::array<unsigned char, crypto_box_SECRETKEYBYTES> secretBox{};
+  const auto key = fromHex<PublicKey>(publicKey_);
+  const bool isUsable =
+      sealed.size() >= crypto_box_SEALBYTES && key &&
+      crypto_sign_ed25519_pk_to_curve25519(publicBox.data(), key->data()) == 0 &&
+      crypto_sign_ed25519_sk_to_curve25519(secretBox.data(), secretKey_.data()) == 0;
+  if (!isUsable) return std::nullopt;
+  std::string text(sealed.size() - crypto_box_SEALBYTES, '\0');
+  const int code = crypto_box_seal_open(
+      reinterpret_cast<unsigned char*>(text.data()),
+      reinterpret_cast<const unsigned char*>(sealed.data()),
+      sealed.size(),
+      publicBox.data(),
+      secretBox.data());
+  sodium_memzero(secretBox.data(), secretBox.size());
+  return code == 0 ? std::optional(text) : std::nullopt;
 }
 
 void StationStore::append(const std::string& list, const std::string& line) const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +40,13 @@ class StationStore {
   /// key or no signature.
   static bool isSigned(
       std::string_view text, const std::string& signature, const std::string& publicKey);
+
+  /// Seals @p text so that only the station of @p publicKey can open it (crypto_box_seal of
+  /// libsodium). @throws UserError  if that is no key of a station
+  static std::vector<std::byte> sealFor(std::string_view text, const std::string& publicKey);
+
+  /// What was sealed for this station; std::nullopt if it was for another one, or was changed.
+  std::optional<std::string> openSealed(std::span<const std::byte> sealed) const;
 
   /// Appends a line to a list; it is on the disk on return. Several programs may do so at a time.
   /// @param list  a name for a file: "heads-1a2b"

@@ -8,7 +8,7 @@ namespace {
 
 // Step n takes a database from version n to version n + 1. Steps are added and never changed,
 // because there are studies of every version.
-constexpr std::array<std::string_view, 8> kStudySteps{
+constexpr std::array<std::string_view, 9> kStudySteps{
     R"sql(
       CREATE TABLE study (
         id             INTEGER PRIMARY KEY CHECK (id = 1),
@@ -358,6 +358,15 @@ constexpr std::array<std::string_view, 8> kStudySteps{
       -- What was measured in a trial tells what was rendered: it is sealed where conditions are. The
       -- other columns of measurements are zero then, the verdict is 'PASS', and there is no cut.
       ALTER TABLE trial ADD COLUMN sealed BLOB;
+    )sql",
+    R"sql(
+      -- Where a session took place; '' in a study of one machine. Each station draws its orders by
+      -- itself, so that several of them can stand in one study (docs/decisions/0054).
+      ALTER TABLE session ADD COLUMN site TEXT NOT NULL DEFAULT '';
+      ALTER TABLE session ADD COLUMN station TEXT NOT NULL DEFAULT '';
+      DROP INDEX a_slot_is_held_once;
+      CREATE UNIQUE INDEX a_slot_is_held_once
+      ON session (protocol_id, run_mode, station, cohort, slot) WHERE slot_state <> 'released';
     )sql",
 };
 

@@ -26,11 +26,13 @@ std::optional<ErasureLevel> erasureLevelNamed(std::string_view name) noexcept {
 std::int64_t ErasureRepository::add(const Erasure& erasure) {
   Statement insert(
       database_,
-      "INSERT INTO erasure (participant, level, reason, erased_utc) VALUES (?, ?, ?, ?)");
+      "INSERT INTO erasure (participant, level, reason, erased_utc, finished_utc) "
+      "VALUES (?, ?, ?, ?, ?)");
   insert.bind(1, erasure.participant)
       .bind(2, nameOf(erasure.level))
       .bind(3, erasure.reason)
-      .bind(4, erasure.utc);
+      .bind(4, erasure.utc)
+      .bind(5, erasure.finishedUtc);
   insert.run();
   return database_.lastInsertedId();
 }

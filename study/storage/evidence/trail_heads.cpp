@@ -71,6 +71,12 @@ void TrailHeads::readResealed() {
   for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::ResealedTrail))) {
     if (seq == 1) eventsBefore_ = numberIn(values, "events");
   }
+  // Heads that stations signed are of their trails. They were checked when the study was collected.
+  for (const auto& [seq, values] : eventsOf(database_, study::nameOf(EventKind::CollectedStudy))) {
+    if (seq != 1) continue;
+    eventsBefore_ = numberIn(values, "events");
+    isCollected_ = true;
+  }
 }
 
 void TrailHeads::readErasedAgain() {
@@ -163,7 +169,9 @@ Findings TrailHeads::checkSignatures(const std::string& key) const {
   if (signedBefore_ > 0) {
     findings.remarks.push_back(
         std::to_string(signedBefore_) +
-        " signed before the trail was sealed again (event resealed_trail)");
+        (isCollected_ ? " signed at stations, and checked when they were collected (event "
+                        "collected_study)"
+                      : " signed before the trail was sealed again (event resealed_trail)"));
   }
   if (signedUpTo == 0) {
     findings.remarks.push_back("no station has signed anything of it yet");

@@ -59,6 +59,7 @@ class TrailHeads {
   std::string first_;
   std::int64_t last_ = 0;
   std::int64_t eventsBefore_ = 0;  ///< that were sealed again; they stand behind the first event
+  bool isCollected_ = false;       ///< it repeats the trails of several stations
   /// The last event before a copy was erased from: those after it are not of the study.
   std::int64_t ownEnd_ = 0;
   std::size_t signedBefore_ = 0;  ///< heads among them, which are of another trail

@@ -70,6 +70,12 @@ void expectHelpful(const std::string& help, const std::string& command) {
   }
 }
 
+/// Without libpq there is no program for 'palpate collect' to start.
+bool isBuilt(const std::string& verb) {
+  const auto folder = std::filesystem::path(tests::program()).parent_path();
+  return verb != "collect" || std::filesystem::exists(folder / "palpate-collect");
+}
+
 void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
   auto call = path;
   call.emplace_back("--help");
@@ -85,6 +91,7 @@ void expectEveryVerbToBeHelpful(const Words& path, int& leaves) {
   const auto verbs = subcommandsIn(finished.out);
   if (verbs.empty()) ++leaves;
   for (const auto& verb : verbs) {
+    if (path.empty() && !isBuilt(verb)) continue;
     auto below = path;
     below.push_back(verb);
     expectEveryVerbToBeHelpful(below, leaves);

@@ -30,6 +30,7 @@ constexpr auto kStored = std::to_array<std::pair<EventKind, std::string_view>>({
     {EventKind::SignedHead, "signed_head"},
     {EventKind::HeadNotSigned, "head_not_signed"},
     {EventKind::Erased, "erased"},
+    {EventKind::CollectedStudy, "collected_study"},
     {EventKind::ResealedTrail, "resealed_trail"},
     {EventKind::ExportedKey, "exported_key"},
     {EventKind::ImportedKey, "imported_key"},

@@ -42,7 +42,7 @@ class FormatOneTest : public testing::Test {
 
 TEST_F(FormatOneTest, IsConvertedWhenItIsOpenedWithoutLoss) {
   auto study = Study::open(folder_, clock_);
-  EXPECT_EQ(format(), 8);
+  EXPECT_EQ(format(), 9);
   EXPECT_EQ(study.seed(), 42U);
   const auto answers = Records(study.database()).answers();
   ASSERT_EQ(answers.size(), 2U);
@@ -121,11 +121,21 @@ void writeAsFormat(std::size_t format, const std::string& from, const std::strin
   tests::Sql sql(to);
   sql.run("ATTACH '" + from + "' AS now");
   for (const std::string table :
-       {"study", "protocol_file", "protocol", "participant", "session", "step", "visit", "cut"}) {
-    sql.run("INSERT INTO main." + table + " SELECT * FROM now." + table + " ORDER BY rowid");
+       {"study",
+        "protocol_file",
+        "protocol",
+        "participant",
+        "session",  // site and station came with format 9
+        "step",
+        "visit",
+        "trial",
+        "cut"}) {
+    const auto columns =
+        sql.text("SELECT group_concat(name) FROM pragma_table_info('" + table + "', 'main')");
+    sql.run(
+        "INSERT INTO main." + table + " SELECT " + columns + " FROM now." + table +
+        " ORDER BY rowid");
   }
-  sql.run(
-      "ALTER TABLE now.trial DROP COLUMN sealed; INSERT INTO main.trial SELECT * FROM now.trial");
   sql.run("INSERT INTO main.allocation SELECT session_id, step, condition FROM now.allocation");
   sql.run(
       "INSERT INTO main.event SELECT seq, session_id, step, attempt, utc, monotonic_ns, actor, "
@@ -158,7 +168,7 @@ TEST(FormatTwo, GivesTheSameResults) {
   makeOld(made, 2);
   EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 2);
   made.reopen();
-  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 8);
+  EXPECT_EQ(tests::Sql(made.file("study.db")).number("PRAGMA user_version"), 9);
   EXPECT_EQ(resultsAsText(*made, computeResults(*made, RunMode::Simulated), {}), before);
   EXPECT_TRUE(verify(*made).isSound());
 }

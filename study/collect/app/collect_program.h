@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+namespace CLI {
+class App;
+}
+
+namespace study::collect {
+
+/// The command that was called; returns the exit status.
+using Action = std::function<int()>;
+
+/// The command line of palpate-collect, which 'palpate collect' starts. Parsing it sets the action
+/// of the command that was called. @param action  must outlive the program.
+std::unique_ptr<CLI::App> makeCollectProgram(Action& action);
+
+// Each adds its commands to the program.
+void addServerCommands(CLI::App& program, Action& action);   // init, ingest, revoke
+void addStationCommands(CLI::App& program, Action& action);  // key, join, push, bundle, status
+void addPullCommands(CLI::App& program, Action& action);     // pull, check
+void addDemoCommand(CLI::App& program, Action& action);
+
+}  // namespace study::collect

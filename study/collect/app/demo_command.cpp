@@ -1,0 +1,155 @@
+// All of it on this computer alone: a private server, three stations, simulated participants.
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "protocols/load_protocol.h"
+#include "study/cohort/simulated_participant.h"
+#include "study/collect/app/collect_program.h"
+#include "study/collect/exchange/administration.h"
+#include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/pull.h"
+#include "study/collect/exchange/push.h"
+#include "study/collect/server/private_server.h"
+#include "study/collect/server/schema.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+#include "study/session/verification.h"
+
+namespace study::collect {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DemoArguments {
+  std::string out = "palpate-sites";
+  int participants = 4;
+};
+
+constexpr const char* kProtocol = "punch-counterbalanced";
+constexpr const char* kStudy = "demo";
+constexpr std::uint64_t kSeed = 20221212;
+
+struct DemoStation {
+  const char* site;
+  const char* label;
+};
+constexpr std::array kStations{
+    DemoStation{"oslo", "oslo"}, DemoStation{"oslo", "oslo-2"}, DemoStation{"bergen", "bergen"}};
+
+/// The account of a station, as long as it exists: on one computer each has a folder of its own.
+class Account {
+ public:
+  // NOLINTBEGIN(concurrency-mt-unsafe): the program has one thread
+  explicit Account(const fs::path& folder) {
+    if (const char* before = std::getenv(kVariable)) before_ = before;
+    setenv(kVariable, folder.c_str(), 1);
+  }
+  ~Account() {
+    if (before_) {
+      setenv(kVariable, before_->c_str(), 1);
+    } else {
+      unsetenv(kVariable);
+    }
+  }
+  // NOLINTEND(concurrency-mt-unsafe)
+  Account(const Account&) = delete;
+  Account& operator=(const Account&) = delete;
+
+ private:
+  static constexpr const char* kVariable = "PALPATE_STATION";
+  std::optional<std::string> before_;
+};
+
+protocols::LoadedProtocol shippedProtocol() {
+  questionnaires::Problems problems;
+  auto protocol = protocols::loadProtocolFile(kProtocol, problems);
+  if (!protocol) throw std::logic_error(questionnaires::describe(problems.all()));
+  return std::move(*protocol);
+}
+
+/// One site's work: it is enrolled, people come, and it sends what they did.
+void runStation(const PrivateServer& postgres, const DemoStation& at, const DemoArguments& given) {
+  const fs::path out(given.out);
+  const fs::path folder = out / at.label;
+  const Account account(out / "accounts" / at.label);
+  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  Connection owner(postgres.server());
+  const auto enrolled = enrolStation(
+      owner, {.study = kStudy, .site = at.site, .label = at.label, .key = station.publicKey()});
+  const auto file = out / (std::string(at.label) + ".enrol");
+  writeNewFile(file.string(), enrolled.file);
+  SimulatedClock clock;
+  join(file, folder, clock);
+  {
+    auto study = Study::open(folder, clock);
+    simulateCohorts(
+        study,
+        clock,
+        given.participants,
+        kSeed + static_cast<std::uint64_t>(&at - kStations.data()),
+        [](const auto&) {});
+    study.transact([&] { study.signTrail("simulated"); });
+  }
+  Outbox outbox(folder, clock);
+  Connection server(postgres.server(), enrolled.role);
+  const auto pushed = push(outbox, server);
+  fmt::print(
+      "{}: {} sessions, {} events and {:.1f} MB of samples sent.\n",
+      at.label,
+      pushed.sessions.arrived,
+      pushed.have,
+      static_cast<double>(pushed.traceBytes) / 1e6);
+}
+
+int demo(const DemoArguments& given) {
+  const fs::path out(given.out);
+  std::error_code error;
+  if (fs::exists(out, error) || !fs::create_directories(out / "accounts", error)) {
+    throw UserError(given.out + " is there already, or cannot be made. Choose another --out.");
+  }
+  fmt::print("A private PostgreSQL server is started, which only this account can reach …\n");
+  const PrivateServer postgres;
+  {
+    Connection owner(postgres.server());
+    installSchema(owner);
+    putStudy(owner, kStudy, shippedProtocol(), kSeed);
+  }
+  for (const auto& station : kStations) runStation(postgres, station, given);
+  const Account account(out / "accounts" / "analyst");
+  SystemClock clock;
+  Connection server(postgres.server());
+  const auto all = out / "all";
+  const auto pulled = pull(server, {.folder = all, .reason = "the demonstration"}, clock);
+  auto study = Study::open(all, clock, storage::Database::Access::ReadOnly);
+  const bool isSound = verify(study).isSound();
+  fmt::print(
+      "{} has {} sessions of {} stations, and is {}. The server is stopped again.\n"
+      "Next: palpate report {} --run-mode simulated --out report.html\n",
+      all.string(),
+      pulled.sessions,
+      pulled.stations,
+      isSound ? "sound" : "NOT sound: palpate study verify says why",
+      all.string());
+  return isSound ? 0 : 1;
+}
+
+}  // namespace
+
+void addDemoCommand(CLI::App& program, Action& action) {
+  const auto given = std::make_shared<DemoArguments>();
+  auto* noun = program.add_subcommand(
+      "demo", "Three stations with simulated participants and a private server, on this computer");
+  noun->add_option("--out", given->out, "New folder (default: palpate-sites)");
+  noun->add_option("--participants", given->participants, "Of each station (default: 4)")
+      ->check(CLI::Range(1, 1000));
+  noun->callback([&action, given] { action = [given] { return demo(*given); }; });
+}
+
+}  // namespace study::collect

@@ -1,0 +1,164 @@
+// What whoever runs the server does: a study, its stations, and shutting one out.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "protocols/load_protocol.h"
+#include "study/collect/app/collect_program.h"
+#include "study/collect/app/options.h"
+#include "study/collect/exchange/administration.h"
+#include "study/collect/server/registry.h"
+#include "study/collect/server/schema.h"
+#include "study/model/new_file.h"
+#include "study/model/user_error.h"
+
+namespace study::collect {
+namespace {
+
+struct ServerArguments {
+  std::string server;
+  std::string study;
+  std::string protocol;
+  std::string station;
+  std::string site;
+  std::string name;
+  std::string key;
+  std::string address;
+  std::string reason;
+  std::string file;
+  std::uint64_t seed = 0;
+  bool hasSeed = false;
+  int days = 30;
+};
+
+protocols::LoadedProtocol loaded(const std::string& file) {
+  questionnaires::Problems problems;
+  auto protocol = protocols::loadProtocolFile(file, problems);
+  if (!protocol) {
+    throw UserError(file + " cannot be used yet:\n" + questionnaires::describe(problems.all()));
+  }
+  return std::move(*protocol);
+}
+
+int addStudyOrProtocol(Connection& server, const ServerArguments& given) {
+  const auto protocol = loaded(given.protocol);
+  const bool isNew = putStudy(
+      server, given.study, protocol, given.hasSeed ? std::optional(given.seed) : std::nullopt);
+  if (isNew) {
+    fmt::print(
+        "'{}' is on the server: \"{}\".\nNext: on each station 'palpate collect key', and here "
+        "palpate collect init --study {} --station FILE --site SITE --key KEY\n",
+        given.study,
+        protocol.protocol.study.title,
+        given.study);
+  } else {
+    fmt::print(
+        "{} is a version of the protocol of '{}' now. Stations take it over with 'palpate study "
+        "amend'; new stations begin with it.\n",
+        given.protocol,
+        given.study);
+  }
+  return 0;
+}
+
+int addOneStation(Connection& server, const ServerArguments& given) {
+  if (std::filesystem::exists(given.station)) {
+    throw UserError(given.station + " is there already. Choose another name for the enrolment.");
+  }
+  const auto station = enrolStation(
+      server,
+      {.study = given.study,
+       .site = given.site,
+       .label = given.name,
+       .key = given.key,
+       .address = given.address,
+       .days = given.days});
+  writeNewFile(given.station, station.file);
+  fmt::print(
+      "{} makes one computer the station '{}' of '{}'; it can be used once, until {}.\nThe server "
+      "knows it as the role {}. How it proves that (certificate or password): "
+      "docs/collecting.md.\nNext, on that computer: palpate collect join {} FOLDER\n",
+      given.station,
+      station.label,
+      station.study,
+      station.expiresUtc.substr(0, 10),
+      station.role,
+      given.station);
+  return 0;
+}
+
+int init(const ServerArguments& given) {
+  if (given.protocol.empty() == given.station.empty()) {
+    throw UserError(
+        "Say what to make: a study (--protocol FILE --study NAME) or a station of it (--station "
+        "FILE --site SITE --key KEY).");
+  }
+  Connection server(given.server);
+  const int before = installSchema(server);
+  if (before == 0) fmt::print("The server is ready: schema palpate, version {}.\n", newestSchema());
+  if (before > 0 && before < newestSchema()) {
+    fmt::print("The schema palpate is brought from version {} to {}.\n", before, newestSchema());
+  }
+  return given.station.empty() ? addStudyOrProtocol(server, given) : addOneStation(server, given);
+}
+
+int revoke(const ServerArguments& given) {
+  Connection server(given.server);
+  requireSchema(server);
+  revokeStation(server, findStudy(server, given.study).uuid, given.station, given.reason);
+  fmt::print("Nothing is taken from '{}' any more. What arrived stays.\n", given.station);
+  return 0;
+}
+
+int takeIn(const ServerArguments& given) {
+  Connection server(given.server);
+  requireSchema(server);
+  const auto taken = takeBundle(server, given.file);
+  fmt::print("The server has all events of '{}' up to {}.\n", taken.station, taken.have);
+  return 0;
+}
+
+}  // namespace
+
+void addServerCommands(CLI::App& program, Action& action) {
+  const auto given = std::make_shared<ServerArguments>();
+  auto* make = program.add_subcommand("init", "Make a study on the server, or enrol a station");
+  addServerOption(*make, given->server);
+  make->add_option("--study", given->study, "Name of the study on the server");
+  make->add_option(
+          "--protocol", given->protocol, "Its protocol; for a study that is there a new version")
+      ->type_name("FILE");
+  auto* seed = make->add_option("--seed", given->seed, "Of all orders (default: random)");
+  make->add_option("--station", given->station, "Write an enrolment to this file")
+      ->type_name("FILE");
+  make->add_option("--site", given->site, "Where the station stands: \"oslo\"");
+  make->add_option("--name", given->name, "Of the station (default: its site): \"oslo-2\"");
+  make->add_option("--key", given->key, "What 'palpate collect key' prints on the station");
+  make->add_option(
+          "--address", given->address, "Where the station finds the server (default: as here)")
+      ->type_name("WHERE");
+  make->add_option("--days", given->days, "For how long the enrolment can be used")
+      ->check(CLI::Range(1, 365));
+  make->callback([&action, given, seed] {
+    given->hasSeed = seed->count() > 0;
+    action = [given] { return init(*given); };
+  });
+
+  auto* in = program.add_subcommand("ingest", "Take in what 'palpate collect bundle' wrote");
+  addServerOption(*in, given->server);
+  in->add_option("FILE", given->file, "The bundle")->required();
+  in->callback([&action, given] { action = [given] { return takeIn(*given); }; });
+
+  auto* out = program.add_subcommand("revoke", "Take nothing from a station any more");
+  addServerOption(*out, given->server);
+  out->add_option("--study", given->study, "Name of the study on the server");
+  out->add_option("--station", given->station, "Name of the station")->required();
+  out->add_option("--reason", given->reason, "Why; the station is told")->required();
+  out->callback([&action, given] { action = [given] { return revoke(*given); }; });
+}
+
+}  // namespace study::collect

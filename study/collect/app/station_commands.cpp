@@ -1,0 +1,195 @@
+// What the person at the desk does: become a station, send, and see what has arrived.
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "study/collect/app/collect_program.h"
+#include "study/collect/app/options.h"
+#include "study/collect/exchange/bundle.h"
+#include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/outbox.h"
+#include "study/collect/exchange/push.h"
+#include "study/collect/server/registry.h"
+#include "study/collect/server/schema.h"
+#include "study/words/counted.h"
+
+namespace study::collect {
+namespace {
+
+struct StationArguments {
+  std::string server;
+  std::string study;
+  std::string folder;
+  std::string enrolment;
+  std::string out;
+  std::int64_t after = -1;
+};
+
+int printKey() {
+  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  fmt::print("{}\n", station.publicKey());
+  return 0;
+}
+
+int joinStudy(const StationArguments& given) {
+  SystemClock clock;
+  const auto enrolment = join(given.enrolment, given.folder, clock);
+  fmt::print(
+      "{} is ready: \"{}\", station '{}' of the site '{}'. Codes of participants begin with "
+      "{}_.\nSessions need no network. Afterwards: palpate collect push {}\n",
+      given.folder,
+      enrolment.title,
+      enrolment.station.label,
+      enrolment.station.site,
+      enrolment.station.label,
+      given.folder);
+  return 0;
+}
+
+std::string arrivedInWords(const Outbox::Sessions& sessions) {
+  const auto all = static_cast<std::uint64_t>(sessions.all);
+  const auto waiting = sessions.all - sessions.arrived;
+  std::string words =
+      fmt::format("{} here, {} arrived", words::counted(all, "session"), sessions.arrived);
+  if (waiting > 0) words += fmt::format(", {} waiting since {}", waiting, sessions.waitingSince);
+  return words;
+}
+
+int bundleStudy(const StationArguments& given) {
+  SystemClock clock;
+  Outbox outbox(given.folder, clock);
+  const auto station = storage::StationStore::findOrMake(storage::StationStore::usualFolder());
+  const auto after =
+      given.after >= 0 ? given.after : lastPush(outbox.study(), outbox.station().uuid).have;
+  const auto bundle =
+      writeBundle(outbox, station, homeServerOf(given.folder).bundleKey, after, given.out);
+  fmt::print(
+      "{} has events {} to {}, {:.1f} MB, sealed for whoever runs the server. There: palpate "
+      "collect "
+      "ingest {}\n",
+      given.out,
+      bundle.first,
+      bundle.last,
+      static_cast<double>(bundle.bytes) / 1e6,
+      given.out);
+  return 0;
+}
+
+Connection connectionFor(const StationArguments& given) {
+  const auto home = homeServerOf(given.folder);
+  return Connection(given.server.empty() ? home.server : given.server, home.role);
+}
+
+int pushStudy(const StationArguments& given) {
+  SystemClock clock;
+  Outbox outbox(given.folder, clock);
+  auto server = connectionFor(given);
+  requireSchema(server);
+  const auto pushed = push(outbox, server);
+  notePush(outbox, pushed.have, asUtc(clock.now().wall));
+  fmt::print(
+      "{}\n{}\n",
+      pushed.have == pushed.before ? std::string("The server has everything already.")
+                                   : fmt::format(
+                                         "{} new events sent, {:.1f} MB of samples.",
+                                         pushed.have - pushed.before,
+                                         static_cast<double>(pushed.traceBytes) / 1e6),
+      arrivedInWords(pushed.sessions));
+  return 0;
+}
+
+/// What is known without a network, and what the server says if there is one.
+int statusOfStation(const StationArguments& given) {
+  SystemClock clock;
+  Outbox outbox(given.folder, clock);
+  const auto noted = lastPush(outbox.study(), outbox.station().uuid);
+  auto have = noted.have;
+  std::string reason;
+  try {
+    auto server = connectionFor(given);
+    requireSchema(server);
+    const auto answer = ingest(server, outbox.question());
+    if (answer.refused.empty()) {
+      have = answer.have;
+    } else {
+      reason = wordsFor(answer);
+    }
+  } catch (const ServerError& error) {
+    reason = error.what();
+  }
+  fmt::print("{}\n", arrivedInWords(outbox.sessionsBy(have)));
+  if (reason.empty()) return 0;
+  fmt::print(
+      "as of {}: {}\n", noted.utc.empty() ? "never, nothing was sent yet" : noted.utc, reason);
+  return 1;
+}
+
+int statusOfServer(const StationArguments& given) {
+  Connection server(given.server);
+  requireSchema(server);
+  const auto stations = stationsOf(server, given.study);
+  fmt::print(
+      "{:<20} {:<20} {:>8} {:>10} {:>9}  {}\n",
+      "site",
+      "station",
+      "sessions",
+      "events",
+      "incidents",
+      "last contact");
+  for (const auto& station : stations) {
+    fmt::print(
+        "{:<20} {:<20} {:>8} {:>10} {:>9}  {}{}\n",
+        station.site,
+        station.station,
+        station.sessions,
+        station.events,
+        station.incidents,
+        station.lastContact.empty() ? "never" : station.lastContact,
+        station.isRevoked ? ", shut out" : "");
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addStationCommands(CLI::App& program, Action& action) {
+  const auto given = std::make_shared<StationArguments>();
+  auto* key = program.add_subcommand("key", "Print the key of this computer, for its enrolment");
+  key->callback([&action] { action = [] { return printKey(); }; });
+
+  auto* joining = program.add_subcommand("join", "Make the study's folder on an enrolled computer");
+  joining->add_option("ENROLMENT", given->enrolment, "File from 'palpate collect init --station'")
+      ->required();
+  joining->add_option("FOLDER", given->folder, "New folder of the study")->required();
+  joining->callback([&action, given] { action = [given] { return joinStudy(*given); }; });
+
+  auto* push = program.add_subcommand("push", "Send what is new to the server");
+  push->add_option("FOLDER", given->folder, "Folder of the study")->required();
+  addServerOption(*push, given->server);
+  push->callback([&action, given] { action = [given] { return pushStudy(*given); }; });
+
+  auto* bundle =
+      program.add_subcommand("bundle", "Write what is new to a file, where there is no network");
+  bundle->add_option("FOLDER", given->folder, "Folder of the study")->required();
+  bundle->add_option("--out", given->out, "New file")->required();
+  bundle->add_option(
+      "--after",
+      given->after,
+      "Last event that the server has (default: of the last push, or none)");
+  bundle->callback([&action, given] { action = [given] { return bundleStudy(*given); }; });
+
+  auto* status = program.add_subcommand(
+      "status", "How many sessions have arrived: of a station, or of all on the server");
+  status->add_option("FOLDER", given->folder, "Folder of the study (default: all on the server)");
+  status->add_option("--study", given->study, "Name of the study on the server (default: all)");
+  addServerOption(*status, given->server);
+  status->callback([&action, given] {
+    action = [given] {
+      return given->folder.empty() ? statusOfServer(*given) : statusOfStation(*given);
+    };
+  });
+}
+
+}  // namespace study::collect

@@ -1,0 +1,159 @@
+#include "study/collect/exchange/administration.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <span>
+
+#include "study/collect/exchange/bundle.h"
+#include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/protocol_files.h"
+#include "study/collect/exchange/push.h"
+#include "study/model/user_error.h"
+#include "study/session/study.h"
+#include "study/storage/protocol_repository.h"
+
+namespace study::collect {
+namespace {
+
+constexpr std::size_t kLongestName = 31;
+constexpr std::size_t kUuidDigits = 32;
+
+/// Names of sites and stations begin codes of participants and names of roles.
+void requireName(const std::string& name, const std::string& what) {
+  const bool isSound =
+      !name.empty() && name.size() <= kLongestName &&
+      std::islower(static_cast<unsigned char>(name.front())) != 0 &&
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+  if (isSound) return;
+  throw UserError(
+      "'" + name + "' cannot be the name of " + what +
+      ": use lower-case letters, digits and '-', beginning with a letter, " +
+      std::to_string(kLongestName) + " at most.");
+}
+
+ProtocolOnServer asSent(const protocols::LoadedProtocol& protocol) {
+  return {
+      .sha256 = storage::sha256(protocol.text, protocol.files),
+      .text = protocol.text,
+      .files = filesAsText(protocol.files)};
+}
+
+std::vector<std::byte> bytesOf(const storage::BlindingSecret& secret) {
+  const auto bytes = std::as_bytes(std::span(secret.bytes()));
+  return {bytes.begin(), bytes.end()};
+}
+
+storage::BlindingSecret secretOf(const StudyOnServer& study) {
+  storage::BlindingSecret::Bytes bytes{};
+  if (study.secret.size() != bytes.size()) throw UserError("The study's secret is damaged.");
+  std::transform(study.secret.begin(), study.secret.end(), bytes.begin(), [](std::byte b) {
+    return std::to_integer<unsigned char>(b);
+  });
+  return storage::BlindingSecret(bytes);
+}
+
+/// 128 random bits.
+std::string drawnUuid() {
+  return storage::BlindingSecret::drawn().commitment().substr(0, kUuidDigits);
+}
+
+/// On the server all of it happens, or nothing.
+template <typename Action>
+void inTransaction(Connection& server, const Action& action) {
+  server.execute("BEGIN");
+  try {
+    action();
+  } catch (...) {
+    server.execute("ROLLBACK");
+    throw;
+  }
+  server.execute("COMMIT");
+}
+
+}  // namespace
+
+bool putStudy(
+    Connection& server,
+    const std::string& name,
+    const protocols::LoadedProtocol& protocol,
+    std::optional<std::uint64_t> seed) {
+  requireName(name, "a study");
+  const auto sent = asSent(protocol);
+  if (!server.query("SELECT 1 FROM palpate.study WHERE name = $1", {name}).isEmpty()) {
+    addProtocol(server, findStudy(server, name).uuid, sent);
+    return false;
+  }
+  const auto drawn = seed ? *seed : protocol.protocol.seed.value_or(drawnSeed());
+  const StudyOnServer study{
+      .uuid = studyUuid(drawn, sent.sha256),
+      .name = name,
+      .title = protocol.protocol.study.title,
+      .seed = std::to_string(drawn),
+      .secret = bytesOf(storage::BlindingSecret::drawn())};
+  inTransaction(server, [&] {
+    addStudy(server, study);
+    addProtocol(server, study.uuid, sent);
+  });
+  return true;
+}
+
+EnrolledStation enrolStation(Connection& server, const StationRequest& request) {
+  requireName(request.site, "a site");
+  const auto label = request.label.empty() ? request.site : request.label;
+  requireName(label, "a station");
+  storage::StationStore::sealFor("", request.key);  // is it a key, before anything is written?
+  const auto study = findStudy(server, request.study);
+  const auto protocol = protocolOf(server, study.uuid);
+  StationEnrolment enrolment{
+      .study = study.uuid,
+      .title = study.title,
+      .seed = std::strtoull(study.seed.c_str(), nullptr, 10),
+      .secret = secretOf(study).of(label),
+      .station = {.site = request.site, .label = label, .uuid = drawnUuid()},
+      .server = request.address.empty() ? server.address() : request.address,
+      .bundleKey = bundleKeyOf(secretOf(study)),
+      .protocol = protocol.text,
+      .files = filesIn(protocol.files)};
+  EnrolledStation enrolled{.study = study.name, .label = label};
+  inTransaction(server, [&] {
+    const auto added = addStation(
+        server,
+        study.uuid,
+        {.station = enrolment.station, .key = request.key, .days = request.days});
+    enrolled.role = enrolment.role = added.role;
+    enrolled.expiresUtc = enrolment.expiresUtc = added.expiresUtc;
+    enrolled.file = asText(enrolment, request.key);
+  });
+  return enrolled;
+}
+
+TakenBundle takeBundle(Connection& server, const std::filesystem::path& file) {
+  const auto bundle = bundleIn(file);
+  const auto rows = server.query(
+      "SELECT s.key, s.label, d.name FROM palpate.station AS s JOIN palpate.study AS d "
+      "ON d.uuid = s.study WHERE s.study = $1 AND s.uuid = $2",
+      {bundle.study, bundle.station});
+  if (rows.isEmpty()) {
+    throw UserError(file.string() + " is of a station that this server does not know.");
+  }
+  TakenBundle taken{.station = rows.text(0, 1)};
+  const auto secret = secretOf(findStudy(server, rows.text(0, 2)));
+  readBundle(file, secret, rows.text(0, 0), [&](const auto& text, const auto& chunks) {
+    const auto answer = ingest(server, text, chunks);
+    if (answer.refused == "gap") {
+      throw UserError(
+          file.string() + " begins with event " + std::to_string(bundle.first) + " of '" +
+          taken.station + "', and the server has only " + std::to_string(answer.have) +
+          ": an earlier bundle is missing. Take it in first, or make one of everything: palpate "
+          "collect bundle --after " +
+          std::to_string(answer.have) + ".");
+    }
+    if (!answer.refused.empty()) throw UserError(wordsFor(answer));
+    taken.have = answer.have;
+    return true;
+  });
+  return taken;
+}
+
+}  // namespace study::collect

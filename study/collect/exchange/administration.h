@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "protocols/model/loaded_protocol.h"
+#include "study/collect/server/registry.h"
+
+namespace study::collect {
+
+/// Makes a study on the server; for one that is there the protocol becomes its newest version.
+/// @return  whether it was made
+/// @throws UserError  if the name is not sound. @throws ServerError
+bool putStudy(
+    Connection& server,
+    const std::string& name,
+    const protocols::LoadedProtocol& protocol,
+    std::optional<std::uint64_t> seed);
+
+struct StationRequest {
+  std::string study;  ///< name; empty: the only one
+  std::string site;
+  std::string label;    ///< empty: as the site
+  std::string key;      ///< public key of the station
+  std::string address;  ///< where the station finds the server; empty: as this connection does
+  int days = 30;        ///< for how long the enrolment can be used
+};
+
+/// A station that was enrolled.
+struct EnrolledStation {
+  std::string study;  ///< name
+  std::string label;
+  std::string role;
+  std::string expiresUtc;
+  std::string file;  ///< content of the enrolment, sealed for the station
+};
+
+/// @throws UserError  if a name or the key is not sound, or the station is there already.
+EnrolledStation enrolStation(Connection& server, const StationRequest& request);
+
+/// A bundle that was taken in.
+struct TakenBundle {
+  std::string station;    ///< label
+  std::int64_t have = 0;  ///< the server has all events up to this one
+};
+
+/// Takes in what a station without a network put into a file. Twice is the same as once.
+/// @throws UserError  if it is not whole, not of a station of this server, or an earlier one is
+///     missing. @throws ServerError
+TakenBundle takeBundle(Connection& server, const std::filesystem::path& file);
+
+}  // namespace study::collect

@@ -1,0 +1,67 @@
+// What the server's refusals mean. Their names are those of refuse() in the schema.
+#include <array>
+#include <string_view>
+
+#include "study/collect/exchange/batch.h"
+
+namespace study::collect {
+namespace {
+
+struct Refusal {
+  std::string_view name;
+  std::string_view words;
+};
+
+constexpr std::array kRefusals{
+    Refusal{
+        "fork",
+        "The server has other data of this station under the same numbers. Two copies of this "
+        "study's folder have gone on by themselves: an older backup was put back, or the folder "
+        "was copied to a second computer. Go on with the copy that sent last; for the other one "
+        "ask for an enrolment of its own. Nothing was changed on the server, and both copies are "
+        "as they were."},
+    Refusal{
+        "gap",
+        "Something between what the server has and what was sent is missing. Push again: the "
+        "server says from where."},
+    Refusal{"damaged", "What arrived is not what was sent. Push again."},
+    Refusal{
+        "unknown",
+        "The server does not know this station. Was it enrolled in another study, or on another "
+        "server?"},
+    Refusal{
+        "foreign", "The server's role that was used here belongs to another station of the study."},
+    Refusal{
+        "revoked",
+        "This station was shut out by whoever runs the study. Everything stays on this computer; "
+        "ask there."},
+    Refusal{"expired", "The enrolment of this station was not used in time. Ask for another one."},
+    Refusal{
+        "newer",
+        "The server is older than this program. Whoever runs the server brings it up to date with "
+        "'palpate collect init'. Nothing is lost until then."},
+    Refusal{
+        "protocol",
+        "The server does not know the version of the protocol with which a session was run. "
+        "Whoever runs the study adds it there: palpate collect init --protocol FILE."},
+    Refusal{"code", "A participant's code does not begin with the name of this station."},
+    Refusal{
+        "traces",
+        "The samples of a trial are not complete on this computer. 'palpate study verify' says "
+        "more."},
+};
+
+}  // namespace
+
+std::string wordsFor(const Answer& answer) {
+  for (const auto& refusal : kRefusals) {
+    if (refusal.name != answer.refused) continue;
+    std::string words(refusal.words);
+    if (!answer.detail.empty()) words += " (" + answer.detail + ")";
+    return words;
+  }
+  return "The server refused what was sent: " + answer.refused + " (" + answer.detail +
+         "). Install the release of the server here.";
+}
+
+}  // namespace study::collect

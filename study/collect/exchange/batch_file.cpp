@@ -1,0 +1,180 @@
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "study/collect/exchange/batch.h"
+#include "study/collect/exchange/hexadecimal.h"
+#include "study/model/storage_error.h"
+#include "study/storage/protocol_repository.h"
+
+namespace study::collect {
+namespace {
+
+using nlohmann::json;
+using storage::StorageError;
+
+[[noreturn]] void refuseBatch(const char* what) {
+  throw StorageError(
+      std::string("What the server has of a ") + what +
+          " cannot be read by this program. Install the release of the stations, or run 'palpate "
+          "collect check'.",
+      StorageError::Kind::Damaged);
+}
+
+json hexOrNull(const std::vector<std::byte>& bytes) {
+  return bytes.empty() ? json() : json(hexadecimalOf(bytes));
+}
+
+json orNull(const std::optional<std::int64_t>& number) {
+  return number ? json(*number) : json();
+}
+
+json asJson(const storage::FactRow& row) {
+  json object = json::object();
+  for (const auto& [name, value] : row) {
+    std::visit(
+        [&, &column = name](const auto& held) {
+          using Held = std::decay_t<decltype(held)>;
+          if constexpr (std::is_same_v<Held, std::monostate>) {
+            object[column] = nullptr;
+          } else {
+            object[column] = held;
+          }
+        },
+        value);
+  }
+  return object;
+}
+
+storage::FactRow rowIn(const json& object) {
+  if (!object.is_object()) refuseBatch("session");
+  storage::FactRow row;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number_integer()) {
+      row[name] = value.get<std::int64_t>();
+    } else if (value.is_number_float()) {
+      row[name] = value.get<double>();
+    } else if (value.is_string()) {
+      row[name] = value.get<std::string>();
+    } else if (value.is_null()) {
+      row[name] = std::monostate();
+    } else {
+      refuseBatch("session");
+    }
+  }
+  return row;
+}
+
+bool isSingle(const std::string& table) {
+  return table == "participant" || table == "session";
+}
+
+json asJson(const storage::StoredEvent& event) {
+  return {
+      {"seq", event.seq},
+      {"session", orNull(event.session)},
+      {"step", orNull(event.step)},
+      {"attempt", orNull(event.attempt)},
+      {"utc", event.utc},
+      {"monotonic_ns", event.monotonic},
+      {"actor", event.actor},
+      {"kind", event.kind},
+      {"detail", event.detail},
+      {"sealed", hexOrNull(event.sealed)},
+      {"content_hash", hexOrNull(event.content)},
+      {"hash", hexadecimalOf(event.hash)}};
+}
+
+json asJson(const SentChunk& sent) {
+  const auto& chunk = sent.chunk;
+  const std::string_view data(reinterpret_cast<const char*>(chunk.data.data()), chunk.data.size());
+  return {
+      {"session", sent.session},
+      {"step", chunk.step},
+      {"attempt", chunk.attempt},
+      {"number", chunk.number},
+      {"samples", chunk.samples},
+      {"layout", chunk.layout},
+      {"hash", hexadecimalOf(chunk.hash)},
+      {"sha256", storage::sha256(data)}};
+}
+
+}  // namespace
+
+std::string asText(const storage::SessionFacts& facts) {
+  json all = json::object();
+  for (const auto& [table, rows] : facts) {
+    if (isSingle(table)) {
+      all[table] = asJson(rows.at(0));
+      continue;
+    }
+    json list = json::array();
+    for (const auto& row : rows) list.push_back(asJson(row));
+    all[table] = std::move(list);
+  }
+  return all.dump();
+}
+
+storage::SessionFacts factsIn(const std::string& text) {
+  const auto all = json::parse(text, nullptr, false);
+  if (!all.is_object()) refuseBatch("session");
+  storage::SessionFacts facts;
+  for (const auto& [table, rows] : all.items()) {
+    if (isSingle(table)) {
+      facts[table].push_back(rowIn(rows));
+      continue;
+    }
+    if (!rows.is_array()) refuseBatch("session");
+    auto& list = facts[table];
+    for (const auto& row : rows) list.push_back(rowIn(row));
+  }
+  return facts;
+}
+
+std::string asText(const Batch& batch) {
+  json events = json::array();
+  for (const auto& event : batch.events) events.push_back(asJson(event));
+  json sessions = json::array();
+  for (const auto& session : batch.sessions) {
+    sessions.push_back(
+        {{"session", session.number},
+         {"as_of", session.asOf},
+         {"sha256", storage::sha256(session.facts)},
+         {"facts", session.facts}});
+  }
+  json keys = json::array();
+  for (const auto& key : batch.keys) {
+    keys.push_back(
+        {{"participant", key.participant},
+         {"key", hexadecimalOf(std::as_bytes(std::span(key.key.bytes())))}});
+  }
+  json traces = json::array();
+  for (const auto& chunk : batch.chunks) traces.push_back(asJson(chunk));
+  const json all{
+      {"format", kBatchFormat},
+      {"study", batch.study},
+      {"station", batch.station},
+      {"after", batch.after},
+      {"events", std::move(events)},
+      {"sessions", std::move(sessions)},
+      {"keys", std::move(keys)},
+      {"traces", std::move(traces)}};
+  return all.dump();
+}
+
+Answer answerIn(const std::string& text) {
+  const auto said = json::parse(text, nullptr, false);
+  if (!said.is_object() || !said.contains("have")) refuseBatch("batch");
+  const auto textOf = [&](const char* key) {
+    const auto found = said.find(key);
+    return found != said.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  return {
+      .have = said["have"].get<std::int64_t>(),
+      .pending = said.value("pending", std::int64_t{0}),
+      .head = textOf("head"),
+      .refused = textOf("refused"),
+      .detail = textOf("detail")};
+}
+
+}  // namespace study::collect

@@ -1,0 +1,327 @@
+#include "study/collect/exchange/bundle.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <span>
+#include <sstream>
+#include <utility>
+
+#include <sodium.h>
+
+#include "study/collect/exchange/hexadecimal.h"
+#include "study/model/new_file.h"
+#include "study/model/storage_error.h"
+#include "study/model/user_error.h"
+
+namespace study::collect {
+namespace {
+
+// A line that says what it is; the sealed key, and records: a length of eight bytes and so many
+// bytes, of the stream cipher; a line with the signature of all before.
+constexpr const char* kFirstWord = "palpate-bundle-1";
+constexpr std::size_t kSignatureDigits = 128;
+constexpr std::uint64_t kLargestRecord = std::uint64_t{256} * 1024 * 1024;  // [bytes]
+
+using Key = std::array<unsigned char, crypto_secretstream_xchacha20poly1305_KEYBYTES>;
+using PublicBox = std::array<unsigned char, crypto_box_PUBLICKEYBYTES>;
+using SecretBox = std::array<unsigned char, crypto_box_SECRETKEYBYTES>;
+
+[[noreturn]] void refuseBundle(const std::filesystem::path& file, const std::string& why) {
+  throw UserError(file.string() + " cannot be taken in: " + why);
+}
+
+std::pair<PublicBox, SecretBox> boxOf(const storage::BlindingSecret& secret) {
+  // The secret of a "station" that no name can be, as a seed.
+  const auto seed = secret.of("/bundles").bytes();
+  static_assert(std::tuple_size_v<storage::BlindingSecret::Bytes> == crypto_box_SEEDBYTES);
+  std::pair<PublicBox, SecretBox> box;
+  crypto_box_seed_keypair(box.first.data(), box.second.data(), seed.data());
+  return box;
+}
+
+unsigned char* bytesOf(std::string& text) {
+  return reinterpret_cast<unsigned char*>(text.data());
+}
+const unsigned char* bytesOf(const std::string& text) {
+  return reinterpret_cast<const unsigned char*>(text.data());
+}
+
+std::string numberAsBytes(std::uint64_t number) {
+  std::string bytes(sizeof number, '\0');
+  for (auto& byte : bytes) {
+    byte = static_cast<char>(number & 0xFFU);
+    number >>= 8U;
+  }
+  return bytes;
+}
+
+std::uint64_t numberIn(std::string_view bytes) {
+  std::uint64_t number = 0;
+  for (auto byte = bytes.rbegin(); byte != bytes.rend(); ++byte) {
+    number = number << 8U | static_cast<unsigned char>(*byte);
+  }
+  return number;
+}
+
+/// A hash of everything that is written or read.
+class RunningHash {
+ public:
+  RunningHash() { crypto_generichash_init(&state_, nullptr, 0, crypto_generichash_BYTES); }
+  void add(const std::string& bytes) {
+    crypto_generichash_update(&state_, bytesOf(bytes), bytes.size());
+  }
+  /// What the station signs.
+  std::string statement() {
+    std::array<std::byte, crypto_generichash_BYTES> hash{};
+    crypto_generichash_final(&state_, reinterpret_cast<unsigned char*>(hash.data()), hash.size());
+    return std::string(kFirstWord) + " " + hexadecimalOf(hash);
+  }
+
+ private:
+  crypto_generichash_state state_{};
+};
+
+/// The file while it is written.
+class BundleWriter {
+ public:
+  explicit BundleWriter(const std::filesystem::path& file)
+      : path_(file), stream_(file, std::ios::binary) {}
+
+  void put(const std::string& bytes) {
+    hash_.add(bytes);
+    stream_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    written_ += bytes.size();
+  }
+  void putRecord(const std::string& plain, bool isLast) {
+    std::string sealed(plain.size() + crypto_secretstream_xchacha20poly1305_ABYTES, '\0');
+    crypto_secretstream_xchacha20poly1305_push(
+        &cipher_,
+        bytesOf(sealed),
+        nullptr,
+        bytesOf(plain),
+        plain.size(),
+        nullptr,
+        0,
+        isLast ? crypto_secretstream_xchacha20poly1305_TAG_FINAL : 0);
+    put(numberAsBytes(sealed.size()));
+    put(sealed);
+  }
+  void begin(const std::string& bundleKey) {
+    Key key{};
+    crypto_secretstream_xchacha20poly1305_keygen(key.data());
+    const auto receiver = bytesOfHexadecimal(bundleKey);
+    std::string sealed(key.size() + crypto_box_SEALBYTES, '\0');
+    crypto_box_seal(
+        bytesOf(sealed),
+        key.data(),
+        key.size(),
+        reinterpret_cast<const unsigned char*>(receiver.data()));
+    std::string head(crypto_secretstream_xchacha20poly1305_HEADERBYTES, '\0');
+    crypto_secretstream_xchacha20poly1305_init_push(&cipher_, bytesOf(head), key.data());
+    sodium_memzero(key.data(), key.size());
+    put(sealed);
+    put(head);
+  }
+  std::uint64_t finish(const storage::StationStore& station) {
+    const auto signature = station.sign(hash_.statement());
+    stream_ << signature << std::flush;
+    if (!stream_) {
+      throw storage::StorageError(
+          path_.string() + " could not be written. Free some space, or choose another place.",
+          storage::StorageError::Kind::DiskFull);
+    }
+    return written_ + signature.size();
+  }
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream stream_;
+  RunningHash hash_;
+  crypto_secretstream_xchacha20poly1305_state cipher_{};
+  std::uint64_t written_ = 0;
+};
+
+/// A batch as one record: its text, and the bytes of its chunks, each after its length.
+std::string asRecord(const Batch& batch) {
+  const auto text = asText(batch);
+  std::string record = numberAsBytes(text.size()) + text;
+  for (const auto& sent : batch.chunks) {
+    const auto& data = sent.chunk.data;
+    record += numberAsBytes(data.size());
+    record.append(reinterpret_cast<const char*>(data.data()), data.size());
+  }
+  return record;
+}
+
+/// Calls @p part with each of the parts of asRecord(). False if it is none.
+template <typename Part>
+bool forEachPart(std::string_view record, const Part& part) {
+  while (!record.empty()) {
+    if (record.size() < sizeof(std::uint64_t)) return false;
+    const auto size = numberIn(record.substr(0, sizeof(std::uint64_t)));
+    record.remove_prefix(sizeof(std::uint64_t));
+    if (size > record.size()) return false;
+    part(record.substr(0, size));
+    record.remove_prefix(size);
+  }
+  return true;
+}
+
+/// The file while it is read.
+class BundleReader {
+ public:
+  explicit BundleReader(const std::filesystem::path& file)
+      : path_(file), stream_(file, std::ios::binary) {
+    std::error_code error;
+    size_ = std::filesystem::file_size(file, error);
+    if (!stream_ || error) refuseBundle(file, "it cannot be read. Check its name and its rights.");
+  }
+
+  std::string take(std::uint64_t size) {
+    if (size > kLargestRecord) refuseBundle(path_, "it is damaged.");
+    std::string bytes(size, '\0');
+    stream_.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (static_cast<std::uint64_t>(stream_.gcount()) != size) {
+      refuseBundle(path_, "its end is missing. Copy it again from the station.");
+    }
+    return bytes;
+  }
+
+  Bundle head() {
+    std::string line;
+    if (!std::getline(stream_, line)) refuseBundle(path_, "it is empty.");
+    std::istringstream words(line);
+    std::string first;
+    Bundle bundle;
+    words >> first >> bundle.study >> bundle.station >> bundle.first >> bundle.last;
+    if (!words || first != kFirstWord) {
+      refuseBundle(path_, "it is no bundle of a station, or one of a later release.");
+    }
+    bundle.bytes = size_;
+    return bundle;
+  }
+
+  void requireSigned(const std::string& key) {
+    constexpr std::uint64_t kStep = std::uint64_t{1} << 20U;
+    if (size_ <= kSignatureDigits) refuseBundle(path_, "its end is missing.");
+    RunningHash hash;
+    for (auto left = size_ - kSignatureDigits; left > 0;) {
+      const auto size = std::min(left, kStep);
+      hash.add(take(size));
+      left -= size;
+    }
+    const auto signature = take(kSignatureDigits);
+    stream_.clear();
+    stream_.seekg(0);
+    if (storage::StationStore::isSigned(hash.statement(), signature, key)) return;
+    refuseBundle(
+        path_,
+        "its signature is not that of the station. It was changed on its way, cut off, or made by "
+        "somebody else. Copy it again from the station.");
+  }
+
+  bool isAtSignature() {
+    return static_cast<std::uint64_t>(stream_.tellg()) + kSignatureDigits >= size_;
+  }
+
+  const std::filesystem::path& path() const noexcept { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace
+
+std::string bundleKeyOf(const storage::BlindingSecret& secret) {
+  const auto box = boxOf(secret);
+  return hexadecimalOf(std::as_bytes(std::span(box.first)));
+}
+
+Bundle writeBundle(
+    Outbox& outbox,
+    const storage::StationStore& station,
+    const std::string& bundleKey,
+    std::int64_t after,
+    const std::filesystem::path& file) {
+  Bundle bundle{
+      .study = outbox.study(),
+      .station = outbox.station().uuid,
+      .first = after + 1,
+      .last = outbox.lastEvent()};
+  if (after >= bundle.last) {
+    throw UserError("The server has everything already: there is nothing to be put into a bundle.");
+  }
+  if (bytesOfHexadecimal(bundleKey).size() != crypto_box_PUBLICKEYBYTES) {
+    throw UserError(
+        "This station was enrolled without a key for bundles. Ask for a new enrolment.");
+  }
+  writeNewFile(file.string(), "");  // for its owner alone, and never over another one
+  BundleWriter writer(file);
+  writer.put(
+      std::string(kFirstWord) + " " + bundle.study + " " + bundle.station + " " +
+      std::to_string(bundle.first) + " " + std::to_string(bundle.last) + "\n");
+  writer.begin(bundleKey);
+  outbox.forEachBatch(after, [&](const Batch& batch) {
+    const bool isLast = !batch.events.empty() && batch.events.back().seq == bundle.last;
+    writer.putRecord(asRecord(batch), isLast);
+    return true;
+  });
+  bundle.bytes = writer.finish(station);
+  return bundle;
+}
+
+Bundle bundleIn(const std::filesystem::path& file) {
+  return BundleReader(file).head();
+}
+
+void readBundle(
+    const std::filesystem::path& file,
+    const storage::BlindingSecret& secret,
+    const std::string& key,
+    const std::function<
+        bool(const std::string& text, const std::vector<std::vector<std::byte>>& chunks)>& take) {
+  BundleReader reader(file);
+  reader.requireSigned(key);
+  reader.head();
+  const auto [publicBox, secretBox] = boxOf(secret);
+  Key streamKey{};
+  const auto sealedKey = reader.take(streamKey.size() + crypto_box_SEALBYTES);
+  const auto head = reader.take(crypto_secretstream_xchacha20poly1305_HEADERBYTES);
+  crypto_secretstream_xchacha20poly1305_state cipher{};
+  const bool isOurs = crypto_box_seal_open(
+                          streamKey.data(),
+                          bytesOf(sealedKey),
+                          sealedKey.size(),
+                          publicBox.data(),
+                          secretBox.data()) == 0 &&
+                      crypto_secretstream_xchacha20poly1305_init_pull(
+                          &cipher, bytesOf(head), streamKey.data()) == 0;
+  if (!isOurs) refuseBundle(file, "it is sealed for another study.");
+  while (!reader.isAtSignature()) {
+    const auto sealed = reader.take(numberIn(reader.take(sizeof(std::uint64_t))));
+    if (sealed.size() < crypto_secretstream_xchacha20poly1305_ABYTES) {
+      refuseBundle(file, "it is damaged.");
+    }
+    std::string plain(sealed.size() - crypto_secretstream_xchacha20poly1305_ABYTES, '\0');
+    const int code = crypto_secretstream_xchacha20poly1305_pull(
+        &cipher, bytesOf(plain), nullptr, nullptr, bytesOf(sealed), sealed.size(), nullptr, 0);
+    std::string text;
+    std::vector<std::vector<std::byte>> chunks;
+    bool isText = true;
+    const bool isSound = code == 0 && forEachPart(plain, [&](std::string_view part) {
+                           if (std::exchange(isText, false)) {
+                             text = part;
+                             return;
+                           }
+                           const auto* first = reinterpret_cast<const std::byte*>(part.data());
+                           chunks.emplace_back(first, first + part.size());
+                         });
+    if (!isSound) refuseBundle(file, "it is damaged.");
+    if (!take(text, chunks)) return;
+  }
+}
+
+}  // namespace study::collect

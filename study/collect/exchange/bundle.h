@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "study/collect/exchange/batch.h"
+#include "study/collect/exchange/outbox.h"
+#include "study/storage/blinding_secret.h"
+#include "study/storage/station_store.h"
+
+namespace study::collect {
+
+// What a station has for the server, as one file for a hospital without a network. It is encrypted
+// (XChaCha20-Poly1305 of libsodium) for whoever has the study's secret, and signed with the
+// station's key (Ed25519).
+
+/// The public key for which bundles of a study are sealed, hexadecimal: it goes to all stations.
+std::string bundleKeyOf(const storage::BlindingSecret& secret);
+
+/// What a bundle has.
+struct Bundle {
+  std::string study;    ///< uuid
+  std::string station;  ///< uuid
+  std::int64_t first = 0;
+  std::int64_t last = 0;  ///< events
+  std::uint64_t bytes = 0;
+};
+
+/// Writes everything after the event @p after to a new file.
+/// @throws UserError  if there is nothing to be sent. @throws storage::StorageError
+Bundle writeBundle(
+    Outbox& outbox,
+    const storage::StationStore& station,
+    const std::string& bundleKey,
+    std::int64_t after,
+    const std::filesystem::path& file);
+
+/// Which study and station a bundle says that it is of. Nothing is checked yet.
+/// @throws UserError  if the file is no bundle.
+Bundle bundleIn(const std::filesystem::path& file);
+
+/// Checks the signature of the whole file, and then gives its batches in their order, each as it
+/// was sent: its text, and the bytes of its chunks. Stops if @p take returns false.
+/// @param key  the station's public key, as it was enrolled
+/// @throws UserError  if the file is not whole, was changed, or is of another station or study
+void readBundle(
+    const std::filesystem::path& file,
+    const storage::BlindingSecret& secret,
+    const std::string& key,
+    const std::function<
+        bool(const std::string& text, const std::vector<std::vector<std::byte>>& chunks)>& take);
+
+}  // namespace study::collect

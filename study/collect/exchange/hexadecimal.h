@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace study::collect {
+
+std::string hexadecimalOf(std::span<const std::byte> bytes);
+
+/// Of what hexadecimalOf() gave.
+std::vector<std::byte> bytesOfHexadecimal(const std::string& text);
+
+}  // namespace study::collect

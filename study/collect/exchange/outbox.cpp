@@ -1,0 +1,116 @@
+#include "study/collect/exchange/outbox.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "study/collect/exchange/hexadecimal.h"
+#include "study/model/user_error.h"
+#include "study/storage/transfer/session_facts.h"
+#include "study/storage/transfer/trail_marks.h"
+
+namespace study::collect {
+namespace {
+
+bool isTrialsEnd(const storage::StoredEvent& event) {
+  return event.kind == nameOf(EventKind::KeptTrace) && event.session && event.step && event.attempt;
+}
+
+}  // namespace
+
+Outbox::Outbox(const std::filesystem::path& folder, Clock& clock)
+    : study_(Study::open(folder, clock, storage::Database::Access::ReadOnly)) {
+  if (study_.station().isNone()) {
+    throw UserError(
+        folder.string() + (study_.isCollected()
+                               ? " was put together of what several stations sent: there is "
+                                 "nothing in it to be sent."
+                               : " is a study of this computer alone: it was not made by 'palpate "
+                                 "collect join', and nothing of it is collected."));
+  }
+  // In this order: a trial's samples are stored before the event that says so.
+  study_.database().beginSnapshot();
+  last_ = study_.events().last();
+  study_.traces().database().beginSnapshot();
+  study_.identities().database().beginSnapshot();
+}
+
+std::string Outbox::hashOf(std::int64_t event) {
+  const auto found = study_.events().stored(event - 1, 1);
+  return found.empty() ? std::string() : hexadecimalOf(found.front().hash);
+}
+
+Outbox::Sessions Outbox::sessionsBy(std::int64_t event) {
+  const auto marks = storage::sessionMarks(study_.database());
+  Sessions sessions{.all = static_cast<std::int64_t>(marks.size())};
+  for (const auto& mark : marks) {
+    if (mark.lastEvent <= event) {
+      ++sessions.arrived;
+    } else if (sessions.waitingSince.empty() || mark.utc < sessions.waitingSince) {
+      sessions.waitingSince = mark.utc;
+    }
+  }
+  return sessions;
+}
+
+Batch Outbox::emptyBatch(std::int64_t after) {
+  return {.study = study(), .station = station().uuid, .after = hashOf(after)};
+}
+
+Batch Outbox::question() {
+  return emptyBatch(0);
+}
+
+Batch Outbox::sample(std::int64_t event) {
+  Batch batch = emptyBatch(event - 1);
+  batch.events = study_.events().stored(event - 1, 1);
+  return batch;
+}
+
+/// The rows of a session travel with its last event, which vouches for them.
+void Outbox::addSessions(Batch& batch) {
+  for (const auto& mark : storage::sessionMarks(study_.database())) {
+    const bool isHere = !batch.events.empty() && mark.lastEvent >= batch.events.front().seq &&
+                        mark.lastEvent <= batch.events.back().seq;
+    if (!isHere) continue;
+    batch.sessions.push_back(
+        {.number = static_cast<std::int64_t>(mark.session),
+         .asOf = mark.lastEvent,
+         .facts = asText(storage::factsOf(study_.database(), mark.session))});
+    const auto key = study_.events().keyOf(mark.session);
+    if (key) batch.keys.push_back({.participant = mark.participant, .key = *key});
+  }
+}
+
+/// The samples of the trials that ended in these events, before the events themselves.
+bool Outbox::sendChunks(const Batch& events, const std::function<bool(const Batch&)>& send) {
+  Batch part = question();
+  std::size_t size = 0;
+  for (const auto& event : events.events) {
+    if (!isTrialsEnd(event)) continue;
+    const VisitKey visit{
+        SessionId{*event.session}, static_cast<int>(*event.step), static_cast<int>(*event.attempt)};
+    for (auto& chunk : storage::chunksOf(study_.traces().database(), visit)) {
+      size += chunk.data.size();
+      part.chunks.push_back({.session = *event.session, .chunk = std::move(chunk)});
+      if (size < limits_.traceBytes) continue;
+      if (!send(part)) return false;
+      part = question();
+      size = 0;
+    }
+  }
+  return part.chunks.empty() || send(part);
+}
+
+void Outbox::forEachBatch(std::int64_t after, const std::function<bool(const Batch&)>& send) {
+  while (after < last_) {
+    Batch batch = emptyBatch(after);
+    batch.events = study_.events().stored(after, std::min(limits_.events, last_ - after));
+    if (batch.events.empty()) return;
+    addSessions(batch);
+    if (!sendChunks(batch, send) || !send(batch)) return;
+    after = batch.events.back().seq;
+  }
+}
+
+}  // namespace study::collect

@@ -1,0 +1,158 @@
+#include "study/collect/server/registry.h"
+
+#include <algorithm>
+
+#include "study/model/user_error.h"
+
+namespace study::collect {
+namespace {
+
+constexpr const char* kUtc = R"('YYYY-MM-DD"T"HH24:MI:SS.MS"Z"')";
+
+/// SQL may have no '-' in a name without quotation marks.
+std::string roleNamed(const std::string& prefix, std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return prefix + name;
+}
+
+void makeRole(Connection& server, const std::string& role, const char* options, const char* group) {
+  if (server.query("SELECT 1 FROM pg_roles WHERE rolname = $1", {role}).isEmpty()) {
+    server.execute("CREATE ROLE " + server.quotedName(role) + " " + options);
+  }
+  server.execute("GRANT " + std::string(group) + " TO " + server.quotedName(role));
+}
+
+StudyOnServer studyIn(const Rows& rows) {
+  return {
+      .uuid = rows.text(0, 0),
+      .name = rows.text(0, 1),
+      .title = rows.text(0, 2),
+      .seed = rows.text(0, 3),
+      .secret = rows.bytes(0, 4)};
+}
+
+}  // namespace
+
+void addStudy(Connection& server, const StudyOnServer& study) {
+  if (!server.query("SELECT 1 FROM palpate.study WHERE name = $1", {study.name}).isEmpty()) {
+    throw UserError(
+        "There is a study named '" + study.name + "' on the server. Choose another name.");
+  }
+  server.query(
+      "INSERT INTO palpate.study (uuid, name, title, seed, secret) VALUES ($1, $2, $3, $4, $5)",
+      {study.uuid, study.name, study.title, study.seed, Parameter::bytes(study.secret)});
+}
+
+void addProtocol(Connection& server, const std::string& study, const ProtocolOnServer& protocol) {
+  server.query(
+      "INSERT INTO palpate.protocol (study, sha256, text, files) VALUES ($1, $2, $3, $4::json) "
+      "ON CONFLICT DO NOTHING",
+      {study, protocol.sha256, protocol.text, protocol.files});
+}
+
+ProtocolOnServer protocolOf(Connection& server, const std::string& study) {
+  const auto rows = server.query(
+      "SELECT sha256, text, files FROM palpate.protocol WHERE study = $1 ORDER BY added DESC LIMIT "
+      "1",
+      {study});
+  if (rows.isEmpty()) throw UserError("The study on the server has no protocol.");
+  return {.sha256 = rows.text(0, 0), .text = rows.text(0, 1), .files = rows.text(0, 2)};
+}
+
+StudyOnServer findStudy(Connection& server, const std::string& name) {
+  const std::string select = "SELECT uuid, name, title, seed, secret FROM palpate.study ";
+  const auto rows = name.empty() ? server.query(select + "ORDER BY name")
+                                 : server.query(select + "WHERE name = $1", {name});
+  if (rows.count() == 1) return studyIn(rows);
+  std::string names;
+  for (int i = 0; i < rows.count(); ++i) names += (i == 0 ? "" : ", ") + rows.text(i, 1);
+  throw UserError(
+      rows.isEmpty() ? name.empty() ? "There is no study on this server yet: 'palpate collect init "
+                                      "--protocol FILE --study NAME' makes one."
+                                    : "There is no study named '" + name + "' on this server."
+                     : "There are several studies on this server: " + names +
+                           ". Say which one: --study NAME.");
+}
+
+AddedStation addStation(Connection& server, const std::string& study, const NewStation& added) {
+  const auto& station = added.station;
+  const auto same = server.query(
+      "SELECT 1 FROM palpate.station WHERE study = $1 AND label = $2", {study, station.label});
+  if (!same.isEmpty()) {
+    throw UserError(
+        "There is a station named '" + station.label +
+        "' in this study. Choose another name with --name: several stations of a site may be "
+        "called " +
+        station.site + "-2, " + station.site + "-3.");
+  }
+  const auto role = roleNamed("station_", station.label);
+  makeRole(server, role, "LOGIN", "palpate_station");
+  makeRole(server, roleNamed("operator_", station.site), "NOLOGIN", "palpate_operator");
+  const auto rows = server.query(
+      std::string("INSERT INTO palpate.station (study, uuid, site, label, role, key, expires) "
+                  "VALUES ($1, $2, $3, $4, $5, $6, now() + $7::integer * interval '1 day') "
+                  "RETURNING to_char(expires AT TIME ZONE 'UTC', ") +
+          kUtc + ")",
+      {study,
+       station.uuid,
+       station.site,
+       station.label,
+       role,
+       added.key,
+       std::int64_t{added.days}});
+  return {.role = role, .expiresUtc = rows.text(0, 0)};
+}
+
+void revokeStation(
+    Connection& server,
+    const std::string& study,
+    const std::string& label,
+    const std::string& reason) {
+  const auto rows = server.query(
+      "UPDATE palpate.station SET revoked = now(), revoked_reason = $3 "
+      "WHERE study = $1 AND label = $2 RETURNING id",
+      {study, label, reason});
+  if (rows.isEmpty()) throw UserError("There is no station named '" + label + "' in this study.");
+}
+
+std::vector<StationStatus> stationsOf(Connection& server, const std::string& studyName) {
+  const auto rows = server.query(
+      std::string("SELECT site, station, events, sessions, incidents, to_char(last_contact AT TIME "
+                  "ZONE 'UTC', ") +
+          kUtc +
+          "), revoked IS NOT NULL FROM palpate.stations WHERE $1 IN ('', study_name) "
+          "ORDER BY study_name, station",
+      {studyName});
+  std::vector<StationStatus> stations;
+  for (int i = 0; i < rows.count(); ++i) {
+    stations.push_back(
+        {.site = rows.text(i, 0),
+         .station = rows.text(i, 1),
+         .events = rows.number(i, 2),
+         .sessions = rows.number(i, 3),
+         .incidents = rows.number(i, 4),
+         .lastContact = rows.text(i, 5),
+         .isRevoked = rows.text(i, 6) == "t"});
+  }
+  return stations;
+}
+
+std::vector<Incident> incidentsOf(Connection& server, int most) {
+  const auto rows = server.query(
+      std::string("SELECT to_char(i.at AT TIME ZONE 'UTC', ") + kUtc +
+          "), i.role, coalesce(s.label, ''), i.what, i.detail FROM palpate.incident AS i "
+          "LEFT JOIN palpate.station AS s ON s.id = i.station ORDER BY i.id DESC LIMIT $1",
+      {std::int64_t{most}});
+  std::vector<Incident> incidents;
+  for (int i = 0; i < rows.count(); ++i) {
+    incidents.push_back(
+        {.at = rows.text(i, 0),
+         .role = rows.text(i, 1),
+         .station = rows.text(i, 2),
+         .what = rows.text(i, 3),
+         .detail = rows.text(i, 4)});
+  }
+  return incidents;
+}
+
+}  // namespace study::collect

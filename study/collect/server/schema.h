@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "study/collect/server/connection.h"
+
+namespace study::collect {
+
+/// A file of this folder, as it was when the program was built.
+struct LibraryFile {
+  std::string_view name;  ///< "schema-1.sql"
+  std::string_view content;
+};
+
+/// The steps of the schema in order. Step n brings a server from version n - 1 to n.
+std::span<const LibraryFile> libraryFiles();
+
+/// The version that this program installs and needs.
+int newestSchema();
+
+/// The version that is installed; 0: none. @throws ServerError
+int installedSchema(Connection& server);
+
+/// Makes the roles of all studies and the schema 'palpate', or brings an older one up to date, in
+/// one transaction. Does nothing if it is there.
+/// @throws ServerError  Denied, if the role may not create roles and schemas; Other, if the server
+///     has a newer schema than this program.
+/// @return  the version that was there before
+int installSchema(Connection& server);
+
+/// @throws ServerError  if the schema is missing, or of another version than this program's.
+void requireSchema(Connection& server);
+
+}  // namespace study::collect

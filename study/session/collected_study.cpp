@@ -1,0 +1,191 @@
+#include "study/session/collected_study.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "base/random.h"
+#include "study/model/new_file.h"
+#include "study/model/study_files.h"
+#include "study/storage/erasure/erasure_repository.h"
+#include "study/storage/map/study_keys.h"
+#include "study/storage/statement.h"
+#include "study/storage/study_schema.h"
+#include "study/storage/transaction.h"
+
+namespace study {
+namespace {
+
+namespace fs = std::filesystem;
+using storage::Database;
+using storage::Transaction;
+
+Database made(const std::string& path, const storage::Schema& schema) {
+  return Database::create(path, schema);
+}
+
+}  // namespace
+
+/// The three files, each in one transaction.
+struct CollectedStudy::Files {
+  explicit Files(const StudyFiles& names)
+      : study(made(names.study(), storage::studySchema())),
+        traces(made(names.traces(), storage::traceSchema())),
+        identities(made(names.identity(), storage::identitySchema())) {}
+
+  void begin() {
+    ofStudy = std::make_unique<Transaction>(study);
+    ofTraces = std::make_unique<Transaction>(traces);
+    ofIdentities = std::make_unique<Transaction>(identities.database());
+  }
+  void commit() {
+    ofIdentities->commit();
+    ofTraces->commit();
+    ofStudy->commit();
+    ofStudy.reset();
+    ofTraces.reset();
+    ofIdentities.reset();
+  }
+
+  Database study;
+  Database traces;
+  storage::IdentityStore identities;
+  std::unique_ptr<Transaction> ofStudy;
+  std::unique_ptr<Transaction> ofTraces;
+  std::unique_ptr<Transaction> ofIdentities;
+};
+
+CollectedStudy::CollectedStudy(fs::path folder, Clock& clock, const Beginning& beginning)
+    : target_(std::move(folder)),
+      folder_(newFolderBeside(target_)),
+      clock_(clock),
+      commitment_(beginning.secret.commitment()),
+      protocolName_(beginning.protocols.at(0).protocol.study.id) {
+  fs::create_directory(folder_ / "exports");
+  files_ = std::make_unique<Files>(StudyFiles{folder_});
+  const bool isOpen =
+      std::any_of(beginning.protocols.begin(), beginning.protocols.end(), [](const auto& protocol) {
+        return protocol.protocol.isBlindingOpen;
+      });
+  if (isOpen) {
+    files_->identities.put(beginning.secret);
+  } else {
+    storage::keepKey(beginning.secret, target_);
+    files_->identities.putForFingerprints(beginning.secret.forFingerprints());
+    files_->study.giveKey(storage::SealingKey(beginning.secret.bytes()));
+  }
+  files_->begin();
+  storage::ProtocolRepository protocols(files_->study);
+  for (const auto& protocol : beginning.protocols) {
+    protocols.add(protocol, "collected", asUtc(clock.now().wall));
+  }
+  storage::Statement insert(
+      files_->study,
+      "INSERT INTO study (id, uuid, seed, random_version, app_version, created_utc) "
+      "VALUES (1, ?, ?, ?, ?, ?)");
+  insert.bind(1, beginning.uuid)
+      .bind(2, std::to_string(beginning.seed))
+      .bind(3, std::int64_t{base::kRandomVersion})
+      .bind(4, appVersion())
+      .bind(5, beginning.createdUtc);
+  insert.run();
+}
+
+CollectedStudy::~CollectedStudy() {
+  if (files_ == nullptr) return;
+  files_.reset();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);  // it was never complete
+}
+
+void CollectedStudy::add(std::int64_t number, const storage::SessionFacts& facts) {
+  const auto id = storage::addFacts(files_->study, facts);
+  sessions_[number] = id;
+  ++sessionCount_;
+  const auto row = storage::SessionRepository(files_->study).load(id);
+  if (row.state == SessionState::Erased) noteErasure(row);
+}
+
+/// So that no later opening erases once more what is gone.
+void CollectedStudy::noteErasure(const storage::SessionRow& row) {
+  storage::ErasureRepository erasures(files_->study);
+  if (erasures.hasErasedAnswersOf(row.participant)) return;
+  const auto utc = row.endedUtc.value_or(asUtc(clock_.now().wall));
+  erasures.add(
+      {.participant = row.participant,
+       .level = storage::ErasureLevel::Answers,
+       .reason = "erased at the station " + row.station,
+       .utc = utc,
+       .finishedUtc = utc});
+}
+
+void CollectedStudy::add(std::int64_t number, const storage::TraceChunk& chunk) {
+  storage::addChunk(files_->traces, sessions_.at(number), chunk);
+}
+
+void CollectedStudy::addKey(const std::string& participant, const storage::SealingKey& key) {
+  files_->identities.putContentKey(participant, key);
+}
+
+void CollectedStudy::add(const Trail& trail, std::vector<storage::StoredEvent> events) {
+  for (auto& event : events) {
+    if (event.session) event.session = static_cast<std::int64_t>(sessions_.at(*event.session));
+    events_.push_back(std::move(event));
+  }
+  trails_.push_back(trail);
+  sessions_.clear();
+}
+
+void CollectedStudy::appendTrail(const std::string& reason) {
+  std::string trails;
+  for (const auto& trail : trails_) {
+    trails += (trails.empty() ? "" : ", ") + trail.station.label + ": " +
+              std::to_string(trail.events) + " events, " + trail.head;
+  }
+  storage::EventLog log(files_->study, &files_->identities);
+  const Moment now = clock_.now();
+  log.append(
+      {.when = now,
+       .actor = storage::Actor::Operator,
+       .kind = EventKind::CollectedStudy,
+       .values = {
+           {"sessions", static_cast<std::int64_t>(sessionCount_)},
+           {"stations", static_cast<std::int64_t>(trails_.size())},
+           {"events", static_cast<std::int64_t>(events_.size()) + 1},
+           {"trails", trails},
+           {"reason", reason}}});
+  log.append(
+      {.when = now,
+       .kind = EventKind::MadeStudy,
+       .values = {{"study", protocolName_}, {"secret", commitment_}}});
+  std::map<std::optional<std::int64_t>, std::size_t> lastOf;
+  for (std::size_t i = 0; i < events_.size(); ++i) lastOf[events_[i].session] = i;
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const auto& event = events_[i];
+    const auto key =
+        event.session ? log.keyOf(SessionId{*event.session}) : std::optional<storage::SealingKey>();
+    log.appendFrom(event, key ? &*key : nullptr, lastOf.at(event.session) == i);
+  }
+}
+
+void CollectedStudy::finish(const std::string& reason) {
+  storage::Statement live(
+      files_->study, "SELECT DISTINCT protocol_id FROM session WHERE run_mode = 'live'");
+  std::set<ProtocolId> frozen;
+  while (live.step()) frozen.insert(ProtocolId{live.number(0)});
+  live.reset();
+  for (const auto id : frozen) {
+    storage::ProtocolRepository(files_->study).freeze(id, asUtc(clock_.now().wall));
+  }
+  appendTrail(reason);
+  files_->commit();
+  files_.reset();
+  {
+    auto study = Study::open(folder_, clock_);
+    study.transact([&] { study.signTrail(nameOf(EventKind::CollectedStudy)); });
+  }
+  nameFinished(folder_, target_);
+}
+
+}  // namespace study

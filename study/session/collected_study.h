@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "study/model/clock.h"
+#include "study/model/station.h"
+#include "study/session/study.h"
+#include "study/storage/event_log.h"
+#include "study/storage/keys/sealing_key.h"
+#include "study/storage/transfer/session_facts.h"
+
+namespace study {
+
+/// One study put together of what its stations recorded: an ordinary folder, which can be verified,
+/// evaluated and exported. Its sessions cannot go on.
+///
+/// Sessions get new numbers, and the audit trails of the stations follow one another in a trail of
+/// its own, whose first event says so. What each station's trail says was checked before against
+/// its hashes and signatures; the last hash of each is in that event.
+class CollectedStudy {
+ public:
+  struct Beginning {
+    std::string uuid;
+    std::uint64_t seed = 0;
+    storage::BlindingSecret secret;  ///< from which those of the stations are made
+    std::string createdUtc;
+    std::vector<protocols::LoadedProtocol> protocols;  ///< all versions, the oldest first
+  };
+
+  /// The trail of one station, as it is stored there.
+  struct Trail {
+    Station station;
+    std::int64_t events = 0;
+    std::string head;  ///< the hash of its last event, hexadecimal
+  };
+
+  /// Makes the folder. Until finish() it has another name beside it; the destructor removes it.
+  /// @throws storage::StorageError  if there is such a folder, or it cannot be made.
+  CollectedStudy(std::filesystem::path folder, Clock& clock, const Beginning& beginning);
+  ~CollectedStudy();
+  CollectedStudy(const CollectedStudy&) = delete;
+  CollectedStudy& operator=(const CollectedStudy&) = delete;
+
+  /// Adds one session of the station. @param number  that it has there
+  void add(std::int64_t number, const storage::SessionFacts& facts);
+  void add(std::int64_t number, const storage::TraceChunk& chunk);
+  void addKey(const std::string& participant, const storage::SealingKey& key);
+  /// Ends a station: its trail, after its sessions.
+  void add(const Trail& trail, std::vector<storage::StoredEvent> events);
+
+  /// Writes the trail, signs it, and gives the folder its name.
+  /// @param reason  why it was collected
+  void finish(const std::string& reason);
+
+ private:
+  struct Files;
+  void noteErasure(const storage::SessionRow& row);
+  void appendTrail(const std::string& reason);
+
+  std::filesystem::path target_;
+  std::filesystem::path folder_;
+  Clock& clock_;
+  std::string commitment_;
+  std::string protocolName_;
+  std::unique_ptr<Files> files_;
+  std::map<std::int64_t, SessionId> sessions_;  ///< of the present station, by their number there
+  std::size_t sessionCount_ = 0;
+  std::vector<Trail> trails_;
+  std::vector<storage::StoredEvent> events_;  ///< with the sessions' new numbers
+};
+
+}  // namespace study

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "study/model/ids.h"
+#include "study/storage/database.h"
+
+namespace study::storage {
+
+/// A value of a column.
+using FactValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+/// A row, by the names of its columns.
+using FactRow = std::map<std::string, FactValue>;
+
+/// All that the tables say of one session, without the numbers that they have in one file: the same
+/// in every study that holds the session. By table: participant, session (one row each), step,
+/// allocation, visit, answer, trial, cut. The session names its protocol by hash.
+using SessionFacts = std::map<std::string, std::vector<FactRow>>;
+
+/// The conditions are in the open, whether or not they are sealed in this file.
+/// @throws StorageError  if there is no such session, or the key of its conditions is not here.
+SessionFacts factsOf(const Database& study, SessionId session);
+
+/// Adds a session that came from another file, with a participant if there is none of the code.
+/// Inside the caller's transaction.
+/// @throws StorageError  if its protocol is not there, or a row or column is not as this program
+///     knows it.
+SessionId addFacts(Database& study, const SessionFacts& facts);
+
+/// Raw chunks of samples, to be written to another file as they are.
+struct TraceChunk {
+  int step = 0;
+  int attempt = 1;
+  std::int64_t number = 0;
+  std::int64_t samples = 0;
+  std::int64_t layout = 0;
+  std::vector<std::byte> data;
+  std::vector<std::byte> hash;
+};
+
+/// The chunks of a visit, in order. @param traces  traces.db
+std::vector<TraceChunk> chunksOf(const Database& traces, const VisitKey& visit);
+
+/// Inside the caller's transaction. @throws StorageError  if the bytes are not those of the hash.
+void addChunk(Database& traces, SessionId session, const TraceChunk& chunk);
+
+}  // namespace study::storage

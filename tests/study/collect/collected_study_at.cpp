@@ -1,0 +1,178 @@
+#include "tests/study/collect/collected_study_at.h"
+
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "study/cohort/simulated_participant.h"
+#include "study/collect/exchange/administration.h"
+#include "study/collect/exchange/enrolment.h"
+#include "study/collect/exchange/hexadecimal.h"
+#include "study/collect/server/registry.h"
+#include "study/collect/server/schema.h"
+#include "study/model/user_error.h"
+#include "study/storage/protocol_repository.h"
+#include "study/storage/study_schema.h"
+#include "study/storage/transfer/session_facts.h"
+#include "tests/study/walk.h"
+
+namespace tests {
+namespace {
+
+using study::collect::Connection;
+using study::collect::PrivateServer;
+
+constexpr const char* kStudy = "short";
+
+std::unique_ptr<PrivateServer>& server() {
+  static std::unique_ptr<PrivateServer> made;
+  return made;
+}
+
+std::string nameOf(const study::storage::SessionFacts& facts) {
+  return std::get<std::string>(facts.at("participant").front().at("code")) + "/" +
+         std::to_string(std::get<std::int64_t>(facts.at("session").front().at("number")));
+}
+
+}  // namespace
+
+PrivateServer& CollectTest::postgres() {
+  if (server() == nullptr)
+    server() = std::make_unique<PrivateServer>(PrivateServer::Disk::NotWaited);
+  return *server();
+}
+
+void CollectTest::SetUp() {
+  if (!PrivateServer::isInstalled()) GTEST_SKIP() << "PostgreSQL is not installed";
+  static int number = 0;
+  database_ = "test_" + std::to_string(++number);
+  Connection(postgres().server()).execute("CREATE DATABASE " + database_);
+  auto owner = admin();
+  study::collect::installSchema(owner);
+  study::collect::putStudy(owner, kStudy, protocolFrom(shortProtocol()), 1);
+}
+
+void CollectTest::TearDownTestSuite() {
+  server().reset();
+}
+
+Connection CollectTest::admin() const {
+  return Connection(postgres().server(database_));
+}
+
+Connection CollectTest::as(const std::string& role) const {
+  return Connection(postgres().server(database_), role);
+}
+
+void CollectTest::addStation(const std::string& site, const std::string& label) {
+  const auto name = label.empty() ? site : label;
+  const auto account = accountOf(name);
+  const auto station =
+      study::storage::StationStore::findOrMake(study::storage::StationStore::usualFolder());
+  auto owner = admin();
+  const auto enrolled = study::collect::enrolStation(
+      owner, {.study = kStudy, .site = site, .label = label, .key = station.publicKey()});
+  const auto file = scratch_.write(name + ".enrolment", enrolled.file);
+  study::collect::join(file, folderOf(name), clock_);
+}
+
+void CollectTest::simulate(const std::string& label, int participants, std::uint64_t seed) {
+  const auto account = accountOf(label);
+  auto study = study::Study::open(folderOf(label), clock_);
+  study::simulateCohorts(study, clock_, participants, seed, [](const auto&) {});
+  study.transact([&] { study.signTrail("simulated"); });
+}
+
+std::string CollectTest::runSession(const std::string& label, const std::string& code) {
+  const auto account = accountOf(label);
+  auto study = study::Study::open(folderOf(label), clock_);
+  auto session = consenting(study, {.cohort = "surgeons", .code = code});
+  walkToTheEnd(session);
+  clock_.advance(60.0);
+  return session.participant();
+}
+
+study::collect::Pushed CollectTest::push(const std::string& label) const {
+  return pushFrom(folderOf(label), label);
+}
+
+study::collect::Pushed CollectTest::pushFrom(
+    const std::string& folder, const std::string& label) const {
+  const auto account = accountOf(label);
+  study::collect::Outbox outbox(folder, clock_);
+  auto connection = as(study::collect::homeServerOf(folder).role);
+  return study::collect::push(outbox, connection);
+}
+
+std::map<std::string, std::string> CollectTest::contentOf(
+    const std::vector<std::string>& folders) const {
+  std::map<std::string, std::string> content;
+  study::SimulatedClock clock;
+  for (const auto& folder : folders) {
+    // Whoever runs or pulls a study has the key of its conditions.
+    const auto name = std::filesystem::path(folder).filename().string();
+    const auto account =
+        accountOf(name.starts_with("study-") ? name.substr(std::strlen("study-")) : "analyst");
+    auto study = study::Study::open(folder, clock, study::storage::Database::Access::ReadOnly);
+    std::map<study::SessionId, std::string> names;
+    for (const auto& row : study.sessions().all()) {
+      const auto facts = study::storage::factsOf(study.database(), row.id);
+      names[row.id] = nameOf(facts);
+      content[nameOf(facts)] = study::storage::sha256(study::collect::asText(facts));
+    }
+    for (const auto& visit : study.traces().visits()) {
+      const auto place = names.at(visit.session) + "/" + std::to_string(visit.step) + "/" +
+                         std::to_string(visit.attempt);
+      content[place] = study.traces().digest(visit);
+    }
+  }
+  return content;
+}
+
+std::map<std::string, std::string> CollectTest::contentOfServer() const {
+  std::map<std::string, std::string> content;
+  auto owner = admin();
+  const auto sessions = owner.query(
+      "SELECT participant, (facts::json->'session'->>'number'), encode(sha256, 'hex'), facts "
+      "FROM palpate.session");
+  for (int i = 0; i < sessions.count(); ++i) {
+    content[sessions.text(i, 0) + "/" + sessions.text(i, 1)] = sessions.text(i, 2);
+    EXPECT_EQ(study::storage::sha256(sessions.text(i, 3)), sessions.text(i, 2));
+  }
+  // A trace by the same digest as TraceStore::digest().
+  auto traces = study::storage::Database::inMemory(study::storage::traceSchema());
+  const auto chunks = owner.query(
+      "SELECT s.participant, s.facts::json->'session'->>'number', c.step, c.attempt, c.number, "
+      "c.samples, c.layout, c.data, c.hash, dense_rank() OVER (ORDER BY c.station, c.session) "
+      "FROM palpate.chunk AS c JOIN palpate.session AS s ON s.station = c.station AND s.number = "
+      "c.session");
+  std::map<study::VisitKey, std::string> places;
+  for (int i = 0; i < chunks.count(); ++i) {
+    const study::storage::TraceChunk chunk{
+        .step = static_cast<int>(chunks.number(i, 2)),
+        .attempt = static_cast<int>(chunks.number(i, 3)),
+        .number = chunks.number(i, 4),
+        .samples = chunks.number(i, 5),
+        .layout = chunks.number(i, 6),
+        .data = chunks.bytes(i, 7),
+        .hash = chunks.bytes(i, 8)};
+    const study::SessionId session{chunks.number(i, 9)};
+    study::storage::addChunk(traces, session, chunk);
+    places[{session, chunk.step, chunk.attempt}] = chunks.text(i, 0) + "/" + chunks.text(i, 1) +
+                                                   "/" + std::to_string(chunk.step) + "/" +
+                                                   std::to_string(chunk.attempt);
+  }
+  const study::storage::TraceStore store(std::move(traces));
+  for (const auto& [visit, place] : places) content[place] = store.digest(visit);
+  return content;
+}
+
+std::vector<std::string> CollectTest::incidents() const {
+  auto owner = admin();
+  std::vector<std::string> found;
+  for (const auto& incident : study::collect::incidentsOf(owner, 100))
+    found.push_back(incident.what);
+  return found;
+}
+
+}  // namespace tests

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "study/collect/exchange/push.h"
+#include "study/collect/server/connection.h"
+#include "study/collect/server/private_server.h"
+#include "study/session/study.h"
+#include "tests/study/made_study.h"
+#include "tests/support/scratch_folder.h"
+
+namespace tests {
+
+/// A study on a private PostgreSQL server, with a database of its own for each test, and stations
+/// with folders of their own. Skipped where PostgreSQL is not installed.
+class CollectTest : public testing::Test {
+ protected:
+  void SetUp() override;
+  /// The server is stopped, by its id, after the last test.
+  static void TearDownTestSuite();
+
+  /// As the owner of the server.
+  study::collect::Connection admin() const;
+  /// As a role. @param role  "station_oslo"
+  study::collect::Connection as(const std::string& role) const;
+  static study::collect::PrivateServer& postgres();
+
+  /// Enrols a station, and makes its folder.
+  void addStation(const std::string& site, const std::string& label = {});
+  std::string folderOf(const std::string& label) const { return scratch_ / ("study-" + label); }
+  /// The station's own account, as long as it exists.
+  OwnStation accountOf(const std::string& label) const {
+    return OwnStation(scratch_ / ("account-" + label));
+  }
+
+  /// Sessions of simulated participants, with traces.
+  void simulate(const std::string& label, int participants, std::uint64_t seed = 7);
+  /// A live session in which everything is answered. @return  the participant's code
+  std::string runSession(const std::string& label, const std::string& code = {});
+
+  study::collect::Pushed push(const std::string& label) const;
+  /// … from another folder of the station.
+  study::collect::Pushed pushFrom(const std::string& folder, const std::string& label) const;
+
+  /// The SHA-256 of every session's facts and of every trace, by participant and session number: of
+  /// studies together.
+  std::map<std::string, std::string> contentOf(const std::vector<std::string>& folders) const;
+  /// The same of what the server has.
+  std::map<std::string, std::string> contentOfServer() const;
+  std::vector<std::string> incidents() const;
+
+  ScratchFolder scratch_;
+  mutable study::SimulatedClock clock_;
+
+ private:
+  std::string database_;
+};
+
+}  // namespace tests

@@ -1,0 +1,310 @@
+// One study at several sites, on a real PostgreSQL server.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "study/collect/exchange/pull.h"
+#include "study/collect/server/registry.h"
+#include "study/model/user_error.h"
+#include "study/session/erasure.h"
+#include "study/session/verification.h"
+#include "study/storage/statement.h"
+#include "tests/study/collect/collected_study_at.h"
+#include "tests/study/walk.h"
+#include "tests/support/long_form.h"
+
+namespace collection_test {
+
+using study::Study;
+using study::collect::ServerError;
+
+class Collection : public tests::CollectTest {
+ protected:
+  std::string pulled(const std::string& name = "union") {
+    const auto account = accountOf("analyst");
+    auto server = admin();
+    result_ =
+        study::collect::pull(server, {.folder = scratch_ / name, .reason = "to evaluate"}, clock_);
+    return scratch_ / name;
+  }
+
+  /// What 'study verify' finds; empty: nothing.
+  std::vector<std::string> problemsOf(const std::string& folder) {
+    const auto account = accountOf("analyst");
+    auto study = Study::open(folder, clock_, study::storage::Database::Access::ReadOnly);
+    std::vector<std::string> problems;
+    for (const auto& check : study::verify(study).checks) {
+      for (const auto& problem : check.problems) problems.push_back(check.what + ": " + problem);
+    }
+    return problems;
+  }
+
+  std::int64_t count(const std::string& table) {
+    auto server = admin();
+    return server.query("SELECT count(*) FROM palpate." + table).number(0, 0);
+  }
+
+  study::collect::Pulled result_;
+};
+
+const std::vector<std::string> kNone;
+
+TEST_F(Collection, StationsServerAndPulledFolderHaveTheSameContent) {
+  addStation("oslo");
+  addStation("oslo", "oslo-2");
+  addStation("bergen");
+  for (const auto* label : {"oslo", "oslo-2", "bergen"}) {
+    simulate(label, 2);
+    runSession(label);
+    push(label);
+  }
+  const auto stations = contentOf({folderOf("oslo"), folderOf("oslo-2"), folderOf("bergen")});
+  EXPECT_GT(stations.size(), 9U);
+  EXPECT_EQ(contentOfServer(), stations);
+  EXPECT_EQ(contentOf({pulled()}), stations);
+  EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
+  EXPECT_EQ(result_.sessions, 9U);
+  EXPECT_EQ(result_.stations, 3U);
+}
+
+TEST_F(Collection, TheSameCodeAtTwoSitesIsTwoParticipants) {
+  addStation("oslo");
+  addStation("bergen");
+  EXPECT_EQ(runSession("oslo", "P001"), "oslo_P001");
+  EXPECT_EQ(runSession("bergen", "P001"), "bergen_P001");
+  push("oslo");
+  push("bergen");
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo"), folderOf("bergen")}));
+}
+
+TEST_F(Collection, WhatIsPushedAgainChangesNothing) {
+  addStation("oslo");
+  runSession("oslo");
+  const auto first = push("oslo");
+  const auto before = contentOfServer();
+  const auto events = count("event");
+  const auto again = push("oslo");
+  EXPECT_EQ(again.before, first.have);
+  EXPECT_EQ(again.have, first.have);
+  EXPECT_EQ(count("event"), events);
+  EXPECT_EQ(contentOfServer(), before);
+}
+
+TEST_F(Collection, EveryBatchMayComeThreeTimesAndInAnyOrder) {
+  addStation("oslo");
+  simulate("oslo", 3);
+  std::vector<study::collect::Batch> batches;
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  outbox.setLimits({.events = 40, .traceBytes = 100'000});
+  outbox.forEachBatch(0, [&](const study::collect::Batch& batch) {
+    batches.push_back(batch);
+    return true;
+  });
+  auto server = as("station_oslo");
+  for (int times = 0; times < 3; ++times) {
+    for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch) {
+      const auto answer = study::collect::ingest(server, *batch);
+      EXPECT_TRUE(answer.refused.empty() || answer.refused == "gap" || answer.refused == "traces")
+          << answer.refused;
+    }
+  }
+  EXPECT_GT(batches.size(), 10U);
+  for (const auto& batch : batches) {
+    const auto answer = study::collect::ingest(server, batch);
+    EXPECT_EQ(answer.refused, "");
+  }
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(count("event"), outbox.lastEvent());
+}
+
+TEST_F(Collection, AWeekOfflineThenOnePush) {
+  addStation("oslo");
+  for (int day = 0; day < 5; ++day) {
+    runSession("oslo");
+    clock_.advance(24 * 3600.0);
+  }
+  const auto pushed = push("oslo");
+  EXPECT_EQ(pushed.sessions.all, 5);
+  EXPECT_EQ(pushed.sessions.arrived, 5);
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
+}
+
+TEST_F(Collection, ASessionUnderWayTravelsAsItStands) {
+  addStation("oslo");
+  {
+    const auto account = accountOf("oslo");
+    auto study = Study::open(folderOf("oslo"), clock_);
+    auto session = tests::consenting(study, {.cohort = "students"});
+    tests::walkTo(session, study::StepKind::Trial);
+  }
+  push("oslo");
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  {
+    const auto account = accountOf("oslo");
+    auto study = Study::open(folderOf("oslo"), clock_);
+    auto session = study::Session::resume(study, study::SessionId{1});
+    tests::walkToTheEnd(session);
+  }
+  push("oslo");
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
+}
+
+TEST_F(Collection, TwoCopiesOfAStationThatBothGoOnAreNoticed) {
+  addStation("oslo");
+  runSession("oslo");
+  std::filesystem::copy(
+      folderOf("oslo"), scratch_ / "copy", std::filesystem::copy_options::recursive);
+  runSession("oslo");
+  push("oslo");
+  // An older copy that has nothing of its own yet.
+  EXPECT_THROW(pushFrom(scratch_ / "copy", "oslo"), study::UserError);
+  {
+    const auto account = accountOf("oslo");
+    auto copy = Study::open(scratch_ / "copy", clock_);
+    auto session = tests::consenting(copy, {.cohort = "students"});
+    tests::walkToTheEnd(session);
+  }
+  EXPECT_THROW(pushFrom(scratch_ / "copy", "oslo"), study::UserError);
+  EXPECT_EQ(incidents(), std::vector<std::string>{"fork"});
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+}
+
+TEST_F(Collection, AServerThatStopsAtOnceLosesNothingThatItAcknowledged) {
+  addStation("oslo");
+  for (int stops = 0; stops < 3; ++stops) {
+    runSession("oslo");
+    push("oslo");
+    const auto before = contentOfServer();
+    postgres().stop(study::collect::PrivateServer::Stop::Immediate);
+    EXPECT_THROW(push("oslo"), ServerError);
+    postgres().start();
+    EXPECT_EQ(contentOfServer(), before);
+  }
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+}
+
+TEST_F(Collection, PushesThatAreKilledLoseAndDoubleNothing) {
+  const int kills = tests::inLongForm(200, 25);
+  addStation("oslo");
+  simulate("oslo", 2);
+  int cutShort = 0;
+  for (int i = 0; i < kills; ++i) {
+    if (i % 5 == 0) runSession("oslo");
+    const pid_t pushing = fork();
+    if (pushing == 0) {
+      try {
+        const auto account = accountOf("oslo");
+        study::collect::Outbox outbox(folderOf("oslo"), clock_);
+        outbox.setLimits({.events = 20, .traceBytes = 50'000});
+        auto server = as("station_oslo");
+        study::collect::push(outbox, server);
+      } catch (const std::exception&) {
+        _exit(1);  // the server was stopped
+      }
+      _exit(0);
+    }
+    usleep(static_cast<useconds_t>(5'000 + i * 3'000 % 60'000));
+    const bool stopsServer = i % 5 == 4;
+    if (stopsServer) postgres().stop(study::collect::PrivateServer::Stop::Immediate);
+    kill(pushing, SIGKILL);
+    int status = 0;
+    waitpid(pushing, &status, 0);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) ++cutShort;
+    if (stopsServer) postgres().start();
+  }
+  EXPECT_GT(cutShort, 5) << "the control: most pushes did not come to their end";
+  const auto last = push("oslo").have;
+  EXPECT_EQ(count("event"), last);
+  EXPECT_EQ(contentOfServer(), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(incidents(), kNone);
+}
+
+// Controls: the comparison above has to notice what is lost and what is doubled.
+
+TEST_F(Collection, ALostBatchIsNoticed) {
+  addStation("oslo");
+  runSession("oslo");
+  runSession("oslo");
+  push("oslo");
+  admin().execute("DELETE FROM palpate.session WHERE number = 2");
+  EXPECT_NE(contentOfServer(), contentOf({folderOf("oslo")}));
+  pulled();
+  EXPECT_EQ(result_.incomplete.size(), 1U);
+}
+
+TEST_F(Collection, WithoutTheChecksOfIngestEventsAreDoubled) {
+  addStation("oslo");
+  runSession("oslo");
+  admin().execute(
+      "ALTER TABLE palpate.event DROP CONSTRAINT event_pkey;"
+      "DO $$ BEGIN EXECUTE replace(pg_get_functiondef('palpate.ingest'::regproc), "
+      "'seq = reached)', 'seq = reached LIMIT 1)'); END $$");
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  auto server = as("station_oslo");
+  for (int times = 0; times < 2; ++times) {
+    admin().execute("UPDATE palpate.station SET have = 0");
+    outbox.forEachBatch(0, [&](const study::collect::Batch& batch) {
+      study::collect::ingest(server, batch);
+      return true;
+    });
+  }
+  EXPECT_EQ(count("event"), 2 * outbox.lastEvent());
+}
+
+TEST_F(Collection, AnErasureTravelsToTheServerAndToEveryLaterPull) {
+  addStation("oslo");
+  const auto code = runSession("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto early = pulled("early");
+  {
+    const auto account = accountOf("oslo");
+    auto study = Study::open(folderOf("oslo"), clock_);
+    study::erase(study, {.participant = code, .reason = "asked for it"});
+  }
+  push("oslo");
+  EXPECT_EQ(count("content_key"), 1);
+  EXPECT_EQ(count("tombstone"), 1);
+  auto server = admin();
+  EXPECT_EQ(server.query("SELECT count(*) FROM palpate.answer WHERE number = 1").number(0, 0), 0);
+  EXPECT_EQ(contentOf({pulled()}), contentOf({folderOf("oslo")}));
+  EXPECT_EQ(result_.erased, 1U);
+  EXPECT_EQ(problemsOf(scratch_ / "union"), kNone);
+  // A folder that was pulled before forgets as well, when it is opened on that computer.
+  const auto account = accountOf("analyst");
+  auto study = Study::open(early, clock_);
+  EXPECT_EQ(study.sessions().all().front().state, study::SessionState::Erased);
+}
+
+TEST_F(Collection, SessionsOfACollectedStudyCannotGoOn) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto account = accountOf("analyst");
+  auto study = Study::open(pulled(), clock_);
+  EXPECT_THROW(study::Session::enrol(study, {.cohort = "students"}), study::UserError);
+  EXPECT_THROW(study::Session::resume(study, study::SessionId{1}), study::UserError);
+}
+
+TEST_F(Collection, ATrailThatWasRewrittenOnTheServerIsNotPulled) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  admin().execute(
+      "ALTER TABLE palpate.event DISABLE TRIGGER an_event_is_never_changed;"
+      "UPDATE palpate.event SET utc = '2031-01-01T00:00:00.000Z' WHERE seq = 3");
+  EXPECT_THROW(pulled(), study::storage::StorageError);
+  EXPECT_FALSE(std::filesystem::exists(scratch_ / "union"));
+  auto server = admin();
+  const auto checks = study::collect::check(server, "short", "why it is not pulled");
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_FALSE(checks[0].problems.empty());
+}
+
+}  // namespace collection_test

@@ -1,0 +1,207 @@
+// Who may do what on the server: everything else is denied.
+#include "study/collect/exchange/pull.h"
+#include "study/collect/server/registry.h"
+#include "study/collect/server/schema.h"
+#include "study/model/user_error.h"
+#include "tests/study/collect/collected_study_at.h"
+
+namespace permissions_test {
+
+using study::collect::Connection;
+using study::collect::ServerError;
+
+class Permissions : public tests::CollectTest {
+ protected:
+  /// A role of the test, which is given a group.
+  std::string person(const std::string& name, const std::string& group) {
+    auto server = admin();
+    if (server.query("SELECT 1 FROM pg_roles WHERE rolname = $1", {name}).isEmpty()) {
+      server.execute("CREATE ROLE " + name + " LOGIN");
+    }
+    server.execute("GRANT " + group + " TO " + name);
+    return name;
+  }
+
+  static ServerError::Kind kindOf(Connection& server, const std::string& statement) {
+    try {
+      server.execute(statement);
+    } catch (const ServerError& error) {
+      return error.kind();
+    }
+    ADD_FAILURE() << statement << " was allowed";
+    return ServerError::Kind::Other;
+  }
+};
+
+constexpr auto kDenied = ServerError::Kind::Denied;
+
+TEST_F(Permissions, AStationMayCallIngestAndNothingElse) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  auto station = as("station_oslo");
+  for (const std::string table :
+       {"study",
+        "protocol",
+        "station",
+        "event",
+        "session",
+        "fact",
+        "progress",
+        "answer",
+        "chunk",
+        "content_key",
+        "tombstone",
+        "incident",
+        "access"}) {
+    EXPECT_EQ(kindOf(station, "SELECT * FROM palpate." + table), kDenied) << table;
+    EXPECT_EQ(kindOf(station, "DELETE FROM palpate." + table), kDenied) << table;
+    EXPECT_EQ(kindOf(station, "INSERT INTO palpate." + table + " DEFAULT VALUES"), kDenied)
+        << table;
+  }
+  for (const std::string view : {"answers", "sessions", "stations"}) {
+    EXPECT_EQ(kindOf(station, "SELECT * FROM palpate." + view), kDenied) << view;
+  }
+  for (const auto* call :
+       {"unblind('x', 'y')",
+        "pull_study(1)",
+        "pull_keys(1, 1)",
+        "refuse('a', 'b')",
+        "take_keys(NULL, NULL)",
+        "opened(1)"}) {
+    EXPECT_EQ(kindOf(station, std::string("SELECT palpate.") + call), kDenied) << call;
+  }
+  EXPECT_EQ(kindOf(station, "SET ROLE palpate_owner"), kDenied);
+  EXPECT_EQ(kindOf(station, "CREATE TABLE palpate.mine ()"), kDenied);
+}
+
+TEST_F(Permissions, AStationCannotWriteForAnother) {
+  addStation("oslo");
+  addStation("bergen");
+  runSession("oslo");
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  auto bergen = as("station_bergen");
+  EXPECT_THROW(study::collect::push(outbox, bergen), study::UserError);
+  EXPECT_EQ(incidents(), std::vector<std::string>{"foreign"});
+  EXPECT_TRUE(contentOfServer().empty());
+}
+
+TEST_F(Permissions, ForgedEventsOfAStationAreRefusedOrFound) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto account = accountOf("oslo");
+  study::collect::Outbox outbox(folderOf("oslo"), clock_);
+  auto server = as("station_oslo");
+  // Another event in the place of one that is there.
+  auto forged = outbox.sample(5);
+  forged.events.front().hash.assign(32, std::byte{1});
+  EXPECT_EQ(study::collect::ingest(server, forged).refused, "fork");
+  // One more at the end: its hash is of nothing.
+  auto added = outbox.sample(outbox.lastEvent());
+  added.events.front().seq += 1;
+  added.events.front().hash.assign(32, std::byte{2});
+  added.after = outbox.hashOf(outbox.lastEvent());
+  EXPECT_EQ(study::collect::ingest(server, added).refused, "");
+  auto owner = admin();
+  const auto checks = study::collect::check(owner, "short", "look");
+  ASSERT_EQ(checks.size(), 1U);
+  EXPECT_FALSE(checks.front().problems.empty());
+}
+
+TEST_F(Permissions, AChangedBatchIsRefused) {
+  addStation("oslo");
+  auto server = as("station_oslo");
+  const auto said = server.query(
+      "SELECT palpate.ingest($1, $2, $3)",
+      {"{}", study::collect::Parameter::bytes({}), study::collect::Parameter::arrayOfBytes({})});
+  EXPECT_EQ(study::collect::answerIn(said.text(0, 0)).refused, "damaged");
+  EXPECT_EQ(incidents(), std::vector<std::string>{"damaged"});
+}
+
+TEST_F(Permissions, ARevokedStationIsToldWhy) {
+  addStation("oslo");
+  runSession("oslo");
+  auto owner = admin();
+  const auto study = study::collect::findStudy(owner, "short");
+  study::collect::revokeStation(owner, study.uuid, "oslo", "the laptop was stolen");
+  try {
+    push("oslo");
+    FAIL() << "it was let in";
+  } catch (const study::UserError& error) {
+    EXPECT_NE(std::string(error.what()).find("the laptop was stolen"), std::string::npos);
+  }
+  EXPECT_EQ(incidents(), std::vector<std::string>{"revoked"});
+}
+
+TEST_F(Permissions, AnAnalystSeesPointsAndNoCondition) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  const auto analyst = person("eva", "palpate_analyst");
+  auto server = as(analyst);
+  EXPECT_GT(server.query("SELECT count(*) FROM palpate.answers").number(0, 0), 0);
+  const auto columns = server.query(
+      "SELECT string_agg(column_name, ' ') FROM information_schema.columns "
+      "WHERE table_schema = 'palpate' AND column_name ~ 'condition|text|words|facts'");
+  EXPECT_TRUE(columns.isNull(0, 0)) << columns.text(0, 0);
+  for (const auto* table : {"session", "answer", "study", "content_key", "event"}) {
+    EXPECT_EQ(kindOf(server, std::string("SELECT * FROM palpate.") + table), kDenied) << table;
+  }
+  EXPECT_EQ(kindOf(server, "SELECT palpate.unblind('x', 'curious')"), kDenied);
+}
+
+TEST_F(Permissions, AnOperatorSeesTheOwnSiteAlone) {
+  addStation("oslo");
+  addStation("bergen");
+  runSession("oslo");
+  runSession("bergen");
+  push("oslo");
+  push("bergen");
+  auto server = as(person("olav", "operator_oslo"));
+  const auto rows = server.query("SELECT participant FROM palpate.session");
+  ASSERT_EQ(rows.count(), 1);
+  EXPECT_EQ(rows.text(0, 0), "oslo_P001");
+  EXPECT_EQ(kindOf(server, "SELECT facts FROM palpate.session"), kDenied);
+}
+
+TEST_F(Permissions, WhoeverPullsGivesAReasonThatIsKept) {
+  addStation("oslo");
+  runSession("oslo");
+  push("oslo");
+  auto server = as(person("una", "palpate_unblinder"));
+  EXPECT_THROW(
+      study::collect::pull(server, {.folder = scratch_ / "none", .reason = ""}, clock_),
+      study::UserError);
+  EXPECT_EQ(kindOf(server, "SELECT * FROM palpate.pull_sessions(1, 1, 0, 10)"), kDenied);
+  study::collect::pull(
+      server, {.folder = scratch_ / "union", .reason = "the analysis is written"}, clock_);
+  auto owner = admin();
+  const auto kept = owner.query("SELECT role, reason FROM palpate.access");
+  ASSERT_EQ(kept.count(), 1);
+  EXPECT_EQ(kept.text(0, 0), "una");
+  EXPECT_EQ(kept.text(0, 1), "the analysis is written");
+}
+
+TEST_F(Permissions, FunctionsOfTheOwnerLookNowhereElse) {
+  auto server = admin();
+  const auto open = server.query(
+      "SELECT p.proname FROM pg_proc AS p JOIN pg_namespace AS n ON n.oid = p.pronamespace "
+      "WHERE n.nspname = 'palpate' AND NOT coalesce('search_path=palpate, pg_temp' = "
+      "ANY(p.proconfig), false)");
+  EXPECT_TRUE(open.isEmpty()) << open.text(0, 0);
+  const auto forAll = server.query(
+      "SELECT p.proname FROM pg_proc AS p JOIN pg_namespace AS n ON n.oid = p.pronamespace "
+      "WHERE n.nspname = 'palpate' AND has_function_privilege('public', p.oid, 'EXECUTE')");
+  EXPECT_TRUE(forAll.isEmpty()) << forAll.text(0, 0);
+}
+
+TEST_F(Permissions, AServerWithANewerSchemaIsNotWrittenTo) {
+  auto server = admin();
+  server.execute("INSERT INTO palpate.schema_step (step) VALUES (99)");
+  EXPECT_THROW(study::collect::requireSchema(server), ServerError);
+  EXPECT_THROW(study::collect::installSchema(server), ServerError);
+}
+
+}  // namespace permissions_test
