@@ -443,7 +443,7 @@ std::optional<SealingKey> EventLog::keyOf(SessionId session) const {
 
 std::optional<SealingKey> EventLog::keyOf(SessionId session, EventKind kind) const {
   auto own = keyOf(session);
-  const auto* key = tellsTheRendering(kind) ? studyKey() : nullptr;
+  const auto* key = tellsTheRendering(kind) ? database_.measurementKey() : nullptr;
   return own && key != nullptr ? key->joinedWith(*own) : own;
 }
 

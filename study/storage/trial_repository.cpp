@@ -60,7 +60,7 @@ base::NamedArguments measured(const TrialRecord& record) {
 }  // namespace
 
 void TrialRepository::add(const VisitKey& visit, const TrialRecord& record) {
-  const auto* key = isSimulated(visit.session) ? nullptr : database_.key();
+  const auto* key = isSimulated(visit.session) ? nullptr : database_.measurementKey();
   if (key == nullptr) return addOpen(visit, record);
   Statement insert(
       database_,
