@@ -25,6 +25,15 @@ Database made(const std::string& path, const storage::Schema& schema) {
   return Database::create(path, schema);
 }
 
+/// The versions with which somebody took part.
+std::set<ProtocolId> liveProtocols(const Database& study) {
+  storage::Statement live(
+      study, "SELECT DISTINCT protocol_id FROM session WHERE run_mode = 'live'");
+  std::set<ProtocolId> protocols;
+  while (live.step()) protocols.insert(ProtocolId{live.number(0)});
+  return protocols;
+}
+
 }  // namespace
 
 /// The three files, each in one transaction.
@@ -170,12 +179,7 @@ void CollectedStudy::appendTrail(const std::string& reason) {
 }
 
 void CollectedStudy::finish(const std::string& reason) {
-  storage::Statement live(
-      files_->study, "SELECT DISTINCT protocol_id FROM session WHERE run_mode = 'live'");
-  std::set<ProtocolId> frozen;
-  while (live.step()) frozen.insert(ProtocolId{live.number(0)});
-  live.reset();
-  for (const auto id : frozen) {
+  for (const auto id : liveProtocols(files_->study)) {
     storage::ProtocolRepository(files_->study).freeze(id, asUtc(clock_.now().wall));
   }
   appendTrail(reason);
