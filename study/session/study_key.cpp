@@ -92,9 +92,14 @@ void dropKey(Study& study, const std::string& reason) {
   storage::dropKey(study.events().commitment());
 }
 
+bool hasOnlyKey(Study& study) {
+  return study.isSealed() && study.hasKey() && !study.hasPassphrase() && !wasEverExported(study);
+}
+
 std::string sealInWords(Study& study) {
   if (study.events().commitment().empty() || study.protocol().protocol.isBlindingOpen) return {};
   if (!study.isSealed()) return "open: a version of palpate made it that did not seal conditions";
+  if (hasOnlyKey(study)) return "sealed; this account has the only key: save a copy of it";
   const std::string passphrase = study.hasPassphrase() ? ", or a passphrase opens it" : "";
   return study.hasKey() ? "sealed; this account has the key" + passphrase
                         : "sealed; this account has not the key" + passphrase;

@@ -34,6 +34,9 @@ void setPassphrase(
 ///     nobody could ever say which condition an alternative was.
 void dropKey(Study& study, const std::string& reason);
 
+/// Whether this account has a key of which no copy was ever made.
+bool hasOnlyKey(Study& study);
+
 /// Where the key of the study is, in a line for people: "sealed; this account has the key". Empty
 /// if there is nothing to seal.
 std::string sealInWords(Study& study);

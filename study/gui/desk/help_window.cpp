@@ -38,6 +38,7 @@ constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>
     {"BackupDialog", "After each day"},
     {"VerifyDialog", "After each day"},
     {"EraseDialog", "After each day"},
+    {"KeyDialog", "The results"},
     {"ReportDialog", "The results"},
     {"ExportDialog", "The results"},
     {"SelfTestDialog", "System check"},

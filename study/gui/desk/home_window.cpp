@@ -19,6 +19,7 @@
 #include "study/gui/desk/erase_dialog.h"
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
+#include "study/gui/desk/key_dialog.h"
 #include "study/gui/desk/key_question.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/new_study_dialog.h"
@@ -193,6 +194,7 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::backupRequested, this, &HomeWindow::openDialog<BackupDialog>);
   connect(panel_, &StudyPanel::verifyRequested, this, &HomeWindow::openDialog<VerifyDialog>);
   connect(panel_, &StudyPanel::erasureRequested, this, &HomeWindow::openDialog<EraseDialog>);
+  connect(panel_, &StudyPanel::keyRequested, this, &HomeWindow::openDialog<KeyDialog>);
   connect(panel_, &StudyPanel::reportRequested, this, &HomeWindow::openDialog<ReportDialog>);
   connect(panel_, &StudyPanel::exportRequested, this, &HomeWindow::openDialog<ExportDialog>);
   connect(

@@ -82,6 +82,7 @@ QGridLayout* StudyPanel::makeButtons() {
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
   add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
+  key_ = add(tr("Key…"), "key", &StudyPanel::keyRequested);
   for (int column = 0; column < kColumns; ++column) buttons->setColumnStretch(column, 1);
   const int rows = static_cast<int>(actions_.size() + kColumns - 1) / kColumns;
   buttons->addWidget(forget_, 1 + rows, 0, 1, kColumns);
@@ -120,6 +121,8 @@ void StudyPanel::show(const StudySummary& summary) {
   texts_->setToolTip(
       summary.blanks == 0 ? QString()
                           : tr("%1 blanks in texts for participants").arg(summary.blanks));
+  key_->setText(summary.isKeyAlone ? tr("Key… (!)") : tr("Key…"));
+  key_->setToolTip(summary.isKeyAlone ? tr("No copy of the study's key was saved yet") : QString());
   while (auto* item = parts_->takeAt(0)) {
     delete item->widget();
     delete item;

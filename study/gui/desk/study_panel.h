@@ -38,6 +38,7 @@ class StudyPanel final : public QFrame {
   void backupRequested();
   void verifyRequested();
   void erasureRequested();
+  void keyRequested();
   void forgetRequested();
 
  private:
@@ -56,6 +57,7 @@ class StudyPanel final : public QFrame {
   QPushButton* open_;
   std::vector<QPushButton*> actions_;  ///< enabled only if the study can be opened
   QPushButton* texts_ = nullptr;       ///< one of them; says how many texts are blank
+  QPushButton* key_ = nullptr;         ///< says if no copy of the key was made
   QPushButton* forget_;
   QWidget* place_;  ///< holds what differs between studies
   QVBoxLayout* parts_;

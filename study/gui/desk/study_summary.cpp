@@ -5,6 +5,7 @@
 
 #include "protocols/model/blanks.h"
 #include "study/session/study.h"
+#include "study/session/study_key.h"
 
 namespace study::gui {
 namespace {
@@ -44,6 +45,7 @@ void fill(StudySummary& summary) {
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
   }
   summary.unfinished = unfinishedSessions(study);
+  summary.isKeyAlone = hasOnlyKey(study);
   const auto blanks = protocols::blanksOf(study.protocol());
   summary.blanks = static_cast<std::size_t>(std::ranges::count_if(
       blanks, [](const protocols::Blank& blank) { return blank.text.isEmpty(); }));

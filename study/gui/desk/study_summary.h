@@ -27,6 +27,7 @@ struct StudySummary {
   std::string lastSessionUtc;  ///< when the latest session of that run mode began; empty: none
                                ///< has, or the sessions are simulated
   std::size_t blanks = 0;      ///< in texts for participants, still to be filled in
+  bool isKeyAlone = false;     ///< no copy was made of the key with which conditions are sealed
   std::vector<UnfinishedSession> unfinished;
   bool isGone = false;  ///< the folder no longer exists
   std::string problem;  ///< a message that says why the study cannot be opened; empty if it can

@@ -28,6 +28,7 @@
 #include "study/gui/desk/export_dialog.h"
 #include "study/gui/desk/help_window.h"
 #include "study/gui/desk/home_window.h"
+#include "study/gui/desk/key_dialog.h"
 #include "study/gui/desk/measurement_dialogs.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/self_test_dialog.h"
@@ -100,6 +101,7 @@ class Windows {
         {"HelpWindow", [] { return make<HelpWindow>(); }},
         {"HomeWindow", [this] { return home(); }},
         {"ImportCutDialog", [] { return make<ImportCutDialog>(); }},
+        {"KeyDialog", [=] { return make<KeyDialog>(summary); }},
         {"NewStudyDialog", [] { return make<NewStudyDialog>(); }},
         {"OperatorWindow", [this] { return desk(); }},
         {"ParticipantWindow", [this] { return participant(); }},
@@ -211,6 +213,7 @@ const std::vector<KnownFlaw> kKnownFlaws{
     {"HomeWindow", Check::Room, "needs 1147×"},
     {"HomeWindow", Check::Names, "QScrollArea '' has no name"},
     {"ImportCutDialog", Check::Room, "needs 760×"},
+    {"KeyDialog", Check::Room, "needs 760×"},
     {"NewStudyDialog", Check::Room, "needs 760×"},
     {"NewStudyDialog", Check::Names, "QTextBrowser 'more' has no name"},
     {"OperatorWindow", Check::Room, "needs 733×"},
@@ -330,6 +333,7 @@ INSTANTIATE_TEST_SUITE_P(
         "HelpWindow",
         "HomeWindow",
         "ImportCutDialog",
+        "KeyDialog",
         "NewStudyDialog",
         "OperatorWindow",
         "ParticipantWindow",

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QString>
+
+#include "study/gui/desk/study_summary.h"
+#include "study/gui/desk/work_dialog.h"
+#include "study/gui/widgets/path_field.h"
+
+namespace study::gui {
+
+/// Saves the key of a study to a file, or takes it from one, as `palpate study key` does.
+class KeyDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit KeyDialog(const StudySummary& study, QWidget* parent = nullptr);
+
+ protected:
+  void work() override;
+
+ private:
+  enum class Wanted { Save, Take };
+
+  Wanted wanted() const;
+  void updateChoices();
+  void showState();
+
+  std::string folder_;
+  QString state_;  ///< where the key is, in words
+  QComboBox* wanted_;
+  QLineEdit* reason_;
+  PathField* target_;
+  PathField* source_;
+};
+
+}  // namespace study::gui

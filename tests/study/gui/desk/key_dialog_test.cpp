@@ -1,0 +1,73 @@
+#include "study/gui/desk/key_dialog.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include <QPushButton>
+#include <QTest>
+#include <QTextBrowser>
+
+#include "tests/study/gui/pictures.h"
+#include "tests/study/made_study.h"
+
+namespace study::gui {
+namespace key_dialog_test {
+
+class KeyDialogTest : public testing::Test {
+ protected:
+  KeyDialogTest() { study_.close(); }
+
+  template <typename Widget>
+  static Widget& the(QDialog& dialog, const char* name) {
+    return *dialog.findChild<Widget*>(QString::fromUtf8(name));
+  }
+
+  static void setPaths(QDialog& dialog, const std::string& path) {
+    for (auto* field : dialog.findChildren<PathField*>()) {
+      field->setPath(QString::fromStdString(path));
+    }
+  }
+
+  StudySummary summary() { return summaryOf(study_.folder()); }
+
+  tests::MadeStudy study_;
+  std::string file_ = study_.scratch() / "key.txt";
+};
+
+TEST_F(KeyDialogTest, SavesTheKeyWithAReason) {
+  EXPECT_TRUE(summary().isKeyAlone);
+  KeyDialog dialog(summary());
+  EXPECT_TRUE(the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("only key")));
+  auto& go = the<QPushButton>(dialog, "go");
+  EXPECT_FALSE(go.isEnabled()) << "without a reason";
+  the<QLineEdit>(dialog, "reason").setText(QStringLiteral("a copy"));
+  setPaths(dialog, file_);
+  tests::photographInAllThemes(dialog, QStringLiteral("key"));
+  go.click();
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  EXPECT_FALSE(summary().isKeyAlone);
+}
+
+TEST_F(KeyDialogTest, TakesItOnAnotherComputer) {
+  {
+    KeyDialog dialog(summary());
+    the<QLineEdit>(dialog, "reason").setText(QStringLiteral("a second room"));
+    setPaths(dialog, file_);
+    the<QPushButton>(dialog, "go").click();
+  }
+  const tests::OwnStation elsewhere(study_.scratch() / "elsewhere");
+  KeyDialog dialog(summary());
+  EXPECT_TRUE(
+      the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("has not the key")));
+  EXPECT_EQ(the<QComboBox>(dialog, "wanted").currentIndex(), 1) << "this is what is wanted here";
+  setPaths(dialog, file_);
+  the<QPushButton>(dialog, "go").click();
+  EXPECT_FALSE(
+      the<QTextBrowser>(dialog, "more").toPlainText().contains(QStringLiteral("has not the key")));
+  study_.reopen();
+  EXPECT_TRUE(study_->hasKey());
+}
+
+}  // namespace key_dialog_test
+}  // namespace study::gui
