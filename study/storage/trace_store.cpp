@@ -85,7 +85,7 @@ struct TraceStore::Chunk {
   std::int64_t samples;
   std::int64_t layout;
   std::vector<std::byte> bytes;
-  Hash hash;
+  Hash hash{};
 };
 
 void TraceStore::add(
