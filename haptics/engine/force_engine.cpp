@@ -171,7 +171,8 @@ double ForceEngine::desiredForce(TickSample& sample) noexcept {
 
 void ForceEngine::followCuts(TickSample& sample) noexcept {
   if (felt_ != nullptr && (sample.marks & (TickSample::Invalid | TickSample::Stopped)) == 0) {
-    sample.landmark = cuts_.feed(sample.travel, sample.force);
+    const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
+    sample.landmark = cuts_.feed(sample.travel, sample.force, isSettling);
   }
   sample.cuts = cuts_.completedCuts();
 }

@@ -101,7 +101,9 @@ class CutDetector {
   }
 
   /// Looks at one tick's travel [travel units] and force [N], and says what has just become clear.
-  Event feed(Scalar travel, Scalar force) noexcept {
+  /// @param isSettling  the force comes on softly or fades: while no contact is found, its rise is
+  ///                    not that of a load, and the next tick is a new beginning.
+  Event feed(Scalar travel, Scalar force, bool isSettling = false) noexcept {
     if (!std::isfinite(travel) || !std::isfinite(force)) return Event::Nothing;
     const Landmark sample{travel, force, true};
     if (isClosed_ && travel < parameters_.openBelow) return complete(sample);
@@ -110,7 +112,9 @@ class CutDetector {
     if (travel < cut_.largestTravel - parameters_.retreat) return goBack(sample);
     switch (phase_) {
       case Phase::Searching:
-        return search(sample);
+        if (!isSettling) return search(sample);
+        start_ = sample;
+        return Event::Nothing;
       case Phase::Loading:
         return load(sample);
       case Phase::Falling:

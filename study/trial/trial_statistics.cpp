@@ -55,7 +55,8 @@ void TrialStatistics::add(const TickSample& sample) {
   largestForce_ = std::max(largestForce_, std::abs(sample.force));
   if ((sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0) return;
   using Event = haptics::engine::CutDetector::Event;
-  if (detector_.feed(sample.travel, sample.force) == Event::CutCompleted) {
+  const bool isSettling = isMarked(TickSample::SoftStart);
+  if (detector_.feed(sample.travel, sample.force, isSettling) == Event::CutCompleted) {
     cuts_.push_back(detector_.lastCut());
   }
 }

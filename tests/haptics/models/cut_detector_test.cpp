@@ -193,6 +193,32 @@ TEST(CutDetector, StartsFromAnyBiasOfTheSensor) {
   expectAt(cut.bottomOut, 10.3, 6.06);
 }
 
+/// A scene that holds a force at rest, which comes on softly before the first cut only.
+TEST(CutDetector, FindsTheSamePointsInEqualCutsAlsoAfterASoftStart) {
+  constexpr double kAtRest = 0.46;
+  std::vector<Sample> held = kCut;
+  for (Sample& corner : held) corner.force += kAtRest;
+  Detector detector;
+  for (const Sample& sample : path({{0.0, 0.0}, {0.0, kAtRest}})) {
+    EXPECT_EQ(detector.feed(sample.travel, sample.force, true), Event::Nothing);
+  }
+  eventsOf(detector, path(held));
+  const auto first = detector.lastCut();
+  eventsOf(detector, path(held));
+  const auto second = detector.lastCut();
+  EXPECT_EQ(detector.completedCuts(), 2U);
+  expectAt(first.interception, 4.0, kAtRest);
+  EXPECT_EQ(first.interception.travel, second.interception.travel);
+  EXPECT_EQ(first.interception.force, second.interception.force);
+  EXPECT_EQ(first.yield.travel, second.yield.travel);
+  EXPECT_EQ(first.opening.force, second.opening.force);
+
+  Detector unaware;  // takes the soft start for a contact
+  eventsOf(unaware, path({{0.0, 0.0}, {0.0, kAtRest}}));
+  eventsOf(unaware, path(held));
+  EXPECT_LT(unaware.lastCut().interception.travel, 1.0);
+}
+
 TEST(CutDetector, ForgetsATouchWithoutACut) {
   const Detector::Cut cut = cutAlong(
       {{0.0, 0.0},
