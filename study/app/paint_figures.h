@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "study/report/document.h"
+#include "study/report/figures/figure_format.h"
 #include "study/report/pdf_report.h"
 #include "study/report/report_section.h"
 
@@ -23,9 +24,13 @@ std::string pdfOf(
 /// The HTML of a text of an instrument; without Qt its markup stays as it is written.
 std::string htmlOf(const std::string& text);
 
-/// Writes every figure of a section into a folder as SVG, PDF and PNG (300 dpi).
+/// Paints the figures of a section in a format and writes each into a folder as SVG, PDF and PNG
+/// (300 dpi).
 /// @return the number of figures; 0 if none were painted.
 /// @throws storage::StorageError  if a file exists already or cannot be written.
-int writeFigures(const report::ReportSection& section, const std::filesystem::path& folder);
+int writeFigures(
+    report::ReportSection& section,
+    const std::filesystem::path& folder,
+    const report::FigureFormat& format);
 
 }  // namespace study::app

@@ -21,7 +21,9 @@ std::string htmlOf(const std::string& text) {
 }
 
 int writeFigures(
-    const report::ReportSection& /*section*/, const std::filesystem::path& /*folder*/) {
+    report::ReportSection& /*section*/,
+    const std::filesystem::path& /*folder*/,
+    const report::FigureFormat& /*format*/) {
   return 0;
 }
 

@@ -6,8 +6,8 @@
 #include <QString>
 
 #include "study/app/paint_figures.h"
-#include "study/model/new_file.h"
 #include "study/report/figures/chart_painter.h"
+#include "study/report/figures/figure_files.h"
 #include "study/report/figures/figures.h"
 #include "study/report/marked_text.h"
 #include "study/report/pdf_report.h"
@@ -56,16 +56,12 @@ std::string htmlOf(const std::string& text) {
   return report::asHtml(QString::fromStdString(text)).toStdString();
 }
 
-int writeFigures(const report::ReportSection& section, const std::filesystem::path& folder) {
+int writeFigures(
+    report::ReportSection& section,
+    const std::filesystem::path& folder,
+    const report::FigureFormat& format) {
   const auto application = applicationForFonts();
-  const auto figures = report::namedFigures(section);
-  for (const auto& [name, svg] : figures) {
-    const auto path = (folder / (section.protocol.study.id + "-" + name)).string();
-    writeNewFile(path + ".svg", svg);
-    writeNewFile(path + ".pdf", report::figureAsPdf(svg));
-    writeNewFile(path + ".png", report::figureAsPng(svg));
-  }
-  return static_cast<int>(figures.size());
+  return report::writeFigures(section, folder, format);
 }
 
 }  // namespace study::app

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "study/app/commands.h"
+#include "study/app/finite_range.h"
 #include "study/app/keys/ask_passphrase.h"
 #include "study/app/paint_figures.h"
 #include "study/app/run_mode_option.h"
@@ -22,6 +23,8 @@ struct ReportArguments {
   std::vector<std::string> folders;
   std::string out;
   std::string figures;
+  double figureWidth = 0.0;  ///< [mm]; 0: as in the report
+  double figureFont = report::FigureFormat::kUsualFont;
   std::string language = "en";
   std::string paper = "a4";
   bool hasQuotes = true;
@@ -31,10 +34,12 @@ struct ReportArguments {
 
 /// Writes every figure as a file into a new folder.
 void writeFigureFolder(
-    const std::vector<report::ReportSection>& sections, const std::string& folder) {
+    std::vector<report::ReportSection>& sections,
+    const std::string& folder,
+    const report::FigureFormat& format) {
   std::filesystem::create_directories(folder);
   int count = 0;
-  for (const auto& section : sections) count += writeFigures(section, folder);
+  for (auto& section : sections) count += writeFigures(section, folder, format);
   if (count == 0) {
     throw std::runtime_error("There are no figures: this palpate was built without Qt.");
   }
@@ -42,6 +47,12 @@ void writeFigureFolder(
       "{} holds {}, each as SVG, PDF and PNG (300 dpi).\n",
       folder,
       words::counted(static_cast<std::uint64_t>(count), "figure"));
+}
+
+report::FigureFormat formatOf(const ReportArguments& options) {
+  report::FigureFormat format{.width = {}, .font = options.figureFont};
+  if (options.figureWidth > 0.0) format.width = options.figureWidth;
+  return format;
 }
 
 std::string knownLanguages() {
@@ -68,7 +79,7 @@ int report(const ReportArguments& options) {
   writeReport(
       sections, options.out, options.paper == "letter" ? report::Paper::Letter : report::Paper::A4);
   fmt::print("{} holds the report.\n", options.out);
-  if (!options.figures.empty()) writeFigureFolder(sections, options.figures);
+  if (!options.figures.empty()) writeFigureFolder(sections, options.figures, formatOf(options));
   return 0;
 }
 
@@ -92,6 +103,15 @@ void addReportCommand(CLI::App& program, Action& action) {
           "FILE"));
   command->add_option(
       "--figures", options->figures, "New folder for each figure as SVG, PDF and PNG");
+  command
+      ->add_option(
+          "--figure-width",
+          options->figureWidth,
+          "Width of these figures [mm], as the journal asks: 85 for one column, 180 for two")
+      ->check(finiteRange(60.0, 400.0));
+  command->add_option("--figure-font", options->figureFont, "Font size in these figures [pt]")
+      ->check(finiteRange(5.0, 14.0))
+      ->capture_default_str();
   command->add_option("--language", options->language, "In which language: " + knownLanguages())
       ->capture_default_str()
       ->check(CLI::IsMember(words::languages()));

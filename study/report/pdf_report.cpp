@@ -216,14 +216,14 @@ std::string asPdf(std::string_view html, std::string_view title, Paper paper) {
   return buffer.data().toStdString();
 }
 
-std::string figureAsPdf(std::string_view svg) {
+std::string figureAsPdf(std::string_view svg, double scale) {
   QSvgRenderer renderer(bytesOf(svg));
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
   constexpr double kPointsPerPixel = 72.0 / 96.0;
   writer.setPageSize(QPageSize(
-      renderer.viewBoxF().size() * kPointsPerPixel,
+      renderer.viewBoxF().size() * scale * kPointsPerPixel,
       QPageSize::Point,
       QString(),
       QPageSize::ExactMatch));
@@ -234,10 +234,10 @@ std::string figureAsPdf(std::string_view svg) {
   return buffer.data().toStdString();
 }
 
-std::string figureAsPng(std::string_view svg) {
+std::string figureAsPng(std::string_view svg, double scale) {
   QSvgRenderer renderer(bytesOf(svg));
-  constexpr double kScale = 300.0 / 96.0;
-  QImage image((renderer.viewBoxF().size() * kScale).toSize(), QImage::Format_RGB32);
+  constexpr double kDotsPerPixel = 300.0 / 96.0;
+  QImage image((renderer.viewBoxF().size() * scale * kDotsPerPixel).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   constexpr int kDotsPerMetre = 11811;  // 300 dpi
   image.setDotsPerMeterX(kDotsPerMetre);

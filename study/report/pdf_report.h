@@ -13,9 +13,10 @@ enum class Paper { A4, Letter };
 std::string asPdf(std::string_view html, std::string_view title, Paper paper = Paper::A4);
 
 /// One figure in its own size.
-std::string figureAsPdf(std::string_view svg);
+/// @param scale  FigureFormat::scale() of the figure.
+std::string figureAsPdf(std::string_view svg, double scale = 1.0);
 
 /// One figure at 300 dpi, as a PNG file.
-std::string figureAsPng(std::string_view svg);
+std::string figureAsPng(std::string_view svg, double scale = 1.0);
 
 }  // namespace study::report

@@ -13,9 +13,27 @@
 namespace study::report {
 namespace {
 
-constexpr double kWidth = 860.0;
+constexpr double kUsualWidth = 860.0;
 constexpr double kHeight = 440.0;
-constexpr QRectF kPlot{78.0, 16.0, 540.0, 360.0};
+constexpr double kAxis = 54.0;   // below the plot
+constexpr double kEntry = 38.0;  // of a legend below the axis
+
+double widthOf(const FigureFormat& format) {
+  return format.width ? format.layoutWidth() : kUsualWidth;
+}
+
+/// The plot; a narrow chart has its legend below, others beside.
+QRectF plotOf(const FigureFormat& format) {
+  constexpr QRectF kUsual{78.0, 16.0, 540.0, 360.0};
+  QRectF plot = kUsual;
+  if (!format.isNarrow()) {
+    plot.setWidth(kUsual.width() + widthOf(format) - kUsualWidth);
+    return plot;
+  }
+  plot.setWidth(widthOf(format) - plot.left() - kUsual.top());
+  plot.setHeight(plot.width() * kUsual.height() / kUsual.width());
+  return plot;
+}
 constexpr double kMarker = 4.0;
 constexpr std::size_t kColours = 7;  // of the palette
 
@@ -47,13 +65,19 @@ AxisScale scaleOf(const Chart& chart, bool isX) {
 
 class ChartPainter {
  public:
-  ChartPainter(QPainter& painter, const Chart& chart)
-      : painter_(painter), chart_(chart), x_(scaleOf(chart, true)), y_(scaleOf(chart, false)) {}
+  ChartPainter(QPainter& painter, const Chart& chart, const FigureFormat& format)
+      : painter_(painter),
+        chart_(chart),
+        isNarrow_(format.isNarrow()),
+        width_(widthOf(format)),
+        plot_(plotOf(format)),
+        x_(scaleOf(chart, true)),
+        y_(scaleOf(chart, false)) {}
 
   void paint() {
     axes();
     painter_.save();
-    painter_.setClipRect(kPlot.adjusted(-6, -6, 6, 6));
+    painter_.setClipRect(plot_.adjusted(-6, -6, 6, 6));
     for (std::size_t i = 0; i < chart_.series.size(); ++i)
       series(chart_.series[i], colourOf(i), i >= kColours);
     painter_.restore();
@@ -67,43 +91,43 @@ class ChartPainter {
 
   QPointF at(double x, double y) const {
     return {
-        kPlot.left() + kPlot.width() * x_.place(x), kPlot.bottom() - kPlot.height() * y_.place(y)};
+        plot_.left() + plot_.width() * x_.place(x), plot_.bottom() - plot_.height() * y_.place(y)};
   }
   bool shows(const ChartPoint& point) const { return x_.shows(point.x) && y_.shows(point.y); }
 
   void axes() {
     const QPen grid(QColor(226, 226, 226), 1);
-    for (const auto& tick : x_.ticks()) {
-      const double x = kPlot.left() + kPlot.width() * x_.place(tick.value);
+    for (const auto& tick : isNarrow_ ? x_.ticks(4) : x_.ticks()) {
+      const double x = plot_.left() + plot_.width() * x_.place(tick.value);
       painter_.setPen(grid);
-      painter_.drawLine(QPointF(x, kPlot.top()), QPointF(x, kPlot.bottom()));
+      painter_.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
       painter_.setPen(Qt::black);
-      drawText(painter_, {x - 36, kPlot.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text, 12);
+      drawText(painter_, {x - 36, plot_.bottom() + 4, 72, 18}, Qt::AlignCenter, tick.text, 12);
     }
     for (const auto& tick : y_.ticks()) {
-      const double y = kPlot.bottom() - kPlot.height() * y_.place(tick.value);
+      const double y = plot_.bottom() - plot_.height() * y_.place(tick.value);
       painter_.setPen(grid);
-      painter_.drawLine(QPointF(kPlot.left(), y), QPointF(kPlot.right(), y));
+      painter_.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {22, y - 9, kPlot.left() - 30, 18},
+          {22, y - 9, plot_.left() - 30, 18},
           Qt::AlignRight | Qt::AlignVCenter,
           tick.text,
           12);
     }
     drawText(
         painter_,
-        {kPlot.left(), kPlot.bottom() + 28, kPlot.width(), 20},
+        {plot_.left(), plot_.bottom() + 28, plot_.width(), 20},
         Qt::AlignCenter,
         QString::fromStdString(chart_.x.title),
         13);
     painter_.save();
-    painter_.translate(14, kPlot.center().y());
+    painter_.translate(14, plot_.center().y());
     painter_.rotate(-90);
     drawText(
         painter_,
-        {-kPlot.height() / 2 - 20, -10, kPlot.height() + 40, 20},
+        {-plot_.height() / 2 - 20, -10, plot_.height() + 40, 20},
         Qt::AlignCenter,
         QString::fromStdString(chart_.y.title),
         13);
@@ -173,11 +197,11 @@ class ChartPainter {
   }
 
   void legend() {
-    double y = kPlot.top() + 2;
+    double y = isNarrow_ ? plot_.bottom() + kAxis : plot_.top() + 2;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       const auto& series = chart_.series[i];
       if (series.title.empty()) continue;
-      const double x = kPlot.right() + 20;
+      const double x = isNarrow_ ? plot_.left() : plot_.right() + 20;
       const bool isDashed = series.style == ChartSeries::Style::Dashed;
       if (series.style == ChartSeries::Style::Markers) {
         painter_.setPen(Qt::NoPen);
@@ -195,24 +219,33 @@ class ChartPainter {
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {x + 32, y + 1, kWidth - x - 34, 34},
+          {x + 32, y + 1, width_ - x - 34, 34},
           Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
           QString::fromStdString(series.title),
           12);
-      y += series.title.size() > 26 ? 38 : 24;
+      y += series.title.size() > 26 ? kEntry : 24.0;
     }
   }
 
   QPainter& painter_;
   const Chart& chart_;
+  bool isNarrow_;
+  double width_;
+  QRectF plot_;
   AxisScale x_;
   AxisScale y_;
 };
 
 }  // namespace
 
-std::string chartAsSvg(const Chart& chart) {
-  return asSvg({kWidth, kHeight}, [&](QPainter& painter) { ChartPainter(painter, chart).paint(); });
+std::string chartAsSvg(const Chart& chart, const FigureFormat& format) {
+  const double height = format.isNarrow() ? plotOf(format).bottom() + kAxis +
+                                                kEntry * static_cast<double>(chart.series.size())
+                                          : kHeight;
+  return asSvg(
+      {widthOf(format), height},
+      [&](QPainter& painter) { ChartPainter(painter, chart, format).paint(); },
+      format);
 }
 
 }  // namespace study::report

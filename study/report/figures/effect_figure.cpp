@@ -31,14 +31,19 @@ AxisScale effectScale(const FamilyResult& family) {
 
 class EffectPainter {
  public:
-  EffectPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
+  EffectPainter(
+      QPainter& painter,
+      const ReportSection& section,
+      const FamilyResult& family,
+      const FigureFormat& format)
       : painter_(painter),
         section_(section),
         family_(family),
-        canvas_(painter, kNames, kNumbers, effectScale(family)) {}
+        format_(format),
+        canvas_(painter, format, kNames, kNumbers, effectScale(family)) {}
 
   void paint() {
-    const double bottom = effectFigureSize(family_).height() - RowsCanvas::kAxis;
+    const double bottom = effectFigureSize(family_, format_).height() - RowsCanvas::kAxis;
     const double top = RowsCanvas::kHeading;
     if (const auto bound = family_.family.equivalenceBound) {
       painter_.setPen(Qt::NoPen);
@@ -54,7 +59,7 @@ class EffectPainter {
       y += RowsCanvas::kHeading;
       for (const auto& row : cohort.within.rows) {
         effect(row, y);
-        y += kRow;
+        y += RowsCanvas::rowHeight(format_, kRow);
       }
     }
   }
@@ -69,7 +74,7 @@ class EffectPainter {
       canvas_.words(section_.words("not defined"), y, kRow);
       return;
     }
-    const double middle = y + kRow / 2;
+    const double middle = canvas_.drawingOf(y) + kRow / 2;
     const QColor colour = categoryColour(0);
     if (test.adjustedInterval) {
       canvas_.interval(
@@ -85,22 +90,27 @@ class EffectPainter {
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
+  FigureFormat format_;
   RowsCanvas canvas_;
 };
 
 }  // namespace
 
-QSizeF effectFigureSize(const FamilyResult& family) {
+QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.within.rows.size()) * kRow;
+    height += RowsCanvas::kHeading +
+              static_cast<double>(cohort.within.rows.size()) * RowsCanvas::rowHeight(format, kRow);
   }
-  return {RowsCanvas::kWidth, height};
+  return {format.layoutWidth(), height};
 }
 
 void paintEffectFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
-  EffectPainter(painter, section, family).paint();
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format) {
+  EffectPainter(painter, section, family, format).paint();
 }
 
 }  // namespace study::report

@@ -11,18 +11,39 @@
 namespace study::report {
 namespace {
 
-constexpr double kWidth = 820.0;
 constexpr double kHeight = 420.0;
-constexpr QRectF kPlot{64.0, 14.0, 540.0, 350.0};
+constexpr double kAxis = 52.0;   // below the plot
+constexpr double kEntry = 24.0;  // of a legend below the plot
+
+/// The plot; a narrow figure has its legend below, others beside.
+QRectF plotOf(const FigureFormat& format) {
+  constexpr double kLeft = 64.0;
+  constexpr double kTop = 14.0;
+  constexpr double kUsual = 540.0;
+  constexpr double kUsualHeight = 350.0;
+  constexpr double kLegend = FigureFormat::kUsualWidth - kLeft - kUsual;
+  if (!format.isNarrow())
+    return {kLeft, kTop, format.layoutWidth() - kLeft - kLegend, kUsualHeight};
+  const double width = format.layoutWidth() - kLeft - kTop;
+  return {kLeft, kTop, width, width * kUsualHeight / kUsual};
+}
+
+bool isOf(const FeltCurve& curve, const std::string& device) {
+  return curve.device == device && !curve.points.empty();
+}
 
 /// Paints the curves of one device.
 class FeltPainter {
  public:
-  FeltPainter(QPainter& painter, const ReportSection& section, const std::string& device)
-      : painter_(painter), section_(section) {
+  FeltPainter(
+      QPainter& painter,
+      const ReportSection& section,
+      const std::string& device,
+      const FigureFormat& format)
+      : painter_(painter), section_(section), format_(format), plot_(plotOf(format)) {
     for (std::size_t i = 0; i < section.curves.size(); ++i) {
       const auto& curve = section.curves[i];
-      if (curve.device != device || curve.points.empty()) continue;
+      if (!isOf(curve, device)) continue;
       curves_.push_back(&curve);
       for (const auto& point : curve.points) {
         mostTravel_ = std::max(mostTravel_, point.travel);
@@ -47,38 +68,39 @@ class FeltPainter {
  private:
   QPointF at(double travel, double force) const {
     return {
-        kPlot.left() + kPlot.width() * travel / std::max(mostTravel_ * 1.02, 1e-12),
-        kPlot.bottom() - kPlot.height() * force / std::max(mostForce_ * 1.08, 1e-12)};
+        plot_.left() + plot_.width() * travel / std::max(mostTravel_ * 1.02, 1e-12),
+        plot_.bottom() - plot_.height() * force / std::max(mostForce_ * 1.08, 1e-12)};
   }
 
   void axes() {
     const double shown = std::max(mostTravel_ * shown_->factor, 1e-9);
     const double most = std::max(mostForce_, 1e-9);
-    for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, shown).ticks(8)) {
+    for (const auto& tick :
+         AxisScale({.title = {}, .least = 0.0}, 0.0, shown).ticks(format_.isNarrow() ? 4 : 8)) {
       const auto p = at(tick.value / shown_->factor, 0.0);
-      grid(p, {p.x(), kPlot.top()});
+      grid(p, {p.x(), plot_.top()});
       painter_.setPen(Qt::black);
-      drawText(painter_, {p.x() - 30, kPlot.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text, 12);
+      drawText(painter_, {p.x() - 30, plot_.bottom() + 4, 60, 18}, Qt::AlignCenter, tick.text, 12);
     }
     for (const auto& tick : AxisScale({.title = {}, .least = 0.0}, 0.0, most).ticks(6)) {
       const auto p = at(0.0, tick.value);
-      grid(p, {kPlot.right(), p.y()});
+      grid(p, {plot_.right(), p.y()});
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {4, p.y() - 9, kPlot.left() - 12, 18},
+          {4, p.y() - 9, plot_.left() - 12, 18},
           Qt::AlignRight | Qt::AlignVCenter,
           tick.text,
           12);
     }
     drawText(
         painter_,
-        {kPlot.left(), kPlot.bottom() + 26, kPlot.width(), 20},
+        {plot_.left(), plot_.bottom() + 26, plot_.width(), 20},
         Qt::AlignCenter,
         QString::fromStdString(section_.words(shown_->axis)),
         13);
     painter_.save();
-    painter_.translate(14, kPlot.center().y());
+    painter_.translate(14, plot_.center().y());
     painter_.rotate(-90);
     drawText(
         painter_,
@@ -125,22 +147,42 @@ class FeltPainter {
     painter_.drawPath(path);
   }
 
+  void legendBelow() {
+    double y = plot_.bottom() + kAxis;
+    for (const auto* curve : curves_) {
+      painter_.setPen(QPen(categoryColour(section_.conditionPlace(curve->condition)), 3));
+      painter_.drawLine(QPointF(plot_.left(), y + 11), QPointF(plot_.left() + 22, y + 11));
+      painter_.setPen(Qt::black);
+      drawText(
+          painter_,
+          {plot_.left() + 30, y, plot_.width() - 30, 20},
+          Qt::AlignLeft | Qt::AlignVCenter,
+          QString::fromStdString(
+              section_.conditionTitle(curve->condition) + ", " +
+              section_.words.count(curve->trials, "{} trial", "{} trials")),
+          12);
+      y += kEntry;
+    }
+  }
+
   void legend() {
-    double y = kPlot.top() + 6;
+    if (format_.isNarrow()) return legendBelow();
+    const double width = format_.layoutWidth();
+    double y = plot_.top() + 6;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-      const double x = kPlot.right() + 18;
+      const double x = plot_.right() + 18;
       painter_.setPen(QPen(categoryColour(section_.conditionPlace(curves_[i]->condition)), 3));
       painter_.drawLine(QPointF(x, y + 10), QPointF(x + 26, y + 10));
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {x + 34, y, kWidth - x - 34, 20},
+          {x + 34, y, width - x - 34, 20},
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(section_.conditionTitle(curves_[i]->condition)),
           12);
       drawText(
           painter_,
-          {x + 34, y + 17, kWidth - x - 34, 18},
+          {x + 34, y + 17, width - x - 34, 18},
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(section_.words.count(curves_[i]->trials, "{} trial", "{} trials")),
           11);
@@ -150,6 +192,8 @@ class FeltPainter {
 
   QPainter& painter_;
   const ReportSection& section_;
+  FigureFormat format_;
+  QRectF plot_;
   std::vector<const FeltCurve*> curves_;
   double mostTravel_ = 0.0;
   double mostForce_ = 0.0;
@@ -158,12 +202,21 @@ class FeltPainter {
 
 }  // namespace
 
-QSizeF feltFigureSize() {
-  return {kWidth, kHeight};
+QSizeF feltFigureSize(
+    const ReportSection& section, const std::string& device, const FigureFormat& format) {
+  if (!format.isNarrow()) return {format.layoutWidth(), kHeight};
+  const auto entries = std::ranges::count_if(
+      section.curves, [&](const FeltCurve& curve) { return isOf(curve, device); });
+  const double legend = kEntry * static_cast<double>(entries);
+  return {format.layoutWidth(), plotOf(format).bottom() + kAxis + legend + 6.0};
 }
 
-void paintFeltFigure(QPainter& painter, const ReportSection& section, const std::string& device) {
-  FeltPainter(painter, section, device).paint();
+void paintFeltFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const std::string& device,
+    const FigureFormat& format) {
+  FeltPainter(painter, section, device, format).paint();
 }
 
 }  // namespace study::report

@@ -18,27 +18,32 @@ FamilyResult withAnswers(const FamilyResult& family) {
   return answered.cohorts.empty() ? family : answered;
 }
 
-FamilyFigures figuresOf(const ReportSection& section, const FamilyResult& family) {
+FamilyFigures figuresOf(
+    const ReportSection& section, const FamilyResult& family, const FigureFormat& format) {
   FamilyFigures figures;
   if (isShownByPoint(family)) {
-    figures.answers = asSvg(likertFigureSize(family), [&](QPainter& painter) {
-      paintLikertFigure(painter, section, family);
-    });
+    figures.answers = asSvg(
+        likertFigureSize(family, format),
+        [&](QPainter& painter) { paintLikertFigure(painter, section, family, format); },
+        format);
   }
-  figures.people = asSvg(raincloudFigureSize(family), [&](QPainter& painter) {
-    paintRaincloudFigure(painter, section, family);
-  });
-  figures.effects = asSvg(effectFigureSize(family), [&](QPainter& painter) {
-    paintEffectFigure(painter, section, family);
-  });
-  figures.positions = asSvg(positionFigureSize(family), [&](QPainter& painter) {
-    paintPositionFigure(painter, section, family);
-  });
+  figures.people = asSvg(
+      raincloudFigureSize(family, format),
+      [&](QPainter& painter) { paintRaincloudFigure(painter, section, family, format); },
+      format);
+  figures.effects = asSvg(
+      effectFigureSize(family, format),
+      [&](QPainter& painter) { paintEffectFigure(painter, section, family, format); },
+      format);
+  figures.positions = asSvg(
+      positionFigureSize(family, format),
+      [&](QPainter& painter) { paintPositionFigure(painter, section, family, format); },
+      format);
   return figures;
 }
 
 /// The 99th percentile and the largest lateness of each trial.
-std::string timingFigure(const ReportSection& section) {
+std::string timingFigure(const ReportSection& section, const FigureFormat& format) {
   std::map<std::string, std::pair<ChartSeries, ChartSeries>> byDevice;
   int number = 0;
   for (const auto& timing : section.quality.timings) {
@@ -60,19 +65,21 @@ std::string timingFigure(const ReportSection& section) {
       chart.series.push_back(std::move(*series));
     }
   }
-  return chartAsSvg(chart);
+  return chartAsSvg(chart, format);
 }
 
 }  // namespace
 
-void paintFigures(ReportSection& section) {
+void paintFigures(ReportSection& section, const FigureFormat& format) {
   section.figures = {};
   for (const auto& family : section.results.families) {
-    section.figures.families.push_back(figuresOf(section, withAnswers(family)));
+    section.figures.families.push_back(figuresOf(section, withAnswers(family), format));
   }
   if (!section.results.votes.empty()) {
     section.figures.votes = asSvg(
-        voteFigureSize(section), [&](QPainter& painter) { paintVoteFigure(painter, section); });
+        voteFigureSize(section, format),
+        [&](QPainter& painter) { paintVoteFigure(painter, section, format); },
+        format);
   }
   for (const auto& device : section.protocol.devices) {
     const bool wasFelt =
@@ -80,11 +87,12 @@ void paintFigures(ReportSection& section) {
           return curve.device == device.id && !curve.points.empty();
         });
     if (!wasFelt) continue;
-    section.figures.felt.push_back(asSvg(feltFigureSize(), [&](QPainter& painter) {
-      paintFeltFigure(painter, section, device.id);
-    }));
+    section.figures.felt.push_back(asSvg(
+        feltFigureSize(section, device.id, format),
+        [&](QPainter& painter) { paintFeltFigure(painter, section, device.id, format); },
+        format));
   }
-  if (!section.quality.timings.empty()) section.figures.timing = timingFigure(section);
+  if (!section.quality.timings.empty()) section.figures.timing = timingFigure(section, format);
 }
 
 }  // namespace study::report

@@ -3,44 +3,64 @@
 #include <QPainter>
 #include <QSizeF>
 
+#include "study/report/figures/figure_format.h"
 #include "study/report/report_section.h"
 
 namespace study::report {
 
 /// Paints all figures of a section into it. Needs a QGuiApplication.
-void paintFigures(ReportSection& section);
+void paintFigures(ReportSection& section, const FigureFormat& format = {});
 
 /// Differences between methods within people: mean differences with intervals, thick at 1 − α, thin
 /// at 1 − α/m. The shaded range holds the differences that the protocol declares negligible.
-QSizeF effectFigureSize(const FamilyResult& family);
-void paintEffectFigure(QPainter& painter, const ReportSection& section, const FamilyResult& family);
+QSizeF effectFigureSize(const FamilyResult& family, const FigureFormat& format);
+void paintEffectFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format);
 
 /// Force over travel on one device: a line for each condition, with the range between its 10th and
 /// 90th percentile.
-QSizeF feltFigureSize();
-void paintFeltFigure(QPainter& painter, const ReportSection& section, const std::string& device);
+QSizeF feltFigureSize(
+    const ReportSection& section, const std::string& device, const FigureFormat& format);
+void paintFeltFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const std::string& device,
+    const FigureFormat& format);
 
 /// Diverging stacked bars: how often each point of the scale was chosen, condition by condition,
 /// cohort by cohort, with the middle of the scale on one line.
-QSizeF likertFigureSize(const FamilyResult& family);
-void paintLikertFigure(QPainter& painter, const ReportSection& section, const FamilyResult& family);
+QSizeF likertFigureSize(const FamilyResult& family, const FigureFormat& format);
+void paintLikertFigure(
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format);
 
 /// Ratings by position (first, second …): means over participants with their 95 % intervals, as if
 /// all methods were alike.
-QSizeF positionFigureSize(const FamilyResult& family);
+QSizeF positionFigureSize(const FamilyResult& family, const FigureFormat& format);
 void paintPositionFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family);
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format);
 
 /// The rating of every method by every participant: a dot for each, equal ones above one another;
 /// above them their density, between them the interquartile range and the median; a diamond is the
 /// mean. After Allen et al. 2021 (raincloud plots).
-QSizeF raincloudFigureSize(const FamilyResult& family);
+QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format);
 void paintRaincloudFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family);
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format);
 
 /// Preferences by cohort and round: a bar for each condition with its interval. The dashed line is
 /// the share that each would have if all were preferred equally often.
-QSizeF voteFigureSize(const ReportSection& section);
-void paintVoteFigure(QPainter& painter, const ReportSection& section);
+QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format);
+void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format);
 
 }  // namespace study::report

@@ -9,13 +9,17 @@
 namespace study::report {
 namespace {
 
-constexpr double kWidth = 820.0;
 constexpr double kLabels = 210.0;  // width of the names on the left
 constexpr double kRight = 70.0;    // … and of the means on the right
 constexpr double kBar = 26.0;
 constexpr double kGap = 8.0;
 constexpr double kHeading = 26.0;
 constexpr double kLegend = 56.0;
+constexpr double kNameLine = 18.0;  // above a bar of a narrow figure
+
+double rowHeight(bool isNarrow) {
+  return kBar + kGap + (isNarrow ? kNameLine : 0.0);
+}
 
 /// Shares below the middle of the scale go to the left of a line, those above to the right; the
 /// middle point, if there is one, is split.
@@ -39,8 +43,18 @@ std::vector<double> sharesOf(const analysis::LikertCounts& counts) {
 /// Paints one figure: a panel for each cohort, a bar for each condition.
 class LikertPainter {
  public:
-  LikertPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
-      : painter_(painter), section_(section), family_(family) {
+  LikertPainter(
+      QPainter& painter,
+      const ReportSection& section,
+      const FamilyResult& family,
+      const FigureFormat& format)
+      : painter_(painter),
+        section_(section),
+        family_(family),
+        isNarrow_(format.isNarrow()),
+        width_(format.layoutWidth()),
+        labels_(isNarrow_ ? 0.0 : kLabels),
+        right_(isNarrow_ ? 0.0 : kRight) {
     for (const auto& cohort : family.cohorts) {
       for (const auto& condition : cohort.conditions) {
         const auto shares = sharesOf(condition.counts);
@@ -48,7 +62,7 @@ class LikertPainter {
         mostRight_ = std::max(mostRight_, 1.0 - leftShare(shares));
       }
     }
-    unit_ = (kWidth - kLabels - kRight) / std::max(mostLeft_ + mostRight_, 0.5);
+    unit_ = (width_ - labels_ - right_) / std::max(mostLeft_ + mostRight_, 0.5);
   }
 
   void paint() {
@@ -57,7 +71,7 @@ class LikertPainter {
       painter_.setPen(Qt::black);
       drawText(
           painter_,
-          {0, y, kWidth, kHeading},
+          {0, y, width_, kHeading},
           Qt::AlignLeft | Qt::AlignVCenter,
           QString::fromStdString(section_.cohortTitle(cohort.cohort)),
           14,
@@ -65,7 +79,7 @@ class LikertPainter {
       y += kHeading;
       for (const auto& condition : cohort.conditions) {
         bar(condition, y);
-        y += kBar + kGap;
+        y += rowHeight(isNarrow_);
       }
       y += kGap;
     }
@@ -73,15 +87,17 @@ class LikertPainter {
   }
 
  private:
-  double middle() const { return kLabels + mostLeft_ * unit_; }
+  double middle() const { return labels_ + mostLeft_ * unit_; }
 
   void bar(const analysis::NamedCounts& condition, double y) {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
-        {0, y, kLabels - 12, kBar},
-        Qt::AlignRight | Qt::AlignVCenter,
+        isNarrow_ ? QRectF(0, y, width_, kNameLine) : QRectF(0, y, kLabels - 12, kBar),
+        (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
         QString::fromStdString(section_.conditionTitle(condition.name)));
+    const double nameAt = y;
+    if (isNarrow_) y += kNameLine;
     painter_.setPen(QPen(QColor(60, 60, 60), 1));
     painter_.drawLine(QPointF(middle(), y - 3), QPointF(middle(), y + kBar + 3));
     const auto shares = sharesOf(condition.counts);
@@ -98,8 +114,9 @@ class LikertPainter {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
-        {kWidth - kRight + 10, y, kRight - 10, kBar},
-        Qt::AlignLeft | Qt::AlignVCenter,
+        isNarrow_ ? QRectF(0, nameAt, width_, kNameLine)
+                  : QRectF(width_ - kRight + 10, y, kRight - 10, kBar),
+        (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
         QString::fromStdString("μ " + rounded(condition.counts.mean(), 1)));
   }
 
@@ -119,8 +136,8 @@ class LikertPainter {
     const auto& counts = family_.cohorts.front().conditions.front().counts;
     const auto* instrument = instrumentOf();
     const int points = counts.highest() - counts.lowest() + 1;
-    const double box = 34.0;
-    double x = kLabels;
+    const double box = isNarrow_ ? width_ / points : 34.0;
+    double x = labels_;
     for (int i = 0; i < points; ++i) {
       painter_.setPen(Qt::NoPen);
       painter_.setBrush(divergingColour(i, points));
@@ -138,14 +155,15 @@ class LikertPainter {
     painter_.setPen(Qt::black);
     drawText(
         painter_,
-        {0, y + 3, kLabels - 12, 20},
-        Qt::AlignRight | Qt::AlignVCenter,
+        isNarrow_ ? QRectF(0, y + 37, width_ / 2, 20) : QRectF(0, y + 3, kLabels - 12, 20),
+        (isNarrow_ ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter,
         QString::fromStdString(instrument->scale->lowLabel.in(section_.words.language())),
         12);
     drawText(
         painter_,
-        {x + 12, y + 3, kWidth - x - 12, 20},
-        Qt::AlignLeft | Qt::AlignVCenter,
+        isNarrow_ ? QRectF(width_ / 2, y + 37, width_ / 2, 20)
+                  : QRectF(x + 12, y + 3, width_ - x - 12, 20),
+        (isNarrow_ ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
         QString::fromStdString(instrument->scale->highLabel.in(section_.words.language())),
         12);
   }
@@ -160,6 +178,10 @@ class LikertPainter {
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
+  bool isNarrow_;
+  double width_;
+  double labels_;
+  double right_;
   double mostLeft_ = 0.0;
   double mostRight_ = 0.0;
   double unit_ = 1.0;
@@ -167,17 +189,21 @@ class LikertPainter {
 
 }  // namespace
 
-QSizeF likertFigureSize(const FamilyResult& family) {
-  double height = kLegend;
+QSizeF likertFigureSize(const FamilyResult& family, const FigureFormat& format) {
+  double height = kLegend + (format.isNarrow() ? kNameLine : 0.0);
   for (const auto& cohort : family.cohorts) {
-    height += kHeading + kGap + static_cast<double>(cohort.conditions.size()) * (kBar + kGap);
+    height += kHeading + kGap +
+              static_cast<double>(cohort.conditions.size()) * rowHeight(format.isNarrow());
   }
-  return {kWidth, height};
+  return {format.layoutWidth(), height};
 }
 
 void paintLikertFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
-  LikertPainter(painter, section, family).paint();
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format) {
+  LikertPainter(painter, section, family, format).paint();
 }
 
 }  // namespace study::report

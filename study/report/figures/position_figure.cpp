@@ -14,25 +14,30 @@ constexpr double kRow = 26.0;
 
 }  // namespace
 
-QSizeF positionFigureSize(const FamilyResult& family) {
+QSizeF positionFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.position.positions.size()) * kRow;
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.position.positions.size()) *
+                                         RowsCanvas::rowHeight(format, kRow);
   }
-  return {RowsCanvas::kWidth, height};
+  return {format.layoutWidth(), height};
 }
 
 void paintPositionFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format) {
   const auto& table = family.cohorts.front().table;
   const double low = table.lowest;
   const double high = table.highest;
   RowsCanvas canvas(
       painter,
+      format,
       kNames,
       kNumbers,
       AxisScale({.title = {}, .least = low - 0.1, .most = high + 0.1}, low, high));
-  const double bottom = positionFigureSize(family).height() - RowsCanvas::kAxis;
+  const double bottom = positionFigureSize(family, format).height() - RowsCanvas::kAxis;
   canvas.axis(
       RowsCanvas::kHeading, bottom, section.words("mean score, all methods alike [points]"));
   double y = 0.0;
@@ -45,17 +50,18 @@ void paintPositionFigure(
           y,
           kRow);
       const QColor colour = categoryColour(0);
+      const double middle = canvas.drawingOf(y) + kRow / 2;
       if (const auto& interval = position.interval) {
         canvas.interval(
             std::max(interval->low, low - 0.1),
             std::min(interval->high, high + 0.1),
-            y + kRow / 2,
+            middle,
             colour,
             1.8);
       }
-      canvas.dot(position.mean, y + kRow / 2, colour, 5.0);
+      canvas.dot(position.mean, middle, colour, 5.0);
       canvas.words(rounded(position.mean, 2) + " " + intervalInWords(position.interval), y, kRow);
-      y += kRow;
+      y += RowsCanvas::rowHeight(format, kRow);
     }
   }
 }

@@ -59,14 +59,20 @@ double bandwidthOf(const std::vector<double>& sorted, double least) {
 
 class RaincloudPainter {
  public:
-  RaincloudPainter(QPainter& painter, const ReportSection& section, const FamilyResult& family)
+  RaincloudPainter(
+      QPainter& painter,
+      const ReportSection& section,
+      const FamilyResult& family,
+      const FigureFormat& format)
       : painter_(painter),
         section_(section),
         family_(family),
+        format_(format),
         lowest_(family.cohorts.front().table.lowest),
         highest_(family.cohorts.front().table.highest),
         canvas_(
             painter,
+            format,
             kNames,
             kNumbers,
             AxisScale(
@@ -77,7 +83,7 @@ class RaincloudPainter {
                 highest_)) {}
 
   void paint() {
-    const double bottom = raincloudFigureSize(family_).height() - RowsCanvas::kAxis;
+    const double bottom = raincloudFigureSize(family_, format_).height() - RowsCanvas::kAxis;
     canvas_.axis(
         RowsCanvas::kHeading, bottom, section_.words("mean score of each participant [points]"));
     double y = 0.0;
@@ -86,7 +92,7 @@ class RaincloudPainter {
       y += RowsCanvas::kHeading;
       for (std::size_t method = 0; method < cohort.table.methods.size(); ++method) {
         row(cohort.table, method, y);
-        y += kRow;
+        y += RowsCanvas::rowHeight(format_, kRow);
       }
     }
   }
@@ -95,9 +101,16 @@ class RaincloudPainter {
   void row(const analysis::AnswerTable& table, std::size_t method, double y) {
     canvas_.name(section_.conditionTitle(table.methods[method]), y, kRow);
     const auto values = valuesOf(table, method);
-    canvas_.words("n = " + std::to_string(values.size()), y, kRow / 2);
-    if (values.empty()) return;
-    canvas_.words("μ = " + rounded(meanOf(values), 2), y + kRow / 2 - 12, kRow / 2);
+    const std::string number = "n = " + std::to_string(values.size());
+    if (values.empty()) return canvas_.words(number, y, kRow / 2);
+    const std::string mean = "μ = " + rounded(meanOf(values), 2);
+    if (canvas_.isNarrow()) {
+      canvas_.words(mean + ", " + number, y, kRow / 2);
+    } else {
+      canvas_.words(number, y, kRow / 2);
+      canvas_.words(mean, y + kRow / 2 - 12, kRow / 2);
+    }
+    y = canvas_.drawingOf(y);
     const QColor colour = categoryColour(section_.conditionPlace(table.methods[method]));
     if (values.size() > 2) cloud(values, y + kCloud, colour);
     box(values, y + kCloud + 4 + kBox / 2, colour);
@@ -168,6 +181,7 @@ class RaincloudPainter {
   QPainter& painter_;
   const ReportSection& section_;
   const FamilyResult& family_;
+  FigureFormat format_;
   int lowest_;
   int highest_;
   RowsCanvas canvas_;
@@ -175,17 +189,21 @@ class RaincloudPainter {
 
 }  // namespace
 
-QSizeF raincloudFigureSize(const FamilyResult& family) {
+QSizeF raincloudFigureSize(const FamilyResult& family, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& cohort : family.cohorts) {
-    height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) * kRow;
+    height += RowsCanvas::kHeading + static_cast<double>(cohort.table.methods.size()) *
+                                         RowsCanvas::rowHeight(format, kRow);
   }
-  return {RowsCanvas::kWidth, height};
+  return {format.layoutWidth(), height};
 }
 
 void paintRaincloudFigure(
-    QPainter& painter, const ReportSection& section, const FamilyResult& family) {
-  RaincloudPainter(painter, section, family).paint();
+    QPainter& painter,
+    const ReportSection& section,
+    const FamilyResult& family,
+    const FigureFormat& format) {
+  RaincloudPainter(painter, section, family, format).paint();
 }
 
 }  // namespace study::report

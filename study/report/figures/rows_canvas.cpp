@@ -3,12 +3,17 @@
 #include "study/report/figures/svg_canvas.h"
 
 namespace study::report {
+namespace {
+
+constexpr int kFewTicks = 6;
+
+}  // namespace
 
 void RowsCanvas::heading(const std::string& text, double y) {
   painter_.setPen(Qt::black);
   drawText(
       painter_,
-      {0, y, kWidth, kHeading},
+      {0, y, width_, kHeading},
       Qt::AlignLeft | Qt::AlignVCenter,
       QString::fromStdString(text),
       14,
@@ -17,6 +22,14 @@ void RowsCanvas::heading(const std::string& text, double y) {
 
 void RowsCanvas::name(const std::string& text, double y, double height) {
   painter_.setPen(Qt::black);
+  if (isNarrow_) {
+    drawText(
+        painter_,
+        {0, y, width_, kNameLine},
+        Qt::AlignLeft | Qt::AlignVCenter,
+        QString::fromStdString(text));
+    return;
+  }
   drawText(
       painter_,
       {0, y, left_ - 14, height},
@@ -26,16 +39,25 @@ void RowsCanvas::name(const std::string& text, double y, double height) {
 
 void RowsCanvas::words(const std::string& text, double y, double height) {
   painter_.setPen(Qt::black);
+  if (isNarrow_) {
+    drawText(
+        painter_,
+        {0, y, width_, kNameLine},
+        Qt::AlignRight | Qt::AlignVCenter,
+        QString::fromStdString(text),
+        12);
+    return;
+  }
   drawText(
       painter_,
-      {right_ + 14, y, kWidth - right_ - 14, height},
+      {right_ + 14, y, width_ - right_ - 14, height},
       Qt::AlignLeft | Qt::AlignVCenter,
       QString::fromStdString(text),
       12);
 }
 
 void RowsCanvas::axis(double top, double bottom, const std::string& title, const QString& suffix) {
-  for (const auto& tick : scale_.ticks()) {
+  for (const auto& tick : isNarrow_ ? scale_.ticks(kFewTicks) : scale_.ticks()) {
     const double at = x(tick.value);
     painter_.setPen(QPen(QColor(226, 226, 226), 1));
     painter_.drawLine(QPointF(at, top), QPointF(at, bottom));
@@ -44,7 +66,8 @@ void RowsCanvas::axis(double top, double bottom, const std::string& title, const
   }
   drawText(
       painter_,
-      {left_, bottom + 22, right_ - left_, 20},
+      isNarrow_ ? QRectF(0, bottom + 22, width_, 20)
+                : QRectF(left_, bottom + 22, right_ - left_, 20),
       Qt::AlignCenter,
       QString::fromStdString(title),
       13);

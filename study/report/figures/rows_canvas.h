@@ -4,20 +4,36 @@
 #include <QString>
 
 #include "study/report/figures/axis_scale.h"
+#include "study/report/figures/figure_format.h"
 
 namespace study::report {
 
-/// A figure of rows with names on the left, a value axis along the bottom, and texts on the right.
-/// Bars, dots and intervals are drawn on it.
+/// A figure of rows with names on the left, a value axis along the bottom, and texts on the right;
+/// in a narrow one names and texts stand above their row. Bars, dots and intervals are drawn on it.
 class RowsCanvas {
  public:
-  static constexpr double kWidth = 820.0;
   static constexpr double kHeading = 26.0;
   static constexpr double kAxis = 48.0;  ///< height of ticks and title
 
+  static constexpr double kNameLine = 18.0;  ///< above a row of a narrow figure
+
   /// @param left, right  widths of names and texts [px]
-  RowsCanvas(QPainter& painter, double left, double right, AxisScale scale)
-      : painter_(painter), left_(left), right_(kWidth - right), scale_(std::move(scale)) {}
+  RowsCanvas(
+      QPainter& painter, const FigureFormat& format, double left, double right, AxisScale scale)
+      : painter_(painter),
+        isNarrow_(format.isNarrow()),
+        width_(format.layoutWidth()),
+        left_(isNarrow_ ? kNarrowEnd : left),
+        right_(width_ - (isNarrow_ ? kNarrowEnd : right)),
+        scale_(std::move(scale)) {}
+
+  /// The height of a row with its name.
+  static double rowHeight(const FigureFormat& format, double height) {
+    return height + (format.isNarrow() ? kNameLine : 0.0);
+  }
+  /// Where the drawing of a row that begins at @p y begins: below its name in a narrow figure.
+  double drawingOf(double y) const { return isNarrow_ ? y + kNameLine : y; }
+  bool isNarrow() const noexcept { return isNarrow_; }
 
   double x(double value) const { return left_ + (right_ - left_) * scale_.place(value); }
   double left() const noexcept { return left_; }
@@ -36,7 +52,11 @@ class RowsCanvas {
   void dot(double value, double y, const QColor& colour, double radius);
 
  private:
+  static constexpr double kNarrowEnd = 20.0;
+
   QPainter& painter_;
+  bool isNarrow_;
+  double width_;
   double left_;
   double right_;
   AxisScale scale_;

@@ -1,26 +1,47 @@
 #include "study/report/figures/svg_canvas.h"
 
+#include <fmt/format.h>
+
 #include <QBuffer>
 #include <QFont>
 #include <QSvgGenerator>
 
 namespace study::report {
 
-std::string asSvg(const QSizeF& size, const std::function<void(QPainter&)>& paint) {
+namespace {
+
+/// The first tag of an SVG with its exact size: Qt rounds it to whole pixels.
+void measure(std::string& svg, const QSizeF& millimetres) {
+  const auto replace = [&](const std::string& name, double length) {
+    const auto begin = svg.find(name + "=\"");
+    const auto end = svg.find('"', begin + name.size() + 2);
+    svg.replace(begin, end - begin, name + "=\"" + fmt::format("{:.3f}mm", length));
+  };
+  replace("width", millimetres.width());
+  replace("height", millimetres.height());
+}
+
+}  // namespace
+
+std::string asSvg(
+    const QSizeF& size, const std::function<void(QPainter&)>& paint, const FigureFormat& format) {
   QBuffer buffer;
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
   generator.setResolution(96);
-  generator.setSize(size.toSize());
+  generator.setSize((format.scale() * size).toSize());
   generator.setViewBox(QRectF(QPointF(0, 0), size));
   {
     QPainter painter(&generator);
     painter.setRenderHint(QPainter::Antialiasing);
     paint(painter);
   }
-  const std::string svg = buffer.data().toStdString();
+  std::string svg = buffer.data().toStdString();
   const auto begin = svg.find("<svg");
-  return begin == std::string::npos ? std::string() : svg.substr(begin);
+  if (begin == std::string::npos) return {};
+  svg.erase(0, begin);
+  if (format.width) measure(svg, format.scale() * 25.4 / 96.0 * size);
+  return svg;
 }
 
 void drawText(

@@ -13,17 +13,19 @@ constexpr double kGap = 10.0;
 
 class VotePainter {
  public:
-  VotePainter(QPainter& painter, const ReportSection& section)
+  VotePainter(QPainter& painter, const ReportSection& section, const FigureFormat& format)
       : painter_(painter),
         section_(section),
+        format_(format),
         canvas_(
             painter,
+            format,
             kNames,
             kNumbers,
             AxisScale({.title = {}, .least = 0.0, .most = 100.0}, 0.0, 100.0)) {}
 
   void paint() {
-    const double bottom = voteFigureSize(section_).height() - RowsCanvas::kAxis;
+    const double bottom = voteFigureSize(section_, format_).height() - RowsCanvas::kAxis;
     canvas_.axis(
         RowsCanvas::kHeading,
         bottom,
@@ -45,7 +47,7 @@ class VotePainter {
     const double top = y;
     for (std::size_t i = 0; i < shares.size(); ++i) {
       row(shares[i].option, shares[i].votes, vote.votes.total(), vote, i, y);
-      y += kRow;
+      y += RowsCanvas::rowHeight(format_, kRow);
     }
     if (!shares.empty()) {
       canvas_.reference(100.0 / static_cast<double>(shares.size()), top, y, Qt::DashLine);
@@ -63,6 +65,7 @@ class VotePainter {
     canvas_.name(section_.conditionTitle(option), y, kRow);
     canvas_.words(std::to_string(votes) + " / " + std::to_string(total), y, kRow);
     if (total == 0) return;
+    y = canvas_.drawingOf(y);
     const double share = 100.0 * static_cast<double>(votes) / static_cast<double>(total);
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(categoryColour(section_.conditionPlace(option)));
@@ -76,21 +79,25 @@ class VotePainter {
 
   QPainter& painter_;
   const ReportSection& section_;
+  FigureFormat format_;
   RowsCanvas canvas_;
 };
 
 }  // namespace
 
-QSizeF voteFigureSize(const ReportSection& section) {
+QSizeF voteFigureSize(const ReportSection& section, const FigureFormat& format) {
   double height = RowsCanvas::kAxis;
   for (const auto& vote : section.results.votes) {
-    height += RowsCanvas::kHeading + static_cast<double>(vote.votes.shares().size()) * kRow + kGap;
+    height +=
+        RowsCanvas::kHeading +
+        static_cast<double>(vote.votes.shares().size()) * RowsCanvas::rowHeight(format, kRow) +
+        kGap;
   }
-  return {RowsCanvas::kWidth, height};
+  return {format.layoutWidth(), height};
 }
 
-void paintVoteFigure(QPainter& painter, const ReportSection& section) {
-  VotePainter(painter, section).paint();
+void paintVoteFigure(QPainter& painter, const ReportSection& section, const FigureFormat& format) {
+  VotePainter(painter, section, format).paint();
 }
 
 }  // namespace study::report

@@ -111,6 +111,40 @@ TEST(Figures, ArePdfAndPngOfTheirSize) {
   EXPECT_EQ(image.width(), 2563);  // 820 px at 96 dpi, converted to 300 dpi
 }
 
+/// The value of an attribute of the SVG's first tag.
+std::string attributeOf(const std::string& svg, const std::string& name) {
+  const auto begin = svg.find(name + "=\"") + name.size() + 2;
+  return svg.substr(begin, svg.find('"', begin) - begin);
+}
+
+TEST(Figures, HaveTheWidthOfAColumnAndLettersThatCanBeRead) {
+  const FigureFormat column{.width = 85.0, .font = 8.0};
+  auto section = tests::madeUpSection();
+  const auto asInReports = textsIn([&] {
+    paintFigures(section);
+    return section.figures.families.front().effects;
+  }());
+  paintFigures(section, column);
+  for (const auto& [name, svg] : namedFigures(section)) {
+    EXPECT_EQ(attributeOf(svg, "width"), "85.000mm") << name;
+    QImage image;
+    const auto png = figureAsPng(svg, column.scale());
+    ASSERT_TRUE(image.loadFromData(
+        reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size())));
+    EXPECT_NEAR(image.width(), 85.0 / 25.4 * 300.0, 1.0) << name;
+    const auto pdf = figureAsPdf(svg, column.scale());
+    EXPECT_NE(pdf.find("/MediaBox [0 0 241"), std::string::npos) << name;  // 85 mm in pt
+  }
+  // Letters of 13 px in a layout that is scaled to 8 pt.
+  const auto& effects = section.figures.families.front().effects;
+  EXPECT_EQ(attributeOf(effects, "viewBox").substr(0, 9), "0 0 391.5") << effects.substr(0, 300);
+  const auto narrow = textsIn(effects);
+  for (const auto* words : {"Interpolation − FEM", "Orthopaedic surgeons"}) {
+    EXPECT_NE(asInReports.find(words), std::string::npos) << words;
+    EXPECT_NE(narrow.find(words), std::string::npos) << words;
+  }
+}
+
 TEST(PdfReport, HasPagesWithTheFiguresInThem) {
   const auto section = painted();
   const auto pdf = asPdf(asHtml({section}), "A study");
