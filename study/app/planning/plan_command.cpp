@@ -10,7 +10,7 @@
 #include "protocols/load_protocol.h"
 #include "study/app/commands.h"
 #include "study/app/finite_range.h"
-#include "study/app/planning/study_plan.h"
+#include "study/app/planning/study_plan_file.h"
 
 namespace study::app {
 namespace {

@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
+#include "study/app/planning/study_plan_file.h"
 
-#include "study/app/planning/study_plan.h"
+#include <nlohmann/json.hpp>
 
 namespace study::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "protocols/model/loaded_protocol.h"
 #include "study/session/session_length.h"
 
-namespace study::app {
+namespace study {
 
 /// The options of a plan.
 struct PlanQuestion {
@@ -106,9 +106,8 @@ struct StudyPlan {
 StudyPlan planOf(const protocols::LoadedProtocol& loaded, const PlanQuestion& question);
 
 std::string studyPlanAsText(const StudyPlan& plan);
-std::string studyPlanAsJson(const StudyPlan& plan);
 
 /// A paragraph on numbers and duration for an application to an ethics committee.
 std::string ethicsParagraph(const StudyPlan& plan);
 
-}  // namespace study::app
+}  // namespace study

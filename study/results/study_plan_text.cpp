@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "analysis/planning/power.h"
-#include "study/app/planning/study_plan.h"
+#include "study/results/study_plan.h"
 #include "study/words/counted.h"
 
-namespace study::app {
+namespace study {
 namespace {
 
 using words::counted;
@@ -383,4 +383,4 @@ std::string studyPlanAsText(const StudyPlan& plan) {
   return text + "\nFor an application to an ethics committee\n" + ethicsParagraph(plan) + "\n";
 }
 
-}  // namespace study::app
+}  // namespace study

@@ -1,4 +1,4 @@
-#include "study/app/planning/study_plan.h"
+#include "study/results/study_plan.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,7 +8,7 @@
 #include "protocols/orders/schedule.h"
 #include "study/results/apa_text.h"
 
-namespace study::app {
+namespace study {
 namespace {
 
 using protocols::LoadedProtocol;
@@ -54,7 +54,7 @@ std::vector<CohortPlan> cohortsOf(
   return cohorts;
 }
 
-std::set<std::string> conditionsOf(const protocols::Family& family) {
+std::set<std::string> comparedConditions(const protocols::Family& family) {
   std::set<std::string> conditions;
   for (const auto& pair : family.comparisons) conditions.insert({pair.first, pair.second});
   return conditions;
@@ -121,7 +121,7 @@ Prospect prospectOf(
 
 FamilyPlan declared(
     const protocols::Family& family, const LoadedProtocol& loaded, const PlanQuestion& question) {
-  const auto conditions = conditionsOf(family);
+  const auto conditions = comparedConditions(family);
   FamilyPlan plan{
       .id = family.id,
       .title = family.title,
@@ -217,4 +217,4 @@ StudyPlan planOf(const LoadedProtocol& loaded, const PlanQuestion& question) {
   return study;
 }
 
-}  // namespace study::app
+}  // namespace study
