@@ -20,6 +20,8 @@
 #include "study/gui/operator/operator_window.h"
 #include "study/gui/scene/shapes/knee_anatomy.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
+#include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 #include "study/model/new_file.h"
 #include "study/model/storage_error.h"
@@ -108,7 +110,9 @@ int main(int argc, char** argv) {
   QGuiApplication::setDesktopFileName(QStringLiteral(PALPATE_DESKTOP_ID));
   QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/palpate.svg")));
   study::gui::applyChosenTheme(application);
+  study::gui::speakChosenLanguage();
   study::gui::offerHelp(application);
+  study::gui::offerMnemonics(application);
   parser.process(application);
 
   const QString path = parser.positionalArguments().value(0);

@@ -77,26 +77,6 @@ std::string lastStoredOf(Study& study, const storage::SessionRow& row) {
   return events.empty() ? row.startedUtc : asUtc(events.back().when.wall);
 }
 
-std::string whatHappened(const UnfinishedSession& session) {
-  if (session.isOpenElsewhere()) return "It is open in another window.";
-  switch (session.state) {
-    case SessionState::Enrolled:
-      return "Its place is reserved; consent has not been given.";
-    case SessionState::InTrial:
-      return "The program ended while something was being felt. What was felt until then is kept; "
-             "when you go on, the trial counts as broken off, and nothing is felt before you have "
-             "decided.";
-    case SessionState::Interrupted:
-      return "Its trial broke off, and waits for your decision.";
-    case SessionState::Paused:
-      return "It is paused.";
-    default:
-      return session.holder ? "The program ended while it was open; every answer that was given is "
-                              "kept."
-                            : "Its windows were closed; every answer that was given is kept.";
-  }
-}
-
 }  // namespace
 
 std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
@@ -122,6 +102,26 @@ std::vector<UnfinishedSession> unfinishedSessions(Study& study) {
     unfinished.push_back(std::move(session));
   }
   return unfinished;
+}
+
+std::string whatHappened(const UnfinishedSession& session) {
+  if (session.isOpenElsewhere()) return "It is open in another window.";
+  switch (session.state) {
+    case SessionState::Enrolled:
+      return "Its place is reserved; consent has not been given.";
+    case SessionState::InTrial:
+      return "The program ended while something was being felt. What was felt until then is kept; "
+             "when you go on, the trial counts as broken off, and nothing is felt before you have "
+             "decided.";
+    case SessionState::Interrupted:
+      return "Its trial broke off, and waits for your decision.";
+    case SessionState::Paused:
+      return "It is paused.";
+    default:
+      return session.holder ? "The program ended while it was open; every answer that was given is "
+                              "kept."
+                            : "Its windows were closed; every answer that was given is kept.";
+  }
 }
 
 std::string describe(const UnfinishedSession& session) {

@@ -33,6 +33,9 @@ struct UnfinishedSession {
 /// All unfinished sessions of a study, the oldest first. Changes nothing.
 std::vector<UnfinishedSession> unfinishedSessions(Study& study);
 
+/// The reason why it is unfinished, one sentence.
+std::string whatHappened(const UnfinishedSession& session);
+
 /// Participant, step and reason: "P003 (live) is in step 5 of 23 …".
 std::string describe(const UnfinishedSession& session);
 

@@ -13,7 +13,7 @@
 
 namespace study::words {
 
-/// The texts of reports and of the participant's windows in one language.
+/// The texts of reports and of all windows in one language.
 struct Catalogue {
   using Entries = std::map<std::string, std::string, std::less<>>;
   using Windows = std::map<std::string, Entries, std::less<>>;
@@ -21,6 +21,7 @@ struct Catalogue {
   Entries messages;  ///< messages of the other rooms (base::Message), by key
   Entries texts;     ///< texts of reports, by their English text
   Windows windows;   ///< texts of the participant's windows, by class and English text
+  Entries desk;      ///< texts of the operator's windows, by their English text
 };
 
 /// Looks up the texts of reports in one language. A text that the catalogue lacks stays English.

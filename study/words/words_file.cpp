@@ -23,6 +23,7 @@ Words wordsIn(std::string_view language) {
     json.at("messages").get_to(catalogue.messages);
     json.at("texts").get_to(catalogue.texts);
     json.at("windows").get_to(catalogue.windows);
+    json.at("desk").get_to(catalogue.desk);
     return {std::string(language), std::move(catalogue)};
   }
   std::string known;

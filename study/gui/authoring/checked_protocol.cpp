@@ -5,6 +5,7 @@
 #include "protocols/load_protocol.h"
 #include "protocols/model/library.h"
 #include "questionnaires/json/document.h"
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 namespace {
@@ -28,8 +29,9 @@ std::string textOf(const std::string& source) {
   return questionnaires::readTextFile(source);
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+/// "1 warning", "3 warnings", in the language of the desk.
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return said(count == 1 ? one : many, count);
 }
 
 }  // namespace
@@ -43,12 +45,20 @@ int CheckedProtocol::warnings() const noexcept {
 }
 
 std::string CheckedProtocol::verdict() const {
-  if (!loaded) return "Not valid yet: " + counted(std::max(errors(), 1), "error") + ".";
+  const auto countOf = [](int number) { return static_cast<std::size_t>(number); };
+  if (!loaded) {
+    return said(
+        "Not valid yet: {}.", counted(countOf(std::max(errors(), 1)), "{} error", "{} errors"));
+  }
   const auto& protocol = loaded->protocol;
-  return "Valid" + (warnings() > 0 ? ", " + counted(warnings(), "warning") : "") + ": \"" +
-         protocol.study.title + "\", " + counted(protocol.conditions.size(), "condition") + ", " +
-         counted(protocol.phases.size(), "phase") + ", " +
-         counted(protocol.cohorts.size(), "cohort") + ".";
+  const auto what = said(
+      "\"{}\", {}, {}, {}.",
+      protocol.study.title,
+      counted(protocol.conditions.size(), "{} condition", "{} conditions"),
+      counted(protocol.phases.size(), "{} phase", "{} phases"),
+      counted(protocol.cohorts.size(), "{} cohort", "{} cohorts"));
+  if (warnings() == 0) return said("Valid: {}", what);
+  return said("Valid, {}: {}", counted(countOf(warnings()), "{} warning", "{} warnings"), what);
 }
 
 CheckedProtocol checkProtocol(const std::string& source) {

@@ -15,6 +15,7 @@
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/session_controller.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/trial_setup.h"
@@ -30,7 +31,7 @@ constexpr QSize kSizes[]{{1280, 720}, {1366, 768}, {1920, 1080}, {2560, 1440}, {
 /// "Round 1: trial, alternative 2", without its condition.
 QString describe(const Step& step) {
   const QString phase = QString::fromStdString(step.phase);
-  const QString kind = asText(nameOf(step.kind));
+  const QString kind = spoken(nameOf(step.kind));
   if (step.label > 0) return PreviewWindow::tr("%1: %2, %3").arg(phase, kind).arg(step.label);
   return phase == kind ? phase : PreviewWindow::tr("%1: %2").arg(phase, kind);
 }
@@ -99,6 +100,7 @@ PreviewWindow::PreviewWindow(const protocols::LoadedProtocol& loaded, QWidget* p
   steps_->setAccessibleName(tr("Steps of the session"));
   steps_->setObjectName(QStringLiteral("steps"));
   place_->setAlignment(Qt::AlignCenter);
+  place_->setAccessibleName(tr("Page of the participant"));
   SystemClock clock;
   const auto folder = folder_->filePath(QStringLiteral("study")).toStdString();
   Study::create(folder, loaded_, clock, kSeed);
@@ -146,15 +148,18 @@ void PreviewWindow::makeBar(QVBoxLayout& layout) {
   connect(again, &QPushButton::clicked, this, [this] {
     attempt(this, [&] { goTo(steps_->currentRow()); });
   });
-  auto* bar = new QHBoxLayout;
-  bar->addWidget(back);
-  bar->addWidget(next);
-  bar->addWidget(again);
-  bar->addStretch(1);
-  bar->addWidget(languages_);
-  bar->addWidget(sizes_);
+  auto* pages = new QHBoxLayout;
+  pages->addWidget(back);
+  pages->addWidget(next);
+  pages->addWidget(again);
+  pages->addStretch(1);
+  auto* looks = new QHBoxLayout;
+  looks->addWidget(languages_);
+  looks->addWidget(sizes_);
+  looks->addStretch(1);
   languages_->setVisible(languages_->count() > 1);
-  layout.addLayout(bar);
+  layout.addLayout(pages);
+  layout.addLayout(looks);
 }
 
 std::string PreviewWindow::language() const {
@@ -207,7 +212,7 @@ void PreviewWindow::updateStep() {
   said_->setText(
       session.state() == SessionState::Interrupted
           ? tr("The trial broke off. In a session the operator would decide; choose a page here.")
-          : tr("A preview: nothing is kept. Answers of the pages before are made up."));
+          : tr("A preview: nothing is saved. Answers on earlier pages are examples."));
   const QSignalBlocker quiet(steps_);
   steps_->setCurrentRow(session.isOver() ? steps_->count() - 1 : session.stepIndex());
 }

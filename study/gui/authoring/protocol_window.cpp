@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSaveFile>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSplitter>
@@ -22,6 +23,7 @@
 #include "study/gui/authoring/texts_dialog.h"
 #include "study/gui/authoring/timeline_page.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
@@ -82,7 +84,13 @@ ProtocolWindow::ProtocolWindow(const QString& source, QWidget* parent)
   layout->addLayout(head);
   layout->addWidget(readAt_);
   layout->addWidget(all, 1);
-  setCentralWidget(inside);
+  constexpr int kLeastHeight = 520;  // [px]; a lower window is scrolled
+  inside->setMinimumHeight(kLeastHeight);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(inside);
+  setCentralWidget(scroll);
   resize(1240, 760);
   preview_->setObjectName(QStringLiteral("preview"));
   fill_->setObjectName(QStringLiteral("texts"));
@@ -215,8 +223,8 @@ void ProtocolWindow::showProblems() {
     const QString cells[]{
         isError ? tr("✕ error") : tr("! warning"),
         QString::fromStdString(problem.path),
-        QString::fromStdString(base::describe(problem.what)),
-        QString::fromStdString(base::describe(problem.fix))};
+        spoken(problem.what),
+        spoken(problem.fix)};
     for (int column = 0; column < 4; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -10,6 +10,7 @@
 
 #include "protocols/model/blanks.h"
 #include "study/gui/participant/participant_window.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/session_length.h"
 
@@ -34,7 +35,6 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
       progress_(quietLabel({}, this)),
       save_(new QPushButton(tr("Save"), this)) {
   setWindowTitle(tr("Fill in the texts"));
-  setMinimumWidth(760);
   languages_->setAccessibleName(tr("Language of the texts"));
   languages_->setObjectName(QStringLiteral("language"));
   for (const auto& language : loaded.protocol.languages) {
@@ -58,6 +58,7 @@ TextsDialog::TextsDialog(const protocols::LoadedProtocol& loaded, Reason reason,
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setWidget(inside);
+  scroll->setFocusPolicy(Qt::NoFocus);
   auto* buttons = new QDialogButtonBox(this);
   save_->setProperty("role", QStringLiteral("main"));
   save_->setObjectName(QStringLiteral("save"));
@@ -87,7 +88,7 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
   for (const auto& blank : protocols::blanksOf(loaded)) {
     words_[blank.key] = blank.text.all();
     auto* field = new QLineEdit(this);
-    const QString title = QString::fromStdString(base::describe(blank.title));
+    const QString title = spoken(blank.title);
     field->setObjectName(QStringLiteral("text-") + QString::fromStdString(blank.key));
     field->setAccessibleName(title);
     if (blank.key == protocols::kDurationBlank && blank.text.isEmpty()) {
@@ -96,7 +97,9 @@ void TextsDialog::addFields(const protocols::LoadedProtocol& loaded, QFormLayout
     } else {
       field->setText(QString::fromStdString(blank.text.in("en")));
     }
-    form.addRow(title, field);
+    auto* label = bodyLabel(title, this);
+    label->setBuddy(field);
+    form.addRow(label, field);
     fields_[blank.key] = field;
     connect(field, &QLineEdit::textChanged, this, &TextsDialog::showProgress);
   }
@@ -138,7 +141,7 @@ void TextsDialog::showProgress() {
   }
   const int all = static_cast<int>(words_.size());
   progress_->setText(
-      lacksEnglish ? tr("A text that is given in another language is needed in English, too.")
+      lacksEnglish ? tr("A text that is given in another language is also needed in English.")
       : filled < all
           ? tr("%1 of %2 are filled in. Participants would read the others in [[brackets]].")
                 .arg(filled)

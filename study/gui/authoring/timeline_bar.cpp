@@ -14,10 +14,12 @@ constexpr int kBarHeight = 54;  // [px]
 constexpr int kScaleHeight = 26;
 constexpr int kTickLength = 6;
 
-/// The interval between tick marks [min], chosen so that there are not too many.
-int minutesBetweenMarks(double minutes) {
+/// The interval between tick marks [min], chosen so that their numbers have room.
+/// @param perMinute  [px]
+int minutesBetweenMarks(double perMinute) {
+  constexpr double kRoom = 52.0;  // [px]: of "0 min"
   for (const int step : {1, 2, 5, 10, 15, 30}) {
-    if (minutes / step <= 15.0) return step;
+    if (step * perMinute >= kRoom) return step;
   }
   return 60;
 }
@@ -65,7 +67,7 @@ void TimelineBar::paintEvent(QPaintEvent* /*event*/) {
     begin += part.seconds;
   }
   painter.setPen(colours.quiet);
-  const int step = minutesBetweenMarks(whole_ / 60.0);
+  const int step = minutesBetweenMarks(60.0 * perSecond);
   for (int minute = 0; minute * 60.0 <= whole_; minute += step) {
     const double x = minute * 60.0 * perSecond;
     painter.drawLine(QPointF(x, kBarHeight), QPointF(x, kBarHeight + kTickLength));

@@ -6,9 +6,9 @@
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
-#include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/labels.h"
 #include "study/model/new_file.h"
 #include "study/report/pdf_report.h"
 #include "study/words/words.h"
@@ -44,8 +44,9 @@ std::string fileOf(
 EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Erase a participant"),
-          tr("Deletes what a participant said and did, for good. The audit trail stays sound, and "
-             "says that, when and why it was done; no result counts the person any more."),
+          tr("Deletes the data of a participant permanently. The audit trail stays valid and "
+             "records "
+             "when and why; results no longer include this person."),
           tr("Erase"),
           parent),
       folder_(study.folder),
@@ -70,7 +71,7 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   level_->addItem(tr("Names and signature only"), QStringLiteral("identity"));
   reason_->setObjectName(QStringLiteral("reason"));
   reason_->setAccessibleName(tr("Reason"));
-  reason_->setPlaceholderText(tr("without a name: it stays in the audit trail"));
+  reason_->setPlaceholderText(tr("without names: it stays in the audit trail"));
   code_->setObjectName(QStringLiteral("code"));
   code_->setAccessibleName(tr("Type the code"));
   language_->setObjectName(QStringLiteral("language"));
@@ -81,8 +82,8 @@ EraseDialog::EraseDialog(const StudySummary& study, QWidget* parent)
   }
   reseal_->setObjectName(QStringLiteral("reseal"));
   reseal_->setToolTip(
-      tr("Once for the whole study. Heads of the audit trail that were noted before are not found "
-         "in it any more. Back up the study before."));
+      tr("Once for the whole study. Heads of the audit trail that were noted earlier are no longer "
+         "found in it. Back up the study first."));
   form().addRow(tr("Participant"), participant_);
   form().addRow(tr("What"), level_);
   form().addRow(tr("Reason"), reason_);
@@ -157,7 +158,7 @@ void EraseDialog::work() {
   const auto path = certificate_->path();
   const auto code = QString::fromStdString(certificate.report.erasure.participant);
   if (!certificate.isClean()) {
-    showOutcome(Outcome::Warning, tr("%1 is erased, but something is left.").arg(code), told);
+    showOutcome(Outcome::Warning, tr("%1 is erased, but some data are left.").arg(code), told);
   } else if (path.isEmpty()) {
     showOutcome(Outcome::Good, tr("%1 is erased.").arg(code), told);
   } else {

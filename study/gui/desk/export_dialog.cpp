@@ -5,7 +5,7 @@
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/study_dialogs.h"
 #include "study/gui/widgets/background_task.h"
-#include "study/words/counted.h"
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 namespace {
@@ -32,9 +32,9 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
       audience_(new QComboBox(this)),
       smallest_(new QSpinBox(this)),
       reason_(new QLineEdit(this)),
-      exact_(new QCheckBox(tr("dates, times and ages as they are, not in bands"), this)),
-      texts_(new QCheckBox(tr("also what participants and operators wrote"), this)),
-      traces_(new QCheckBox(tr("also what was felt, a thousand times a second"), this)),
+      exact_(new QCheckBox(tr("Exact dates, times and ages (otherwise in bands)"), this)),
+      texts_(new QCheckBox(tr("Texts that participants and operators wrote"), this)),
+      traces_(new QCheckBox(tr("Traces: what was felt, 1000 samples a second"), this)),
       target_(new PathField(PathField::Kind::NewFolder, tr("New folder"), {}, this)),
       earlier_(new PathField(
           PathField::Kind::ExistingFolder, tr("Folder of an earlier export"), {}, this)) {
@@ -48,12 +48,12 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   add(format_, tr("Tables with a script for R"), ExportFormat::R);
   add(format_, tr("Tables with a script for Python"), ExportFormat::Python);
   add(audience_, tr("Analysts, blinded: codes instead of conditions"), Audience::Blinded);
-  add(audience_, tr("Analysts, unblinded: goes into the audit trail"), Audience::Unblinded);
-  add(audience_, tr("Strangers: nobody can be found among fewer than …"), Audience::Public);
+  add(audience_, tr("Analysts, unblinded: is noted in the audit trail"), Audience::Unblinded);
+  add(audience_, tr("The public: groups in which nobody stands out"), Audience::Public);
   format_->setAccessibleName(tr("Format"));
   audience_->setAccessibleName(tr("For whom"));
   audience_->setObjectName(QStringLiteral("audience"));
-  smallest_->setAccessibleName(tr("How many people have to be alike"));
+  smallest_->setAccessibleName(tr("Smallest group of people"));
   smallest_->setObjectName(QStringLiteral("smallest-class"));
   smallest_->setRange(static_cast<int>(kSmallestPublicClass), kMostAlike);
   exact_->setObjectName(QStringLiteral("exact"));
@@ -64,11 +64,11 @@ ExportDialog::ExportDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Format"), format_);
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("For whom"), audience_);
-  form().addRow(tr("People alike, at least"), smallest_);
+  form().addRow(tr("Smallest group of people"), smallest_);
   form().addRow(tr("Reason for unblinding"), reason_);
-  form().addRow(tr("Detail"), exact_);
-  form().addRow(tr("Texts"), texts_);
-  form().addRow(tr("Traces"), traces_);
+  form().addRow(tr("Also export"), exact_);
+  form().addRow(QString(), texts_);
+  form().addRow(QString(), traces_);
   form().addRow(tr("To a new folder"), target_);
   form().addRow(tr("Same codes as (optional)"), earlier_);
   connect(audience_, &QComboBox::currentIndexChanged, this, &ExportDialog::updateChoices);
@@ -132,16 +132,17 @@ void ExportDialog::work() {
     auto study = openForExport(folder_, clock, how);
     how.progress = progress;
     sessions = exportStudy(study, target, how, reason);
-    what = how.publicClass ? "for strangers" : blindingInWords(study, how);
+    what = how.publicClass ? "for the public" : blindingInWords(study, how);
   };
   const bool isDone = BackgroundTask::run(this, tr("Exporting"), write);
   if (!isDone) return;
   const QString path = target_->path();
-  const QString line = tr("Data saved: %1 (%2, %3)")
-                           .arg(
-                               path,
-                               QString::fromStdString(words::counted(sessions, "session")),
-                               QString::fromStdString(what));
+  const QString line =
+      tr("Data saved: %1 (%2, %3)")
+          .arg(
+              path,
+              QString::fromStdString(said(sessions == 1 ? "{} session" : "{} sessions", sessions)),
+              spoken(what));
   if (sessions == 0) return showOutcome(Outcome::Warning, line);
   rememberDocument(QString::fromStdString(folder_), path);
   target_->setPath(newPathBeside(folder_, QStringLiteral("data")));

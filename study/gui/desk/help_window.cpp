@@ -31,6 +31,7 @@ constexpr std::array kTopics = std::to_array<std::pair<const char*, const char*>
     {"TextsDialog", "Fill in the texts"},
     {"PreviewWindow", "Look at every page"},
     {"AmendDialog", "Create the study"},
+    {"PlanDialog", "Create the study"},
     {"SimulateDialog", "Create the study"},
     {"StatisticsDialog", "The results"},
     {"ProtocolWindow", "Write the protocol"},
@@ -189,9 +190,9 @@ HelpWindow::HelpWindow(QWidget* parent)
   setCentralWidget(sides);
   resize(980, 720);
   connect(text_, &QTextBrowser::sourceChanged, this, &HelpWindow::listHeadings);
-  connect(contents_, &QListWidget::itemClicked, this, [this](const QListWidgetItem* item) {
-    goTo(item->data(Qt::UserRole).toInt());
-  });
+  const auto open = [this](const QListWidgetItem* item) { goTo(item->data(Qt::UserRole).toInt()); };
+  connect(contents_, &QListWidget::itemClicked, this, open);
+  connect(contents_, &QListWidget::itemActivated, this, open);
   text_->setSource(QUrl(QString::fromUtf8(kFirstPage)));
 }
 

@@ -9,6 +9,8 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QStyle>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -30,6 +32,7 @@
 #include "study/gui/desk/task_dialogs.h"
 #include "study/gui/desk/tour.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
@@ -47,22 +50,62 @@ struct HomeWindow::OpenStudy {
 };
 
 HomeWindow::HomeWindow(std::string deviceFile, QWidget* parent)
-    : QMainWindow(parent),
-      deviceFile_(std::move(deviceFile)),
-      list_(new QTableWidget(0, 3, this)),
-      panel_(new StudyPanel(this)) {
+    : QMainWindow(parent), deviceFile_(std::move(deviceFile)) {
   setWindowTitle(tr("Palpate"));
+  makeContents();
+  resize(1240, 740);
+}
+
+void HomeWindow::makeContents() {
+  language_ = deskLanguage();
+  list_ = new QTableWidget(0, 3, this);
+  panel_ = new StudyPanel(this);
   auto* inside = new QWidget(this);
-  auto* columns = new QHBoxLayout(inside);
-  columns->setContentsMargins(24, 12, 24, 20);
-  columns->setSpacing(20);
-  columns->addWidget(makeList(), 5);
-  columns->addWidget(panel_, 4);
-  setCentralWidget(inside);
+  columns_ = new QHBoxLayout(inside);
+  columns_->setContentsMargins(24, 12, 24, 20);
+  columns_->setSpacing(20);
+  columns_->addWidget(makeList(), 1);
+  columns_->addWidget(panel_, 1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(inside);
+  setCentralWidget(scroll);
+  menuBar()->clear();
   makeMenus();
   connectPanel();
-  resize(1240, 740);
+  arrange();
   refresh();
+}
+
+void HomeWindow::arrange() {
+  constexpr int kRoomForTwo = 1000;  // [px]
+  constexpr int kLeastOfList = 170;
+  const bool isWide = width() >= kRoomForTwo;
+  columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  list_->setMinimumHeight(kLeastOfList);
+  const auto margins = columns_->contentsMargins();
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+  const int room = width() - margins.left() - margins.right() - bar;
+  panel_->fitInto(isWide ? (room - columns_->spacing()) / 2 : room);
+}
+
+void HomeWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  arrange();
+}
+
+void HomeWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::StyleChange && panel_ != nullptr) arrange();
+  if (event->type() != QEvent::LanguageChange || language_ == deskLanguage()) return;
+  // The menu that chose the language is still open.
+  QTimer::singleShot(0, this, [this] {
+    const auto* study = chosen();
+    const auto folder = study == nullptr ? QString() : QString::fromStdString(study->folder);
+    makeContents();
+    select(folder);
+  });
 }
 
 HomeWindow::~HomeWindow() = default;
@@ -130,7 +173,9 @@ void HomeWindow::makeMenus() {
   measured->addAction(
       tr("&Build a bone of spheres…"), this, &HomeWindow::openTool<BuildBoneDialog>);
   measured->addAction(tr("&Look at a bone or a knee…"), this, [this] { chooseAndOpenShape(this); });
-  addThemesTo(*menuBar()->addMenu(tr("&View")));
+  auto* view = menuBar()->addMenu(tr("&View"));
+  addThemesTo(*view->addMenu(tr("&Theme")));
+  addLanguagesTo(*view->addMenu(tr("&Language")));
   auto* help = menuBar()->addMenu(tr("&Help"));
   // offerHelp() handles F1 itself, wherever the focus is.
   help->addAction(
@@ -199,6 +244,7 @@ void HomeWindow::connectPanel() {
   connect(panel_, &StudyPanel::exportRequested, this, &HomeWindow::openDialog<ExportDialog>);
   connect(
       panel_, &StudyPanel::statisticsRequested, this, &HomeWindow::openDialog<StatisticsDialog>);
+  connect(panel_, &StudyPanel::planRequested, this, &HomeWindow::openDialog<PlanDialog>);
   connect(panel_, &StudyPanel::simulationRequested, this, &HomeWindow::openDialog<SimulateDialog>);
   connect(panel_, &StudyPanel::amendmentRequested, this, &HomeWindow::openDialog<AmendDialog>);
   connect(panel_, &StudyPanel::textsRequested, this, &HomeWindow::fillInTexts);
@@ -226,8 +272,13 @@ void HomeWindow::refresh() {
     list_->setItem(row, 2, new QTableWidgetItem(opened));
     fillRow(row++);
   }
-  for (row = 0; row < list_->rowCount(); ++row) {
-    if (studies_[static_cast<std::size_t>(row)].folder == folder) break;
+  select(QString::fromStdString(folder));
+}
+
+void HomeWindow::select(const QString& folder) {
+  int row = 0;
+  for (; row < list_->rowCount(); ++row) {
+    if (studies_[static_cast<std::size_t>(row)].folder == folder.toStdString()) break;
   }
   list_->selectRow(row < list_->rowCount() ? row : 0);
   showChosen();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <QBoxLayout>
 #include <QMainWindow>
 #include <QTableWidget>
 
@@ -41,14 +42,22 @@ class HomeWindow final : public QMainWindow {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct OpenStudy;
+  /// Makes everything that the window shows, in the language of the desk.
+  void makeContents();
+  /// Puts list and study side by side, or one above the other in a narrow window.
+  void arrange();
   QWidget* makeList();
   void makeMenus();
   void connectPanel();
   void fillRow(int row);
   const StudySummary* chosen() const;
+  /// Selects a study in the list; the first one if it is not there.
+  void select(const QString& folder);
   void showChosen();
   void closeStudy();
   void forgetChosen();
@@ -63,8 +72,10 @@ class HomeWindow final : public QMainWindow {
 
   std::string deviceFile_;
   std::vector<StudySummary> studies_;  ///< in the order of the list
-  QTableWidget* list_;
-  StudyPanel* panel_;
+  std::string language_;               ///< of what is shown
+  QBoxLayout* columns_ = nullptr;
+  QTableWidget* list_ = nullptr;
+  StudyPanel* panel_ = nullptr;
   std::unique_ptr<OpenStudy> open_;
 };
 

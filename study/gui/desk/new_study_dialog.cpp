@@ -55,7 +55,7 @@ NewStudyDialog::NewStudyDialog(QWidget* parent)
   looks->addStretch(1);
   form().addRow(tr("Protocol"), protocol_);
   form().addRow(tr("Its file"), file_);
-  form().addRow(QString(), looks);
+  form().addRow(looks);
   form().addRow(tr("New folder"), folder_);
   form().addRow(tr("Random seed (optional)"), seed_);
   connect(protocol_, &QComboBox::currentIndexChanged, this, &NewStudyDialog::check);

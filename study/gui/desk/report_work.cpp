@@ -6,6 +6,7 @@
 
 #include "study/model/new_file.h"
 #include "study/model/user_error.h"
+#include "study/report/figures/figure_files.h"
 #include "study/report/figures/figures.h"
 #include "study/report/html_report.h"
 #include "study/report/pdf_report.h"
@@ -55,6 +56,9 @@ void write(const ReportOrder& order, const Progress& progress) {
   const auto page = isPdf ? report::asPdf(html, sections.front().protocol.study.title) : html;
   tell(progress, 3 * kStep, "writing it");
   writeNewFile(order.out, page);
+  if (order.figures.empty()) return;
+  std::filesystem::create_directories(order.figures);
+  report::writeFigures(sections.front(), order.figures, order.format);
 }
 
 }  // namespace study::gui

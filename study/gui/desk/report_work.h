@@ -4,6 +4,7 @@
 
 #include "study/model/progress.h"
 #include "study/model/run_mode.h"
+#include "study/report/figures/figure_format.h"
 
 namespace study::gui {
 
@@ -12,8 +13,10 @@ struct ReportOrder {
   std::string folder;  ///< the study's folder
   RunMode mode = RunMode::Live;
   std::string language = "en";
-  std::string out;     ///< ends in .html or .pdf; an existing file is not overwritten
-  std::string reason;  ///< for naming the conditions in results of live sessions
+  std::string out;              ///< ends in .html or .pdf; an existing file is not overwritten
+  std::string figures;          ///< folder for each figure as a file of its own; empty: none
+  report::FigureFormat format;  ///< of these files
+  std::string reason;           ///< for naming the conditions in results of live sessions
 };
 
 /// Writes the report as `palpate report` does. Can be called from any thread.

@@ -4,6 +4,7 @@
 
 #include "study/gui/desk/self_test.h"
 #include "study/gui/scene/renderer.h"
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 namespace {
@@ -19,12 +20,12 @@ CheckResult judgeScreen(const QScreen& screen) {
   const QSize size = screen.geometry().size();
   CheckResult found{
       .what = screen.name().isEmpty() ? "screen" : screen.name().toStdString(),
-      .measured = QStringLiteral("%1 × %2 points, scale %3, %4 Hz")
-                      .arg(size.width())
-                      .arg(size.height())
-                      .arg(screen.devicePixelRatio())
-                      .arg(screen.refreshRate(), 0, 'f', 0)
-                      .toStdString(),
+      .measured = said(
+          "{} × {} points, scale {:g}, {:.0f} Hz",
+          size.width(),
+          size.height(),
+          screen.devicePixelRatio(),
+          screen.refreshRate()),
       .fix = ""};
   if (size.width() < kLeastWide || size.height() < kLeastHigh) {
     found.finding = Finding::Warn;
@@ -42,7 +43,7 @@ CheckResult judgeGraphics() {
   return {
       graphics.remark.isEmpty() ? Finding::Pass : Finding::Warn,
       "simulation",
-      "drawn by " + graphics.renderer->name().toStdString(),
+      said("drawn by {}", graphics.renderer->name().toStdString()),
       graphics.remark.toStdString()};
 }
 

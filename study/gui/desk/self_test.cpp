@@ -4,8 +4,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include <fmt/format.h>
-
+#include "study/gui/widgets/desk_language.h"
 #include "study/model/study_files.h"
 #include "study/model/trial_record.h"
 #include "study/model/user_error.h"
@@ -32,7 +31,7 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
         {"devices",
          {Finding::Pass,
           "device file",
-          "none: devices are virtual, the participant's mouse or space bar is the hand",
+          "none: devices are virtual, moved with the mouse or the space bar",
           ""}}};
   }
   std::vector<SelfTestLine> lines;
@@ -42,9 +41,9 @@ std::vector<SelfTestLine> testDevices(const SelfTestOrder& order, const Progress
   try {
     HardwareDeviceSet deviceSet(loadDevices(file), anyHand);
     for (const auto& entry : deviceSet.entries()) {
-      tell(progress, kUnknownShare, "listening to " + entry.id);
+      tell(progress, kUnknownShare, said("listening to {}", entry.id));
       for (auto& result : preflight(*deviceSet.find(entry.id), nullptr, order.seconds)) {
-        result.what = entry.id + ": " + result.what;
+        result.what = entry.id + ": " + said(result.what);
         lines.push_back({"devices", std::move(result)});
       }
     }
@@ -98,8 +97,8 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
   const auto ticks = static_cast<std::int64_t>(report.ticks);
   const auto late = static_cast<std::int64_t>(report.lateTicks);
   CheckResult found{
-      .what = fmt::format("{:g} Hz for {:.1f} s", rate, report.seconds),
-      .measured = fmt::format(
+      .what = said("{:g} Hz for {:.1f} s", rate, report.seconds),
+      .measured = said(
           "late by {:.0f} µs (median), {:.0f} µs (99 of 100), {:.0f} µs (latest); {} of {} ticks "
           "missed; {}",
           report.lateness.quantile(0.5),
@@ -107,7 +106,7 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
           report.lateness.largest(),
           late,
           ticks,
-          isRealtime ? "real-time priority" : "ordinary priority"),
+          said(isRealtime ? "real-time priority" : "ordinary priority")),
       .fix = ""};
   if (static_cast<double>(late) > kRoughShare * static_cast<double>(ticks)) {
     found.finding = Finding::Fail;
@@ -127,7 +126,7 @@ SelfTestLine judgeClock(const RealtimeLoop::Report& report, bool isRealtime, dou
 SelfTestLine judgeCommits(const storage::CommitTimes& times, const std::string& folder) {
   CheckResult found{
       .what = "an answer to the disk",
-      .measured = fmt::format(
+      .measured = said(
           "{:.1f} ms (median of {}), {:.1f} ms (longest), in {}",
           1e3 * times.median,
           times.commits,

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/theme.h"
@@ -27,7 +28,7 @@ QString signOf(Finding finding) {
   const QString sign = finding == Finding::Pass   ? QStringLiteral("✓ ")
                        : finding == Finding::Warn ? QStringLiteral("! ")
                                                   : QStringLiteral("✕ ");
-  return sign + QString::fromUtf8(haptics::devices::nameOf(finding));
+  return sign + spoken(haptics::devices::nameOf(finding));
 }
 
 }  // namespace
@@ -96,11 +97,11 @@ void SelfTestDialog::fill(const std::vector<SelfTestLine>& lines) {
     const auto& [part, found] = lines[static_cast<std::size_t>(row)];
     worst = std::max(worst, found.finding);
     const QString cells[]{
-        QString::fromStdString(part),
+        spoken(part),
         signOf(found.finding),
-        QString::fromStdString(found.what),
-        QString::fromStdString(found.measured),
-        QString::fromStdString(found.fix)};
+        spoken(found.what),
+        spoken(found.measured),
+        spoken(found.fix)};
     for (int column = 0; column < 5; ++column) {
       auto* cell = new QTableWidgetItem(cells[column]);
       cell->setTextAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -9,9 +9,9 @@
 
 #include "study/gui/desk/recent_studies.h"
 #include "study/gui/desk/report_work.h"
-#include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/attempt.h"
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/backup.h"
 #include "study/session/restored_copy.h"
@@ -23,8 +23,9 @@ QString describe(const Verification& verification) {
   QString words;
   for (const auto& check : verification.checks) {
     const bool holds = check.problems.empty();
-    words += (holds ? QStringLiteral("✓  ") : QStringLiteral("✕  FAIL: ")) +
-             QString::fromStdString(check.what) + QLatin1Char('\n');
+    words += (holds ? QStringLiteral("✓  ")
+                    : QStringLiteral("✕  ") + spoken("FAIL") + QStringLiteral(": ")) +
+             spoken(check.what) + QLatin1Char('\n');
     for (const auto& problem : check.problems) {
       words += QStringLiteral("      ") + QString::fromStdString(problem) + QLatin1Char('\n');
     }
@@ -43,9 +44,8 @@ QComboBox* runModeChoice(const StudySummary& study, QWidget* parent) {
     const int count = found == study.sessions.end() ? 0 : found->second;
     const auto name = nameOf(mode);
     choice->addItem(
-        QObject::tr("%1 (%n session(s))", nullptr, count)
-            .arg(asText(name))
-            .replace(QStringLiteral("session(s)"), count == 1 ? "session" : "sessions"),
+        QString::fromStdString(
+            said(count == 1 ? "{} ({} session)" : "{} ({} sessions)", said(name), count)),
         static_cast<int>(mode));
   }
   choice->setCurrentIndex(choice->findData(static_cast<int>(likelyRunMode(study))));
@@ -172,7 +172,10 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
       language_(new QComboBox(this)),
       reason_(new QLineEdit(this)),
       target_(new PathField(
-          PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)) {
+          PathField::Kind::NewFile, tr("New file"), tr("Reports (*.html *.pdf)"), this)),
+      figures_(new QCheckBox(tr("Each figure as SVG, PDF and PNG"), this)),
+      width_(new QSpinBox(this)),
+      font_(new QDoubleSpinBox(this)) {
   for (const auto& language : words::languages()) {
     const QString tag = QString::fromStdString(language);
     language_->addItem(nativeName(tag), tag);
@@ -185,12 +188,40 @@ ReportDialog::ReportDialog(const StudySummary& study, QWidget* parent)
   reason_->setObjectName(QStringLiteral("reason"));
   form().addRow(tr("Reason for unblinding"), reason_);
   form().addRow(tr("File (.html or .pdf)"), target_);
+  addFigures();
   connect(mode_, &QComboBox::currentIndexChanged, this, &ReportDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &ReportDialog::updateChoices);
+  connect(figures_, &QCheckBox::toggled, this, &ReportDialog::updateChoices);
   updateChoices();
 }
 
+void ReportDialog::addFigures() {
+  constexpr int kLeastWidth = 60;  // [mm]
+  constexpr int kMostWidth = 400;
+  constexpr int kOneColumn = 85;
+  constexpr double kSmallest = 5.0;  // [pt]
+  constexpr double kLargest = 14.0;
+  constexpr double kOfJournals = 8.0;
+  figures_->setObjectName(QStringLiteral("figures"));
+  width_->setObjectName(QStringLiteral("figure-width"));
+  width_->setAccessibleName(tr("Width of figures [mm]"));
+  width_->setRange(kLeastWidth, kMostWidth);
+  width_->setValue(kOneColumn);
+  font_->setObjectName(QStringLiteral("figure-font"));
+  font_->setAccessibleName(tr("Font size in figures [pt]"));
+  font_->setRange(kSmallest, kLargest);
+  font_->setSingleStep(0.5);
+  font_->setDecimals(1);
+  font_->setValue(kOfJournals);
+  form().addRow(tr("For a journal"), figures_);
+  form().addRow(tr("Width of figures [mm]"), width_);
+  form().addRow(tr("Font size in figures [pt]"), font_);
+}
+
 void ReportDialog::updateChoices() {
+  form().setRowVisible(width_, figures_->isChecked());
+  form().setRowVisible(font_, figures_->isChecked());
+  fit();
   const bool isLive = chosenMode(*mode_) == RunMode::Live;
   form().setRowVisible(reason_, isLive);
   go().setEnabled(!isLive || !reason_->text().trimmed().isEmpty());
@@ -202,13 +233,22 @@ void ReportDialog::work() {
       .mode = chosenMode(*mode_),
       .language = language_->currentData().toString().toStdString(),
       .out = target_->path().toStdString(),
+      .figures = figures_->isChecked()
+                     ? newPathBeside(folder_, QStringLiteral("figures")).toStdString()
+                     : std::string(),
+      .format = {.width = width_->value(), .font = font_->value()},
       .reason = reason_->isVisibleTo(this) ? reason_->text().trimmed().toStdString() : ""};
   const bool isDone = BackgroundTask::run(
       this, tr("Writing the report"), [&](const Progress& progress) { write(order, progress); });
   if (!isDone) return clear();
   const QString path = target_->path();
   rememberDocument(QString::fromStdString(folder_), path);
-  showWritten(path, tr("Report saved: %1").arg(path));
+  const QString figures = QString::fromStdString(order.figures);
+  if (!figures.isEmpty()) rememberDocument(QString::fromStdString(folder_), figures);
+  showWritten(
+      path,
+      figures.isEmpty() ? tr("Report saved: %1").arg(path)
+                        : tr("Report saved: %1; figures: %2").arg(path, figures));
   const auto extension = QLatin1Char('.') + QFileInfo(path).suffix();
   target_->setPath(newPathBeside(folder_, QStringLiteral("report"), extension));
 }

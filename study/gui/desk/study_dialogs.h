@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -59,6 +60,7 @@ class ReportDialog final : public WorkDialog {
   void work() override;
 
  private:
+  void addFigures();
   /// Asks for a reason where live sessions would be unblinded.
   void updateChoices();
 
@@ -67,6 +69,9 @@ class ReportDialog final : public WorkDialog {
   QComboBox* language_;
   QLineEdit* reason_;
   PathField* target_;
+  QCheckBox* figures_;
+  QSpinBox* width_;
+  QDoubleSpinBox* font_;
 };
 
 /// All checks, one line each, such as "✓ the audit trail is unbroken", with the errors below a

@@ -8,6 +8,7 @@
 #include <QScrollArea>
 
 #include "study/gui/desk/recent_studies.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/written_file.h"
 
@@ -15,6 +16,7 @@ namespace study::gui {
 namespace {
 
 constexpr std::size_t kMostDocumentsShown = 6;
+constexpr int kLeastOfParts = 110;  // [px]
 
 QString localTime(const std::string& utc) {
   const auto time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
@@ -30,6 +32,7 @@ StudyPanel::StudyPanel(QWidget* parent)
       sessions_(bodyLabel({}, this)),
       folder_(quietLabel({}, this)),
       problem_(bodyLabel({}, this)),
+      buttons_(new QGridLayout),
       open_(new QPushButton(tr("Open"), this)),
       forget_(new QPushButton(tr("Remove from list"), this)),
       place_(new QWidget(this)),
@@ -49,25 +52,24 @@ StudyPanel::StudyPanel(QWidget* parent)
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setWidget(place_);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setMinimumHeight(kLeastOfParts);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(20, 18, 20, 18);
   layout->setSpacing(10);
   for (auto* label : {title_, what_, sessions_, folder_, problem_}) layout->addWidget(label);
-  layout->addLayout(makeButtons());
+  layout->addLayout(buttons_);
   layout->addWidget(scroll, 1);
+  makeButtons();
+  fitInto(0);
   clear();
 }
 
-QGridLayout* StudyPanel::makeButtons() {
-  constexpr int kColumns = 3;
-  auto* buttons = new QGridLayout;
-  buttons->addWidget(open_, 0, 0, 1, kColumns);
+void StudyPanel::makeButtons() {
   const auto add = [&](const QString& words, const char* name, void (StudyPanel::*wanted)()) {
     auto* button = new QPushButton(words, this);
     button->setObjectName(QString::fromUtf8(name));
     button->setProperty("role", QStringLiteral("tool"));
-    const int count = static_cast<int>(actions_.size());
-    buttons->addWidget(button, 1 + count / kColumns, count % kColumns);
     actions_.push_back(button);
     connect(button, &QPushButton::clicked, this, wanted);
     return button;
@@ -78,15 +80,38 @@ QGridLayout* StudyPanel::makeButtons() {
   texts_ = add(tr("Fill in the texts…"), "texts", &StudyPanel::textsRequested);
   add(tr("Preview…"), "preview", &StudyPanel::previewRequested);
   add(tr("Change the protocol…"), "amend", &StudyPanel::amendmentRequested);
+  add(tr("Plan…"), "plan", &StudyPanel::planRequested);
   add(tr("Simulate…"), "simulate", &StudyPanel::simulationRequested);
   add(tr("Back up…"), "backup", &StudyPanel::backupRequested);
   add(tr("Verify…"), "verify", &StudyPanel::verifyRequested);
   add(tr("Erase a participant…"), "erase", &StudyPanel::erasureRequested);
   key_ = add(tr("Key…"), "key", &StudyPanel::keyRequested);
-  for (int column = 0; column < kColumns; ++column) buttons->setColumnStretch(column, 1);
-  const int rows = static_cast<int>(actions_.size() + kColumns - 1) / kColumns;
-  buttons->addWidget(forget_, 1 + rows, 0, 1, kColumns);
-  return buttons;
+}
+
+void StudyPanel::fitInto(int width) {
+  constexpr int kMostColumns = 3;
+  constexpr int kCounted = 36;  // [px]: " (16)" after the words
+  const auto margins = layout()->contentsMargins();
+  const int room = width - margins.left() - margins.right() - 2 * frameWidth();
+  int widest = 0;
+  for (auto* button : actions_) {
+    button->ensurePolished();
+    const bool isCounted = button == texts_ && !button->text().contains(u'(');
+    widest = std::max(widest, button->sizeHint().width() + (isCounted ? kCounted : 0));
+  }
+  const int gap = buttons_->horizontalSpacing();
+  const int columns = std::clamp((room + gap) / (widest + gap), 1, kMostColumns);
+  while (buttons_->count() > 0) delete buttons_->takeAt(0);
+  buttons_->addWidget(open_, 0, 0, 1, columns);
+  int place = columns;  // below
+  for (auto* button : actions_) {
+    buttons_->addWidget(button, place / columns, place % columns);
+    ++place;
+  }
+  buttons_->addWidget(forget_, place / columns + 1, 0, 1, columns);
+  for (int column = 0; column < kMostColumns; ++column) {
+    buttons_->setColumnStretch(column, column < columns ? 1 : 0);
+  }
 }
 
 void StudyPanel::clear() {
@@ -189,11 +214,11 @@ QWidget* StudyPanel::cardOf(const UnfinishedSession& session) {
   card->setObjectName(
       QStringLiteral("unfinished-%1").arg(QString::fromStdString(session.participant)));
   auto* layout = new QVBoxLayout(card);
-  layout->addWidget(bodyLabel(QString::fromStdString(describe(session)), card));
+  layout->addWidget(bodyLabel(inWords(session), card));
   QString choices = session.isOpenElsewhere() ? QString() : tr("You can:");
   for (const auto& choice : session.choices) {
     choices += (choices.isEmpty() ? QStringLiteral("") : QStringLiteral("\n")) +
-               QStringLiteral("•  ") + QString::fromStdString(choice);
+               QStringLiteral("•  ") + spoken(choice);
   }
   layout->addWidget(quietLabel(choices, card));
   if (!session.isOpenElsewhere()) {

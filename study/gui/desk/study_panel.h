@@ -24,6 +24,8 @@ class StudyPanel final : public QFrame {
   using QFrame::show;
   /// Shows that no study is selected.
   void clear();
+  /// Arranges the buttons in as many columns as fit into @p width [px].
+  void fitInto(int width);
 
  signals:
   void openRequested();
@@ -31,6 +33,7 @@ class StudyPanel final : public QFrame {
   void reportRequested();
   void exportRequested();
   void statisticsRequested();
+  void planRequested();
   void simulationRequested();
   void previewRequested();
   void textsRequested();
@@ -42,7 +45,7 @@ class StudyPanel final : public QFrame {
   void forgetRequested();
 
  private:
-  QGridLayout* makeButtons();
+  void makeButtons();
   void showProgress(const StudySummary& summary);
   void showDocuments(const StudySummary& summary);
   void showUnfinished(const StudySummary& summary);
@@ -54,6 +57,7 @@ class StudyPanel final : public QFrame {
   QLabel* sessions_;
   QLabel* folder_;
   QLabel* problem_;
+  QGridLayout* buttons_;
   QPushButton* open_;
   std::vector<QPushButton*> actions_;  ///< enabled only if the study can be opened
   QPushButton* texts_ = nullptr;       ///< one of them; says how many texts are blank

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "protocols/model/blanks.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/session/study.h"
 #include "study/session/study_key.h"
 
@@ -20,7 +21,7 @@ void fillCohorts(Study& study, StudySummary& summary) {
       return row.runMode == mode && row.cohort == cohort.id && row.state == SessionState::Completed;
     });
     summary.cohorts.push_back(
-        {.title = cohort.title.in("en"),
+        {.title = cohort.title.in(deskLanguage()),
          .completed = static_cast<int>(completed),
          .planned = cohort.planned});
   }
@@ -38,8 +39,8 @@ void fill(StudySummary& summary) {
   const auto& metadata = study.protocol().protocol.study;
   summary.title = metadata.title;
   summary.protocol = metadata.id + " " + metadata.version + ", " +
-                     (current.frozenUtc ? "frozen " + current.frozenUtc->substr(0, 10)
-                                        : "not frozen yet: no live participant has begun");
+                     (current.frozenUtc ? said("frozen {}", current.frozenUtc->substr(0, 10))
+                                        : said("not frozen yet: no live participant has begun"));
   for (const auto& row : study.sessions().all()) {
     ++summary.sessions[row.runMode];
     if (row.state == SessionState::Completed) ++summary.completed[row.runMode];
@@ -64,9 +65,9 @@ StudySummary summaryOf(const std::string& folder) {
   std::error_code ignored;
   summary.isGone = !std::filesystem::is_directory(folder, ignored);
   if (summary.isGone) {
-    summary.problem =
-        "The folder is not there. Was it moved, or is its disk not connected? Open it where it is "
-        "now, or remove it from the list.";
+    summary.problem = said(
+        "The folder is not there. Was it moved, or is its disk not connected? Open it where it "
+        "is now, or remove it from the list.");
     return summary;
   }
   try {
@@ -78,17 +79,19 @@ StudySummary summaryOf(const std::string& folder) {
 }
 
 std::string sessionsInWords(const StudySummary& summary) {
-  if (!summary.problem.empty()) return summary.isGone ? "gone" : "cannot be opened";
+  if (!summary.problem.empty()) return said(summary.isGone ? "gone" : "cannot be opened");
   std::string words;
   for (const auto mode : kRunModes) {
     if (countIn(summary.sessions, mode) == 0) continue;
-    words += (words.empty() ? "" : "; ") + std::to_string(countIn(summary.completed, mode)) +
-             " of " + std::to_string(countIn(summary.sessions, mode)) + " " +
-             std::string(nameOf(mode)) + " completed";
+    words += (words.empty() ? "" : "; ") + said(
+                                               "{} of {} {} completed",
+                                               countIn(summary.completed, mode),
+                                               countIn(summary.sessions, mode),
+                                               said(nameOf(mode)));
   }
-  if (words.empty()) words = "no sessions yet";
+  if (words.empty()) words = said("no sessions yet");
   if (summary.unfinished.empty()) return words;
-  return words + "; " + std::to_string(summary.unfinished.size()) + " unfinished";
+  return words + "; " + said("{} unfinished", summary.unfinished.size());
 }
 
 RunMode likelyRunMode(const StudySummary& summary) {

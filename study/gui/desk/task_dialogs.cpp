@@ -9,6 +9,7 @@
 #include "study/gui/widgets/background_task.h"
 #include "study/results/results.h"
 #include "study/results/results_text.h"
+#include "study/results/study_plan.h"
 #include "study/session/unblinding.h"
 
 namespace study::gui {
@@ -17,10 +18,20 @@ namespace {
 using Access = storage::Database::Access;
 
 constexpr int kMostSimulated = 100'000;
+constexpr int kMostPlanned = 1000;
 
 int countOf(const StudySummary& study, RunMode mode) {
   const auto found = study.sessions.find(mode);
   return found == study.sessions.end() ? 0 : found->second;
+}
+
+/// Details in letters of one width, with room for tables.
+void showAsTables(WorkDialog& dialog) {
+  auto* tables = dialog.findChild<QTextBrowser*>(QStringLiteral("more"));
+  tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  tables->setLineWrapMode(QTextEdit::NoWrap);
+  tables->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 13px;"));
+  dialog.resize(1080, dialog.height());
 }
 
 }  // namespace
@@ -134,6 +145,54 @@ void SimulateDialog::work() {
       tr("%1 of %2 simulated participants have finished.").arg(completed).arg(endings.size()));
 }
 
+PlanDialog::PlanDialog(const StudySummary& study, QWidget* parent)
+    : WorkDialog(
+          tr("Plan the study"),
+          tr("How many participants balance the orders, how many an effect needs, how long a "
+             "session takes. Computed from the protocol and simulated answers; no data are read."),
+          tr("Compute"),
+          parent),
+      folder_(study.folder),
+      participants_(new QSpinBox(this)),
+      effect_(new QDoubleSpinBox(this)),
+      power_(new QDoubleSpinBox(this)) {
+  participants_->setObjectName(QStringLiteral("participants"));
+  participants_->setAccessibleName(tr("Participants of each cohort"));
+  participants_->setRange(0, kMostPlanned);
+  participants_->setSpecialValueText(tr("as planned in the protocol"));
+  effect_->setObjectName(QStringLiteral("effect"));
+  effect_->setAccessibleName(tr("Effect to find (Cohen's d_z)"));
+  effect_->setRange(0.05, 10.0);
+  effect_->setSingleStep(0.1);
+  effect_->setValue(PlanQuestion().dz);
+  power_->setObjectName(QStringLiteral("power"));
+  power_->setAccessibleName(tr("Power to reach"));
+  power_->setRange(0.5, 0.99);
+  power_->setSingleStep(0.05);
+  power_->setValue(PlanQuestion().power);
+  form().addRow(tr("Participants of each cohort"), participants_);
+  form().addRow(tr("Effect to find (Cohen's d_z)"), effect_);
+  form().addRow(tr("Power to reach"), power_);
+  showAsTables(*this);
+  fit();
+}
+
+void PlanDialog::work() {
+  PlanQuestion question{.dz = effect_->value(), .power = power_->value()};
+  if (participants_->value() > 0) {
+    question.participants = static_cast<std::uint64_t>(participants_->value());
+  }
+  std::string plan;
+  const bool isDone = BackgroundTask::run(this, tr("Computing"), [&](const Progress& progress) {
+    tell(progress, kUnknownShare, "simulating studies");
+    SystemClock clock;
+    auto study = Study::open(folder_, clock, Access::ReadOnly);
+    plan = studyPlanAsText(planOf(study.protocol(), question));
+  });
+  if (!isDone) return clear();
+  showDetails(QString::fromStdString(plan));
+}
+
 StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
     : WorkDialog(
           tr("Statistics"),
@@ -157,12 +216,7 @@ StatisticsDialog::StatisticsDialog(const StudySummary& study, QWidget* parent)
   form().addRow(tr("Sessions"), mode_);
   form().addRow(tr("Tests"), profile_);
   form().addRow(tr("Reason for unblinding"), reason_);
-  auto* tables = findChild<QTextBrowser*>(QStringLiteral("more"));
-  tables->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  tables->setLineWrapMode(QTextEdit::NoWrap);
-  tables->setStyleSheet(QStringLiteral("font-family: 'DejaVu Sans Mono'; font-size: 13px;"));
-  tables->setMinimumHeight(420);
-  setMinimumWidth(1080);
+  showAsTables(*this);
   connect(mode_, &QComboBox::currentIndexChanged, this, &StatisticsDialog::updateChoices);
   connect(reason_, &QLineEdit::textChanged, this, &StatisticsDialog::updateChoices);
   updateChoices();

@@ -3,6 +3,7 @@
 #include <string>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSpinBox>
 
@@ -53,6 +54,24 @@ class SimulateDialog final : public WorkDialog {
  private:
   std::string folder_;
   QSpinBox* participants_;
+};
+
+/// Says what a study can find and how long it takes, as `palpate plan` does: balanced orders,
+/// sample sizes, power. Nothing is read but the protocol.
+class PlanDialog final : public WorkDialog {
+  Q_OBJECT
+
+ public:
+  explicit PlanDialog(const StudySummary& study, QWidget* parent = nullptr);
+
+ protected:
+  void work() override;
+
+ private:
+  std::string folder_;
+  QSpinBox* participants_;
+  QDoubleSpinBox* effect_;
+  QDoubleSpinBox* power_;
 };
 
 /// Shows the tables of a study, as `palpate stats run` prints them.

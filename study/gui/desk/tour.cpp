@@ -7,7 +7,10 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QImage>
+#include <QPainter>
 #include <QScreen>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QVBoxLayout>
 
@@ -16,8 +19,12 @@
 #include "study/gui/operator/travel_plot.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
+#include "study/gui/scene/knee_scene.h"
+#include "study/gui/scene/simulation_view.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/read_only_table.h"
 #include "study/gui/widgets/studio_settings.h"
 
@@ -35,6 +42,29 @@ protocols::LoadedProtocol shippedPunch() {
   if (!loaded) throw std::logic_error("a protocol that ships is not sound");
   return std::move(*loaded);
 }
+
+/// A picture from the program's resources, as large as there is room.
+class FittedPicture final : public QWidget {
+ public:
+  FittedPicture(const QString& name, const QString& resource, QWidget* parent)
+      : QWidget(parent), picture_(resource) {
+    setAccessibleName(name);
+    setMinimumHeight(kLeastHeight);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    if (picture_.isNull()) return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    const QSize fitted = picture_.size().scaled(size(), Qt::KeepAspectRatio);
+    painter.drawImage(QRect(QPoint(0, 0), fitted), picture_);
+  }
+
+ private:
+  static constexpr int kLeastHeight = 120;  // [px]
+  QImage picture_;
+};
 
 QString inUnits(double value, const char* unit, int decimals = 2) {
   return QString::number(value, 'f', decimals) + QLatin1Char(' ') + QString::fromUtf8(unit);
@@ -68,7 +98,11 @@ Tour::Tour(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(28, 22, 28, 22);
   layout->addWidget(heading_);
-  layout->addWidget(steps_, 1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(steps_);
+  layout->addWidget(scroll, 1);
   layout->addLayout(buttons);
   connect(skip, &QPushButton::clicked, this, &QDialog::reject);
   connect(back_, &QPushButton::clicked, this, [this] { goTo(step() - 1); });
@@ -76,7 +110,7 @@ Tour::Tour(QWidget* parent)
     step() + 1 < kTourSteps ? goTo(step() + 1) : accept();
   });
   connect(&watch_, &QTimer::timeout, this, &Tour::look);
-  resize(1060, 700);
+  resize(1180, 760);
   goTo(0);
 }
 
@@ -107,18 +141,44 @@ void Tour::showEvent(QShowEvent* event) {
 
 QWidget* Tour::makeFeeling() {
   auto* step = new QWidget(this);
+  auto* picture = new scene::SimulationView(
+      std::make_unique<scene::KneeScene>(),
+      scene::openGraphics(),
+      scene::SimulationView::Pace::Display);
+  picture->follow([this] {
+    const auto status = punch_.status();
+    return scene::Look{
+        .travel = status.travel,
+        .force = status.force,
+        .isCutThrough = status.isCutThrough,
+        .isRunning = punch_.isRunning(),
+        .sampleTime = status.sampleTime};
+  });
+  picture->setAttribute(Qt::WA_TransparentForMouseEvents);  // the page around it handles the mouse
   page_ = new TrialPage(
-      {.name = tr("Alternative 1"), .minimumCuts = 1, .device = &punch_.kind()}, nullptr, step);
+      {.name = tr("Alternative 1"),
+       .minimumCuts = 1,
+       .device = &punch_.kind(),
+       .language = deskLanguage()},
+      picture,
+      step);
+  keepPlain(*page_);
   plot_ = new LivePlot(step);
   auto* columns = new QHBoxLayout;
-  columns->addWidget(page_, 1);
+  // They take the room that there is, and ask for none.
+  constexpr int kLeastHeight = 180;  // [px]
+  for (QWidget* drawn : {static_cast<QWidget*>(picture), static_cast<QWidget*>(plot_)}) {
+    drawn->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+    drawn->setMinimumHeight(kLeastHeight);
+  }
+  columns->addWidget(page_, 2);
   columns->addWidget(plot_, 1);
   auto* layout = new QVBoxLayout(step);
   layout->addWidget(bodyLabel(
       tr("Press Begin, then hold the space bar, or drag down on the left side with the mouse: the "
-         "jaw closes on tissue and cuts it. On a real punch your fingers would feel the blue "
-         "curve; "
-         "the virtual one only draws it. It is computed a thousand times a second, as in a study."),
+         "jaw closes on the meniscus and cuts it. On a real punch your fingers would feel the blue "
+         "curve; the virtual one only draws it. It is computed a thousand times a second, as in a "
+         "study."),
       step));
   layout->addLayout(columns, 1);
   connect(page_, &TrialPage::beginRequested, this, &Tour::begin);
@@ -140,12 +200,13 @@ QWidget* Tour::makeQuestions() {
   const auto* instrument = protocol_.instrument(asked.instrument);
   auto* page = new QuestionnairePage(
       {.title = tr("Alternative 1"),
-       .introduction = QString::fromStdString(instrument->introduction.in("en")),
+       .introduction = QString::fromStdString(instrument->introduction.in(deskLanguage())),
        .items = instrument->itemsOf(asked.setFor(block->trials.conditions.front())),
        .choices = {},
-       .language = QStringLiteral("en"),
+       .language = QString::fromStdString(deskLanguage()),
        .before = {}},
       step);
+  keepPlain(*page);
   auto* layout = new QVBoxLayout(step);
   layout->addWidget(bodyLabel(
       tr("This is what a participant sees next: the alternative by its number, never by what it "
@@ -176,9 +237,22 @@ QWidget* Tour::makeRecord() {
   auto* layout = new QVBoxLayout(step);
   figure_ = new TravelPlot(step);
   record_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  record_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  figure_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  auto* own = new QVBoxLayout;
+  own->addWidget(figure_, 1);
+  own->addWidget(record_, 1);
+  auto* report = new QVBoxLayout;
+  report->addWidget(
+      bodyLabel(tr("What a report shows of a whole study (simulated participants):"), step));
+  report->addWidget(
+      new FittedPicture(
+          tr("A figure of a report"), QStringLiteral(":/help/pictures/figure.png"), step),
+      1);
   auto* columns = new QHBoxLayout;
-  columns->addWidget(figure_, 1);
-  columns->addWidget(record_, 1);
+  columns->setSpacing(20);
+  columns->addLayout(own, 1);
+  columns->addLayout(report, 1);
   layout->addWidget(kept_);
   layout->addLayout(columns, 1);
   layout->addWidget(quietLabel(
@@ -195,7 +269,7 @@ void Tour::goTo(int step) {
   if (punch_.isRunning()) endFeeling();
   if (step == kTourSteps - 1) showRecord();
   steps_->setCurrentIndex(step);
-  heading_->setText(tr(kHeadings[step]));
+  heading_->setText(spoken(kHeadings[step]));
   back_->setEnabled(step > 0);
   next_->setText(step + 1 < kTourSteps ? tr("Next") : tr("Begin with a study"));
 }
@@ -258,10 +332,9 @@ void Tour::showRecord() {
     add(tr("Timing"), tr("99 % within %1").arg(inUnits(*felt.latenessP99, "µs", 0)));
   }
   const auto judgement = felt.judgement();
-  const auto verdict = nameOf(judgement.verdict);
-  const QString why = QString::fromStdString(base::describe(judgement.reasons));
-  add(tr("Verdict"),
-      asText(verdict).toUpper() + (why.isEmpty() ? QString() : QStringLiteral(": ") + why));
+  QStringList words{spoken(nameOf(judgement.verdict)).toUpper()};
+  for (const auto& reason : judgement.reasons) words << spoken(reason);
+  add(tr("Verdict"), words.join(QStringLiteral("; ")));
 }
 
 }  // namespace study::gui

@@ -1,22 +1,30 @@
 #include "study/gui/desk/work_dialog.h"
 
-#include <QHBoxLayout>
+#include <algorithm>
+
+#include <QComboBox>
+#include <QScreen>
 
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/written_file.h"
 
 namespace study::gui {
+namespace {
+
+constexpr int kUsualWidth = 760;  // [px]
+
+}  // namespace
 
 WorkDialog::WorkDialog(
     const QString& title, const QString& what, const QString& verb, QWidget* parent)
     : QDialog(parent),
+      scroll_(new QScrollArea(this)),
       form_(new QFormLayout),
       line_(bodyLabel({}, this)),
       written_(new WrittenFile(this)),
       more_(new QTextBrowser(this)),
       go_(new QPushButton(verb, this)) {
   setWindowTitle(title);
-  setMinimumWidth(760);
   auto* heading = bodyLabel(title, this);
   heading->setProperty("role", QStringLiteral("heading"));
   go_->setProperty("role", QStringLiteral("main"));
@@ -24,28 +32,45 @@ WorkDialog::WorkDialog(
   go_->setDefault(true);
   line_->setObjectName(QStringLiteral("outcome"));
   more_->setObjectName(QStringLiteral("more"));
+  more_->setAccessibleName(tr("Details"));
   more_->setMinimumHeight(200);
+  form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form_->setVerticalSpacing(12);
+  auto* inside = new QWidget(this);
+  auto* page = new QVBoxLayout(inside);
+  page->setContentsMargins(24, 20, 24, 0);
+  page->setSpacing(14);
+  page->addWidget(heading);
+  page->addWidget(quietLabel(what, this));
+  page->addLayout(form_);
+  page->addWidget(line_);
+  page->addWidget(written_);
+  page->addWidget(more_, 1);
+  page->addStretch(0);
+  scroll_->setWidgetResizable(true);
+  scroll_->setWidget(inside);
+  scroll_->setFocusPolicy(Qt::NoFocus);  // it scrolls to what has the focus
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(14);
+  layout->addWidget(scroll_, 1);
+  layout->addLayout(makeButtons());
+  resize(kUsualWidth, 0);
+  clear();
+}
+
+QHBoxLayout* WorkDialog::makeButtons() {
   auto* close = new QPushButton(tr("Close"), this);
   close->setAutoDefault(false);
-  form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  form_->setVerticalSpacing(12);
   auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(24, 0, 24, 20);
   buttons->addStretch(1);
   buttons->addWidget(close);
   buttons->addWidget(go_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(24, 20, 24, 20);
-  layout->setSpacing(14);
-  layout->addWidget(heading);
-  layout->addWidget(quietLabel(what, this));
-  layout->addLayout(form_);
-  layout->addWidget(line_);
-  layout->addWidget(written_);
-  layout->addWidget(more_, 1);
-  layout->addLayout(buttons);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(go_, &QPushButton::clicked, this, [this] { work(); });
-  clear();
+  return buttons;
 }
 
 void WorkDialog::showOutcome(Outcome outcome, const QString& line, const QString& more) {
@@ -72,14 +97,25 @@ void WorkDialog::showDetails(const QString& more) {
 }
 
 void WorkDialog::fit() {
-  layout()->activate();
-  const int needed = layout()->totalHeightForWidth(width());
-  setMinimumHeight(needed);
-  if (!isVisible() || more_->isHidden()) resize(width(), needed);
+  constexpr int kFrame = 80;  // [px]: of the window and of the desktop's bars
+  auto* inside = scroll_->widget();
+  inside->layout()->activate();
+  const auto* buttons = layout()->itemAt(1);
+  const int needed = inside->layout()->totalHeightForWidth(width()) + layout()->spacing() +
+                     buttons->sizeHint().height();
+  const int most = screen()->availableSize().height() - kFrame;
+  if (!isVisible() || more_->isHidden() || height() < needed) {
+    resize(width(), std::min(needed, most));
+  }
 }
 
 void WorkDialog::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
+  for (auto* choice : findChildren<QComboBox*>()) {
+    // Long entries do not make the field wider than the dialog.
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  }
   fit();  // sizes depend on the theme, which applies only from here on
 }
 

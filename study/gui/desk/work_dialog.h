@@ -2,14 +2,17 @@
 
 #include <QDialog>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 namespace study::gui {
 
-/// A dialog with a form, a button that does the work, and the result.
+/// A dialog with a form, a button that does the work, and the result. On a low screen the form and
+/// the result are scrolled; the buttons stay in sight.
 class WorkDialog : public QDialog {
   Q_OBJECT
 
@@ -31,7 +34,7 @@ class WorkDialog : public QDialog {
   /// Shows details without a result.
   void showDetails(const QString& more);
   void clear();
-  /// Resizes the dialog to its contents.
+  /// Resizes the dialog to its contents, as far as the screen has room.
   void fit();
 
   /// Called when the button is pressed.
@@ -40,6 +43,9 @@ class WorkDialog : public QDialog {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QHBoxLayout* makeButtons();
+
+  QScrollArea* scroll_;
   QFormLayout* form_;
   QLabel* line_;
   class WrittenFile* written_;

@@ -1,12 +1,11 @@
 #include "study/gui/operator/control_panel.h"
 
-#include <QGridLayout>
 #include <QInputDialog>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "study/gui/participant/participant_window.h"
 #include "study/gui/session/session_controller.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -17,7 +16,7 @@ ControlPanel::ControlPanel(QWidget* parent)
       cohort_(quietLabel({}, this)),
       stop_(new QPushButton(tr("STOP: no force"), this)),
       resume_(new QPushButton(tr("Continue"), this)),
-      interviewDone_(new QPushButton(tr("Finish the interview"), this)),
+      interviewDone_(new QPushButton(tr("Interview done"), this)),
       countCut_(new QPushButton(tr("Count a cut (F9)"), this)),
       handOver_(new QPushButton(tr("Hand over…"), this)),
       consent_(new QPushButton(tr("Consent copy…"), this)),
@@ -46,6 +45,7 @@ ControlPanel::ControlPanel(QWidget* parent)
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(makeButtons());
+  scroll->setFocusPolicy(Qt::NoFocus);
   layout->addWidget(scroll, 1);
   connectButtons();
   refresh();
@@ -62,11 +62,11 @@ QWidget* ControlPanel::makeButtons() {
   pause_ = add(tr("Pause…"), SessionEvent::PausedSession, &SessionController::pause);
   auto* now = addGroup(*layout, tr("Now"), {{repeat, skip}, {pause_, interviewDone_}});
   resume_->setProperty("role", QStringLiteral("tool"));
-  now->addWidget(resume_, 1, 0);  // shares a place with "Pause…": one of them is enabled
+  now->insertWidget(0, resume_, 1);  // in place of "Pause…": one of them is shown
   countCut_->setProperty("role", QStringLiteral("tool"));
   countCut_->setToolTip(tr("The participant has made a cut with the real instrument"));
   countCut_->setFocusPolicy(Qt::TabFocus);  // as the button that it shares a place with
-  now->addWidget(countCut_, 1, 1);
+  now->addWidget(countCut_, 1);
   layout->addWidget(note_);
   addGroup(*layout, tr("Session"), {{handOver_, consent_, close_}});
   emergency_ = {
@@ -84,25 +84,25 @@ QWidget* ControlPanel::makeButtons() {
 }
 
 /// A heading, and buttons row by row below it.
-QGridLayout* ControlPanel::addGroup(
+/// @return the last row.
+QHBoxLayout* ControlPanel::addGroup(
     QVBoxLayout& layout, const QString& title, const std::vector<std::vector<QPushButton*>>& rows) {
   auto* heading = quietLabel(title, this);
   layout.addWidget(heading);
-  auto* grid = new QGridLayout;
-  grid->setSpacing(8);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t column = 0; column < rows[row].size(); ++column) {
-      auto* button = rows[row][column];
+  QHBoxLayout* line = nullptr;
+  for (const auto& row : rows) {
+    line = new QHBoxLayout;
+    line->setSpacing(8);
+    layout.addLayout(line);
+    for (auto* button : row) {
       button->setProperty("role", QStringLiteral("tool"));
       button->setAccessibleDescription(title);
       // A click leaves the focus where it was: a space that is typed later presses nothing.
       button->setFocusPolicy(Qt::TabFocus);
-      grid->addWidget(button, static_cast<int>(row), static_cast<int>(column));
-      grid->setColumnStretch(static_cast<int>(column), 1);
+      line->addWidget(button, 1);
     }
   }
-  layout.addLayout(grid);
-  return grid;
+  return line;
 }
 
 void ControlPanel::connectButtons() {
@@ -174,7 +174,7 @@ void ControlPanel::showWho() {
   who_->setText(QString::fromStdString(session.participant()));
   const QStringList parts{
       cohortTitle(session.protocol().protocol, session.cohort()),
-      asText(nameOf(session.runMode())),
+      spoken(nameOf(session.runMode())),
       nativeName(QString::fromStdString(session.language()))};
   cohort_->setText(parts.join(QStringLiteral(" · ")));
 }
@@ -183,6 +183,7 @@ void ControlPanel::follow(SessionController* controller) {
   controller_ = controller;
   showNotes();
   refresh();
+  if (controller_ != nullptr) note_->setFocus();
 }
 
 void ControlPanel::refresh() {

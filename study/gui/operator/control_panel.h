@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -41,7 +41,7 @@ class ControlPanel final : public QWidget {
   using Perform = void (SessionController::*)(const QString& reason);
   QPushButton* add(const QString& text, SessionEvent event, Perform action);
   QWidget* makeButtons();
-  QGridLayout* addGroup(
+  QHBoxLayout* addGroup(
       QVBoxLayout& layout,
       const QString& title,
       const std::vector<std::vector<QPushButton*>>& rows);

@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 
@@ -55,14 +56,16 @@ void CutTable::begin(const haptics::devices::DeviceKind& device, double rate) {
   // Yield, bottom and opening are landmarks of a cut through a meniscus; bone has none of them.
   const bool isCut = device.tissue == haptics::devices::Tissue::Meniscus;
   for (const int column : {kYield, kBottom, kOpening}) setColumnHidden(column, !isCut);
-  setAccessibleName(tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in("en")))));
+  setAccessibleName(
+      tr("%1 of this trial").arg(capitalised(asText(device.strokesName.in(deskLanguage())))));
   cut_ = 0;
   setRowCount(0);
 }
 
 void CutTable::add(const TickSample& sample) {
   if ((sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0) return;
-  const auto event = detector_.feed(sample.travel, sample.force);
+  const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
+  const auto event = detector_.feed(sample.travel, sample.force, isSettling);
   if (event == CutDetector::Event::Nothing) return;
   if (event != CutDetector::Event::CutCompleted) {
     const double time = static_cast<double>(sample.tick) / rate_;

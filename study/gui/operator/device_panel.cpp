@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/background_task.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/trial/hardware_device_set.h"
 
@@ -117,7 +118,7 @@ Found DevicePanel::checkDevices() {
   Found found;
   const auto checkAll = [&](const Progress& progress) {
     for (const auto& need : protocol_.devices) {
-      tell(progress, kUnknownShare, "listening to " + need.id);
+      tell(progress, kUnknownShare, said("listening to {}", need.id));
       auto* device = deviceSet_->find(need.id);
       if (device == nullptr) {
         found.push_back(

@@ -1,6 +1,7 @@
 #include "study/gui/operator/enrolment_check.h"
 
 #include "protocols/model/loaded_protocol.h"
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 
@@ -12,7 +13,7 @@ std::vector<FindingsDialog::Found> checkTexts(
     texts.results.push_back(
         {haptics::devices::Finding::Fail,
          blank.where,
-         "still to be filled in: " + blank.words,
+         said("still to be filled in: {}", blank.words),
          "Fill in the texts of the study, or try it with a pilot session."});
   }
   if (texts.results.empty()) return {};

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 
@@ -34,11 +35,11 @@ void addRow(
   const int row = table.rowCount();
   table.insertRow(row);
   const std::array<QString, 5> cells{
-      QString::fromStdString(part),
-      QString::fromStdString(haptics::devices::nameOf(result.finding)),
-      QString::fromStdString(result.what),
-      QString::fromStdString(result.measured),
-      QString::fromStdString(result.fix)};
+      spoken(part),
+      spoken(haptics::devices::nameOf(result.finding)),
+      spoken(result.what),
+      spoken(result.measured),
+      spoken(result.fix)};
   for (int column = 0; column < table.columnCount(); ++column) {
     auto* cell = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
     table.setItem(row, column, cell);

@@ -31,6 +31,7 @@ LivePlot::LivePlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot(thi
   layout->addWidget(plot_);
   plot_->setNoAntialiasingOnDrag(true);
   plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->setAccessibleName(tr("Force over time"));
   auto* speed = plot_->axisRect()->addAxis(QCPAxis::atRight);
   auto* torque = plot_->axisRect()->addAxis(QCPAxis::atLeft);
   for (auto* axis : {plot_->yAxis, plot_->yAxis2, speed, torque}) {

@@ -24,7 +24,9 @@
 #include "study/gui/session/operator_pin.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/fitting_scroll.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 #include "study/session/trial_setup.h"
 #include "study/trial/hardware_device_set.h"
@@ -60,7 +62,7 @@ OperatorWindow::OperatorWindow(Study& study, const std::string& deviceFile, QWid
   pages_->addWidget(sessions_);
   pages_->addWidget(makeSession());
   layout->addWidget(pages_, 1);
-  setCentralWidget(inside);
+  setCentralWidget(new FittingScroll(inside, this));
   constexpr QSize kComfortable(1280, 860);
   const QSize available = screen()->availableSize();
   resize(kComfortable.boundedTo(available));
@@ -103,18 +105,31 @@ QWidget* OperatorWindow::makeHead() {
 
 QWidget* OperatorWindow::makeSession() {
   auto* page = new QWidget(this);
-  auto* columns = new QHBoxLayout(page);
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(20);
-  constexpr int kControlsWidth = 470;  // [px]: width of "Participant withdraws…" twice
-  controls_->setFixedWidth(kControlsWidth);
-  columns->addWidget(controls_);
+  columns_ = new QHBoxLayout(page);
+  columns_->setContentsMargins(0, 0, 0, 0);
+  columns_->setSpacing(20);
+  columns_->addWidget(controls_);
   middle_->addWidget(trial_);
   auto* scroll = new QScrollArea(page);
   scroll->setWidgetResizable(true);
   scroll->setWidget(middle_);
-  columns->addWidget(scroll, 1);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  columns_->addWidget(scroll, 1);
   return page;
+}
+
+/// Puts the buttons beside the trial, or above it in a narrow window.
+void OperatorWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  constexpr int kRoomForTwo = 900;  // [px]
+  constexpr int kControlsWidth = 470;
+  constexpr int kHeightOfEach = 420;  // above one another
+  const bool isWide = width() >= kRoomForTwo;
+  columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  controls_->setMinimumWidth(isWide ? kControlsWidth : 0);
+  controls_->setMaximumWidth(isWide ? kControlsWidth : QWIDGETSIZE_MAX);
+  controls_->setMinimumHeight(isWide ? 0 : kHeightOfEach);
+  middle_->parentWidget()->parentWidget()->setMinimumHeight(isWide ? 0 : kHeightOfEach);
 }
 
 void OperatorWindow::connectPanels() {
@@ -293,13 +308,14 @@ void OperatorWindow::showInterview() {
   if (session.step().kind != StepKind::Interview) return;
   const auto* instrument = session.instrument();
   interview_ = new QuestionnairePage(
-      {.title = QString::fromStdString(instrument->title.in("en")),
-       .introduction = QString::fromStdString(instrument->introduction.in("en")),
+      {.title = QString::fromStdString(instrument->title.in(session.language())),
+       .introduction = QString::fromStdString(instrument->introduction.in(session.language())),
        .items = session.items(),
        .choices = {},
-       .language = QStringLiteral("en"),
+       .language = QString::fromStdString(session.language()),  // of the person who is asked
        .before = session.answers()},
       this);
+  keepPlain(*interview_);
   connect(interview_, &QuestionnairePage::answered, controller_.get(), &SessionController::answer);
   connect(
       interview_, &QuestionnairePage::retracted, controller_.get(), &SessionController::retract);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include <QBoxLayout>
 #include <QMainWindow>
 #include <QStackedWidget>
 
@@ -56,6 +57,7 @@ class OperatorWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void makeMenus();
@@ -88,8 +90,9 @@ class OperatorWindow final : public QMainWindow {
   StopKey stopKey_;
   CutKey cutKey_;
   QStringList waitingErrors_;  ///< messages that wait until the participant's window is unlocked
-  QStackedWidget* pages_;      ///< between sessions, and during a session
-  QStackedWidget* middle_;     ///< during a session: the trial, or the interview
+  QBoxLayout* columns_ = nullptr;  ///< of the page during a session
+  QStackedWidget* pages_;          ///< between sessions, and during a session
+  QStackedWidget* middle_;         ///< during a session: the trial, or the interview
   QuestionnairePage* interview_ = nullptr;
   SessionsPage* sessions_;
   ControlPanel* controls_;

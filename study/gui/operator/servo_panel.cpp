@@ -83,7 +83,7 @@ ServoPanel::ServoPanel(QWidget* parent)
   layout->addWidget(words_, 3);
   layout->addWidget(bars_, 2);
   words_->setToolTip(
-      tr("The energy is that of the present contact: it begins anew whenever the tool comes free"));
+      tr("Energy of the current contact; it restarts when the tool leaves the surface"));
   bars_->setToolTip(tr("Ticks by how late they began [µs]; heights are logarithmic"));
   begin(*haptics::deviceKinds().front(), 0.0);
 }

@@ -11,8 +11,8 @@
 #include <QInputDialog>
 #include <QVBoxLayout>
 
-#include "study/gui/participant/participant_window.h"
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 
@@ -27,11 +27,6 @@ QString localTime(const std::string& utc) {
   return when.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
-/// A status as text: "in progress", "aborted hardware".
-QString statusInWords(SessionState state) {
-  return asText(statusOf(state)).replace(u'_', u' ');
-}
-
 QLabel* sectionHeading(const QString& words, QWidget* parent) {
   auto* heading = bodyLabel(words, parent);
   heading->setProperty("role", QStringLiteral("heading"));
@@ -43,6 +38,7 @@ QLabel* sectionHeading(const QString& words, QWidget* parent) {
 SessionsPage::SessionsPage(Study& study, QWidget* parent)
     : QWidget(parent),
       study_(study),
+      columns_(new QHBoxLayout(this)),
       table_(new QTableWidget(0, kSessionColumns, this)),
       details_(quietLabel({}, this)),
       coming_(quietLabel({}, this)),
@@ -50,12 +46,11 @@ SessionsPage::SessionsPage(Study& study, QWidget* parent)
       mode_(new QComboBox(this)),
       language_(new QComboBox(this)),
       enrol_(new QPushButton(tr("New participant"), this)),
-      resume_(new QPushButton(tr("Continue the selected session"), this)) {
-  auto* columns = new QHBoxLayout(this);
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(20);
-  columns->addWidget(makeList(), 1);
-  columns->addWidget(makeEnrolment(), 0, Qt::AlignTop);
+      resume_(new QPushButton(tr("Continue session"), this)) {
+  columns_->setContentsMargins(0, 0, 0, 0);
+  columns_->setSpacing(20);
+  columns_->addWidget(makeList(), 1);
+  columns_->addWidget(makeEnrolment(), 0, Qt::AlignTop);
 
   connect(enrol_, &QPushButton::clicked, this, [this] {
     emit enrolRequested(
@@ -131,6 +126,16 @@ QWidget* SessionsPage::makeEnrolment() {
   return card;
 }
 
+/// Puts the list beside the enrolment, or above it in a narrow window.
+void SessionsPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int kRoomForTwo = 760;    // [px]
+  constexpr int kLeastOfTable = 120;  // above the enrolment
+  const bool isWide = width() >= kRoomForTwo;
+  columns_->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  table_->setMinimumHeight(isWide ? 0 : kLeastOfTable);
+}
+
 void SessionsPage::refresh() {
   attempt(this, [&] {
     const auto sessions = storage::Records(study_.database()).sessions();
@@ -150,7 +155,7 @@ void SessionsPage::fillTable(
     const std::array<QString, kSessionColumns> cells{
         QString::fromStdString(s.participant),
         cohortTitle(protocol, s.cohort),
-        asText(nameOf(s.runMode)),
+        spoken(nameOf(s.runMode)),
         nativeName(QString::fromStdString(s.language)),
         localTime(s.startedUtc),
         statusInWords(s.state)};
@@ -189,8 +194,8 @@ void SessionsPage::goOnWith(const UnfinishedSession& session) {
       this,
       tr("Take the session over"),
       tr("It is open on %1, which cannot be seen from here. It last stored something at %2. "
-         "Whoever still uses it there stores nothing more from now on.\n\n"
-         "Why is it taken over? This goes into the record.")
+         "From now on nothing can be saved there any more.\n\n"
+         "Why is it taken over? The reason is recorded.")
           .arg(QString::fromStdString(session.holder->station), localTime(session.lastStoredUtc)),
       QLineEdit::Normal,
       {},
@@ -213,18 +218,17 @@ void SessionsPage::showSelected() {
   const auto* one = selectedUnfinished();
   const bool isTakenOver = one != nullptr && one->mayBeTakenOver();
   resume_->setEnabled(one != nullptr && (!one->isOpenElsewhere() || isTakenOver));
-  resume_->setText(
-      isTakenOver ? tr("Take over the selected one…") : tr("Go on with the selected one"));
+  resume_->setText(isTakenOver ? tr("Take over session…") : tr("Continue session"));
   if (one == nullptr) {
     details_->setText(
-        table_->rowCount() == 0 ? tr("Nobody has taken part yet.")
-        : unfinished_.empty()   ? tr("Every session is finished.")
-                                : tr("Select a session that is in progress to go on with it."));
+        table_->rowCount() == 0 ? tr("No participants yet.")
+        : unfinished_.empty()   ? tr("All sessions are finished.")
+                                : tr("Select a session that is in progress to continue it."));
     return;
   }
-  QString words = QString::fromStdString(describe(*one));
+  QString words = inWords(*one);
   for (const auto& choice : one->choices) {
-    words += QStringLiteral("\n•  ") + QString::fromStdString(choice);
+    words += QStringLiteral("\n•  ") + spoken(choice);
   }
   details_->setText(words);
 }

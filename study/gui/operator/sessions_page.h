@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
@@ -34,6 +35,9 @@ class SessionsPage final : public QWidget {
   /// @param takeOver  why it is taken from a computer that is gone; empty: it is not.
   void resumeRequested(qlonglong session, const QString& takeOver);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* makeList();
   QWidget* makeEnrolment();
@@ -46,6 +50,7 @@ class SessionsPage final : public QWidget {
   const UnfinishedSession* selectedUnfinished() const;
 
   Study& study_;
+  QBoxLayout* columns_;
   std::vector<UnfinishedSession> unfinished_;
   QTableWidget* table_;
   QLabel* details_;

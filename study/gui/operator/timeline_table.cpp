@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QResizeEvent>
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/gui/widgets/read_only_table.h"
 
@@ -14,7 +15,8 @@ namespace {
 /// Describes a step by its alternative, without its condition.
 QString describe(const Step& step, const protocols::Labels& labels) {
   const QString phase = QString::fromStdString(step.phase);
-  const auto alternative = QString::fromStdString(labels.nameOf(std::to_string(step.label), "en"));
+  const auto alternative =
+      QString::fromStdString(labels.nameOf(std::to_string(step.label), deskLanguage()));
   if (step.isOffered) return TimelineTable::tr("%1: %2 again?").arg(phase, alternative);
   if (step.kind == StepKind::Trial) return TimelineTable::tr("%1: %2").arg(phase, alternative);
   if (step.kind == StepKind::Questionnaire) {
@@ -107,7 +109,7 @@ void TimelineTable::fillRow(int row, const SessionController& controller) {
   const std::array<QString, 5> cells{
       QString::number(row + 1),
       describe(step, session.protocol().protocol.labels),
-      asText(nameOf(step.kind)),
+      spoken(nameOf(step.kind)),
       attempts > 0 ? QString::number(attempts) : QString(),
       isNow ? stateNow(controller) : stateOf(controller, row)};
   for (int column = 0; column < columnCount(); ++column) {

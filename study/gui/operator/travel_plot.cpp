@@ -20,6 +20,7 @@ TravelPlot::TravelPlot(QWidget* parent) : QWidget(parent), plot_(new QCustomPlot
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
   plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->setAccessibleName(tr("Force over travel"));
   plot_->yAxis->setLabel(tr("force [N]"));
   setMinimumSize(160, 150);
   begin(*haptics::deviceKinds().front());
@@ -76,7 +77,9 @@ void TravelPlot::add(const haptics::engine::TickSample& sample) {
   using haptics::engine::TickSample;
   if ((sample.marks & (TickSample::Invalid | TickSample::Stopped)) != 0) return;
   using Event = haptics::engine::CutDetector::Event;
-  const bool isOver = detector_.feed(sample.travel, sample.force) == Event::CutCompleted;
+  const bool isSettling = (sample.marks & TickSample::SoftStart) != 0;
+  const bool isOver =
+      detector_.feed(sample.travel, sample.force, isSettling) == Event::CutCompleted;
   if (taken_++ % kEvery == 0) curves_.back()->addData(scale_ * sample.travel, sample.force);
   if (isOver) beginStroke();
 }

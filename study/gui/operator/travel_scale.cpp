@@ -1,5 +1,6 @@
 #include "study/gui/operator/travel_scale.h"
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -8,7 +9,7 @@ TravelScale travelScaleOf(const haptics::devices::DeviceKind& device) {
   const auto& shown = device.shown;
   return {
       shown.factor,
-      asText(shown.unit),
+      spoken(shown.unit),
       asText(shown.suffix),
       asText(shown.velocityUnit),
       asText(shown.energyUnit)};

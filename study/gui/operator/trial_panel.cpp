@@ -14,6 +14,7 @@
 #include "study/gui/operator/travel_plot.h"
 #include "study/gui/operator/travel_scale.h"
 #include "study/gui/session/trial_view.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -126,8 +127,7 @@ void TrialPanel::showState() {
   const QString device = controller_->deviceName();
   const auto& session = controller_->session();
   if (session.isOver()) {
-    const auto ending = asText(statusOf(session.state())).replace(u'_', u' ');
-    showHealth(tr("this session is over: %1").arg(ending), Health::Resting);
+    showHealth(tr("this session is over: %1").arg(statusInWords(session.state())), Health::Resting);
   } else if (session.state() == SessionState::Paused) {
     showHealth(tr("‖ paused: no force"), Health::Resting);
   } else if (session.state() == SessionState::Interrupted) {
@@ -152,8 +152,10 @@ void TrialPanel::updateTrial() {
   const auto scale = travelScaleOf(kind);
   const int asked = controller_->session().step().minimumCuts;
   cutCount_->show();
-  cutCount_->setText(
-      tr("%1 %2 of %3").arg(asText(kind.strokeName.in("en"))).arg(status.cuts).arg(asked));
+  cutCount_->setText(tr("%1 %2 of %3")
+                         .arg(asText(kind.strokeName.in(deskLanguage())))
+                         .arg(status.cuts)
+                         .arg(asked));
   numbers_->setText(
       tr("%1 N at %2 %3")
           .arg(status.force, 0, 'f', 2)

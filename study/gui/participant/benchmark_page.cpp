@@ -7,7 +7,8 @@
 
 namespace study::gui {
 
-BenchmarkPage::BenchmarkPage(const QString& text, int minimumCuts, QWidget* parent)
+BenchmarkPage::BenchmarkPage(
+    const QString& text, int minimumCuts, QWidget* picture, QWidget* parent)
     : QWidget(parent), minimumCuts_(minimumCuts), count_(new CutCounter(minimumCuts, this)) {
   auto* column = addColumn(*this);
   column->setSpacing(scaled(*this, 40));
@@ -16,6 +17,7 @@ BenchmarkPage::BenchmarkPage(const QString& text, int minimumCuts, QWidget* pare
   words->setProperty("role", QStringLiteral("statement"));
   words->setAlignment(Qt::AlignCenter);
   column->addWidget(words);
+  if (picture != nullptr) column->addWidget(picture, 6);
   column->addWidget(count_);
   column->addStretch(2);
   setCuts(0);

@@ -12,7 +12,8 @@ class BenchmarkPage final : public QWidget {
   Q_OBJECT
 
  public:
-  BenchmarkPage(const QString& text, int minimumCuts, QWidget* parent = nullptr);
+  /// @param picture  of the tool, of which the page takes ownership; nullptr: none.
+  BenchmarkPage(const QString& text, int minimumCuts, QWidget* picture, QWidget* parent = nullptr);
 
   void setCuts(int cuts);
 

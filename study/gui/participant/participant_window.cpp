@@ -18,18 +18,13 @@
 #include "study/gui/participant/column.h"
 #include "study/gui/participant/questionnaire_page.h"
 #include "study/gui/participant/trial_page.h"
+#include "study/gui/session/tool_picture.h"
 #include "study/gui/session/trial_view.h"
 #include "study/gui/widgets/labels.h"
+#include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 
 namespace study::gui {
-
-QString nativeName(const QString& language) {
-  // Qt names the default regional variant ("American English").
-  if (language == QStringLiteral("en")) return QStringLiteral("English");
-  const QString name = QLocale(language).nativeLanguageName();
-  return name.isEmpty() ? language : name.left(1).toUpper() + name.mid(1);
-}
 
 ParticipantWindow::ParticipantWindow(
     SessionController& controller,
@@ -49,6 +44,7 @@ ParticipantWindow::ParticipantWindow(
       operator_(new QPushButton(this)),
       lock_(new ScreenLock(*this, *operator_, pin)) {
   setWindowTitle(QStringLiteral("Palpate"));
+  keepPlain(*this);
   progress_->setTextVisible(false);
   progress_->setFocusPolicy(Qt::NoFocus);
   for (const auto& language : controller.session().protocol().protocol.languages) {
@@ -306,7 +302,10 @@ QWidget* ParticipantWindow::makeTrialPage() {
 QWidget* ParticipantWindow::makeBenchmark() {
   const auto& step = controller_.session().step();
   const auto* phase = controller_.session().protocol().protocol.phase(step.phase);
-  auto* page = new BenchmarkPage(localized(phase->text), step.minimumCuts, this);
+  const auto& devices = controller_.session().protocol().protocol.devices;
+  const bool isKnown = !devices.empty() && ToolPicture::isKnown(*devices.front().kind);
+  auto* page = new BenchmarkPage(
+      localized(phase->text), step.minimumCuts, isKnown ? new ToolPicture : nullptr, this);
   const auto show = [this, page] {
     const int cuts = controller_.session().benchmarkCuts();
     const bool isEnough = cuts >= controller_.session().step().minimumCuts;

@@ -89,7 +89,4 @@ class ParticipantWindow final : public QWidget {
 /// 23 px high on 1920 × 1080 and 46 px on 3840 × 2160.
 double scaleFor(QSize size) noexcept;
 
-/// The name of a language in that language.
-QString nativeName(const QString& language);
-
 }  // namespace study::gui

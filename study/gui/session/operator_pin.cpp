@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -10,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -20,9 +20,7 @@ std::optional<QString> OperatorPin::objection(const QString& digits) {
   if (isNumber && digits.size() >= kFewestDigits && digits.size() <= kMostDigits) {
     return std::nullopt;
   }
-  return QCoreApplication::translate("OperatorPin", "A PIN has %1 to %2 digits, and nothing else.")
-      .arg(kFewestDigits)
-      .arg(kMostDigits);
+  return spoken("A PIN has %1 to %2 digits, and nothing else.").arg(kFewestDigits).arg(kMostDigits);
 }
 
 bool OperatorPin::opensWith(const QString& digits) {
@@ -56,7 +54,7 @@ QLineEdit* pinLine(QWidget* parent) {
 /// Why two entries are not accepted as a PIN; empty if they are.
 QString whyNot(const QString& first, const QString& second) {
   if (const auto objection = OperatorPin::objection(first)) return *objection;
-  return first == second ? QString() : QDialog::tr("The two are not the same yet.");
+  return first == second ? QString() : QDialog::tr("The two PINs are not the same yet.");
 }
 
 }  // namespace
@@ -66,8 +64,8 @@ std::optional<QString> askForNewPin(QWidget* parent) {
   dialog.setWindowTitle(QDialog::tr("A PIN for this screen"));
   auto* layout = new QVBoxLayout(&dialog);
   layout->addWidget(bodyLabel(
-      QDialog::tr("The participant gets the whole screen. This PIN brings you back; it is kept "
-                  "until palpate-studio ends, and nowhere written down."),
+      QDialog::tr("The participant gets the whole screen. This PIN brings you back. It is valid "
+                  "until the program ends, and is not saved anywhere."),
       &dialog));
   auto* form = new QFormLayout;
   auto* first = pinLine(&dialog);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
 #include <QPointer>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "study/gui/scene/hip_scene.h"
 #include "study/gui/scene/knee_scene.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 #include "study/session/trial_setup.h"
 
@@ -92,7 +92,7 @@ QWidget* viewOfTrial(SessionController& controller, QWidget* parent) {
 QString viewInWords(const SessionController& controller) {
   const auto report = controller.viewReport();
   if (!report || report->frames < 2) return {};
-  return QCoreApplication::translate("TrialPanel", " · %1 pictures a second, %2 ms old")
+  return spoken(" · %1 pictures a second, %2 ms old")
       .arg(report->rate, 0, 'f', 1)
       .arg(report->latencyMedian, 0, 'f', 0);
 }

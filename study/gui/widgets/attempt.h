@@ -2,9 +2,10 @@
 
 #include <exception>
 
-#include <QCoreApplication>
 #include <QMessageBox>
 #include <QWidget>
+
+#include "study/gui/widgets/desk_language.h"
 
 namespace study::gui {
 
@@ -17,8 +18,7 @@ bool attempt(QWidget* parent, Action&& action) {
     action();
     return true;
   } catch (const std::exception& error) {
-    QMessageBox::warning(
-        parent, QCoreApplication::translate("attempt", "Error"), QString::fromUtf8(error.what()));
+    QMessageBox::warning(parent, spoken("Error"), QString::fromUtf8(error.what()));
     return false;
   }
 }

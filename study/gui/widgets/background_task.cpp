@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "study/gui/widgets/attempt.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/labels.h"
 
 namespace study::gui {
@@ -90,7 +91,7 @@ void BackgroundTask::showProgress() {
       return;
     }
     share = share_;
-    message = QString::fromStdString(message_);
+    message = spoken(message_);
   }
   if (!message.isEmpty()) words_->setText(message);
   bar_->setRange(0, share < 0.0 ? 0 : kWholeBar);

@@ -2,8 +2,10 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QLocale>
 #include <QStyle>
 
+#include "study/gui/widgets/desk_language.h"
 #include "study/report/marked_text.h"
 
 namespace study::gui {
@@ -44,9 +46,34 @@ QString capitalised(const QString& words) {
   return words.left(1).toUpper() + words.mid(1);
 }
 
+QString statusInWords(SessionState state) {
+  return spoken(asText(statusOf(state)).replace(u'_', u' ').toStdString());
+}
+
+QString inWords(const UnfinishedSession& session) {
+  const auto begun = session.startedUtc.substr(0, 10) + " " + session.startedUtc.substr(11, 5);
+  return QString::fromStdString(
+      said(
+          "{} ({}), begun {} UTC, is in step {} of {} ({}).",
+          session.participant,
+          said(nameOf(session.runMode)),
+          begun,
+          session.step + 1,
+          session.steps,
+          session.place) +
+      " " + said(whatHappened(session)));
+}
+
+QString nativeName(const QString& language) {
+  // Qt names the default regional variant ("American English").
+  if (language == QStringLiteral("en")) return QStringLiteral("English");
+  const QString name = QLocale(language).nativeLanguageName();
+  return name.isEmpty() ? language : name.left(1).toUpper() + name.mid(1);
+}
+
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id) {
   const auto* cohort = protocol.cohort(id);
-  return QString::fromStdString(cohort == nullptr ? id : cohort->title.in("en"));
+  return QString::fromStdString(cohort == nullptr ? id : cohort->title.in(deskLanguage()));
 }
 
 void setRole(QLabel& label, const char* role) {

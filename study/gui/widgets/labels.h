@@ -8,6 +8,8 @@
 #include <QWidget>
 
 #include "protocols/model/protocol.h"
+#include "study/model/session_state.h"
+#include "study/session/unfinished_sessions.h"
 
 namespace study::gui {
 
@@ -15,7 +17,14 @@ namespace study::gui {
 QString asText(std::string_view words);
 /// Makes the first letter a capital: "cuts" → "Cuts".
 QString capitalised(const QString& words);
-/// The title of a cohort. If only an earlier version of the protocol has it, its id.
+/// A session's status in the language of the desk: "in progress", "aborted hardware".
+QString statusInWords(SessionState state);
+/// Where an unfinished session stands and what happened to it, in the language of the desk.
+QString inWords(const UnfinishedSession& session);
+/// The name of a language in that language.
+QString nativeName(const QString& language);
+/// The title of a cohort in the language of the desk. If only an earlier version of the protocol
+/// has it, its id.
 QString cohortTitle(const protocols::Protocol& protocol, const std::string& id);
 
 /// Labels in the styles of the theme.

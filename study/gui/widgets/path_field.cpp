@@ -11,6 +11,7 @@ PathField::PathField(Kind kind, const QString& name, const QString& filter, QWid
     : QWidget(parent), kind_(kind), name_(name), filter_(filter), line_(new QLineEdit(this)) {
   auto* choose = new QPushButton(tr("Choose…"), this);
   choose->setAccessibleName(tr("Choose: %1").arg(name));
+  choose->setProperty("role", QStringLiteral("tool"));
   line_->setAccessibleName(name);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -124,6 +124,8 @@ TEST_F(OperatorLayout, KeepsTheFocusOffButtonsThatEndTheSession) {
 
 TEST_F(OperatorLayout, ShowsPauseAndContinueInTheSamePlace) {
   enrol();
+  window_.setWindowState(Qt::WindowNoState);
+  window_.resize(1280, 860);
   participant_.goTo(StepKind::Trial);
   auto* pause = tests::buttonSaying(&window_, QStringLiteral("Pause…"));
   ASSERT_NE(pause, nullptr);

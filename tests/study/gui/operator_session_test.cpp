@@ -201,7 +201,7 @@ TEST_F(OperatorSession, StaysInAStepWhoseTextCannotBeSaved) {
   goTo(StepKind::Interview);
   const int step = session().stepIndex();
   type(window_, QStringLiteral("Too hard."));
-  auto* next = buttonSaying(&window_, QStringLiteral("Finish the interview"));
+  auto* next = buttonSaying(&window_, QStringLiteral("Interview done"));
   {
     tests::Sql somebodyElse(StudyFiles{study_.folder()}.study());
     somebodyElse.run("BEGIN IMMEDIATE");

@@ -68,14 +68,18 @@ void Participant::photograph() {
 
 void Participant::answerAll() {
   for (auto* buttons : page()->findChildren<OptionButtons*>()) {
-    QTest::mouseClick(buttons->button(0), Qt::LeftButton);
+    if (buttons->isVisible()) QTest::mouseClick(buttons->button(0), Qt::LeftButton);
   }
-  for (auto* slider : page()->findChildren<AnswerSlider*>())
-    QTest::mouseClick(slider, Qt::LeftButton);
-  for (auto* line : page()->findChildren<QLineEdit*>())
-    QTest::keyClicks(line, QStringLiteral("12"));
+  for (auto* slider : page()->findChildren<AnswerSlider*>()) {
+    if (slider->isVisible()) QTest::mouseClick(slider, Qt::LeftButton);
+  }
+  for (auto* line : page()->findChildren<QLineEdit*>()) {
+    const bool isOpen = line->isVisible() && line->text().isEmpty();
+    if (isOpen) QTest::keyClicks(line, QStringLiteral("12"));
+  }
   for (auto* lines : page()->findChildren<QPlainTextEdit*>()) {
-    QTest::keyClicks(lines, QStringLiteral("It felt real."));
+    const bool isOpen = lines->isVisible() && lines->toPlainText().isEmpty();
+    if (isOpen) QTest::keyClicks(lines, QStringLiteral("It felt real."));
   }
 }
 
@@ -125,7 +129,7 @@ void Participant::doInterview() {
     QTest::mouseClick(buttons->button(0), Qt::LeftButton);
   }
   look();
-  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Finish the interview")), Qt::LeftButton);
+  QTest::mouseClick(buttonSaying(&window_, QStringLiteral("Interview done")), Qt::LeftButton);
 }
 
 void Participant::doStep() {
@@ -146,13 +150,26 @@ void Participant::doStep() {
   if (step.kind == StepKind::Benchmark) {
     auto* count = buttonSaying(&window_, QStringLiteral("Count a cut (F9)"));
     for (int i = 0; i < step.minimumCuts; ++i) QTest::mouseClick(count, Qt::LeftButton);
-  } else {
-    answerAll();
+    look();
+    goOn();
+    return;
   }
-  look();
+  // A questionnaire has pages, and an answer may lead to another question.
+  constexpr int kMostPages = 8;
+  const auto& session = window_.controller()->session();
+  const int before = session.stepIndex();
+  for (int i = 0; i < kMostPages && !session.isOver() && session.stepIndex() == before; ++i) {
+    answerAll();
+    look();
+    goOn();
+  }
+}
+
+void Participant::goOn() {
   auto* next = buttonSaying(page(), QStringLiteral("Next"));
   if (next == nullptr) next = buttonSaying(page(), QStringLiteral("Finish"));
   QTest::mouseClick(next, Qt::LeftButton);
+  QCoreApplication::processEvents();
 }
 
 void Participant::goTo(StepKind kind) {

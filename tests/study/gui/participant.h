@@ -42,6 +42,7 @@ class Participant {
 
   void answerAll();
   void doInterview();
+  void goOn();
   void photograph();
   bool waitFor(const std::function<bool()>& condition, int milliseconds) const;
 

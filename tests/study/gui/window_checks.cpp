@@ -23,6 +23,10 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "study/gui/participant/participant_window.h"
+#include "study/gui/participant/questionnaire_page.h"
+#include "study/gui/participant/trial_page.h"
+#include "study/gui/widgets/mnemonics.h"
 #include "study/gui/widgets/theme.h"
 
 namespace tests {
@@ -238,6 +242,17 @@ bool isInGroupOf(const QWidget& widget, const std::vector<QWidget*>& stops) {
   });
 }
 
+/// Participants have no use for mnemonics.
+std::vector<const QWidget*> pagesForParticipants(QWidget& window) {
+  using namespace study::gui;
+  std::vector<const QWidget*> pages;
+  if (qobject_cast<ParticipantWindow*>(&window) != nullptr) pages.push_back(&window);
+  for (auto* page : window.findChildren<ParticipantWindow*>()) pages.push_back(page);
+  for (auto* page : window.findChildren<QuestionnairePage*>()) pages.push_back(page);
+  for (auto* page : window.findChildren<TrialPage*>()) pages.push_back(page);
+  return pages;
+}
+
 }  // namespace
 
 QStringList unreadableTexts(QWidget& window, double least) {
@@ -274,8 +289,12 @@ QStringList cutOffAt(QWidget& window, QSize size) {
     about(QStringLiteral("needs %1×%2").arg(window.width()).arg(window.height()));
     return found;
   }
+  const auto previews = window.findChildren<study::gui::ParticipantWindow*>();
   for (auto* widget : visibleIn(window)) {
-    if (!isControlOrText(*widget) || isInner(*widget)) continue;
+    // A preview has the size of the participant's screen and is scrolled.
+    const bool isInPreview = std::any_of(
+        previews.begin(), previews.end(), [&](auto* page) { return page->isAncestorOf(widget); });
+    if (isInPreview || !isControlOrText(*widget) || isInner(*widget)) continue;
     const auto* label = qobject_cast<const QLabel*>(widget);
     if (label != nullptr && label->text().isEmpty()) continue;
     if (!isInSight(*widget)) about(nameOf(*widget) + QStringLiteral(" is not in sight"));
@@ -338,6 +357,66 @@ void collectUnnamed(QAccessibleInterface* node, QStringList& found) {
 QStringList unnamedElements(QWidget& window) {
   QStringList found;
   collectUnnamed(QAccessible::queryAccessibleInterface(&window), found);
+  return found;
+}
+
+namespace {
+
+void checkMenu(QMenu& menu, QStringList& found) {
+  study::gui::giveMnemonics(menu);
+  std::map<QChar, QString> taken;
+  for (auto* action : menu.actions()) {
+    if (action->isSeparator()) continue;
+    const auto letter = study::gui::mnemonicOf(action->text());
+    if (letter.isNull()) found << QStringLiteral("menu entry ") + action->text();
+    if (!letter.isNull() && !taken.emplace(letter, action->text()).second) {
+      found << QStringLiteral("%1 and %2 share a letter").arg(action->text(), taken[letter]);
+    }
+    if (action->menu() != nullptr) checkMenu(*action->menu(), found);
+  }
+}
+
+}  // namespace
+
+QStringList textsWithoutMnemonic(QWidget& window) {
+  QStringList found;
+  std::map<QChar, std::set<QString>> sharers;
+  const auto check = [&](const QString& text, const QWidget& of) {
+    if (text.isEmpty()) return;
+    const auto letter = study::gui::mnemonicOf(text);
+    const auto plain = QString(text).remove(u'&');
+    if (letter.isNull()) found << nameOf(of) + QStringLiteral(" has no mnemonic");
+    if (!letter.isNull()) sharers[letter].insert(plain);
+  };
+  const auto pages = pagesForParticipants(window);
+  for (auto* widget : window.findChildren<QWidget*>()) {
+    const bool isElsewhere = widget->window() != &window ||
+                             std::any_of(pages.begin(), pages.end(), [&](const QWidget* page) {
+                               return page == widget || page->isAncestorOf(widget);
+                             });
+    if (isElsewhere || isInner(*widget)) continue;
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+      check(button->text(), *widget);
+    } else if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+      if (label->buddy() != nullptr) check(label->text(), *widget);
+    } else if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
+      for (int tab = 0; tab < tabs->count(); ++tab) check(tabs->tabText(tab), *widget);
+    } else if (const auto* menus = qobject_cast<const QMenuBar*>(widget)) {
+      for (auto* action : menus->actions()) {
+        check(action->text(), *widget);
+        if (action->menu() != nullptr) checkMenu(*action->menu(), found);
+      }
+    }
+  }
+  for (const auto& [letter, texts] : sharers) {
+    if (texts.size() > 1 && std::ranges::any_of(texts, [&](const QString& text) {
+          return std::ranges::any_of(
+              text, [&](QChar c) { return c.isLetter() && !sharers.contains(c.toUpper()); });
+        })) {
+      found << QStringLiteral("%1 share a letter, and others are free")
+                   .arg(QStringList(texts.begin(), texts.end()).join(QStringLiteral(", ")));
+    }
+  }
   return found;
 }
 

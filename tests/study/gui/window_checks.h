@@ -27,4 +27,8 @@ QStringList lostFocus(QWidget& window);
 /// Elements that a screen reader can focus, without a name for it to say (WCAG 4.1.2).
 QStringList unnamedElements(QWidget& window);
 
+/// The buttons, tabs, labelled fields and menu entries of @p window that no letter with Alt
+/// chooses, and those of a menu that share a letter.
+QStringList textsWithoutMnemonic(QWidget& window);
+
 }  // namespace tests

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
@@ -17,6 +18,7 @@
 #include "study/gui/desk/home_window.h"
 #include "study/gui/desk/new_study_dialog.h"
 #include "study/gui/desk/recent_studies.h"
+#include "study/gui/widgets/desk_language.h"
 #include "study/gui/widgets/studio_settings.h"
 #include "study/gui/widgets/written_file.h"
 #include "tests/study/gui/participant.h"
@@ -75,6 +77,35 @@ class HomeTest : public testing::Test {
   tests::ScratchFolder folder_;
   SystemClock clock_;
 };
+
+TEST_F(HomeTest, SpeaksTheLanguageThatIsChosenAndRemembersIt) {
+  const QString folder = makeStudy("one");
+  HomeWindow home;
+  home.choose(folder);
+  home.show();
+  const auto choose = [&](const char* language) {
+    for (auto* action : home.findChildren<QAction*>()) {
+      if (action->objectName() == QStringLiteral("language-") + QLatin1String(language)) {
+        action->trigger();
+        return;
+      }
+    }
+    ADD_FAILURE() << "no language " << language;
+  };
+  choose("de");
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    return home.findChild<QPushButton*>(QStringLiteral("report"))->text() ==
+           QStringLiteral("Bericht…");
+  }));
+  EXPECT_EQ(listOf(home)->horizontalHeaderItem(0)->text(), QStringLiteral("Studie"));
+  EXPECT_EQ(listOf(home)->rowCount(), 1);
+  EXPECT_EQ(listOf(home)->currentRow(), 0);
+  tests::photographInAllThemes(home, QStringLiteral("home-german"));
+  speakAtTheDesk("en");
+  speakChosenLanguage();
+  EXPECT_EQ(deskLanguage(), "de");
+  speakAtTheDesk("en");
+}
 
 TEST_F(HomeTest, OffersANewStudyIfThereIsNone) {
   HomeWindow home;

@@ -25,6 +25,7 @@
 #include "study/model/clock.h"
 #include "study/results/results.h"
 #include "study/results/results_text.h"
+#include "study/results/study_plan.h"
 #include "tests/study/gui/pictures.h"
 #include "tests/study/known_secret.h"
 #include "tests/study/made_study.h"
@@ -202,6 +203,36 @@ TEST_F(StudyDialogsTest, ReportOfLiveSessionsNeedsAReason) {
   EXPECT_TRUE(go->isEnabled());
 }
 
+TEST_F(StudyDialogsTest, ReportWritesFiguresInTheSizeOfAJournal) {
+  const std::string study = out_ / "study";
+  std::filesystem::copy(this->study(), study);
+  ReportDialog dialog(summaryOf(study));
+  auto* width = dialog.findChild<QSpinBox*>(QStringLiteral("figure-width"));
+  dialog.show();
+  EXPECT_FALSE(width->isVisible());
+  dialog.findChild<QCheckBox*>(QStringLiteral("figures"))->setChecked(true);
+  EXPECT_TRUE(width->isVisible());
+  width->setValue(120);
+  press(dialog, out_ / "report.html");
+  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("; figures: ")))
+      << outcome(dialog).toStdString();
+  const std::filesystem::path folder =
+      study + "-figures-" + QDate::currentDate().toString(Qt::ISODate).toStdString();
+  const auto svg = tests::contentOf(folder / "punch-face-validity-felt.svg");
+  EXPECT_NE(svg.find("width=\"120.000mm\""), std::string::npos) << svg.substr(0, 200);
+}
+
+TEST_F(StudyDialogsTest, PlanSaysWhatTheCommandLineSays) {
+  PlanDialog dialog(summary());
+  dialog.findChild<QSpinBox*>(QStringLiteral("participants"))->setValue(12);
+  press(dialog);
+  questionnaires::Problems problems;
+  const auto protocol = *protocols::loadProtocolFile("punch-face-validity", problems);
+  const auto expected = studyPlanAsText(planOf(protocol, {.participants = 12}));
+  EXPECT_EQ(more(dialog).trimmed().toStdString() + "\n", expected);
+  tests::photographInAllThemes(dialog, QStringLiteral("plan"));
+}
+
 TEST_F(StudyDialogsTest, ReportRefusesToOverwriteAFile) {
   out_.write("report.html", "mine");
   QString told;
@@ -251,7 +282,7 @@ TEST_F(StudyDialogsTest, ExportShowsWhoIsIdentifiableBeforeWriting) {
   dialog.show();
   tests::photographInAllThemes(dialog, QStringLiteral("export-public"));
   press(dialog, out_ / "open");
-  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("for strangers")));
+  EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("for the public")));
   dialog.findChild<QSpinBox*>(QStringLiteral("smallest-class"))->setValue(9);
   EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("go"))->isEnabled());
   EXPECT_TRUE(outcome(dialog).startsWith(QStringLiteral("✕")));

@@ -1,11 +1,20 @@
 #include "study/gui/session/catalogue_translator.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+
+#include "haptics/devices/device.h"
+#include "study/gui/widgets/desk_language.h"
+#include "study/model/run_mode.h"
+#include "study/model/session_plan.h"
+#include "study/model/session_state.h"
+#include "study/model/trial_record.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_data.h"
 
@@ -14,32 +23,84 @@ namespace catalogue_translator_test {
 
 namespace fs = std::filesystem;
 
-/// The texts that a source hands to tr(), with the parts of a broken line joined.
-std::set<std::string> textsIn(const std::string& source) {
-  static const std::regex call(R"re(\btr\(\s*((?:"[^"]*"\s*)+))re");
-  static const std::regex part(R"re("([^"]*)")re");
+const std::string kLiteral = R"re((?:"(?:[^"\\]|\\.)*"\s*)+)re";
+
+/// The text of a literal, with the parts of a broken line joined.
+std::string textOf(const std::string& literal) {
+  static const std::regex part(R"re("((?:[^"\\]|\\.)*)")re");
+  std::string text;
+  for (std::sregex_iterator one(literal.begin(), literal.end(), part), end; one != end; ++one) {
+    text += (*one)[1];
+  }
+  for (const auto& [written, meant] :
+       {std::pair{"\\n", "\n"}, std::pair{"\\t", "\t"}, std::pair{"\\\"", "\""}}) {
+    for (auto at = text.find(written); at != std::string::npos; at = text.find(written, at + 1)) {
+      text.replace(at, 2, meant);
+    }
+  }
+  return text;
+}
+
+/// The texts that a source hands to one of the functions @p names, "tr|spoken".
+std::set<std::string> textsIn(const std::string& source, const std::string& names) {
+  const std::regex call("\\b(?:" + names + ")\\(\\s*(" + kLiteral + ")");
   std::set<std::string> texts;
   for (std::sregex_iterator at(source.begin(), source.end(), call), end; at != end; ++at) {
-    const std::string parts = (*at)[1];
-    std::string text;
-    for (std::sregex_iterator one(parts.begin(), parts.end(), part); one != end; ++one) {
-      text += (*one)[1];
+    texts.insert(textOf((*at)[1]));
+  }
+  return texts;
+}
+
+bool isForParticipants(const fs::path& source) {
+  return source.parent_path().filename() == "participant" || source.stem() == "screen_lock";
+}
+
+std::vector<fs::path> sourcesIn(const fs::path& folder) {
+  std::vector<fs::path> sources;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() == ".cpp") sources.push_back(entry.path());
+  }
+  return sources;
+}
+
+std::set<std::string> textsOfWindows(bool areForParticipants) {
+  std::set<std::string> texts;
+  for (const auto& source : sourcesIn(tests::repository() / "study" / "gui")) {
+    if (isForParticipants(source) != areForParticipants) continue;
+    texts.merge(textsIn(tests::contentOf(source), "tr|said|spoken"));
+  }
+  return texts;
+}
+
+/// All that sources put between quotation marks, as it is shown: states of sessions without their
+/// underscores.
+std::set<std::string> literalsOfTheProgram() {
+  static const std::regex literal(kLiteral);
+  std::set<std::string> texts;
+  for (const auto* room : {"study", "haptics"}) {
+    for (const auto& path : sourcesIn(tests::repository() / room)) {
+      const auto source = tests::contentOf(path);
+      for (std::sregex_iterator at(source.begin(), source.end(), literal), end; at != end; ++at) {
+        auto text = textOf(at->str());
+        texts.insert(text);
+        std::replace(text.begin(), text.end(), '_', ' ');
+        texts.insert(text);
+      }
     }
-    texts.insert(text);
   }
   return texts;
 }
 
-std::set<std::string> textsOfTheParticipantsWindows() {
-  const auto gui = tests::repository() / "study" / "gui";
-  auto texts = textsIn(tests::contentOf(gui / "session" / "screen_lock.cpp"));
-  for (const auto& entry : fs::directory_iterator(gui / "participant")) {
-    if (entry.path().extension() == ".cpp") texts.merge(textsIn(tests::contentOf(entry.path())));
+class CatalogueTranslatorTest : public testing::TestWithParam<std::string> {
+ protected:
+  void expectSamePlaces(const std::string& english, const std::string& text) {
+    static const std::regex place(R"(%\d+|\{[^}]*\})");
+    EXPECT_FALSE(text.empty()) << english;
+    for (std::sregex_iterator at(english.begin(), english.end(), place), end; at != end; ++at) {
+      EXPECT_NE(text.find(at->str()), std::string::npos) << english;
+    }
   }
-  return texts;
-}
-
-class CatalogueTranslatorTest : public testing::TestWithParam<std::string> {};
+};
 
 TEST_P(CatalogueTranslatorTest, HasEveryTextOfTheParticipantsWindowsAndNoOther) {
   std::set<std::string> translated;
@@ -47,19 +108,52 @@ TEST_P(CatalogueTranslatorTest, HasEveryTextOfTheParticipantsWindowsAndNoOther) 
   for (const auto& [window, texts] : words.catalogue().windows) {
     for (const auto& [english, text] : texts) {
       translated.insert(english);
-      EXPECT_FALSE(text.empty()) << window << ": " << english;
-      for (const std::string place : {"%1", "%2", "%3", "%4", "%5", "%6"}) {
-        const bool isPutIn = english.find(place) != std::string::npos;
-        EXPECT_EQ(isPutIn, text.find(place) != std::string::npos) << english;
-      }
+      expectSamePlaces(english, text);
     }
   }
-  EXPECT_EQ(translated, textsOfTheParticipantsWindows());
+  EXPECT_EQ(translated, textsOfWindows(true));
+}
+
+TEST_P(CatalogueTranslatorTest, HasEveryTextOfTheOperatorsWindowsAndNoOther) {
+  const auto words = words::wordsIn(GetParam());
+  const auto& desk = words.catalogue().desk;
+  for (const auto& english : textsOfWindows(false)) {
+    EXPECT_TRUE(desk.contains(english)) << "no text for '" << english << "'";
+  }
+  const std::set<std::string> ofQt{"OK", "&OK", "&Yes", "&No"};
+  const auto literals = literalsOfTheProgram();
+  for (const auto& [english, text] : desk) {
+    expectSamePlaces(english, text);
+    EXPECT_TRUE(literals.contains(english) || ofQt.contains(english))
+        << "nothing says '" << english << "'";
+  }
+}
+
+template <typename Kind>
+void expectNamesIn(const words::Catalogue& catalogue, int count) {
+  for (int i = 0; i < count; ++i) {
+    std::string name(nameOf(static_cast<Kind>(i)));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    EXPECT_TRUE(catalogue.desk.contains(name)) << name;
+  }
+}
+
+TEST_P(CatalogueTranslatorTest, HasWhatTheOperatorReadsOfStatesAndSteps) {
+  const auto words = words::wordsIn(GetParam());
+  const auto& catalogue = words.catalogue();
+  expectNamesIn<RunMode>(catalogue, 3);
+  expectNamesIn<Verdict>(catalogue, 3);
+  expectNamesIn<StepKind>(catalogue, 9);
+  for (int state = 0; state <= static_cast<int>(SessionState::Erased); ++state) {
+    std::string status(statusOf(static_cast<SessionState>(state)));
+    std::replace(status.begin(), status.end(), '_', ' ');
+    EXPECT_TRUE(catalogue.desk.contains(status)) << status;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, CatalogueTranslatorTest, testing::Values("de", "nb"));
 
-TEST(CatalogueTranslator, TranslatesTheParticipantsWindowsAndLeavesTheOperatorsInEnglish) {
+TEST(CatalogueTranslator, TranslatesTheParticipantsWindowsAndNoOther) {
   CatalogueTranslator translator;
   translator.speak("de");
   EXPECT_FALSE(translator.isEmpty());
@@ -80,6 +174,43 @@ TEST(CatalogueTranslator, LeavesEnglishInALanguageWithoutACatalogue) {
     EXPECT_TRUE(
         translator.translate("study::gui::ParticipantWindow", "Next", nullptr, -1).isNull());
   }
+}
+
+class DeskLanguage : public testing::Test {
+ protected:
+  void TearDown() override { speakAtTheDesk("en"); }
+
+  static QString shown(const char* window, const char* english) {
+    return QCoreApplication::translate(window, english);
+  }
+};
+
+TEST_F(DeskLanguage, IsThatOfTheOperatorsWindowsOnly) {
+  speakAtTheDesk("de");
+  EXPECT_EQ(deskLanguage(), "de");
+  EXPECT_EQ(shown("study::gui::OperatorWindow", "Next"), QStringLiteral("Weiter"));
+  EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
+  EXPECT_EQ(spoken("live"), QStringLiteral("echt"));
+  EXPECT_EQ(said("{} warnings", 3), "3 Warnungen");
+  // A session in English beside a German desk.
+  EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Next"));
+}
+
+TEST_F(DeskLanguage, LeavesParticipantsTheLanguageOfTheirSession) {
+  CatalogueTranslator session;
+  session.speak("nb");
+  QCoreApplication::installTranslator(&session);
+  speakAtTheDesk("de");
+  EXPECT_EQ(shown("study::gui::ParticipantWindow", "Next"), QStringLiteral("Neste"));
+  EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studien"));
+  QCoreApplication::removeTranslator(&session);
+}
+
+TEST_F(DeskLanguage, IsEnglishWithoutACatalogue) {
+  speakAtTheDesk("tlh");
+  EXPECT_EQ(deskLanguage(), "en");
+  EXPECT_EQ(shown("study::gui::HomeWindow", "Studies"), QStringLiteral("Studies"));
+  EXPECT_EQ(said("{} warnings", 3), "3 warnings");
 }
 
 }  // namespace catalogue_translator_test
