@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <ranges>
 #include <span>
 #include <sstream>
 #include <utility>
@@ -58,8 +59,8 @@ std::string numberAsBytes(std::uint64_t number) {
 
 std::uint64_t numberIn(std::string_view bytes) {
   std::uint64_t number = 0;
-  for (auto byte = bytes.rbegin(); byte != bytes.rend(); ++byte) {
-    number = number << 8U | static_cast<unsigned char>(*byte);
+  for (const char byte : std::views::reverse(bytes)) {
+    number = number << 8U | static_cast<unsigned char>(byte);
   }
   return number;
 }

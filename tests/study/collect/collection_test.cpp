@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <ranges>
 
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
@@ -105,8 +106,8 @@ TEST_F(Collection, EveryBatchMayComeThreeTimesAndInAnyOrder) {
   });
   auto server = as("station_oslo");
   for (int times = 0; times < 3; ++times) {
-    for (auto batch = batches.rbegin(); batch != batches.rend(); ++batch) {
-      const auto answer = study::collect::ingest(server, *batch);
+    for (const auto& batch : std::views::reverse(batches)) {
+      const auto answer = study::collect::ingest(server, batch);
       EXPECT_TRUE(answer.refused.empty() || answer.refused == "gap" || answer.refused == "traces")
           << answer.refused;
     }

@@ -180,8 +180,10 @@ TEST_F(SealedStudy, NoticesAConditionThatWasChangedOrMoved) {
 }
 
 TEST_F(SealedStudy, NoticesASimulatedSessionThatIsCalledLive) {
-  auto session = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Simulated});
-  tests::walkToTheEnd(session);
+  {
+    auto session = Session::enrol(*study_, {.cohort = "surgeons", .runMode = RunMode::Simulated});
+    tests::walkToTheEnd(session);
+  }
   study_.close();
   tests::Sql(study_.file("study.db"))
       .run("UPDATE session SET run_mode = 'live', slot = 7 WHERE run_mode = 'simulated'");
