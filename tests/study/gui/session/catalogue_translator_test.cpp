@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include "haptics/devices/device.h"
 #include "study/gui/widgets/desk_language.h"
@@ -23,15 +23,25 @@ namespace catalogue_translator_test {
 
 namespace fs = std::filesystem;
 
-const std::string kLiteral = R"re((?:"(?:[^"\\]|\\.)*"\s*)+)re";
+// Possessive: a literal is never tried again in another way.
+const std::string kLiteral = R"re((?:"(?:[^"\\]|\\.)*+"\s*+)++)re";
+
+/// What a pattern finds in a text, or its @p group. Sources are long: std::regex would need more
+/// stack than a test has.
+std::vector<std::string> foundIn(
+    const std::string& text, const std::string& pattern, int group = 0) {
+  const QRegularExpression wanted(QString::fromStdString(pattern));
+  EXPECT_TRUE(wanted.isValid()) << pattern;
+  std::vector<std::string> found;
+  auto matches = wanted.globalMatch(QString::fromStdString(text));
+  while (matches.hasNext()) found.push_back(matches.next().captured(group).toStdString());
+  return found;
+}
 
 /// The text of a literal, with the parts of a broken line joined.
 std::string textOf(const std::string& literal) {
-  static const std::regex part(R"re("((?:[^"\\]|\\.)*)")re");
   std::string text;
-  for (std::sregex_iterator one(literal.begin(), literal.end(), part), end; one != end; ++one) {
-    text += (*one)[1];
-  }
+  for (const auto& part : foundIn(literal, R"re("((?:[^"\\]|\\.)*+)")re", 1)) text += part;
   for (const auto& [written, meant] :
        {std::pair{"\\n", "\n"}, std::pair{"\\t", "\t"}, std::pair{"\\\"", "\""}}) {
     for (auto at = text.find(written); at != std::string::npos; at = text.find(written, at + 1)) {
@@ -43,10 +53,9 @@ std::string textOf(const std::string& literal) {
 
 /// The texts that a source hands to one of the functions @p names, "tr|spoken".
 std::set<std::string> textsIn(const std::string& source, const std::string& names) {
-  const std::regex call("\\b(?:" + names + ")\\(\\s*(" + kLiteral + ")");
   std::set<std::string> texts;
-  for (std::sregex_iterator at(source.begin(), source.end(), call), end; at != end; ++at) {
-    texts.insert(textOf((*at)[1]));
+  for (const auto& one : foundIn(source, "\\b(?:" + names + ")\\(\\s*(" + kLiteral + ")", 1)) {
+    texts.insert(textOf(one));
   }
   return texts;
 }
@@ -75,13 +84,11 @@ std::set<std::string> textsOfWindows(bool areForParticipants) {
 /// All that sources put between quotation marks, as it is shown: states of sessions without their
 /// underscores.
 std::set<std::string> literalsOfTheProgram() {
-  static const std::regex literal(kLiteral);
   std::set<std::string> texts;
   for (const auto* room : {"study", "haptics"}) {
     for (const auto& path : sourcesIn(tests::repository() / room)) {
-      const auto source = tests::contentOf(path);
-      for (std::sregex_iterator at(source.begin(), source.end(), literal), end; at != end; ++at) {
-        auto text = textOf(at->str());
+      for (const auto& literal : foundIn(tests::contentOf(path), kLiteral)) {
+        auto text = textOf(literal);
         texts.insert(text);
         std::replace(text.begin(), text.end(), '_', ' ');
         texts.insert(text);
@@ -94,10 +101,9 @@ std::set<std::string> literalsOfTheProgram() {
 class CatalogueTranslatorTest : public testing::TestWithParam<std::string> {
  protected:
   void expectSamePlaces(const std::string& english, const std::string& text) {
-    static const std::regex place(R"(%\d+|\{[^}]*\})");
     EXPECT_FALSE(text.empty()) << english;
-    for (std::sregex_iterator at(english.begin(), english.end(), place), end; at != end; ++at) {
-      EXPECT_NE(text.find(at->str()), std::string::npos) << english;
+    for (const auto& place : foundIn(english, R"(%\d+|\{[^}]*\})")) {
+      EXPECT_NE(text.find(place), std::string::npos) << english;
     }
   }
 };
