@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <ranges>
 #include <span>
 #include <sstream>
 #include <utility>
@@ -59,8 +58,8 @@ std::string numberAsBytes(std::uint64_t number) {
 
 std::uint64_t numberIn(std::string_view bytes) {
   std::uint64_t number = 0;
-  for (const char byte : std::views::reverse(bytes)) {
-    number = number << 8U | static_cast<unsigned char>(byte);
+  for (std::size_t i = bytes.size(); i-- > 0;) {
+    number = number << 8U | static_cast<unsigned char>(bytes[i]);
   }
   return number;
 }

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <ranges>
 
 #include "study/collect/exchange/pull.h"
 #include "study/collect/server/registry.h"
@@ -104,9 +103,10 @@ TEST_F(Collection, EveryBatchMayComeThreeTimesAndInAnyOrder) {
     batches.push_back(batch);
     return true;
   });
+  const std::vector<study::collect::Batch> backwards(batches.rbegin(), batches.rend());
   auto server = as("station_oslo");
   for (int times = 0; times < 3; ++times) {
-    for (const auto& batch : std::views::reverse(batches)) {
+    for (const auto& batch : backwards) {
       const auto answer = study::collect::ingest(server, batch);
       EXPECT_TRUE(answer.refused.empty() || answer.refused == "gap" || answer.refused == "traces")
           << answer.refused;
