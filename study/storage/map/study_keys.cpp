@@ -7,6 +7,7 @@
 #include <span>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <sodium.h>
 
 #include "study/model/new_file.h"
@@ -117,9 +118,14 @@ void writeKeyFile(const std::string& path, const BlindingSecret& key, const std:
       words.begin(), words.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   writeNewFile(
       path,
-      std::string(kFirstLine) + "\n" + std::string(kKeyWord) + inHex(key) + "\nstudy " + words +
-          "\nWho has this file can say which condition each alternative was. Hand it over in "
-          "person, and keep a copy apart from the study: it cannot be made again.\n");
+      fmt::format(
+          "{}\n{}{}\nstudy {}\n"
+          "Who has this file can say which condition each alternative was. Hand it over in "
+          "person, and keep a copy apart from the study: it cannot be made again.\n",
+          kFirstLine,
+          kKeyWord,
+          inHex(key),
+          words));
 }
 
 BlindingSecret readKeyFile(const std::string& path) {
