@@ -11,6 +11,7 @@
 #include <system_error>
 #include <vector>
 
+#include "base/file.h"
 #include "questionnaires/json/document.h"
 
 namespace questionnaires {
@@ -88,7 +89,7 @@ std::string readTextFile(const std::string& path, std::size_t most) {
         path + " is larger than " + std::to_string(most / 1'000'000) +
         " MB. No researcher's file needs that; is it the right file?");
   }
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  auto text = base::readAll(file);
   if (file.bad()) throw Error(path + " could not be read to its end. Is the disk healthy?");
   return text;
 }
