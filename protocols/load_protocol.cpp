@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "protocols/model/library.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "protocols/reading/protocol_file.h"

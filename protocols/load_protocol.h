@@ -1,15 +1,23 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
-#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
-#include "questionnaires/reading/blanks.h"
+#include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {
+
+/// A file of protocols/library, compiled into the program.
+struct LibraryFile {
+  std::string_view name;  ///< "punch-face-validity.json"
+  std::string_view content;
+};
+
+std::span<const LibraryFile> libraryFiles();
 
 /// Reads a protocol and everything it refers to, and checks its consistency. std::nullopt if there
 /// are errors; warnings do not prevent its use.

@@ -12,6 +12,20 @@
 
 namespace protocols {
 
+/// The meaning of keys that a protocol leaves out. A study keeps the defaults of the release under
+/// which its protocol was added, so that an update of the program does not change the rendering.
+enum class Defaults {
+  /// The parametric cut ends at its largest force; a filter's recording fades out beyond its ends;
+  /// seen tissue follows the force; a reamer removes all that it is pushed through; questions about
+  /// a
+  /// benchmark need none.
+  Release01,
+  /// The parametric cut falls to zero; a filter takes no measurement beyond a recording; seen
+  /// tissue
+  /// follows the penetration; a reamer removes what its teeth can take.
+  Current
+};
+
 /// A source of what conditions render or show, from outside the protocol: a cut, a material, a bone
 /// of spheres, a knee.
 struct FeltSource {
@@ -68,5 +82,19 @@ struct Placeholder {
 /// because participants can change the language: the protocol's own texts, and the texts of its
 /// instruments.
 std::vector<Placeholder> placeholdersIn(const LoadedProtocol& loaded);
+
+/// A blank "[[key]]" in the texts that participants read.
+struct Blank {
+  std::string key;
+  base::Message title;  ///< what to write there; for a blank of the laboratory's own, its key
+  LocalizedText text;   ///< what the protocol's "texts" have for it; empty: still blank
+};
+
+/// The key of the duration of a session [minutes], which the program can estimate.
+inline constexpr std::string_view kDurationBlank = "duration";
+
+/// Each blank once, filled in or not: those of the shipped texts in the order of a form, then
+/// others in the order in which they are read.
+std::vector<Blank> blanksOf(const LoadedProtocol& loaded);
 
 }  // namespace protocols

@@ -17,6 +17,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/file.h"
 #include "questionnaires/json/problem.h"
 
 namespace protocols {
@@ -214,8 +215,8 @@ std::vector<NamedSurface> readMeshFile(const std::string& path) {
     throw questionnaires::Error("it is larger than 512 MB");
   }
   std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw questionnaires::Error("it cannot be read");
+  const auto text = base::readAll(file);
+  if (file.bad()) throw questionnaires::Error("it cannot be read");
   return readMesh(text);
 }
 

@@ -10,7 +10,7 @@
 
 #include "haptics/registry/device_kinds.h"
 #include "protocols/reading/protocol_parts.h"
-#include "protocols/reading/scene_sources.h"
+#include "protocols/reading/referenced_files.h"
 #include "questionnaires/json/document.h"
 #include "questionnaires/reading/instrument_reader.h"
 

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string_view>
 
-#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "questionnaires/json/problem.h"
 

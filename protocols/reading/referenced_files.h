@@ -11,12 +11,11 @@
 #include "haptics/reaming/material/material.h"
 #include "haptics/reaming/packing/packed_bone.h"
 #include "haptics/recordings/cut.h"
-#include "protocols/model/defaults.h"
 #include "protocols/model/loaded_protocol.h"
 #include "protocols/reading/anatomy_file.h"
 #include "protocols/reading/packing_file.h"
 #include "questionnaires/json/problem.h"
-#include "questionnaires/reading/blanks.h"
+#include "questionnaires/reading/instrument_file.h"
 
 namespace protocols {
 
@@ -98,6 +97,48 @@ class ReferencedFiles {
   ByName<haptics::reaming::Material> materials_;
   ByName<PackingFile> packings_;
   ByName<std::shared_ptr<const Anatomy>> anatomies_;
+};
+
+/// Where the scene of one condition takes its data from: reads the files that it names, uses the
+/// built-in data, and lists each of them among the sources of the protocol.
+///
+/// Results and problems are as in ReferencedFiles.
+class SceneSources {
+ public:
+  /// All arguments must outlive this object.
+  /// @param condition  its id.
+  SceneSources(ReferencedFiles& files, std::vector<FeltSource>& all, const std::string& condition)
+      : files_(files), all_(all), condition_(condition) {}
+
+  /// The defaults of keys that the scene leaves out.
+  Defaults defaults() const noexcept { return files_.defaults(); }
+
+  /// The cut of a file, or the built-in one called kParametricCut.
+  const haptics::recordings::Cut* cut(const std::string& name, const std::string& path);
+
+  /// The material of a file, and the curves of one of its test sets; none if it has no such set.
+  struct MaterialChoice {
+    const haptics::reaming::Material* material = nullptr;
+    const haptics::reaming::MaterialSet* set = nullptr;
+  };
+  MaterialChoice material(
+      const std::string& name, haptics::reaming::TestSet set, const std::string& path);
+
+  /// Notes that the scene uses the built-in material.
+  void useParametricMaterial();
+
+  /// The bone of a file, or the built-in one called kParametricBone.
+  std::shared_ptr<const haptics::reaming::PackedBone> packing(
+      const std::string& name, const std::string& path);
+
+  std::shared_ptr<const Anatomy> anatomy(const std::string& name, const std::string& path);
+
+ private:
+  void add(FeltSource source);
+
+  ReferencedFiles& files_;
+  std::vector<FeltSource>& all_;
+  const std::string& condition_;
 };
 
 }  // namespace protocols

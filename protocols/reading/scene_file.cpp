@@ -10,7 +10,7 @@
 #include "protocols/reading/cut_file.h"
 #include "protocols/reading/material_file.h"
 #include "protocols/reading/protocol_parts.h"
-#include "protocols/reading/scene_sources.h"
+#include "protocols/reading/referenced_files.h"
 
 namespace protocols {
 namespace {
@@ -20,7 +20,7 @@ using questionnaires::Node;
 namespace engine = haptics::engine;
 namespace models = haptics::models;
 
-/// What reading a model needs besides its JSON.
+/// What reading a model needs in addition to its JSON.
 struct Context {
   SceneSources& sources;
   const haptics::devices::DeviceKind* device;  ///< of the condition; nullptr: it has not been read

@@ -1,5 +1,3 @@
-#include "protocols/validation/blinding.h"
-
 #include <map>
 #include <set>
 

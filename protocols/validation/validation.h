@@ -1,7 +1,11 @@
 #pragma once
 
-#include "protocols/model/defaults.h"
+#include <string>
+#include <vector>
+
+#include "base/message.h"
 #include "protocols/model/loaded_protocol.h"
+#include "protocols/model/protocol.h"
 #include "protocols/reading/protocol_file.h"
 #include "questionnaires/json/problem.h"
 
@@ -62,5 +66,21 @@ void addBlindingWarnings(const Protocol& protocol, questionnaires::Problems& pro
 /// Adds warnings about the scenes of a valid protocol: a filter that ignores one of its two forces,
 /// an opening that returns more energy than closing took.
 void addSceneWarnings(const Protocol& protocol, questionnaires::Problems& problems);
+
+/// A place in a protocol that says which condition an answer is about, even where the condition
+/// bears a code.
+struct Disclosure {
+  std::string path;    ///< a JSON path from the root: "$.phases[3].order"
+  base::Message what;  ///< what says it
+  base::Message fix;   ///< how the protocol would keep it
+};
+
+/// All of them, in the order of the protocol; none: an export of a study can be blinded.
+///
+/// A blinded export shows of each answer its block, its position there, the number of the
+/// alternative and the statement. A reader who has the protocol as well must not learn the
+/// condition from these (docs/decisions/0033). What answers themselves say is not judged.
+/// @param protocol  sound.
+std::vector<Disclosure> disclosuresOf(const Protocol& protocol);
 
 }  // namespace protocols

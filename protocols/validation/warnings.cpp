@@ -6,7 +6,7 @@
 #include "protocols/model/messages.h"
 #include "protocols/model/protocol.h"
 #include "protocols/validation/validation.h"
-#include "questionnaires/model/library.h"
+#include "questionnaires/reading/instrument_file.h"
 #include "questionnaires/reading/instrument_problems.h"
 
 namespace protocols {
