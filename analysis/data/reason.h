@@ -148,6 +148,7 @@ inline constexpr auto kReasons = std::to_array<base::MessageKind>({
     {"two_groups_needed", "the test needs two groups"},
     {"two_pairs_only", "two pairs are too few for the correction of d"},
     {"two_participants_needed", "the test needs two participants"},
+    {"two_sites_needed", "fewer than two sites have a difference with a standard error"},
     {"two_subjects_needed", "an intraclass correlation needs two subjects and two ratings of each"},
     {"two_values_needed", "variance and interval need two values in each group"},
     {"variance_beyond_double",

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "analysis/data/reason.h"
-#include "analysis/tests/paired_t.h"
-#include "analysis/tests/student.h"
+#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 
 namespace analysis {
 namespace {

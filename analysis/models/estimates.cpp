@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 #include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {

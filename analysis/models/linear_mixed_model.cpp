@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 
 #include "analysis/models/restricted_deviance.h"
+#include "analysis/numerics/distributions.h"
 #include "analysis/numerics/newton_minimum.h"
-#include "analysis/numerics/student_distribution.h"
 
 namespace analysis {
 namespace {

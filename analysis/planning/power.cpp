@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <boost/math/distributions/non_central_t.hpp>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 
 namespace analysis {
 namespace {
@@ -19,28 +20,43 @@ void require(bool isSound, const char* what) {
 
 double pairedTPower(double dz, std::uint64_t n, double alpha) {
   require(n >= 2, "a paired test needs two participants");
-  require(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
-  require(std::isfinite(dz), "an effect is a number");
   const auto participants = static_cast<double>(n);
-  const double critical = StudentDistribution(participants - 1.0).twoSidedQuantile(alpha);
-  const double shift = std::abs(dz) * std::sqrt(participants);
+  return twoSidedTPower(dz * std::sqrt(participants), participants - 1.0, alpha);
+}
+
+double twoSidedTPower(double noncentrality, double df, double alpha) {
+  require(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
+  require(std::isfinite(noncentrality), "an effect is a number");
+  const double critical = StudentDistribution(df).twoSidedQuantile(alpha);
+  const double shift = std::abs(noncentrality);
   if (shift == 0.0) return alpha;
-  // Beyond this the test misses nothing, and the series that follows would not end.
+  // Beyond this the test misses nothing.
   constexpr double kLargestShift = 1000.0;
   if (shift > std::max(kLargestShift, 50.0 * critical)) return 1.0;
-  const boost::math::non_central_t law(participants - 1.0, shift);
+  // The series that follows would take long.
+  constexpr double kFarOut = 100.0;
+  if (shift > kFarOut) return 1.0 - noncentralTProbability(critical, df, shift);
+  const boost::math::non_central_t law(df, shift);
   const double right = boost::math::cdf(boost::math::complement(law, critical));
   return std::min(1.0, right + boost::math::cdf(law, -critical));
 }
 
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power) {
+  require(std::isfinite(dz), "an effect is a number");
+  return fewestParticipants(2, alpha, power, [&](std::uint64_t n) {
+    return dz != 0.0 && pairedTPower(dz, n, alpha) >= power;
+  });
+}
+
+std::optional<std::uint64_t> fewestParticipants(
+    std::uint64_t least,
+    double alpha,
+    double power,
+    const std::function<bool(std::uint64_t)>& suffices) {
   require(alpha > 0.0 && alpha < 1.0, "alpha lies between 0 and 1");
   require(power > alpha && power < 1.0, "a power lies between alpha and 1");
-  require(std::isfinite(dz), "an effect is a number");
-  const auto suffices = [&](std::uint64_t n) { return pairedTPower(dz, n, alpha) >= power; };
-  if (dz == 0.0) return std::nullopt;
-  std::uint64_t tooFew = 1;
-  std::uint64_t enough = 2;
+  std::uint64_t tooFew = least - 1;
+  std::uint64_t enough = least;
   while (!suffices(enough)) {
     if (enough == kMostParticipants) return std::nullopt;
     tooFew = enough;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 namespace analysis {
@@ -18,6 +19,12 @@ namespace analysis {
 ///     and 1, or an effect that is NaN.
 double pairedTPower(double dz, std::uint64_t n, double alpha);
 
+/// P(|T| > t_c) of a noncentral t, and t_c the two-sided critical value of Student's t, with @p df
+/// degrees of freedom each.
+/// @throws std::invalid_argument  for an alpha that is not between 0 and 1, a noncentrality that is
+///     not finite, or degrees of freedom that are not positive.
+double twoSidedTPower(double noncentrality, double df, double alpha);
+
 /// The largest number of participants that is considered.
 inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 
@@ -26,5 +33,15 @@ inline constexpr std::uint64_t kMostParticipants = 1'000'000;
 /// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, a power
 ///     below alpha, or an effect that is NaN.
 std::optional<std::uint64_t> participantsForPower(double dz, double alpha, double power);
+
+/// The fewest participants from @p least up to kMostParticipants that suffice; more of them suffice
+/// as well.
+/// @throws std::invalid_argument  for an alpha or a power that is not between 0 and 1, or a power
+///     below alpha.
+std::optional<std::uint64_t> fewestParticipants(
+    std::uint64_t least,
+    double alpha,
+    double power,
+    const std::function<bool(std::uint64_t)>& suffices);
 
 }  // namespace analysis

@@ -5,16 +5,88 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
 
 #include <boost/math/distributions/chi_squared.hpp>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 #include "analysis/numerics/tail_probabilities.h"
 
 namespace analysis {
+namespace {
+
+constexpr double kThresholdDistance = 0.8;
+
+/// In (0, 1], from the upper 53 bits.
+double uniform(std::mt19937_64& random) {
+  return (static_cast<double>(random() >> 11U) + 1.0) * 0x1p-53;
+}
+
+}  // namespace
+
+double LikertModel::levelOfFirst() const {
+  return dz * deviationOfDifferences();
+}
+
+double LikertModel::deviationOfDifferences() const {
+  return std::sqrt(2.0 * (participantByConditionShare + residualShare / answers));
+}
+
+void LikertModel::check() const {
+  const double least = std::min({participantShare, participantByConditionShare, residualShare});
+  const double sum = participantShare + participantByConditionShare + residualShare;
+  if (!(least >= 0.0 && std::abs(sum - 1.0) < 1e-9)) {
+    throw std::invalid_argument("shares of the variance are not negative and add up to one");
+  }
+  if (points < 2 || conditions < 2 || answers < 1 || !std::isfinite(dz)) {
+    throw std::invalid_argument("a model has two points, two conditions, an answer and an effect");
+  }
+}
+
+LikertCohort::LikertCohort(const LikertModel& model, std::uint64_t seed)
+    : model_((model.check(), model)), levelOfFirst_(model.levelOfFirst()), random_(seed) {}
+
+double LikertCohort::normal() {
+  hasSpare_ = !hasSpare_;
+  if (!hasSpare_) return spare_;
+  const double radius = std::sqrt(-2.0 * std::log(uniform(random_)));
+  const double angle = 2.0 * std::numbers::pi * uniform(random_);
+  spare_ = radius * std::sin(angle);
+  return radius * std::cos(angle);
+}
+
+int LikertCohort::pointAt(double x) const {
+  const double middle = 0.5 * (model_.points + 1);
+  const double point = std::floor(x / kThresholdDistance + middle + 0.5);
+  return static_cast<int>(std::clamp(point, 1.0, static_cast<double>(model_.points)));
+}
+
+std::vector<double> LikertCohort::shiftsOfSite(double deviation) {
+  // The difference of two independent shifts has √2 times the deviation of each.
+  const double each = deviation * model_.deviationOfDifferences() / std::numbers::sqrt2;
+  std::vector<double> shifts;
+  for (int c = 0; c < model_.conditions; ++c) shifts.push_back(each * normal());
+  return shifts;
+}
+
+LikertAnswers LikertCohort::next(std::span<const double> shifts) {
+  const double ofPerson = std::sqrt(model_.participantShare) * normal();
+  LikertAnswers answers;
+  for (int c = 0; c < model_.conditions; ++c) {
+    const double shift = shifts.empty() ? 0.0 : shifts[static_cast<std::size_t>(c)];
+    const double level = (c == 0 ? levelOfFirst_ : 0.0) + ofPerson + shift +
+                         std::sqrt(model_.participantByConditionShare) * normal();
+    auto& ofCondition = answers.emplace_back();
+    for (int i = 0; i < model_.answers; ++i) {
+      ofCondition.push_back(pointAt(level + std::sqrt(model_.residualShare) * normal()));
+    }
+  }
+  return answers;
+}
+
 namespace {
 
 constexpr std::size_t kMostExact = 50;
@@ -178,26 +250,25 @@ class Trial {
   std::vector<double> squares_;         ///< Σ x²
 };
 
-DetectionRate rateOf(std::uint64_t found, std::uint64_t studies) {
+}  // namespace
+
+DetectionRate DetectionRate::of(std::uint64_t found, std::uint64_t studies) {
   const double rate = static_cast<double>(found) / static_cast<double>(studies);
   return {rate, std::sqrt(rate * (1.0 - rate) / static_cast<double>(studies))};
 }
 
-void check(const PowerSimulation& simulation) {
-  const bool isSound = simulation.participants >= 2 && simulation.studies > 0 &&
-                       simulation.comparisons > 0 && simulation.alpha > 0.0 &&
-                       simulation.alpha < 1.0;
+void PowerSimulation::check() const {
+  const bool isSound =
+      participants >= 2 && studies > 0 && comparisons > 0 && alpha > 0.0 && alpha < 1.0;
   if (!isSound) {
     throw std::invalid_argument(
         "a simulation needs two participants, a study, a comparison and an alpha between 0 and 1");
   }
-  simulation.model.check();
+  model.check();
 }
 
-}  // namespace
-
 SimulatedPower simulatePower(const PowerSimulation& simulation) {
-  check(simulation);
+  simulation.check();
   LikertCohort cohort(simulation.model, simulation.seed);
   Trial trial(simulation);
   std::array<std::uint64_t, 6> found{};
@@ -212,7 +283,9 @@ SimulatedPower simulatePower(const PowerSimulation& simulation) {
     found[4] += welch(0, 1) ? 1 : 0;
     found[5] += trial.anyPair(welch) ? 1 : 0;
   }
-  const auto rate = [&](std::size_t which) { return rateOf(found[which], simulation.studies); };
+  const auto rate = [&](std::size_t which) {
+    return DetectionRate::of(found[which], simulation.studies);
+  };
   return {
       .pairedT = rate(0),
       .signedRank = rate(1),

@@ -1,15 +1,80 @@
 #pragma once
 
 #include <cstdint>
-
-#include "analysis/planning/likert_model.h"
+#include <random>
+#include <span>
+#include <vector>
 
 namespace analysis {
+
+/// A model of how participants answer, for planning a study; it describes no data.
+///
+/// Every answer comes from a latent number,
+///
+///     x = m_c + P + M_c + R,
+///
+/// the level of the condition, the participant's leniency, the participant's liking of this
+/// condition, and a residual. P, M and R are normal, with variances that add up to one. The
+/// answer is the point of the scale that x falls on: the thresholds lie 0.8 apart around zero, so
+/// that on five points about 12, 23, 31, 23 and 12 % choose each where m_c = 0.
+struct LikertModel {
+  double participantShare = 0.3;  ///< of the variance
+  double participantByConditionShare = 0.2;
+  double residualShare = 0.5;
+  int points = 5;
+  int conditions = 3;
+  int answers = 6;  ///< of each participant to each condition
+  double dz = 1.0;  ///< effect of the first condition against every other [standard deviations]
+
+  /// The difference of levels for which two participants' latent means differ by d_z standard
+  /// deviations of that difference: d_z √(2 (σ_M² + σ_R² / answers)).
+  double levelOfFirst() const;
+
+  /// The standard deviation of the participants' latent mean differences of two conditions:
+  /// √(2 (σ_M² + σ_R² / answers)).
+  double deviationOfDifferences() const;
+
+  /// @throws std::invalid_argument  for shares that are negative or do not add up to one, fewer
+  ///     than two points or conditions, no answers, or an effect that is NaN.
+  void check() const;
+};
+
+/// The answers of one participant: [condition][answer], from 1 to the number of points.
+using LikertAnswers = std::vector<std::vector<int>>;
+
+/// Draws participants one after the other; the same seed gives the same answers on every computer,
+/// which the normal distribution of the standard library does not promise.
+class LikertCohort {
+ public:
+  /// @throws std::invalid_argument  as LikertModel::check().
+  LikertCohort(const LikertModel& model, std::uint64_t seed);
+
+  /// The next participant.
+  /// @param shifts  of each condition's level, at the participant's site; empty: none
+  LikertAnswers next(std::span<const double> shifts = {});
+
+  /// How much the level of each condition is shifted at the next site, such that the difference of
+  /// two conditions varies between sites with @p deviation times the standard deviation that it has
+  /// between participants.
+  std::vector<double> shiftsOfSite(double deviation);
+
+ private:
+  double normal();
+  int pointAt(double x) const;
+
+  LikertModel model_;
+  double levelOfFirst_;
+  std::mt19937_64 random_;
+  double spare_ = 0.0;  ///< Box & Muller's method gives two numbers at a time
+  bool hasSpare_ = false;
+};
 
 /// The share of simulated studies in which a test was significant.
 struct DetectionRate {
   double rate = 0.0;
   double standardError = 0.0;  ///< of the simulation: √(rate (1 − rate) / studies)
+
+  static DetectionRate of(std::uint64_t found, std::uint64_t studies);
 };
 
 /// What is simulated.
@@ -20,6 +85,10 @@ struct PowerSimulation {
   std::uint64_t comparisons = 3;  ///< of the family: pairs are tested at α / comparisons
   std::uint64_t studies = 2000;
   std::uint64_t seed = 1;
+
+  /// @throws std::invalid_argument  as LikertModel::check(); for fewer than two participants, no
+  ///     studies, no comparisons, and an alpha that is not between 0 and 1.
+  void check() const;
 };
 
 /// How often the same simulated studies are significant by each test. "First pair": the first
@@ -39,8 +108,7 @@ struct SimulatedPower {
 /// (all differences equal), it has found nothing. One thread, one stream of random numbers: the
 /// same arguments give the same result.
 ///
-/// @throws std::invalid_argument  as LikertModel::check(); for fewer than two participants, no
-///     studies, no comparisons, and an alpha that is not between 0 and 1.
+/// @throws std::invalid_argument  as PowerSimulation::check().
 SimulatedPower simulatePower(const PowerSimulation& simulation);
 
 }  // namespace analysis

@@ -2,9 +2,158 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
+#include "analysis/numerics/distributions.h"
+
 namespace analysis {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// m_to − m_from ≤ most; node 0 is the number zero, node g + 1 the mean of group g.
+struct Bound {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  double most = 0.0;
+};
+
+/// Numbers that satisfy all bounds, by the shortest paths of Bellman and Ford; std::nullopt if
+/// there are none: then a cycle of bounds has a negative sum, and the numbers fall in every round.
+std::optional<std::vector<double>> solved(const std::vector<Bound>& bounds, std::size_t nodes) {
+  std::vector<double> number(nodes, 0.0);
+  for (std::size_t round = 0; round <= nodes; ++round) {
+    bool isChanged = false;
+    for (const auto& bound : bounds) {
+      const double most = number[bound.from] + bound.most;
+      if (most < number[bound.to] - 1e-12) {  // rounding alone must not make a negative cycle
+        number[bound.to] = most;
+        isChanged = true;
+      }
+    }
+    if (!isChanged) return number;
+  }
+  return std::nullopt;
+}
+
+/// |m₁ − m₂| for which p is printed as it is.
+Interval distances(
+    const Interval& p, const SpreadOfDifference& spread, PublishedConvention::Tails tails) {
+  const double factor = tails == PublishedConvention::Tails::Two ? 1.0 : 2.0;
+  const StudentDistribution law(spread.degreesOfFreedom);
+  const auto distanceAt = [&](double twoSided) {
+    if (twoSided <= 0.0) return kInfinity;
+    return twoSided >= 1.0 ? 0.0 : law.twoSidedQuantile(twoSided) * spread.standardError;
+  };
+  if (factor * p.low > 1.0) return {.low = kInfinity, .high = -kInfinity};
+  return {.low = distanceAt(factor * p.high), .high = distanceAt(factor * p.low)};
+}
+
+class RowSearch {
+ public:
+  RowSearch(
+      const PublishedTable& table,
+      std::span<const std::uint64_t> sizes,
+      const PublishedConvention& convention)
+      : table_(table), convention_(convention) {
+    const std::size_t groups = table.groups.size();
+    steps_ = groups <= 4 ? 9 : (groups == 5 ? 5 : 3);  // at most 3^8 = 6561 combinations
+    for (std::size_t g = 0; g < groups; ++g) {
+      const Interval range = varianceBounds(table.groups[g], sizes[g], convention);
+      std::vector<double> grid;
+      for (std::size_t i = 0; i < steps_; ++i) {
+        const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(steps_);
+        grid.push_back(range.low + (range.high - range.low) * part);
+      }
+      variances_.push_back(grid);
+      const Interval mean = table.groups[g].mean.bounds(convention.reading);
+      means_.push_back({.from = 0, .to = g + 1, .most = mean.high});
+      means_.push_back({.from = g + 1, .to = 0, .most = -mean.low});
+    }
+    for (const auto& comparison : table.comparisons) ranges_.push_back(rangesOf(comparison, sizes));
+  }
+
+  std::optional<std::vector<RealGroup>> found() const {
+    std::vector<std::size_t> at(table_.groups.size(), 0);
+    do {
+      if (const auto means = meansAt(at, 0, means_)) {
+        std::vector<RealGroup> row;
+        for (std::size_t g = 0; g < at.size(); ++g) {
+          row.push_back({.mean = (*means)[g + 1] - (*means)[0], .variance = variances_[g][at[g]]});
+        }
+        return row;
+      }
+    } while (advance(at));
+    return std::nullopt;
+  }
+
+ private:
+  std::vector<Interval> rangesOf(
+      const PublishedComparison& comparison, std::span<const std::uint64_t> sizes) const {
+    const auto& [first, second, p] = comparison;
+    std::vector<Interval> ranges;
+    for (const double v1 : variances_[first]) {
+      for (const double v2 : variances_[second]) {
+        const auto spread =
+            spreadOfDifference(convention_.test, v1, sizes[first], v2, sizes[second]);
+        ranges.push_back(distances(p.bounds(convention_.reading), spread, convention_.tails));
+      }
+    }
+    return ranges;
+  }
+
+  bool advance(std::vector<std::size_t>& at) const {
+    for (auto& index : at) {
+      if (++index < steps_) return true;
+      index = 0;
+    }
+    return false;
+  }
+
+  /// |m₁ − m₂| in a range is two bounds once the larger mean is chosen: adds one comparison after
+  /// the other, each in either direction, and turns back as soon as the bounds contradict each
+  /// other.
+  std::optional<std::vector<double>> meansAt(
+      const std::vector<std::size_t>& at,
+      std::size_t next,
+      const std::vector<Bound>& bounds) const {
+    auto numbers = solved(bounds, table_.groups.size() + 1);
+    if (!numbers || next == table_.comparisons.size()) return numbers;
+    const auto& comparison = table_.comparisons[next];
+    const auto& range = ranges_[next][at[comparison.first] * steps_ + at[comparison.second]];
+    if (!std::isfinite(range.low) || range.low > range.high) return std::nullopt;
+    for (const bool isPositive : {true, false}) {
+      const std::size_t above = 1 + (isPositive ? comparison.first : comparison.second);
+      const std::size_t below = 1 + (isPositive ? comparison.second : comparison.first);
+      auto more = bounds;
+      more.push_back({.from = below, .to = above, .most = range.high});
+      more.push_back({.from = above, .to = below, .most = -range.low});
+      if (auto means = meansAt(at, next + 1, more)) return means;
+    }
+    return std::nullopt;
+  }
+
+  const PublishedTable& table_;
+  PublishedConvention convention_;
+  std::size_t steps_ = 9;
+  std::vector<std::vector<double>> variances_;  ///< [group][point of the grid]
+  std::vector<Bound> means_;
+  std::vector<std::vector<Interval>> ranges_;  ///< [comparison][both points of the grid]
+};
+
+}  // namespace
+
+std::optional<std::vector<RealGroup>> realRow(
+    const PublishedTable& table,
+    std::span<const std::uint64_t> sizes,
+    const PublishedConvention& convention) {
+  if (sizes.size() != table.groups.size()) {
+    throw std::invalid_argument("every group has one size");
+  }
+  return RowSearch(table, sizes, convention).found();
+}
+
 namespace {
 
 constexpr int kStepsOfEdge = 64;  // p bends slightly along an edge: an extreme may lie inside

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/numerics/student_distribution.h"
+#include "analysis/numerics/distributions.h"
 
 namespace analysis {
 namespace {

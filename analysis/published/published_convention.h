@@ -6,7 +6,6 @@
 
 #include "analysis/numerics/interval.h"
 #include "analysis/published/published_table.h"
-#include "analysis/published/reported_number.h"
 
 namespace analysis {
 

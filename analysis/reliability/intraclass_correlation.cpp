@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/data/two_way_layout.h"
-#include "analysis/numerics/fisher_distribution.h"
+#include "analysis/numerics/distributions.h"
 
 namespace analysis {
 namespace {

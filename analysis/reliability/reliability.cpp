@@ -7,7 +7,7 @@
 #include "analysis/data/moments.h"
 #include "analysis/data/two_way_layout.h"
 #include "analysis/models/one_factor_model.h"
-#include "analysis/numerics/fisher_distribution.h"
+#include "analysis/numerics/distributions.h"
 
 namespace analysis {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "analysis/data/likert_counts.h"
-#include "analysis/summary/answer_dependence.h"
+#include "analysis/summary/answer_checks.h"
 #include "analysis/tests/attainable_p.h"
 
 namespace analysis {

@@ -7,7 +7,7 @@
 
 #include "analysis/data/nearest_name.h"
 #include "analysis/registry/test_rows.h"
-#include "analysis/tests/welch.h"
+#include "analysis/tests/t_tests.h"
 
 namespace analysis {
 namespace {

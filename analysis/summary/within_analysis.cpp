@@ -10,16 +10,6 @@
 namespace analysis {
 namespace {
 
-constexpr const char* kMethod = "method";
-
-std::size_t placeOf(const AnswerTable& table, const std::string& method) {
-  const auto found = std::find(table.methods.begin(), table.methods.end(), method);
-  if (found == table.methods.end()) {
-    throw std::invalid_argument("a pair names a method that is not there");
-  }
-  return static_cast<std::size_t>(found - table.methods.begin());
-}
-
 /// The labels of one column of the answers.
 template <typename PlaceOf>
 Factor factorBy(
@@ -31,34 +21,6 @@ Factor factorBy(
   labels.reserve(table.answers.size());
   for (const auto& answer : table.answers) labels.push_back(names[placeOfAnswer(answer)]);
   return factorOf(name, labels, names);
-}
-
-/// score ~ method [+ round] + (1 | participant) + (1 | participant:method); a round, and the second
-/// intercept, only where there are several answers to tell them apart.
-struct MixedDesign {
-  FixedEffects fixed;
-  std::vector<Factor> random;
-  std::vector<double> scores;
-};
-
-MixedDesign designOf(const AnswerTable& table) {
-  MixedDesign design{.fixed = FixedEffects(table.answers.size()), .random = {}, .scores = {}};
-  for (const auto& answer : table.answers) design.scores.push_back(answer.score);
-  const auto method =
-      factorBy(kMethod, table, table.methods, [](const auto& answer) { return answer.method; });
-  design.fixed.add(method);
-  const auto round =
-      factorBy("round", table, table.rounds, [](const auto& answer) { return answer.round; });
-  if (round.levels.size() > 1) design.fixed.add(round);
-  const auto participant =
-      factorBy("participant", table, table.participants, [](const auto& answer) {
-        return answer.participant;
-      });
-  design.random.push_back(participant);
-  auto taste = crossing(participant, method);
-  taste.name = "participant:method";
-  if (taste.levels.size() < table.answers.size()) design.random.push_back(std::move(taste));
-  return design;
 }
 
 /// Adjusts the p values of one test over all rows.
@@ -121,7 +83,7 @@ class Comparing {
       result_.mixed.reason = result_.ordinal.reason = reason("no_answers");
       return;
     }
-    design_ = designOf(table_);
+    design_ = mixedDesignOf(table_);
     result_.mixed = fitLinearMixedModel(design_->scores, design_->fixed, design_->random);
     if (table_.highest - table_.lowest >= kMostOrderedPoints) {
       result_.ordinal.reason =
@@ -132,7 +94,8 @@ class Comparing {
     for (const auto& answer : table_.answers) levels.push_back(answer.score);
     result_.ordinal = fitCumulativeLinkMixedModel(levels, design_->fixed, design_->random);
     for (const auto& method : table_.methods) {
-      const HighAnswers asked{.factor = kMethod, .group = method, .from = table_.aboveMiddle()};
+      const HighAnswers asked{
+          .factor = kMethodFactor, .group = method, .from = table_.aboveMiddle()};
       result_.probabilities.push_back(answerProbabilityRow(
           result_.ordinal, design_->fixed, levels, asked, 1.0 - options_.alpha));
       result_.probabilities.back().id = "answer_probability";
@@ -141,8 +104,8 @@ class Comparing {
 
   void row(const DeclaredPair& pair) {
     WithinComparison row{.group1 = pair.first, .group2 = pair.second};
-    const auto complete =
-        completeMeans(table_, {placeOf(table_, pair.first), placeOf(table_, pair.second)});
+    const auto complete = completeMeans(
+        table_, {placeOfMethod(table_, pair.first), placeOfMethod(table_, pair.second)});
     const TestData data{
         .values = {
             {.name = pair.first, .values = complete.of(0)},
@@ -170,14 +133,6 @@ class Comparing {
     }
   }
 
-  bool hasAnswers(const DeclaredPair& pair) const {
-    const auto& levels = design_->fixed.factor(kMethod).levels;
-    const auto isThere = [&](const std::string& name) {
-      return std::find(levels.begin(), levels.end(), name) != levels.end();
-    };
-    return isThere(pair.first) && isThere(pair.second);
-  }
-
   TestRow modelRow(
       TestRow row, std::string_view id, const DeclaredPair& pair, const Reason& whyNot) const {
     row.id = id;
@@ -192,7 +147,7 @@ class Comparing {
   /// Why a fitted model has no difference of a pair.
   Reason whyNoContrast(bool hasFit, const Reason& whyNoFit, const DeclaredPair& pair) const {
     if (!hasFit) return whyNoFit;
-    return hasAnswers(pair) ? Reason() : reason("no_answers_to_method");
+    return hasLevels(design_->fixed, pair) ? Reason() : reason("no_answers_to_method");
   }
 
   template <typename Fit>
@@ -200,7 +155,7 @@ class Comparing {
     return contrast(
         fit,
         pair.first + " - " + pair.second,
-        design_->fixed.difference(kMethod, pair.first, pair.second));
+        design_->fixed.difference(kMethodFactor, pair.first, pair.second));
   }
 
   TestRow mixedContrast(const DeclaredPair& pair) const {
@@ -229,6 +184,42 @@ class Comparing {
 };
 
 }  // namespace
+
+MixedDesign mixedDesignOf(const AnswerTable& table) {
+  MixedDesign design{.fixed = FixedEffects(table.answers.size()), .random = {}, .scores = {}};
+  for (const auto& answer : table.answers) design.scores.push_back(answer.score);
+  const auto method = factorBy(
+      kMethodFactor, table, table.methods, [](const auto& answer) { return answer.method; });
+  design.fixed.add(method);
+  const auto round =
+      factorBy("round", table, table.rounds, [](const auto& answer) { return answer.round; });
+  if (round.levels.size() > 1) design.fixed.add(round);
+  const auto participant =
+      factorBy("participant", table, table.participants, [](const auto& answer) {
+        return answer.participant;
+      });
+  design.random.push_back(participant);
+  auto taste = crossing(participant, method);
+  taste.name = "participant:method";
+  if (taste.levels.size() < table.answers.size()) design.random.push_back(std::move(taste));
+  return design;
+}
+
+bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair) {
+  const auto& levels = fixed.factor(kMethodFactor).levels;
+  const auto isThere = [&](const std::string& name) {
+    return std::find(levels.begin(), levels.end(), name) != levels.end();
+  };
+  return isThere(pair.first) && isThere(pair.second);
+}
+
+std::size_t placeOfMethod(const AnswerTable& table, const std::string& method) {
+  const auto found = std::find(table.methods.begin(), table.methods.end(), method);
+  if (found == table.methods.end()) {
+    throw std::invalid_argument("a pair names a method that is not there");
+  }
+  return static_cast<std::size_t>(found - table.methods.begin());
+}
 
 WithinAnalysis compareWithin(
     const AnswerTable& table, std::span<const DeclaredPair> pairs, const WithinOptions& options) {

@@ -57,6 +57,26 @@ struct WithinOptions {
   std::optional<double> equivalenceBound;                   ///< [points of the scale]
 };
 
+inline constexpr const char* kMethodFactor = "method";
+
+/// The model of the single answers:
+///
+///     score ~ method [+ round] + (1 | participant) + (1 | participant:method)
+///
+/// A round, and the second intercept, only where there are several answers to tell them apart.
+struct MixedDesign {
+  FixedEffects fixed;
+  std::vector<Factor> random;
+  std::vector<double> scores;
+};
+MixedDesign mixedDesignOf(const AnswerTable& table);
+
+/// Whether both methods of the pair have answers in the design.
+bool hasLevels(const FixedEffects& fixed, const DeclaredPair& pair);
+
+/// The index of a method. @throws std::invalid_argument  if it is not there.
+std::size_t placeOfMethod(const AnswerTable& table, const std::string& method);
+
 /// Compares methods within people (docs/statistics.md): the registered tests of pairs and of all
 /// methods on participants' means, and two mixed models of the single answers: one of their means,
 /// one of their order.

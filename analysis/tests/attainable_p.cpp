@@ -9,7 +9,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 
-#include "analysis/tests/equal_shares.h"
+#include "analysis/tests/vote_tests.h"
 
 namespace analysis {
 namespace {

@@ -6,9 +6,19 @@
 #include <vector>
 
 #include "analysis/data/reason.h"
-#include "analysis/data/vote_counts.h"
+#include "analysis/data/vote_shares.h"
 
 namespace analysis {
+
+/// The exact multinomial test of equal shares: the probability, if all options were equally likely,
+/// of an outcome that is not more probable than the observed one.
+///
+///     p = Σ n! / (v₁! … v_k!) / kⁿ   over all outcomes v whose term is not larger
+///
+/// Counted in whole numbers, so that ties are ties and p is exactly rounded. Nothing is returned
+/// without votes, nor where the outcomes are too many to count: kⁿ > 2¹²⁶, that is from 127 votes
+/// on two options, 80 on three, 64 on four.
+std::optional<double> equalSharesP(const VoteCounts& votes);
 
 /// Whether options are preferred equally often. What is missing has a reason.
 struct EqualSharesResult {
@@ -21,7 +31,7 @@ struct EqualSharesResult {
   Reason reason;                           ///< why something above is missing; empty if nothing is
 };
 
-/// Had everybody voted by lot, how probable would an outcome as uneven be? The test takes votes as
+/// If all had voted at random, how probable would an outcome as uneven be? The test takes votes as
 /// independent: several of one person make p too small.
 EqualSharesResult equalSharesTest(const VoteCounts& votes);
 

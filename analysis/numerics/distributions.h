@@ -1,0 +1,80 @@
+#pragma once
+
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// Student's t with ν degrees of freedom, which need not be a whole number.
+///
+/// Both tails together are
+///
+///     P(|T| ≥ |t|) = I_x(ν/2, 1/2),   x = ν / (ν + t²),
+///
+/// with I the regularised incomplete beta function.
+class StudentDistribution {
+ public:
+  /// @param degreesOfFreedom  finite and not less than one: Welch's are never fewer.
+  /// @throws std::invalid_argument  for others.
+  explicit StudentDistribution(double degreesOfFreedom);
+
+  /// P(|T| ≥ |t|). Below 1e-300 it loses digits, and becomes 0: use log10TwoSidedP() there.
+  double twoSidedP(double t) const;
+
+  /// log₁₀ P(|T| ≥ |t|), of full precision both near p = 1 and where p is too small for a double.
+  double log10TwoSidedP(double t) const;
+
+  /// The t that |T| exceeds with a probability of @p p in (0, 1].
+  /// @throws std::invalid_argument  for others.
+  double twoSidedQuantile(double p) const;
+
+ private:
+  double degreesOfFreedom_;
+};
+
+/// P(T ≤ t) for T of the noncentral t law: of a normal variable with mean δ and variance 1, divided
+/// by the root of an independent χ² over its ν degrees of freedom.
+///
+/// For small δ by Boost.Math's series, for |δ| > 100 by
+///
+///     P = P(S > (δ + c)/t) + ∫ f(s) Φ(t s − δ) ds over s from (δ − c)/t to (δ + c)/t,
+///
+/// where f is the density of S = √(χ²/ν) and Φ(−c) is negligible: to 1e-14 of 1.
+///
+/// @throws std::invalid_argument  for ν that is not finite and at least 1, or for t or δ that is
+///     not finite.
+double noncentralTProbability(double t, double degreesOfFreedom, double noncentrality);
+
+/// The noncentralities δ for which an observed t is not unusual (Steiger & Fouladi 1997): from
+/// P(T ≥ t | δ) = (1 − level) / 2 to P(T ≤ t | δ) = (1 − level) / 2.
+///
+/// @throws std::invalid_argument  for t, ν as above, or for a level that is not between 0 and 1.
+Interval noncentralityInterval(double t, double degreesOfFreedom, double level);
+
+/// Fisher's F with ν₁ and ν₂ degrees of freedom, which need not be whole numbers.
+///
+///     P(F ≥ f) = I_x(ν₂/2, ν₁/2),   x = ν₂ / (ν₂ + ν₁ f)
+///
+/// with I the regularised incomplete beta function.
+class FisherDistribution {
+ public:
+  /// @throws std::invalid_argument  for degrees of freedom that are not finite and above 0.
+  FisherDistribution(double degreesOfFreedom1, double degreesOfFreedom2);
+
+  /// P(F ≥ f) for f ≥ 0. Below 1e-300 it loses digits, and becomes 0: use log10UpperP() there.
+  /// @throws std::invalid_argument  for an f that is infinite, negative or no number.
+  double upperP(double f) const;
+
+  /// log₁₀ P(F ≥ f), of full precision both near p = 1 and where p is too small for a double.
+  /// @throws std::invalid_argument  as above.
+  double log10UpperP(double f) const;
+
+  /// The f that F exceeds with a probability of @p p in (0, 1); infinity beyond a double.
+  /// @throws std::invalid_argument  for others.
+  double upperQuantile(double p) const;
+
+ private:
+  double degreesOfFreedom1_;
+  double degreesOfFreedom2_;
+};
+
+}  // namespace analysis

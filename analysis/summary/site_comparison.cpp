@@ -1,0 +1,165 @@
+#include "analysis/summary/site_comparison.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/registry/test_rows.h"
+
+namespace analysis {
+namespace {
+
+class ComparingSites {
+ public:
+  ComparingSites(const AnswerTable& table, std::span<const std::string> sites, double level)
+      : table_(table), sites_(sites), level_(level) {
+    if (sites.size() != table.participants.size()) {
+      throw std::invalid_argument("each participant has a site");
+    }
+    count();
+    models();
+  }
+
+  SiteAnalysis all(std::span<const DeclaredPair> pairs) {
+    for (const auto& pair : pairs) result_.rows.push_back(comparisonOf(pair));
+    return std::move(result_);
+  }
+
+ private:
+  void count() {
+    std::map<std::string, SiteAnswers> counts;
+    for (const auto& site : sites_) {
+      auto& one = counts[site];
+      ++one.participants;
+      one.site = site;
+      one.methods.resize(table_.methods.size(), LikertCounts(table_.lowest, table_.highest));
+    }
+    for (const auto& answer : table_.answers) {
+      counts.at(sites_[answer.participant]).methods[answer.method].add(answer.score);
+    }
+    for (auto& [site, one] : counts) result_.answers.push_back(std::move(one));
+  }
+
+  void models() {
+    if (table_.answers.empty()) {
+      result_.fixedSites.reason = result_.randomSites.reason = reason("no_answers");
+      return;
+    }
+    std::vector<std::string> labels;
+    for (const auto& answer : table_.answers) labels.push_back(sites_[answer.participant]);
+    const auto site = factorOf("site", labels);
+    design_ = mixedDesignOf(table_);
+    auto random = design_->random;
+    random.push_back(site);
+    random.push_back(crossing(site, design_->fixed.factor(kMethodFactor)));
+    random.back().name = "site:method";
+    result_.randomSites = fitLinearMixedModel(design_->scores, design_->fixed, random);
+    withSites_ = design_->fixed;
+    withSites_->add(site);
+    result_.fixedSites = fitLinearMixedModel(design_->scores, *withSites_, design_->random);
+  }
+
+  SiteComparison comparisonOf(const DeclaredPair& pair) const {
+    SiteComparison row{.group1 = pair.first, .group2 = pair.second};
+    row.sites = differencesOf(pair);
+    pool(row);
+    row.fixedSites = contrastOf(result_.fixedSites, withSites_, pair);
+    row.randomSites = contrastOf(
+        result_.randomSites, design_ ? std::optional(design_->fixed) : std::nullopt, pair);
+    return row;
+  }
+
+  std::vector<SiteDifference> differencesOf(const DeclaredPair& pair) const {
+    const auto complete = completeMeans(
+        table_, {placeOfMethod(table_, pair.first), placeOfMethod(table_, pair.second)});
+    std::vector<SiteDifference> differences;
+    for (const auto& site : std::set<std::string>(sites_.begin(), sites_.end())) {
+      std::vector<double> first;
+      std::vector<double> second;
+      for (std::size_t i = 0; i < complete.participants.size(); ++i) {
+        if (sites_[complete.participants[i]] != site) continue;
+        first.push_back(complete.means[i][0]);
+        second.push_back(complete.means[i][1]);
+      }
+      auto test = pairedTTest(first, second);
+      const auto interval = confidenceInterval(test, level_);
+      differences.push_back({.site = site, .test = std::move(test), .interval = interval});
+    }
+    return differences;
+  }
+
+  /// An error that is nothing but the rounding of means would have all of the weight.
+  static bool isPooled(const SiteDifference& site) {
+    constexpr double kRounding = 1e-9;  // [points]
+    return site.test.meanDifference && site.test.standardError.value_or(0.0) > kRounding;
+  }
+
+  void pool(SiteComparison& row) const {
+    std::vector<EstimateWithError> known;
+    std::vector<SiteDifference*> pooledSites;
+    for (auto& site : row.sites) {
+      if (!isPooled(site)) continue;
+      known.push_back({*site.test.meanDifference, *site.test.standardError});
+      pooledSites.push_back(&site);
+    }
+    if (known.size() < 2) {
+      row.reason = reason("two_sites_needed");
+      return;
+    }
+    row.pooled = pooled(known, level_);
+    const auto& reml = row.pooled->reml;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const double error = known[i].standardError;
+      pooledSites[i]->weight =
+          reml.standardError * reml.standardError / (error * error + reml.tauSquared);
+    }
+    const auto without = withoutEach(known, level_);
+    for (std::size_t i = 0; i < without.size(); ++i) {
+      row.withoutEach.push_back({pooledSites[i]->site, without[i]});
+    }
+  }
+
+  TestRow contrastOf(
+      const LinearMixedResult& model,
+      const std::optional<FixedEffects>& fixed,
+      const DeclaredPair& pair) const {
+    TestRow row;
+    if (!model.fit) {
+      row.reason = model.reason;
+    } else if (!hasLevels(*fixed, pair)) {
+      row.reason = reason("no_answers_to_method");
+    } else {
+      const auto estimate = contrast(
+          *model.fit,
+          pair.first + " - " + pair.second,
+          fixed->difference(kMethodFactor, pair.first, pair.second));
+      row = rowOf(estimate, table_.answers.size());
+      row.interval = confidenceInterval(estimate, level_);
+    }
+    row.id = "mixed_model";
+    row.group1 = pair.first;
+    row.group2 = pair.second;
+    return row;
+  }
+
+  const AnswerTable& table_;
+  std::span<const std::string> sites_;
+  double level_;
+  std::optional<MixedDesign> design_;
+  std::optional<FixedEffects> withSites_;
+  SiteAnalysis result_;
+};
+
+}  // namespace
+
+SiteAnalysis compareSites(
+    const AnswerTable& table,
+    std::span<const std::string> sites,
+    std::span<const DeclaredPair> pairs,
+    double level) {
+  return ComparingSites(table, sites, level).all(pairs);
+}
+
+}  // namespace analysis

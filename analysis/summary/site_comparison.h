@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/data/likert_counts.h"
+#include "analysis/models/meta_analysis.h"
+#include "analysis/summary/within_analysis.h"
+#include "analysis/tests/t_tests.h"
+
+namespace analysis {
+
+/// The difference of two methods at one site, by its participants' means.
+struct SiteDifference {
+  std::string site;
+  PairedTResult test;
+  std::optional<Interval> interval;
+  double weight = 0.0;  ///< share in the pooled difference (REML); 0: it is no part of it
+};
+
+/// How often each point was chosen at one site, by method of the table.
+struct SiteAnswers {
+  std::string site;
+  std::size_t participants = 0;
+  std::vector<LikertCounts> methods;
+};
+
+/// The pooled difference of all sites but one.
+struct WithoutSite {
+  std::string site;
+  PooledEstimate pooled;
+};
+
+/// Two methods, compared within people, site by site.
+struct SiteComparison {
+  std::string group1;
+  std::string group2;
+  std::vector<SiteDifference> sites;  ///< by name
+  std::optional<MetaAnalysis> pooled;
+  Reason reason;  ///< why nothing is pooled
+  std::vector<WithoutSite> withoutEach;
+  TestRow fixedSites;   ///< of the model with site as a fixed effect
+  TestRow randomSites;  ///< of the model whose sites are random
+};
+
+/// One cohort's answers, site by site: in two stages (the difference at each site, then pooled),
+/// and by mixed models of all single answers, which add to that of compareWithin()
+///
+///     + site                                  (fixed: sites differ in level)
+///     + (1 | site) + (1 | site:method)        (random: they differ in level and in the effect)
+struct SiteAnalysis {
+  std::vector<SiteAnswers> answers;  ///< by name
+  std::vector<SiteComparison> rows;  ///< in the order of the pairs
+  LinearMixedResult fixedSites;
+  LinearMixedResult randomSites;
+};
+
+/// @param sites  of each participant of the table
+/// @param level  of the intervals
+/// @throws std::invalid_argument  for another number of sites, or a pair of methods that are not
+///     there.
+SiteAnalysis compareSites(
+    const AnswerTable& table,
+    std::span<const std::string> sites,
+    std::span<const DeclaredPair> pairs,
+    double level);
+
+}  // namespace analysis

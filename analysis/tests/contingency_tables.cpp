@@ -1,0 +1,302 @@
+#include "analysis/tests/contingency_tables.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+
+#include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/numerics/fair_coin.h"
+#include "analysis/numerics/tail_probabilities.h"
+
+namespace analysis {
+namespace {
+
+using ChangeTable = std::span<const std::vector<std::uint64_t>>;
+
+void requireSquare(ChangeTable table) {
+  constexpr std::size_t kMostChoices = 100;
+  constexpr std::uint64_t kMostCount = (std::uint64_t{1} << 32) - 1;
+  if (table.size() < 2 || table.size() > kMostChoices) {
+    throw std::invalid_argument("a table of changes has 2 to 100 options");
+  }
+  for (const auto& row : table) {
+    if (row.size() != table.size()) throw std::invalid_argument("a table of changes is square");
+    if (std::ranges::max(row) > kMostCount) throw std::invalid_argument("a count is too large");
+  }
+}
+
+/// Options that changes connect, directly or through others, have the same number.
+std::vector<std::size_t> partsOf(ChangeTable table) {
+  std::vector<std::size_t> parts(table.size());
+  std::iota(parts.begin(), parts.end(), std::size_t{0});
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < table.size(); ++j) {
+      if (i == j || table[i][j] == 0 || parts[i] == parts[j]) continue;
+      std::ranges::replace(parts, std::max(parts[i], parts[j]), std::min(parts[i], parts[j]));
+    }
+  }
+  return parts;
+}
+
+/// The options without the first of each part.
+std::vector<std::size_t> keptOptions(ChangeTable table) {
+  const auto parts = partsOf(table);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] != i) kept.push_back(i);  // a part is named by its first option
+  }
+  return kept;
+}
+
+/// S, with d as a last column.
+using Equations = std::vector<std::vector<DoubleDouble>>;
+
+Equations equationsOf(ChangeTable table, const std::vector<std::size_t>& kept) {
+  Equations equations;
+  for (const std::size_t i : kept) {
+    double difference = 0.0;
+    double changes = 0.0;
+    for (std::size_t j = 0; j < table.size(); ++j) {
+      if (i == j) continue;
+      difference += static_cast<double>(table[i][j]) - static_cast<double>(table[j][i]);
+      changes += static_cast<double>(table[i][j]) + static_cast<double>(table[j][i]);
+    }
+    std::vector<DoubleDouble> row;
+    row.reserve(kept.size() + 1);
+    for (const std::size_t j : kept) {
+      row.emplace_back(
+          i == j ? changes : -static_cast<double>(table[i][j]) - static_cast<double>(table[j][i]));
+    }
+    row.emplace_back(difference);
+    equations.push_back(std::move(row));
+  }
+  return equations;
+}
+
+/// dᵀ S⁻¹ d of a positive definite S, by elimination: Σ of what is left of dᵢ, squared, over the
+/// pivot.
+double quadraticForm(Equations equations) {
+  DoubleDouble sum;
+  for (std::size_t pivot = 0; pivot < equations.size(); ++pivot) {
+    const auto& top = equations[pivot];
+    sum = sum + top.back() * top.back() / top[pivot];
+    for (std::size_t i = pivot + 1; i < equations.size(); ++i) {
+      const DoubleDouble factor = equations[i][pivot] / top[pivot];
+      for (std::size_t j = pivot; j < top.size(); ++j) {
+        equations[i][j] = equations[i][j] - factor * top[j];
+      }
+    }
+  }
+  return sum.high;
+}
+
+}  // namespace
+
+McNemarResult mcNemarTest(std::uint64_t changedToYes, std::uint64_t changedToNo) {
+  McNemarResult result;
+  result.changedToYes = changedToYes;
+  result.changedToNo = changedToNo;
+  if (changedToYes == 0 && changedToNo == 0) {
+    result.reason = reason("nobody_changed");
+    return result;
+  }
+  if (changedToYes > kMostTosses || changedToNo > kMostTosses - changedToYes) {
+    result.reason = reason("too_many_changes");
+    return result;
+  }
+  const SmallProbability exact = fairCoinP(changedToYes, changedToYes + changedToNo);
+  result.p = exact.p;
+  result.log10P = exact.log10P;
+  if (!exact.p) result.reason = reason("p_too_small");
+  const Wide difference = static_cast<Wide>(changedToYes) - static_cast<Wide>(changedToNo);
+  const auto changes = static_cast<Wide>(changedToYes) + static_cast<Wide>(changedToNo);
+  result.chiSquared = exactQuotient(difference * difference, changes).high;
+  result.pAsymptotic = chiSquaredP(*result.chiSquared, 1.0);
+  return result;
+}
+
+StuartMaxwellResult stuartMaxwellTest(ChangeTable table) {
+  requireSquare(table);
+  StuartMaxwellResult result;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < table.size(); ++j) {
+      result.persons += table[i][j];
+      if (i != j) result.changed += table[i][j];
+    }
+  }
+  if (result.changed == 0) {
+    result.reason = result.persons == 0 ? reason("nobody_voted") : reason("nobody_changed");
+    return result;
+  }
+  const auto kept = keptOptions(table);
+  result.chiSquared = quadraticForm(equationsOf(table, kept));
+  result.degreesOfFreedom = static_cast<double>(kept.size());
+  result.p = chiSquaredP(*result.chiSquared, *result.degreesOfFreedom);
+  result.log10P = log10ChiSquaredP(*result.chiSquared, *result.degreesOfFreedom);
+  return result;
+}
+
+namespace {
+
+using Counts = std::vector<std::uint64_t>;
+constexpr std::uint64_t kMostCounts = 300;
+constexpr std::uint64_t kMostTables = 500'000;
+constexpr std::uint64_t kMostInACell = std::uint64_t{1} << 32;
+constexpr double kAlike = 1e-20;  // relative: equal probabilities, computed in 31 digits
+
+/// Pascal's triangle in doubles of 31 digits.
+class LongBinomials {
+ public:
+  LongBinomials() {
+    for (std::size_t n = 0; n <= kMostCounts; ++n) {
+      rows_.emplace_back(n + 1, 1.0);
+      for (std::size_t k = 1; k < n; ++k) rows_[n][k] = rows_[n - 1][k - 1] + rows_[n - 1][k];
+    }
+  }
+  const DoubleDouble& operator()(std::uint64_t n, std::uint64_t k) const { return rows_[n][k]; }
+
+ private:
+  std::vector<std::vector<DoubleDouble>> rows_;
+};
+
+const LongBinomials& longBinomials() {
+  static const LongBinomials table;
+  return table;
+}
+
+/// Goes through all tables with the margins of one, column after column, row after row. Each row
+/// takes its part of what the column still lacks, w, as by drawing without replacement,
+///
+///     P(part) = C(h, part) C(o, w − part) / C(h + o, w),
+///
+/// with h what this row has left for this column and those after it, and o those below it.
+class Tables {
+ public:
+  Tables(const Counts& rows, const Counts& columns, const DoubleDouble& observed)
+      : rows_(rows), columns_(columns), observed_(observed) {}
+
+  /// std::nullopt if the tables are too many.
+  std::optional<double> notMoreProbable() {
+    std::uint64_t left = 0;
+    for (const auto row : rows_) left += row;
+    fill(0, 0, columns_.front(), left, 1.0);
+    if (visited_ > kMostTables) return std::nullopt;
+    return std::min(1.0, sum_.high);
+  }
+
+ private:
+  /// Row @p i of column @p j takes its part of @p wanted, which the column still lacks; @p below is
+  /// what this row and those below it have left.
+  void fill(
+      std::size_t j, std::size_t i, std::uint64_t wanted, std::uint64_t below, DoubleDouble p) {
+    if (visited_ > kMostTables) return;
+    if (j == columns_.size()) return visit(p);
+    const std::uint64_t here = rows_[i];
+    const std::uint64_t others = below - here;
+    if (i + 1 == rows_.size()) {
+      rows_[i] -= wanted;
+      next(j, p);
+      rows_[i] = here;
+      return;
+    }
+    const std::uint64_t least = wanted > others ? wanted - others : 0;
+    for (std::uint64_t part = least; part <= std::min(here, wanted); ++part) {
+      rows_[i] = here - part;
+      fill(
+          j,
+          i + 1,
+          wanted - part,
+          others,
+          p * longBinomials()(here, part) * longBinomials()(others, wanted - part) /
+              longBinomials()(below, wanted));
+    }
+    rows_[i] = here;
+  }
+
+  void next(std::size_t j, const DoubleDouble& p) {
+    std::uint64_t left = 0;
+    for (const auto row : rows_) left += row;
+    fill(j + 1, 0, j + 1 < columns_.size() ? columns_[j + 1] : 0, left, p);
+  }
+
+  void visit(const DoubleDouble& p) {
+    ++visited_;
+    const bool isMore = (p - observed_).high > kAlike * observed_.high;
+    if (!isMore) sum_ = sum_ + p;
+  }
+
+  Counts rows_;
+  Counts columns_;
+  DoubleDouble observed_;
+  DoubleDouble sum_;
+  std::uint64_t visited_ = 0;
+};
+
+/// How much is in each row and column.
+struct Margins {
+  Counts rows;
+  Counts columns;
+  std::uint64_t total = 0;
+};
+
+Margins marginsOf(std::span<const Counts> table) {
+  Margins margins;
+  margins.columns.assign(table.front().size(), 0);
+  for (const auto& row : table) {
+    margins.rows.push_back(std::accumulate(row.begin(), row.end(), std::uint64_t{0}));
+    margins.total += margins.rows.back();
+    for (std::size_t j = 0; j < row.size(); ++j) margins.columns[j] += row[j];
+  }
+  return margins;
+}
+
+/// The probability of a table among those with its margins.
+DoubleDouble probabilityOf(std::span<const Counts> table, const Margins& margins) {
+  Counts left = margins.rows;
+  std::uint64_t all = margins.total;
+  DoubleDouble p = 1.0;
+  for (std::size_t j = 0; j < margins.columns.size(); ++j) {
+    p = p / longBinomials()(all, margins.columns[j]);
+    all -= margins.columns[j];
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      p = p * longBinomials()(left[i], table[i][j]);
+      left[i] -= table[i][j];
+    }
+  }
+  return p;
+}
+
+}  // namespace
+
+FisherExactResult fisherExactTest(std::span<const Counts> table) {
+  if (table.empty()) throw std::invalid_argument("a table has rows");
+  for (const auto& row : table) {
+    if (row.empty() || row.size() != table.front().size()) {
+      throw std::invalid_argument("the rows of a table have as many counts");
+    }
+    if (std::ranges::max(row) > kMostInACell) throw std::invalid_argument("a count is too large");
+  }
+  Margins margins = marginsOf(table);
+  FisherExactResult result;
+  result.total = margins.total;
+  const auto filled = [](const Counts& sums) {
+    return std::ranges::count_if(sums, [](std::uint64_t sum) { return sum > 0; });
+  };
+  if (filled(margins.rows) < 2 || filled(margins.columns) < 2) {
+    result.reason = reason("one_row_or_column");
+    return result;
+  }
+  if (margins.total > kMostCounts) {
+    result.reason = reason("too_many_counts");
+    return result;
+  }
+  const DoubleDouble observed = probabilityOf(table, margins);
+  std::erase(margins.rows, 0U);
+  std::erase(margins.columns, 0U);
+  result.p = Tables(margins.rows, margins.columns, observed).notMoreProbable();
+  if (!result.p) result.reason = reason("too_many_tables");
+  return result;
+}
+
+}  // namespace analysis

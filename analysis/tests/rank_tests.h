@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "analysis/data/ranks.h"
+#include "analysis/data/reason.h"
+#include "analysis/numerics/exact_arithmetic.h"
+
+namespace analysis {
+
+/// The exact law of Mann & Whitney's U if every n₁ of all values were as likely to be group 1: that
+/// of the given midranks, ties included, by dynamic programming over rank sums in 31 digits.
+class RankSums {
+ public:
+  /// Whether the distribution fits into memory and is computed within about a second: two groups of
+  /// some 50 values.
+  static bool canHold(const TiedGroups& groups);
+
+  /// @throws std::invalid_argument  for groups that canHold() refuses, and for an empty one.
+  explicit RankSums(const TiedGroups& groups);
+
+  /// P(2U ≤ u)
+  double atMost(std::int64_t doubledU) const;
+  /// P(2U ≥ u)
+  double atLeast(std::int64_t doubledU) const;
+  /// P(|2U − n₁n₂| ≥ |u − n₁n₂|): as far from its mean.
+  double asFar(std::int64_t doubledU) const;
+
+ private:
+  std::int64_t doubledUAt(std::size_t index) const;
+
+  std::int64_t mean_ = 0;  // of 2U
+  std::int64_t least_ = 0;
+  std::int64_t step_ = 1;  // negative where group 2 is the smaller one and its sums are counted
+  std::vector<DoubleDouble> probabilities_;
+};
+
+/// What Mann & Whitney's test says about two groups. What is not defined is missing, with
+/// a reason.
+struct MannWhitneyResult {
+  std::uint64_t n1 = 0;
+  std::uint64_t n2 = 0;
+  std::optional<double> u;         ///< pairs in which group 1 is larger, equal ones counting half
+  std::optional<double> variance;  ///< of U, ties taken into account; zero if all values are equal
+
+  std::optional<double> p;         ///< exact, two-sided: 2 min(P(≤ U), P(≥ U)), at most 1
+  std::optional<double> pAbs;      ///< exact, two-sided: P(U as far from its mean)
+  std::optional<double> pLess;     ///< exact P(≤ U): if only group 1 < group 2 were of interest
+  std::optional<double> pGreater;  ///< exact P(≥ U)
+
+  std::optional<double> z;                      ///< normal, without continuity correction
+  std::optional<double> pAsymptotic;            ///< two-sided, of z
+  std::optional<double> log10PAsymptotic;       ///< also where p is too small for a double
+  std::optional<double> pAsymptoticContinuity;  ///< with U moved by ½ towards its mean
+
+  Reason reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Mann & Whitney's test (1947), which is Wilcoxon's rank sum test: does one group tend to larger
+/// values?
+///
+///     U = #{x > y} + ½ #{x = y}
+///     σ² = n₁ n₂ / 12 · (N + 1 − Σ (t³ − t) / (N (N − 1))),   N = n₁ + n₂
+///
+/// The exact law is that of the given midranks under all choices of group 1 (RankSums), for two
+/// groups of some 50 or one very small one. The two exact two-sided p differ where ties make the
+/// law skew.
+///
+/// @throws std::invalid_argument  if a value is infinite or NaN.
+MannWhitneyResult mannWhitneyTest(std::span<const double> group1, std::span<const double> group2);
+MannWhitneyResult mannWhitneyTest(const TiedGroups& groups);
+
+/// What Brunner & Munzel's test says about two groups. What is not defined is missing,
+/// with a reason.
+struct BrunnerMunzelResult {
+  std::uint64_t n1 = 0;
+  std::uint64_t n2 = 0;
+  std::optional<double> probability;  ///< P(X < Y) + ½ P(X = Y), X of group 1, Y of group 2
+  std::optional<double> w;  ///< positive if group 2 ranks higher; ±infinity without overlap
+  std::optional<double> degreesOfFreedom;  ///< as in Welch's test; rarely a whole number
+  std::optional<double> p;                 ///< two-sided
+  std::optional<double> log10P;            ///< also where p is too small for a double
+  std::optional<double> pLess;             ///< if only group 1 < group 2 were of interest
+  std::optional<double> pGreater;          ///< if only group 1 > group 2 were of interest
+  Reason reason;                           ///< why something above is missing; empty if nothing is
+};
+
+/// Brunner & Munzel's test (2000, Biometrical Journal 42): does one group tend to larger values, if
+/// they may be scattered differently? With U as in mannWhitneyTest() and Sᵢ² the variance of group
+/// i's placements (ranks among all − ranks in its own group),
+///
+///     W = (n₁n₂/2 − U) / √(n₁S₁² + n₂S₂²)
+///     ν = (n₁S₁² + n₂S₂²)² / ((n₁S₁²)²/(n₁ − 1) + (n₂S₂²)²/(n₂ − 1)),   p of Student's law with ν
+///
+/// Undefined for a group of fewer than two, and where the placements do not vary: groups that do
+/// not overlap, or all values equal.
+///
+/// @throws std::invalid_argument  if a value is infinite or NaN.
+BrunnerMunzelResult brunnerMunzelTest(
+    std::span<const double> group1, std::span<const double> group2);
+BrunnerMunzelResult brunnerMunzelTest(const TiedGroups& groups);
+
+}  // namespace analysis

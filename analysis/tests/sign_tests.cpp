@@ -1,0 +1,266 @@
+#include "analysis/tests/sign_tests.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "analysis/data/ranks.h"
+#include "analysis/numerics/exact_arithmetic.h"
+#include "analysis/numerics/fair_coin.h"
+#include "analysis/numerics/tail_probabilities.h"
+
+namespace analysis {
+
+SignTestResult signTest(std::span<const double> differences) {
+  std::uint64_t positive = 0;
+  std::uint64_t negative = 0;
+  for (const double difference : differences) {
+    if (std::isnan(difference)) throw std::invalid_argument("a difference is no number");
+    if (difference > 0.0) ++positive;
+    if (difference < 0.0) ++negative;
+  }
+  return signTest(positive, negative, differences.size() - positive - negative);
+}
+
+SignTestResult signTest(std::uint64_t positive, std::uint64_t negative, std::uint64_t zeros) {
+  SignTestResult result;
+  result.positive = positive;
+  result.negative = negative;
+  result.zeros = zeros;
+  if (positive == 0 && negative == 0) {
+    result.reason = zeros == 0 ? reason("no_differences") : reason("no_sign_to_test");
+    return result;
+  }
+  if (positive > kMostTosses || negative > kMostTosses - positive) {
+    result.reason = reason("too_many_differences");
+    return result;
+  }
+  const std::uint64_t tosses = positive + negative;
+  const SmallProbability both = fairCoinP(positive, tosses);
+  result.p = both.p;
+  result.log10P = both.log10P;
+  result.pLess = headsAtMost(positive, tosses).p;
+  result.pGreater = headsAtMost(negative, tosses).p;
+  if (!result.p || !result.pLess || !result.pGreater) {
+    result.reason = reason("a_p_too_small");
+  }
+  return result;
+}
+
+namespace {
+
+/// Doubled ranks of the differences that have a sign.
+struct SignedRanks {
+  std::vector<std::uint64_t> doubled;
+  Wide positiveSum = 0;
+  Wide sum = 0;
+  Wide squares = 0;
+};
+
+SignedRanks ranked(std::span<const double> differences, Zeros zeros) {
+  std::vector<double> sizes;
+  std::vector<int> signs;
+  for (const double difference : differences) {
+    if (difference == 0.0 && zeros == Zeros::Dropped) continue;
+    sizes.push_back(std::abs(difference));
+    signs.push_back(difference > 0.0 ? 1 : difference < 0.0 ? -1 : 0);
+  }
+  const Midranks midranks = midranksOf(sizes);
+
+  SignedRanks ranks;
+  for (std::size_t i = 0; i < signs.size(); ++i) {
+    if (signs[i] == 0) continue;
+    const auto rank = static_cast<Wide>(midranks.doubled[i]);
+    ranks.doubled.push_back(midranks.doubled[i]);
+    ranks.sum += rank;
+    ranks.squares += rank * rank;
+    if (signs[i] > 0) ranks.positiveSum += rank;
+  }
+  return ranks;
+}
+
+void addExact(SignedRankResult& result, const SignedRanks& ranks) {
+  if (!SubsetSums::isFeasible(ranks.doubled)) {
+    result.reason = reason("too_many_differences_asymptotic");
+    return;
+  }
+  const SubsetSums law(ranks.doubled);
+  const auto sum = static_cast<std::uint64_t>(ranks.positiveSum);
+  result.p = law.twoSided(sum);
+  result.pLess = law.atMost(sum);
+  result.pGreater = law.atLeast(sum);
+}
+
+void addAsymptotic(SignedRankResult& result, const SignedRanks& ranks) {
+  const Wide excess = 2 * ranks.positiveSum - ranks.sum;  // 4 (V − its mean)
+  // The continuity correction moves V by ½, that is 4V by 2, towards its mean.
+  const Wide corrected = excess > 0 ? excess - 2 : excess < 0 ? excess + 2 : 0;
+  const DoubleDouble deviation = squareRoot(exactQuotient(ranks.squares, 1));
+  result.rankBiserial = exactQuotient(excess, ranks.sum).high;
+  result.z = (exactQuotient(excess, 1) / deviation).high;
+  result.pAsymptotic = normalTwoSidedP(*result.z);
+  result.log10PAsymptotic = log10NormalTwoSidedP(*result.z);
+  result.pAsymptoticContinuity = normalTwoSidedP((exactQuotient(corrected, 1) / deviation).high);
+}
+
+}  // namespace
+
+SignedRankResult signedRankTest(std::span<const double> differences, Zeros zeros) {
+  const SignedRanks ranks = ranked(differences, zeros);
+  SignedRankResult result;
+  result.n = differences.size();
+  result.positive = static_cast<std::uint64_t>(
+      std::ranges::count_if(differences, [](double difference) { return difference > 0.0; }));
+  result.negative = ranks.doubled.size() - result.positive;
+  result.zeros = result.n - ranks.doubled.size();
+  if (ranks.doubled.empty()) {
+    result.reason = result.n == 0 ? reason("no_differences") : reason("no_sign_to_test");
+    return result;
+  }
+  result.v = exactQuotient(ranks.positiveSum, 2).high;
+  addExact(result, ranks);
+  addAsymptotic(result, ranks);
+  return result;
+}
+
+namespace {
+
+using Integers = std::vector<Wide>;
+constexpr std::size_t kMostEnumerated = 40;  // two halves of 2^20 sums each
+
+/// A double as a whole number of 2^exponent.
+struct Binary {
+  Wide mantissa = 0;
+  int exponent = 0;
+};
+
+Binary binaryOf(double number) {
+  constexpr int kBits = 53;
+  Binary binary;
+  binary.mantissa = static_cast<Wide>(std::ldexp(std::frexp(number, &binary.exponent), kBits));
+  binary.exponent -= kBits;
+  for (; binary.mantissa % 2 == 0; binary.mantissa /= 2) ++binary.exponent;
+  return binary;
+}
+
+/// The numbers, none of them zero, in units of their smallest digit; std::nullopt if they differ so
+/// much in size that sums of them need more than 126 digits.
+std::optional<Integers> exactIntegers(const std::vector<double>& numbers) {
+  constexpr int kMostShift = 66;  // with 53 digits and sums of 2^6 numbers
+  std::vector<Binary> binaries;
+  binaries.reserve(numbers.size());
+  for (const double number : numbers) binaries.push_back(binaryOf(number));
+  const auto least = std::ranges::min_element(binaries, {}, &Binary::exponent)->exponent;
+
+  Integers integers;
+  for (const auto& binary : binaries) {
+    if (binary.exponent - least > kMostShift) return std::nullopt;
+    integers.push_back(binary.mantissa * (Wide{1} << (binary.exponent - least)));
+  }
+  return integers;
+}
+
+/// The sums of all subsets, from the smallest: merging two sorted lists keeps them sorted.
+Integers subsetSums(std::span<const Wide> weights) {
+  Integers sums{0};
+  for (const Wide weight : weights) {
+    Integers with = sums;
+    for (Wide& sum : with) sum += weight;
+    Integers merged(2 * sums.size());
+    std::ranges::merge(sums, with, merged.begin());
+    sums = std::move(merged);
+  }
+  return sums;
+}
+
+/// How many subsets have a sum of at least `least`, by meeting in the middle (Horowitz & Sahni
+/// 1974): for the sums of one half in ascending order, the smallest sufficient sum of the other
+/// half descends. 2^(n/2) sums in place of 2ⁿ.
+std::uint64_t subsetsOfAtLeast(std::span<const Wide> weights, Wide least) {
+  const Integers lower = subsetSums(weights.first(weights.size() / 2));
+  const Integers upper = subsetSums(weights.subspan(weights.size() / 2));
+  std::uint64_t count = 0;
+  std::size_t enough = upper.size();
+  for (const Wide sum : lower) {
+    while (enough > 0 && sum + upper[enough - 1] >= least) --enough;
+    count += upper.size() - enough;
+  }
+  return count;
+}
+
+/// Of a sum of sizes, the part that is positive.
+struct Flips {
+  Integers sizes;
+  Wide positive = 0;
+  Wide total = 0;
+};
+
+Flips flipsOf(const Integers& integers) {
+  Flips flips;
+  for (const Wide number : integers) {
+    const Wide size = number < 0 ? -number : number;
+    if (number > 0) flips.positive += size;
+    flips.total += size;
+    flips.sizes.push_back(size);
+  }
+  return flips;
+}
+
+void addEnumerated(SignFlipResult& result, const Flips& flips) {
+  const double all = std::ldexp(1.0, static_cast<int>(flips.sizes.size()));
+  const auto atLeast = [&](Wide sum) {
+    return static_cast<double>(subsetsOfAtLeast(flips.sizes, sum)) / all;
+  };
+  result.pGreater = atLeast(flips.positive);
+  result.pLess = atLeast(flips.total - flips.positive);
+  result.p = std::min(1.0, 2.0 * std::min(*result.pLess, *result.pGreater));
+}
+
+/// By the distribution of all sums; false where there are too many different ones.
+bool addBySums(SignFlipResult& result, const Flips& flips) {
+  std::vector<std::uint64_t> weights;
+  for (const Wide size : flips.sizes) weights.push_back(static_cast<std::uint64_t>(size));
+  if (!SubsetSums::isFeasible(weights)) return false;
+
+  const SubsetSums law(weights);
+  const auto positive = static_cast<std::uint64_t>(flips.positive);
+  result.p = law.twoSided(positive);
+  result.pLess = law.atMost(positive);
+  result.pGreater = law.atLeast(positive);
+  return true;
+}
+
+}  // namespace
+
+SignFlipResult signFlipTest(std::span<const double> differences) {
+  const auto common = commonUnitOf(differences);
+  SignFlipResult result;
+  result.n = differences.size();
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const bool isZero = common ? common->multiples[i] == 0 : differences[i] == 0.0;
+    if (!isZero)
+      numbers.push_back(common ? static_cast<double>(common->multiples[i]) : differences[i]);
+  }
+  if (numbers.empty()) {
+    result.reason = differences.empty() ? reason("no_differences") : reason("no_sign_to_flip");
+    return result;
+  }
+  const bool areFew = numbers.size() <= kMostEnumerated;
+  const auto integers = common || areFew ? exactIntegers(numbers) : std::nullopt;
+  if (!integers && areFew) {
+    result.reason = reason("sizes_too_unlike");
+    return result;
+  }
+  const Flips flips = integers ? flipsOf(*integers) : Flips{};
+  if (common && addBySums(result, flips)) return result;
+  if (areFew) {
+    addEnumerated(result, flips);
+  } else {
+    result.reason = reason("too_many_to_flip");
+  }
+  return result;
+}
+
+}  // namespace analysis

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "analysis/data/likert_counts.h"
+#include "analysis/data/moments.h"
+#include "analysis/data/reason.h"
+#include "analysis/numerics/interval.h"
+
+namespace analysis {
+
+/// What Welch's t-test says about two groups. What is not defined is missing,
+/// with a reason.
+struct WelchResult {
+  std::uint64_t n1 = 0;
+  std::uint64_t n2 = 0;
+  std::optional<double> mean1;
+  std::optional<double> mean2;
+  std::optional<double> variance1;  ///< with n − 1
+  std::optional<double> variance2;
+
+  std::optional<double> difference;     ///< mean of group 1 − mean of group 2
+  std::optional<double> standardError;  ///< of the difference
+  std::optional<double> t;  ///< ±infinity for constant groups that differ, and beyond a double
+  std::optional<double> degreesOfFreedom;  ///< Welch–Satterthwaite; rarely a whole number
+
+  std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
+  std::optional<double> log10P;    ///< of p; also where p is too small for a double
+  std::optional<double> pLess;     ///< if only group 1 < group 2 were of interest
+  std::optional<double> pGreater;  ///< if only group 1 > group 2 were of interest
+  std::optional<double> pToolpak;  ///< two-sided, as the spreadsheet has it
+
+  Reason reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Welch's t-test: do two groups differ in their mean, if their variances may differ too?
+///
+///     t = (m₁ − m₂) / √(s₁²/n₁ + s₂²/n₂)
+///     ν = (s₁²/n₁ + s₂²/n₂)² / ((s₁²/n₁)² / (n₁ − 1) + (s₂²/n₂)² / (n₂ − 1))
+///     p = P(|T| ≥ |t|),  T of Student's law with ν degrees of freedom
+///
+/// The difference and the variances are taken with 31 digits and beyond a double's range, so that
+/// an offset of 1e9 or values of 1e-200 cost nothing. The spreadsheet's Analysis ToolPak rounds ν
+/// to the nearest whole number.
+///
+/// The test is not defined for a group of fewer than two, nor for two groups that each answered
+/// with one voice. Small panels on a Likert scale do that.
+///
+/// @throws std::invalid_argument  if a value is infinite or NaN.
+WelchResult welchTTest(std::span<const double> group1, std::span<const double> group2);
+WelchResult welchTTest(const LikertCounts& group1, const LikertCounts& group2);
+WelchResult welchTTest(const Moments& group1, const Moments& group2);
+
+/// Where the difference of the means lies, with a confidence of @p level, for instance 0.95;
+/// std::nullopt if the test is not defined or a limit is beyond what a double can hold.
+///
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+std::optional<Interval> confidenceInterval(const WelchResult& result, double level);
+
+/// What Student's t-test says about two groups; all are missing where it is not defined.
+struct StudentResult {
+  std::optional<double> t;                 ///< ±infinity for two constant groups that differ
+  std::optional<double> degreesOfFreedom;  ///< n₁ + n₂ − 2
+  std::optional<double> p;                 ///< two-sided
+};
+
+/// Student's t-test: Welch's elder, which trusts that both groups have the same variance.
+///
+///     t = (m₁ − m₂) / √(s² (1/n₁ + 1/n₂)),   s² = ((n₁ − 1) s₁² + (n₂ − 1) s₂²) / (n₁ + n₂ − 2)
+///
+/// For comparison with published results; welchTTest() needs less trust.
+///
+/// @throws std::invalid_argument  if a value is infinite or NaN.
+StudentResult studentTTest(std::span<const double> group1, std::span<const double> group2);
+StudentResult studentTTest(const Moments& group1, const Moments& group2);
+
+/// What the paired t-test says. What is not defined is missing,
+/// with a reason.
+struct PairedTResult {
+  std::uint64_t n = 0;  ///< of the pairs
+
+  std::optional<double> meanDifference;  ///< of x − y
+  std::optional<double> variance;        ///< of the differences, with n − 1
+  std::optional<double> standardError;   ///< of their mean
+  std::optional<double> t;               ///< ±infinity for differences that are all the same
+  std::optional<double> degreesOfFreedom;
+
+  std::optional<double> p;         ///< two-sided, not yet adjusted for the number of tests
+  std::optional<double> log10P;    ///< of p; also where p is too small for a double
+  std::optional<double> pLess;     ///< if only x < y were of interest
+  std::optional<double> pGreater;  ///< if only x > y were of interest
+
+  Reason reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// The paired t-test: do the same participants answer differently under two conditions?
+///
+///     t = d̄ / (s_d / √n),   d = x − y,   n − 1 degrees of freedom
+///
+/// The differences are taken in double arithmetic, so that tests of their ranks see the same ones;
+/// their mean and variance are taken with 31 digits.
+///
+/// The test is not defined for fewer than two pairs, nor for differences that are all the same.
+///
+/// @throws std::invalid_argument  if there are not as many y as x, or a value is infinite or NaN.
+PairedTResult pairedTTest(std::span<const double> x, std::span<const double> y);
+
+/// Where the mean difference lies, with a confidence of @p level, for instance 0.95; std::nullopt
+/// if the test is not defined or a limit is beyond what a double can hold.
+///
+/// @throws std::invalid_argument  for a level that is not between 0 and 1.
+std::optional<Interval> confidenceInterval(const PairedTResult& result, double level);
+
+/// Between these, a difference is too small to matter. They belong to the protocol, and are in the
+/// units of the scale.
+struct EquivalenceBounds {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// One of the two one-sided tests.
+struct OneSidedTest {
+  double t = 0.0;  ///< (difference − bound) / standard error; ±infinity beyond a double
+  double p = 1.0;
+  std::optional<double> log10P;  ///< also where p is too small for a double
+};
+
+/// Whether two conditions are equivalent within the bounds.
+struct EquivalenceResult {
+  EquivalenceBounds bounds;
+  std::optional<OneSidedTest> aboveLower;  ///< small p: the difference is above the lower bound
+  std::optional<OneSidedTest> belowUpper;  ///< small p: the difference is below the upper bound
+  std::optional<double> p;                 ///< of both: the larger one
+  std::optional<double> log10P;
+  Reason reason;  ///< why something above is missing; empty if nothing is
+};
+
+/// Two one-sided tests (Schuirmann 1987; Lakens 2017): is the difference within the bounds?
+///
+///     p = max(P(T ≥ (diff − lower) / se), P(T ≤ (diff − upper) / se))
+///
+/// With p ≤ α, the confidence interval of the difference at 1 − 2α lies within the bounds. A
+/// difference that is not significant does not show equivalence.
+///
+/// Not defined where the test of the difference is not.
+///
+/// @throws std::invalid_argument  unless lower < upper, both finite.
+EquivalenceResult equivalenceTest(const WelchResult& test, const EquivalenceBounds& bounds);
+EquivalenceResult equivalenceTest(const PairedTResult& test, const EquivalenceBounds& bounds);
+
+}  // namespace analysis
