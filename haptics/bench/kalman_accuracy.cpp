@@ -7,7 +7,6 @@
 #include "haptics/bench/peers/peers.h"
 #include "haptics/bench/string_reference.h"
 #include "haptics/models/kalman_filter.h"
-#include "haptics/models/kalman_noise.h"
 
 namespace haptics::bench {
 namespace {

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "haptics/bench/stability.h"
-#include "haptics/bench/stability_kernels.h"
 #include "haptics/bench/string_reference.h"
 #include "haptics/reaming/material/piecewise.h"
 

@@ -1,11 +1,9 @@
 // Compiled twice: the second time with fused multiply-add, and with 'models' under another name, so
 // that the linker keeps both. Nothing but the models and plain numbers may be used here.
-#include "haptics/bench/stability_kernels.h"
-
+#include "haptics/bench/stability.h"
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/hermite_curve.h"
 #include "haptics/models/kalman_filter.h"
-#include "haptics/models/kalman_noise.h"
 
 #ifndef PALPATE_KERNELS
 #define PALPATE_KERNELS plain

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "haptics/bench/stability.h"
-#include "haptics/engine/energy_observer.h"
 #include "haptics/engine/passivity.h"
 
 namespace haptics::bench {

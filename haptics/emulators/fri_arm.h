@@ -3,7 +3,6 @@
 #include "haptics/devices/hand.h"
 #include "haptics/devices/iiwa/iiwa_kinematics.h"
 #include "haptics/emulators/iiwa_arm.h"
-#include "haptics/emulators/surgeon_hand.h"
 #include "haptics/wire/fri_message.h"
 
 namespace haptics::emulators {

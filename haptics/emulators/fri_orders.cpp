@@ -31,10 +31,10 @@ std::optional<int> numberFrom(std::string_view text) {
   return isNumber ? std::optional(number) : std::nullopt;
 }
 
-constexpr std::string_view kLevels = "poor|good";  // 1 and 2, as arguments
+constexpr std::string_view kQualityLevels = "poor|good";  // 1 and 2, as arguments
 
 std::optional<int> argumentFrom(std::string_view text, std::string_view usage) {
-  if (usage != kLevels) return numberFrom(text);
+  if (usage != kQualityLevels) return numberFrom(text);
   if (text == "poor") return 1;
   return text == "good" ? std::optional(2) : std::nullopt;
 }
@@ -70,7 +70,7 @@ const FriOrders::Word FriOrders::kWords[] = {
     {"nan", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::NotANumber, n); }},
     {"impostor", "N", 1, [](FriOrders& o, int n, int) { o.add(Once::Impostor, n); }},
     {"quality",
-     kLevels,
+     kQualityLevels,
      1,
      [](FriOrders& o, int level, int) {
        o.isQualityPoor_.store(level == 1, std::memory_order_relaxed);
@@ -113,7 +113,7 @@ std::optional<std::string> FriOrders::obey(
     const std::string form =
         std::string(word.name) + (word.usage.empty() ? "" : " ") + std::string(word.usage);
     return "'" + std::string(line) + "': the command is \"" + form + "\"" +
-           (word.arguments == 0 || word.usage == kLevels
+           (word.arguments == 0 || word.usage == kQualityLevels
                 ? ""
                 : "; N and MS are whole numbers from 1 to 1000000");
   }

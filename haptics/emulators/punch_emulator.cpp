@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::emulators {

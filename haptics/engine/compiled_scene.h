@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "haptics/engine/bone_view.h"
+#include "haptics/engine/bone_models.h"
 #include "haptics/engine/force_model.h"
 #include "haptics/engine/scene_spec.h"
 

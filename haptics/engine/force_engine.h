@@ -5,8 +5,8 @@
 
 #include "haptics/devices/device.h"
 #include "haptics/engine/compiled_scene.h"
-#include "haptics/engine/energy_observer.h"
 #include "haptics/engine/force_limiter.h"
+#include "haptics/engine/passivity.h"
 #include "haptics/engine/sample_ring.h"
 #include "haptics/models/cut_detector.h"
 

@@ -4,7 +4,6 @@
 
 #include "haptics/engine/bone_models.h"
 #include "haptics/engine/force_model.h"
-#include "haptics/engine/reamer.h"
 #include "haptics/engine/scene_spec.h"
 
 namespace haptics::engine {

@@ -41,7 +41,6 @@ class SampleRing {
   }
 
   std::uint64_t lost() const noexcept { return lost_.load(std::memory_order_relaxed); }
-  static constexpr std::size_t capacity() noexcept { return kCapacity; }
 
  private:
   alignas(64) std::atomic<std::size_t> head_{0};

@@ -3,7 +3,6 @@
 #include "haptics/models/finite_elements.h"
 #include "haptics/models/interpolation.h"
 #include "haptics/models/kalman_filter.h"
-#include "haptics/models/kalman_noise.h"
 #include "haptics/wire/crc32.h"
 #include "haptics/wire/punch_codec.h"
 

@@ -61,7 +61,7 @@ class PunchProgram {
   using EventCode = wire::punch::EventCode;
 
   static constexpr int kWindow = 8;            // steps, for the velocity
-  static constexpr int kMostBytesAStep = 512;  // a host that floods is not listened to for ever
+  static constexpr int kMostBytesAStep = 512;  // a host that floods is not read without end
 
   void noteTime(uint32_t passed) noexcept {
     const uint32_t period = 1'000'000U / limits_.rate;

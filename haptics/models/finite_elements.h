@@ -1,10 +1,27 @@
 #pragma once
 
-#include "haptics/models/compensated_sum.h"
-#include "haptics/models/finite.h"
 #include "haptics/models/response.h"
 
 namespace haptics::models {
+
+/// A sum that keeps what rounding would lose (Kahan 1965): its error does not grow with the number
+/// of terms, as long as they have one sign. Not to be compiled with -ffast-math.
+template <typename Scalar>
+class CompensatedSum {
+ public:
+  constexpr void add(Scalar term) noexcept {
+    const Scalar corrected = term - lost_;
+    const Scalar sum = sum_ + corrected;
+    lost_ = (sum - sum_) - corrected;
+    if (!(lost_ - lost_ == Scalar{0})) lost_ = Scalar{0};  // a term without end
+    sum_ = sum;
+  }
+  constexpr Scalar value() const noexcept { return sum_; }
+
+ private:
+  Scalar sum_{};
+  Scalar lost_{};
+};
 
 /// How the ends of the string are held: docs/force-models.md.
 enum class Boundary {

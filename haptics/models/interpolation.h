@@ -2,7 +2,6 @@
 
 #include <stddef.h>
 
-#include "haptics/models/finite.h"
 #include "haptics/models/response.h"
 #include "haptics/models/segment_index.h"
 

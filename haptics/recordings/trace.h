@@ -19,7 +19,7 @@ struct Trace {
   ForceCalibration calibration{};
 };
 
-/// What a recording's readings become newtons with, unless somebody chooses otherwise.
+/// What a recording's readings become newtons with, unless another calibration is chosen.
 ///
 /// @throws Error  if it does not say.
 ForceCalibration calibrationFor(const Recording& recording);

@@ -1,7 +1,6 @@
 #include "haptics/timing/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 
@@ -54,6 +53,10 @@ Timing timingOf(std::vector<double> times) {
 }
 
 }  // namespace
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 std::vector<Timing> race(const std::vector<Contestant>& contestants) {
   std::vector<Plan> plans;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace haptics::timing {
+
+/// [s]
+double secondsSince(std::chrono::steady_clock::time_point start);
 
 /// How long a step takes [ns]: the median over many short batches, and what 99 % of them do not
 /// exceed.

@@ -60,7 +60,7 @@ std::uint32_t requiredIn(const Message auto& message) noexcept {
   return required.bits();
 }
 
-/// What reading found out besides the message.
+/// What reading found out in addition to the message.
 struct Findings {
   AddressMap seen;    ///< of a message's required fields, as bits
   AddressMap counts;  ///< of joints and vectors

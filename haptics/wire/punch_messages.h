@@ -107,7 +107,7 @@ struct Model {
   // Interpolation: haptics/models/interpolation.h.
   uint8_t beyond = 0;
   float rampLength = 1.5F;
-  // Kalman filter: haptics/models/kalman_noise.h.
+  // Kalman filter: haptics/models/kalman_filter.h.
   uint8_t scheme = 0;
   float noise[6] = {};  ///< in the order of KalmanNoise
 };

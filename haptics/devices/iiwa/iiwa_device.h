@@ -68,7 +68,6 @@ class IiwaDevice final : public WireDevice {
 
   /// The last message of the robot. Called from the thread that ticks.
   const wire::fri::MonitoringMessage& heard() const noexcept { return heard_; }
-  const Pose& toolPose() const noexcept { return tool_; }
 
  private:
   using SessionState = wire::fri::SessionState;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "haptics/devices/device.h"
-#include "haptics/devices/punch/firmware_build.h"
+#include "haptics/devices/punch/punch_kind.h"
 #include "haptics/timing/monotonic_clock.h"
 
 namespace haptics::devices {

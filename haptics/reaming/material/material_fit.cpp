@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "haptics/filters/low_pass.h"
-#include "haptics/reaming/material/ordered_splines.h"
+#include "haptics/reaming/material/envelope.h"
 
 namespace haptics::reaming {
 namespace {

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <queue>
-
-#include "haptics/reaming/material/node_error.h"
 
 namespace haptics::reaming {
 namespace {
@@ -188,6 +187,81 @@ NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeW
 double largestError(
     const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish) {
   return NodeError(curve, wish).through(nodes).error;
+}
+
+NodeError::NodeError(const SampledCurve& curve, const NodeWish& wish)
+    : curve_(curve), wish_(wish), slopes_(dataSlopes(curve)) {
+  if (wish.rule == NodeRule::PaperLiteral) wish_.floor = 0.0;
+}
+
+NodeError::Worst NodeError::of(
+    const models::CubicSegment<double>& piece,
+    std::size_t from,
+    std::size_t to,
+    double enough) const {
+  Worst worst{.at = from + (to - from) / 2};
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double y = curve_.y[i];
+    const double measure = std::max(std::abs(y), wish_.floor);
+    if (measure == 0.0) continue;  // the paper's e_a is not defined there
+    const double error = std::abs(piece.at(curve_.x[i]).force - y) / measure;
+    if (error > worst.error) worst = {error, i};
+    if (worst.error > enough) break;
+  }
+  return worst;
+}
+
+NodeError::Worst NodeError::between(std::size_t from, std::size_t to, double enough) const {
+  models::HermiteNode<double> a{curve_.x[from], curve_.y[from], slopes_[from]};
+  models::HermiteNode<double> b{curve_.x[to], curve_.y[to], slopes_[to]};
+  if (wish_.kind == SplineKind::Linear) {
+    a.slope = b.slope = (b.force - a.force) / (b.position - a.position);
+  }
+  return of(models::CubicSegment<double>::between(a, b), from, to, enough);
+}
+
+NodeError::Worst NodeError::through(std::span<const std::size_t> nodes, double enough) const {
+  const auto spline = splineThrough(curve_, slopes_, nodes, wish_.kind);
+  Worst worst;
+  for (std::size_t i = 0; i + 1 < nodes.size() && worst.error <= enough; ++i) {
+    const auto here = of(spline.segments[i], nodes[i], nodes[i + 1], enough);
+    if (here.error > worst.error) worst = here;
+  }
+  return worst;
+}
+
+namespace {
+
+/// The sample at @p x.
+std::size_t sampleAt(const SampledCurve& curve, double x) {
+  const auto found = std::lower_bound(curve.x.begin(), curve.x.end(), x);
+  return static_cast<std::size_t>(found - curve.x.begin());
+}
+
+double off(const SampledCurve& curve, const Spline& spline, std::size_t i) {
+  return std::abs(spline.at(curve.x[i]) - curve.y[i]);
+}
+
+}  // namespace
+
+SplineComparison compareSplines(
+    const SampledCurve& curve, std::vector<std::size_t> nodes, double floor) {
+  SplineComparison comparison{.nodes = std::move(nodes)};
+  const auto slopes = dataSlopes(curve);
+  for (const auto kind : {SplineKind::NaturalCubic, SplineKind::HermiteDataSlope}) {
+    ComparedSpline compared{
+        .kind = kind, .spline = splineThrough(curve, slopes, comparison.nodes, kind)};
+    compared.error = errorOf(curve, compared.spline, floor);
+    const auto& first = comparison.splines.empty() ? compared : comparison.splines.front();
+    const auto published = sampleAt(curve, first.error.publishedAt);
+    const auto floored = sampleAt(curve, first.error.flooredAt);
+    const double v = std::abs(curve.y[published]);
+    if (v > 0.0) compared.publishedThere = off(curve, compared.spline, published) / v;
+    compared.flooredThere =
+        off(curve, compared.spline, floored) / std::max(std::abs(curve.y[floored]), floor);
+    comparison.splines.push_back(std::move(compared));
+  }
+  return comparison;
 }
 
 }  // namespace haptics::reaming

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,5 +61,71 @@ NodeChoice chooseNodes(const SampledCurve& curve, std::size_t count, const NodeW
 /// The largest error of a kind of spline through @p nodes, by the measure of a wish.
 double largestError(
     const SampledCurve& curve, std::span<const std::size_t> nodes, const NodeWish& wish);
+
+/// How far splines through some samples of a curve are off.
+class NodeError {
+ public:
+  struct Worst {
+    double error = 0.0;  ///< by the measure of the wish
+    std::size_t at = 0;  ///< the sample
+  };
+
+  /// @param curve  must outlive this object.
+  NodeError(const SampledCurve& curve, const NodeWish& wish);
+
+  std::size_t size() const noexcept { return curve_.size(); }
+  const SampledCurve& curve() const noexcept { return curve_; }
+  const std::vector<double>& slopes() const noexcept { return slopes_; }
+
+  /// Of the piece between two samples of a local kind; stops as soon as it exceeds @p enough.
+  Worst between(
+      std::size_t from,
+      std::size_t to,
+      double enough = std::numeric_limits<double>::infinity()) const;
+
+  /// Of the whole spline through @p nodes; stops as soon as it exceeds @p enough.
+  Worst through(
+      std::span<const std::size_t> nodes,
+      double enough = std::numeric_limits<double>::infinity()) const;
+
+ private:
+  Worst of(
+      const models::CubicSegment<double>& piece,
+      std::size_t from,
+      std::size_t to,
+      double enough) const;
+
+  const SampledCurve& curve_;
+  NodeWish wish_;
+  std::vector<double> slopes_;
+};
+
+/// Nodes of the least largest error, as many as asked for: chooseNodes().
+std::vector<std::size_t> nodesOfLeastError(
+    const NodeError& error, std::size_t count, const NodeWish& wish);
+
+/// One of the splines of a comparison.
+struct ComparedSpline {
+  SplineKind kind = SplineKind::NaturalCubic;
+  Spline spline;
+  ApproximationError error;
+  /// |e_a| where the first spline of the comparison is worst, as published and with the floor: the
+  /// paper's "at the same reamer displacement".
+  double publishedThere = 0.0;
+  double flooredThere = 0.0;
+};
+
+/// Splines through the same nodes of a curve.
+struct SplineComparison {
+  std::vector<std::size_t> nodes;  ///< indices into the curve
+  std::vector<ComparedSpline> splines;
+};
+
+/// Fig. 7 of the reaming paper for any curve: the natural cubic and the cubic Hermite spline
+/// through the same nodes.
+///
+/// @param nodes  indices into the curve, rising, two or more. @param floor  ApproximationError.
+SplineComparison compareSplines(
+    const SampledCurve& curve, std::vector<std::size_t> nodes, double floor);
 
 }  // namespace haptics::reaming

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/random.h"
-#include "haptics/reaming/material/node_error.h"
+#include "haptics/reaming/material/node_choice.h"
 
 namespace haptics::reaming {
 namespace {

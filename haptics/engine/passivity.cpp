@@ -1,4 +1,4 @@
-#include "haptics/engine/energy_observer.h"
+#include "haptics/engine/passivity.h"
 
 #include <algorithm>
 #include <cmath>

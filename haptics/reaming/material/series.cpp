@@ -1,4 +1,4 @@
-#include "haptics/reaming/material/series_text.h"
+#include "haptics/reaming/material/series.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/file.h"
 #include "haptics/recordings/recording.h"
-#include "haptics/recordings/text_table.h"
+#include "haptics/recordings/recording_table.h"
 
 namespace haptics::reaming {
 namespace {
@@ -214,7 +215,7 @@ Series readSeries(std::string_view text, const std::string& name, const SeriesMa
 std::string contentOfSeriesFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Error("There is no series '" + path + "': check the name and the folder.");
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return base::readAll(file);
 }
 
 Series readSeriesFile(const std::string& path, TestSet set, const SeriesMapping& mapping) {
